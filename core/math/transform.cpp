@@ -1,0 +1,53 @@
+#include "core/math/transform.h"
+
+#include <glm/geometric.hpp>
+
+namespace stretch {
+
+namespace {
+
+struct LinearParts {
+  Quat rotation;
+  Vec3 scale;
+};
+
+// Any unit vector perpendicular to `axis`.
+Vec3 anyPerpendicular(const Vec3& axis) {
+  const Vec3 helper = std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, helper));
+}
+
+LinearParts split(const Mat4& matrix) {
+  const Vec3 x(matrix[0]);
+  const Vec3 y(matrix[1]);
+  const Vec3 z(matrix[2]);
+  Vec3 scale(glm::length(x), glm::length(y), glm::length(z));
+  const Vec3 unitX = scale.x > 0.0 ? x / scale.x : Vec3(1, 0, 0);
+  Vec3 unitY = scale.y > 0.0 ? y / scale.y : anyPerpendicular(unitX);
+  unitY -= unitX * glm::dot(unitX, unitY);
+  unitY = glm::length(unitY) > 1e-12 ? glm::normalize(unitY) : anyPerpendicular(unitX);
+  const Vec3 unitZ = glm::cross(unitX, unitY);
+  if (glm::dot(unitZ, z) >= 0.0) {
+    return {glm::normalize(glm::quat_cast(Mat3(unitX, unitY, unitZ))), scale};
+  }
+  // A mirror: the x axis carries the minus sign, so that the other two and the rotation stay a right-handed frame.
+  scale.x = -scale.x;
+  return {glm::normalize(glm::quat_cast(Mat3(-unitX, unitY, -unitZ))), scale};
+}
+
+} // namespace
+
+Mat4 toMatrix(const Transform& transform) {
+  const Mat3 rotation = glm::mat3_cast(transform.rotation);
+  return Mat4(Vec4(rotation[0] * transform.scale.x, 0.0), Vec4(rotation[1] * transform.scale.y, 0.0),
+              Vec4(rotation[2] * transform.scale.z, 0.0), Vec4(transform.translation, 1.0));
+}
+
+Transform toTransform(const Mat4& matrix) {
+  const LinearParts parts = split(matrix);
+  return {Vec3(matrix[3]), parts.rotation, parts.scale};
+}
+
+Quat rotationOf(const Mat4& matrix) { return split(matrix).rotation; }
+
+} // namespace stretch

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/math/transform.h"
+
+namespace stretch {
+
+/// A character as a file describes it: plain values, read once, never edited. Indices are the file's own (a node is
+/// known by its index, since names repeat); -1 means none.
+struct Node {
+  std::string name; ///< May be empty; not unique.
+  int parent = -1;
+  std::vector<int> children;
+  Transform rest;             ///< Local, at rest. The nearest TRS where the file gives a matrix.
+  std::optional<Mat4> matrix; ///< The file's matrix where it gives one: then it is what counts until the node is animated.
+  int mesh = -1;
+  int skin = -1;
+};
+
+struct Skin {
+  std::string name;
+  std::vector<int> joints;         ///< Node indices.
+  std::vector<Mat4> inverseBind;   ///< One a joint: bind-pose model space to joint space. Identity where the file has none.
+};
+
+/// How a vertex follows the joints: up to 8 influences, as read (JOINTS_0, JOINTS_1), weights made to sum to 1.
+struct VertexInfluences {
+  static constexpr int capacity = 8;
+  std::array<std::uint16_t, capacity> joints{}; ///< Indices into Skin::joints.
+  std::array<float, capacity> weights{};
+};
+
+struct MorphTarget {
+  std::vector<glm::vec3> positions; ///< Offsets, one a vertex; empty when the target moves none.
+  std::vector<glm::vec3> normals;
+};
+
+/// Triangles only: strips and fans are turned into triangles, points and lines are left out.
+struct Primitive {
+  std::vector<glm::vec3> positions; ///< Mesh space (bind-pose model space for skinned meshes).
+  std::vector<glm::vec3> normals;   ///< One a vertex; computed where the file has none.
+  std::vector<glm::vec2> texCoords; ///< Of the set that the base colour texture uses; empty when there is none.
+  std::vector<glm::vec4> colors;    ///< COLOR_0, linear; empty when there is none.
+  std::vector<VertexInfluences> influences; ///< Empty when not skinned.
+  std::vector<std::uint32_t> indices;       ///< Three a triangle.
+  std::vector<MorphTarget> morphTargets;
+  int material = -1;
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+  std::vector<float> morphWeights; ///< Default weights; empty without morph targets.
+};
+
+/// Pixels of a texture, decoded: 8-bit RGBA, rows from the top, sRGB. Empty when it could not be read.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// What the viewport draws of a material.
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1.0F};
+  int baseColorImage = -1;            ///< Index into Scene::images.
+  std::array<float, 4> uvTransform{1.0F, 1.0F, 0.0F, 0.0F}; ///< uv * xy + zw (KHR_texture_transform without rotation).
+  bool nearestFilter = false;
+  glm::vec3 emissive{0.0F};
+  AlphaMode alphaMode = AlphaMode::opaque;
+  float alphaCutoff = 0.5F;
+  bool doubleSided = false;
+  bool unlit = false;
+};
+
+struct Scene {
+  std::vector<Node> nodes;
+  std::vector<int> roots; ///< Of the default scene; nodes that no scene shows are not drawn.
+  std::vector<Skin> skins;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Image> images;
+  /// VRM humanoid table (0.x and 1.0): bone name as VRM 1.0 spells it ("leftUpperArm") -> node. Empty without one.
+  std::map<std::string, int> humanoid;
+};
+
+/// Node indices ordered so that every parent comes before its children. Files are checked for loops when they are read.
+[[nodiscard]] std::vector<int> parentsFirst(const Scene& scene);
+
+/// Whether `ancestor` is `node` or above it.
+[[nodiscard]] bool isAncestorOrSelf(const Scene& scene, int ancestor, int node);
+
+} // namespace stretch

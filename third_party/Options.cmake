@@ -1,0 +1,14 @@
+# How every file of the project is compiled: strict warnings, which are errors, and the sanitizers of the dev preset.
+add_library(stretch_options INTERFACE)
+target_compile_options(stretch_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                       -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-qual -Wduplicated-cond
+                       -Wnull-dereference -Wimplicit-fallthrough -Werror)
+target_include_directories(stretch_options INTERFACE ${CMAKE_SOURCE_DIR})
+# GLM: no implicit conversions of scalars, sizes as std::size_t; radians are GLM's only unit.
+target_compile_definitions(stretch_options INTERFACE GLM_FORCE_EXPLICIT_CTOR GLM_FORCE_SIZE_T_LENGTH GLM_ENABLE_EXPERIMENTAL)
+# The same bits on every machine and at every optimisation level: no fused multiply-add that the source did not ask for.
+target_compile_options(stretch_options INTERFACE -ffp-contract=off)
+if(STRETCH_SANITIZE)
+  target_compile_options(stretch_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(stretch_options INTERFACE -fsanitize=address,undefined)
+endif()
