@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
+
 namespace stretch {
 
 namespace {
@@ -11,11 +13,6 @@ struct LinearParts {
   Vec3 scale;
 };
 
-// Any unit vector perpendicular to `axis`.
-Vec3 anyPerpendicular(const Vec3& axis) {
-  const Vec3 helper = std::abs(axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  return glm::normalize(glm::cross(axis, helper));
-}
 
 LinearParts split(const Mat4& matrix) {
   const Vec3 x(matrix[0]);

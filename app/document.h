@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/base/result.h"
+#include "core/gltf/source.h"
+#include "core/scene/scene.h"
+#include "rig/biped/detection.h"
+#include "rig/limb.h"
+#include "rig/trail/trail.h"
+
+namespace stretch::app {
+
+/// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are shared and never
+/// change. Nothing derived is kept here. Clips are the source's: what the trails make of them is evaluated, so deleting a
+/// trail gives the source back by construction.
+struct Document {
+  std::shared_ptr<const gltf::Source> source;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const std::vector<Clip>> clips;
+  std::vector<std::string> warnings; ///< Of opening the file.
+
+  rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
+  std::vector<rig::Limb> chains; ///< Further chains that the user picked.
+  std::vector<rig::Trail> trails;
+  std::vector<int> loopingClips; ///< Clips that the user marked as loops: releases wrap.
+  int nextTrailId = 1;
+};
+
+/// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
+[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path);
+
+/// Equal by value (shared parts by identity first).
+[[nodiscard]] bool sameDocument(const Document& a, const Document& b);
+
+/// Null when there is none.
+[[nodiscard]] const rig::Limb* findLimb(const Document& document, const std::string& limbId);
+[[nodiscard]] const rig::Trail* findTrail(const Document& document, int trailId);
+[[nodiscard]] rig::Trail* findTrail(Document& document, int trailId);
+
+[[nodiscard]] const Clip& clipOf(const Document& document, int clip);
+
+/// Whether the character follows this trail: it is connected, or it was applied.
+[[nodiscard]] bool isActive(const rig::Trail& trail);
+
+} // namespace stretch::app

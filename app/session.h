@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/evaluate.h"
+#include "app/history.h"
+
+namespace stretch::app {
+
+/// What is selected and where the playhead stands: not part of the document, not undone (except that undo keeps it valid).
+struct ViewState {
+  int clip = 0;
+  double frame = 0.0;                     ///< Playhead, in frames of the clip.
+  std::vector<std::string> selectedLimbs; ///< Limb ids.
+  int selectedTrail = 0;                  ///< Trail id; 0 none.
+  std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
+  double rangeStart = 0.0;                ///< The working range, for new trails.
+  double rangeEnd = -1.0;                 ///< < rangeStart: the default range of section "Words".
+  bool showOriginal = false;              ///< While held: the character as it was.
+};
+
+/// One open file being edited: history, what is being dragged, and the caches. The one door for edits.
+class Session {
+public:
+  explicit Session(Document document);
+
+  /// The document to show: the preview while a drag is on, else the current state.
+  [[nodiscard]] const Document& document() const { return preview_ ? *preview_ : history_.current(); }
+  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] ViewState& view() { return view_; }
+  [[nodiscard]] const ViewState& view() const { return view_; }
+
+  /// One finished edit, one undo step. Refused (false) while a drag is on.
+  bool edit(Document changed, std::string label);
+
+  /// A drag or a modal: begin remembers the state; each preview is computed from the state AT BEGIN; commit pushes one
+  /// undo step (none when nothing changed), cancel restores.
+  void begin(std::string label);
+  [[nodiscard]] bool isDragging() const { return preview_.has_value(); }
+  [[nodiscard]] const Document& atBegin() const { return history_.current(); }
+  void preview(Document changed);
+  void commit();
+  void cancel();
+
+  bool undo(); ///< Cancels a drag first.
+  bool redo();
+
+  /// The character at a frame of the viewed clip, trails included; cached by identity.
+  [[nodiscard]] const FrameState& frameAt(double frame);
+  /// The same without any trail.
+  [[nodiscard]] const FrameState& originalAt(double frame);
+  /// The prepared trails of the viewed clip.
+  [[nodiscard]] const rig::MotionState& motion();
+
+  /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the first save.
+  [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
+  [[nodiscard]] std::filesystem::path proposedSavePath() const;
+  Status save(const std::filesystem::path& path, bool clean);
+
+private:
+  void dropInvalidSelection();
+
+  History history_;
+  std::optional<Document> preview_;
+  std::string dragLabel_;
+  ViewState view_;
+  EvaluationCache cache_;
+  std::filesystem::path savePath_;
+};
+
+} // namespace stretch::app

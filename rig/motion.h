@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/anim/frame_state.h"
+#include "rig/biped/detection.h"
+#include "rig/limb.h"
+#include "rig/limb_topology.h"
+#include "rig/trail/exaggeration.h"
+#include "rig/trail/limb_path.h"
+#include "rig/trail/release.h"
+#include "rig/trail/sphere_offsets.h"
+#include "rig/trail/trail.h"
+
+namespace stretch::rig {
+
+/// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
+struct SolvedTrail {
+  Trail trail;
+  TrailSettings settings; ///< As used: range clamped to the clip, scale to its limits.
+  Limb limb;
+  LimbTopology topology;
+  LimbPath path;          ///< The original path over the range, in world space and in the trail's space.
+  TipSolution tip;        ///< In the trail's space.
+  Remap remap{RemapKind::spline, {}, {}};
+  SphereOffsets offsets;
+  Release release;
+  double startSeconds = 0.0;  ///< The range.
+  double endSeconds = 0.0;
+  double tipSeconds = 0.0;
+  double windowStartSeconds = 0.0; ///< Range, release and fade: outside nothing moves.
+  double windowEndSeconds = 0.0;
+  std::vector<double> controlFrames; ///< Where the control spheres are.
+  bool active = false;               ///< The character follows it.
+  std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
+};
+
+/// All trails of a clip, from the root outwards (hips and spine, then neck and arms, legs).
+struct MotionState {
+  int clip = -1;
+  double framesPerSecond = 30.0;
+  std::vector<SolvedTrail> trails;
+};
+
+struct MotionInput {
+  const Scene* scene = nullptr;
+  const Clip* clip = nullptr;
+  int clipIndex = -1;
+  const Biped* biped = nullptr;
+  std::vector<Limb> limbs;    ///< All limbs that trails may name, the user's chains included.
+  std::vector<Trail> trails;  ///< Of this clip. Those whose limb is missing are left out.
+  bool loops = false;
+};
+
+[[nodiscard]] MotionState solveMotion(const MotionInput& input);
+
+/// F(t) of one trail in world space as the source clip stands (blend and release in it), before inner trails carry it.
+[[nodiscard]] Vec3 targetAt(const SolvedTrail& solved, const LimbSample& sample);
+
+/// The character at one time with every active trail applied.
+[[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion, double timeSeconds);
+
+/// A trail's paths as they are drawn: one point a sample of its window, world space.
+struct DrawnTrail {
+  std::vector<double> frames;
+  std::vector<Vec3> original;
+  std::vector<Vec3> exaggerated;
+};
+
+/// Sampled every `incrementFrames` frames and at every control sphere. Inner trails carry both paths.
+[[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+                                    double incrementFrames);
+
+/// The default range of a limb in a clip (section "Words"): first frame .. frame at which the end, seen from the base, is
+/// farthest from where it began. Frames.
+[[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
+
+} // namespace stretch::rig

@@ -1,0 +1,207 @@
+#include "rig/trail/exaggeration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/check.h"
+
+namespace stretch::rig {
+
+namespace {
+
+constexpr double reachedTolerance = 1e-4;  // of the wanted length
+constexpr double stillness = 1e-6;         // of the limb's length: a path that moves less has nothing to scale
+
+Vec3 masked(const std::array<bool, 3>& axes, const Vec3& v) {
+  return {axes[0] ? v.x : 0.0, axes[1] ? v.y : 0.0, axes[2] ? v.z : 0.0};
+}
+
+// Where a walk from the tip along a line meets the sphere of the wanted radius around the base, or comes closest to it.
+struct Walk {
+  Vec3 end{0.0};
+  double signedDistance = 0.0; // along the direction; negative towards the pivot
+  bool met = true;
+};
+
+// Outwards there is exactly one root: the tip is inside the sphere.
+Walk walkOutwards(const Vec3& tip, const Vec3& base, const Vec3& direction, double radius) {
+  const Vec3 offset = tip - base;
+  const double along = glm::dot(offset, direction);
+  const double c = glm::dot(offset, offset) - radius * radius;
+  const double distance = -along + std::sqrt(std::max(0.0, along * along - c));
+  return {tip + direction * distance, distance, true};
+}
+
+// Inwards the line may miss the sphere, or meet it beyond `longest`.
+Walk walkInwards(const Vec3& tip, const Vec3& base, const Vec3& direction, double radius, double longest) {
+  const Vec3 offset = tip - base;
+  const double along = glm::dot(offset, direction); // > 0: walking inwards comes nearer to the base
+  const double c = glm::dot(offset, offset) - radius * radius;
+  const double discriminant = along * along - c;
+  const double root = discriminant >= 0.0 ? along - std::sqrt(discriminant) : -1.0;
+  if (root >= 0.0 && root <= longest) {
+    return {tip - direction * root, -root, true};
+  }
+  const double closest = std::clamp(along, 0.0, longest);
+  return {tip - direction * closest, -closest, false};
+}
+
+Walk walk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, double longestInwards) {
+  const double radius = problem.scale * problem.limbLength;
+  const double now = glm::length(tip - problem.basePosition);
+  if (std::abs(radius - now) <= 1e-12 * std::max(radius, now)) {
+    return {tip, 0.0, true};
+  }
+  return radius > now ? walkOutwards(tip, problem.basePosition, direction, radius)
+                      : walkInwards(tip, problem.basePosition, direction, radius, longestInwards);
+}
+
+// Section 1.3: what the line cannot reach is pulled straight to the wanted length, along the active axes only.
+Vec3 pullFrom(const TipProblem& problem, const Vec3& closest, const Vec3& originalTip) {
+  Vec3 direction = closest - problem.basePosition;
+  if (glm::length(direction) < 1e-9 * problem.limbLength) {
+    direction = originalTip - problem.basePosition;
+  }
+  const double length = glm::length(direction);
+  if (!(length > 0.0)) {
+    return Vec3(0.0);
+  }
+  const Vec3 wanted = problem.basePosition + direction * (problem.scale * problem.limbLength / length);
+  return masked(problem.axes, wanted - closest);
+}
+
+void finish(const TipProblem& problem, const Walk& walked, TipSolution& solution) {
+  solution.tip = walked.end;
+  solution.outcome = walked.met ? TipOutcome::reached : TipOutcome::closest;
+  if (!walked.met && problem.pull) {
+    solution.pull = pullFrom(problem, walked.end, solution.originalTip);
+    solution.tip += solution.pull;
+    solution.outcome = TipOutcome::pulled;
+  }
+  solution.reachedLength = glm::length(solution.tip - problem.basePosition);
+}
+
+// Section 1.4: the tip is nearer to the pivot than half of the farthest point, so the path is carried as a whole.
+void moveWhole(const TipProblem& problem, TipSolution& solution) {
+  const Vec3 outwards = masked(problem.axes, solution.originalTip - problem.basePosition);
+  const double length = glm::length(outwards);
+  if (length < stillness * problem.limbLength) {
+    solution.outcome = TipOutcome::nothingToScale;
+    return;
+  }
+  solution.moved = true;
+  const Walk walked = walk(problem, solution.originalTip, outwards / length, length);
+  solution.shift = walked.end - solution.originalTip;
+  finish(problem, walked, solution);
+}
+
+void scaleAboutPivot(const TipProblem& problem, const Vec3& outwards, TipSolution& solution) {
+  const double length = glm::length(outwards);
+  const Walk walked = walk(problem, solution.originalTip, outwards / length, length);
+  solution.trailScale = 1.0 + walked.signedDistance / length;
+  finish(problem, walked, solution);
+}
+
+int farthestFrom(const TipProblem& problem, const Vec3& pivotPoint) {
+  const auto farther = [&](const Vec3& a, const Vec3& b) {
+    return glm::length(masked(problem.axes, a - pivotPoint)) < glm::length(masked(problem.axes, b - pivotPoint));
+  };
+  return static_cast<int>(std::max_element(problem.points.begin(), problem.points.end(), farther) - problem.points.begin());
+}
+
+} // namespace
+
+bool TipSolution::reached() const {
+  return outcome != TipOutcome::nothingToScale &&
+         std::abs(reachedLength - wantedLength) <= reachedTolerance * wantedLength;
+}
+
+TipSolution solveTip(const TipProblem& problem) {
+  check(!problem.points.empty(), "a path has at least one point");
+  const bool pivotAtStart = problem.pivot == Pivot::start;
+  TipSolution solution;
+  solution.axes = problem.axes;
+  solution.pivotPoint = pivotAtStart ? problem.points.front() : problem.points.back();
+  solution.originalTip = pivotAtStart ? problem.points.back() : problem.points.front();
+  solution.tip = solution.originalTip;
+  solution.trailScale = 1.0;
+  solution.wantedLength = problem.scale * problem.limbLength;
+  solution.reachedLength = glm::length(solution.originalTip - problem.basePosition);
+  solution.farthestSample = farthestFrom(problem, solution.pivotPoint);
+
+  const Vec3 farthest = problem.points[static_cast<std::size_t>(solution.farthestSample)];
+  const double extent = glm::length(masked(problem.axes, farthest - solution.pivotPoint));
+  if (extent < stillness * problem.limbLength || !(extent > 0.0)) {
+    solution.outcome = TipOutcome::nothingToScale;
+    return solution;
+  }
+  const Vec3 outwards = masked(problem.axes, solution.originalTip - solution.pivotPoint);
+  if (glm::length(outwards) < 0.5 * extent) {
+    solution.trailScale.reset();
+    moveWhole(problem, solution);
+  } else {
+    scaleAboutPivot(problem, outwards, solution);
+  }
+  return solution;
+}
+
+Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
+  if (!solution.trailScale) {
+    return point + solution.shift;
+  }
+  return point + (*solution.trailScale - 1.0) * masked(solution.axes, point - solution.pivotPoint);
+}
+
+std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds, Pivot pivot) {
+  check(points.size() == timesSeconds.size() && !points.empty(), "a path has one time a point");
+  std::vector<double> ratios(points.size(), 0.0);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ratios[i] = ratios[i - 1] + glm::length(points[i] - points[i - 1]);
+  }
+  double whole = ratios.back();
+  if (!(whole > 0.0)) {
+    whole = timesSeconds.back() - timesSeconds.front();
+    std::transform(timesSeconds.begin(), timesSeconds.end(), ratios.begin(),
+                   [&](double time) { return time - timesSeconds.front(); });
+  }
+  for (double& ratio : ratios) {
+    ratio = whole > 0.0 ? ratio / whole : 1.0;
+    ratio = pivot == Pivot::start ? ratio : 1.0 - ratio;
+  }
+  return ratios;
+}
+
+Remap::Remap(RemapKind kind, const Ease& easeIn, const Ease& easeOut) {
+  constexpr double nearest = 1e-6; // two points of the curve never share a place
+  const double in = std::clamp(easeIn.percent, 0.0, 1.0 - 2 * nearest);
+  const double out = std::clamp(easeOut.percent, 0.0, 1.0 - nearest - in);
+  points_.emplace_back(0.0, 0.0);
+  if (in > nearest) {
+    points_.emplace_back(in, std::clamp(easeIn.value, 0.0, 0.5));
+  }
+  if (out > nearest && 1.0 - out > points_.back().x + nearest / 2) {
+    points_.emplace_back(1.0 - out, std::clamp(easeOut.value, 0.5, 1.0));
+  }
+  points_.emplace_back(1.0, 1.0);
+  if (kind == RemapKind::spline) {
+    spline_.emplace(points_);
+  }
+}
+
+double Remap::at(double ratio) const {
+  const double r = std::clamp(ratio, 0.0, 1.0);
+  if (spline_) {
+    return spline_->at(r);
+  }
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (r <= points_[i].x) {
+      const double t = (r - points_[i - 1].x) / (points_[i].x - points_[i - 1].x);
+      return points_[i - 1].y + t * (points_[i].y - points_[i - 1].y);
+    }
+  }
+  return 1.0;
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math/types.h"
+
+namespace stretch::rig {
+
+/// The end of the range that stays where it is; the other one is the tip.
+enum class Pivot { start, end };
+/// Where exaggeration is computed (spec/exaggeration.md, Spaces). `view` uses the axes stored with the trail.
+enum class TrailSpace { world, root, base, view };
+/// What the scale multiplies: the limb's length in the pose at the tip, or its rest length.
+enum class Reference { pose, rest };
+enum class RemapKind { spline, linear };
+/// How the limb gets to its target: the bent shape grown and turned as one, or straightened first as IK does.
+enum class Bend { keep, straighten };
+
+/// One end of the transition's remap curve (section 2). percent 0 is off.
+struct Ease {
+  double percent = 0.0; ///< Fraction in [0, 1).
+  double value = 0.0;   ///< Ease-in in [0, 0.5], ease-out in [0.5, 1].
+
+  friend bool operator==(const Ease&, const Ease&) = default;
+};
+
+/// A control sphere that was pulled: the path's offset at that frame (section 3).
+struct SphereOffset {
+  double frame = 0.0;
+  Vec3 offset{0.0}; ///< World units, along the axes of the trail's space.
+
+  friend bool operator==(const SphereOffset&, const SphereOffset&) = default;
+};
+
+/// "Up to the second ledge and not past it" (section 6): the limb's end is not carried past this plane.
+struct StopPlane {
+  Vec3 point{0.0};  ///< World.
+  Vec3 normal{0.0}; ///< World, points to the side that the limb may not enter; need not be a unit vector.
+
+  friend bool operator==(const StopPlane&, const StopPlane&) = default;
+};
+
+inline constexpr double smallestScale = 0.05; ///< Smaller wishes are taken as this.
+inline constexpr double largestScale = 5.0;   ///< What the interface offers; batch takes more.
+
+/// Everything that shapes an exaggerated trail. Frames are the clip's (spec/exaggeration.md, Frames).
+struct TrailSettings {
+  double startFrame = 0.0;
+  double endFrame = 0.0;
+  double scale = 1.0;                           ///< S: length of the limb at the tip over its reference length.
+  std::array<bool, 3> axes{true, true, true};   ///< Active axes x, y, z of the trail's space.
+  Pivot pivot = Pivot::start;
+  TrailSpace space = TrailSpace::world;
+  Mat3 viewAxes{1.0};                           ///< Columns: right, up, towards the viewer, in world space; for `view`.
+  Reference reference = Reference::pose;
+  Bend bend = Bend::keep;
+  RemapKind remap = RemapKind::spline;
+  Ease easeIn{0.0, 0.1};
+  Ease easeOut{0.0, 0.9};
+  double stretchSwitch = 1.0;                   ///< 0..1: how much of the wanted length the limb takes on.
+  double volume = 1.0;                          ///< 0..1: volume preservation.
+  std::optional<double> releaseFrames;          ///< Empty: the default of section 5.
+  double overshoot = 0.0;                       ///< 0..1: how far past the original the release swings, part of the tip's offset.
+  bool pull = true;                             ///< Section 1.3.
+  double blend = 2.0;                           ///< 0 original, 1 half-way, 2 exaggerated.
+  bool stayInWorld = false;                     ///< Does not ride along with an inner trail.
+  bool turnEnd = false;                         ///< The hand or foot turns with the limb instead of keeping its orientation.
+  std::optional<StopPlane> stopAt;
+  std::vector<SphereOffset> spheres;            ///< Ordered by frame, at most one a frame.
+
+  friend bool operator==(const TrailSettings&, const TrailSettings&) = default;
+};
+
+/// A limb's trail in one clip, as the user made it.
+struct Trail {
+  int id = 0;         ///< Stable within a document.
+  std::string limb;   ///< Limb::id.
+  int clip = 0;       ///< Index into the file's animations.
+  TrailSettings settings;
+  bool exaggerated = false; ///< An exaggerated copy exists beside the original path.
+  bool connected = false;   ///< The character follows the exaggerated copy.
+  std::optional<TrailSettings> applied; ///< What the clip was re-keyed with; the trail is quiet while it equals `settings`.
+  int colour = 0;           ///< Index into the palette of trails.
+  bool visible = true;
+  bool pinned = false;      ///< Drawn even when its limb is not selected.
+  /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (section 3).
+  std::vector<double> controlFrames;
+  bool follow = true; ///< The character follows while a sphere is dragged.
+
+  friend bool operator==(const Trail&, const Trail&) = default;
+};
+
+} // namespace stretch::rig
