@@ -1,0 +1,76 @@
+#pragma once
+
+/// Ids of the commands that panels ask for. The shell's tables define them; a panel's button is off while a command is missing.
+namespace stretch::ui::command {
+
+inline constexpr const char* fileOpen = "file.open";
+inline constexpr const char* fileSave = "file.save";
+inline constexpr const char* fileSaveAs = "file.save-as";
+inline constexpr const char* fileSaveIncremental = "file.save-incremental";
+inline constexpr const char* fileExportClean = "file.export-clean";
+inline constexpr const char* fileQuit = "file.quit";
+inline constexpr const char* recipeSave = "recipe.save";
+inline constexpr const char* recipeLoad = "recipe.load";
+inline constexpr const char* filePlayblast = "file.playblast";
+
+inline constexpr const char* undo = "edit.undo";
+inline constexpr const char* redo = "edit.redo";
+inline constexpr const char* copyTrail = "trail.copy";
+inline constexpr const char* pasteTrail = "trail.paste";
+inline constexpr const char* mirrorTrail = "trail.mirror";
+
+inline constexpr const char* selectLeftArm = "limb.left-arm";
+inline constexpr const char* selectRightArm = "limb.right-arm";
+inline constexpr const char* selectLeftLeg = "limb.left-leg";
+inline constexpr const char* selectRightLeg = "limb.right-leg";
+inline constexpr const char* selectSpine = "limb.spine";
+inline constexpr const char* selectNeck = "limb.neck";
+inline constexpr const char* selectNone = "limb.none";
+inline constexpr const char* pickChain = "limb.chain";
+inline constexpr const char* detectAgain = "rig.detect";
+
+inline constexpr const char* rangeStart = "range.start";
+inline constexpr const char* rangeEnd = "range.end";
+inline constexpr const char* trailToggle = "trail.toggle";
+inline constexpr const char* trailExaggerate = "trail.exaggerate";
+inline constexpr const char* trailConnect = "trail.connect";
+inline constexpr const char* trailFollow = "trail.follow";
+inline constexpr const char* trailApply = "trail.apply";
+inline constexpr const char* trailDelete = "trail.delete";
+inline constexpr const char* trailDeleteAll = "trail.delete-all";
+inline constexpr const char* trailBlend = "trail.blend";
+inline constexpr const char* trailShowOriginal = "trail.show-original";
+inline constexpr const char* trailMatchHand = "trail.match-hand";
+inline constexpr const char* sphereNext = "sphere.next";
+inline constexpr const char* spherePrevious = "sphere.previous";
+
+inline constexpr const char* timePlay = "time.play";
+inline constexpr const char* timeBack = "time.back";
+inline constexpr const char* timeForward = "time.forward";
+inline constexpr const char* timePreviousKey = "time.previous-key";
+inline constexpr const char* timeNextKey = "time.next-key";
+inline constexpr const char* timeStart = "time.start";
+inline constexpr const char* timeEnd = "time.end";
+
+inline constexpr const char* viewGhosts = "view.ghosts";
+inline constexpr const char* viewSkeleton = "view.skeleton";
+inline constexpr const char* viewWire = "view.wire";
+inline constexpr const char* viewJointNames = "view.joint-names";
+inline constexpr const char* viewHeatMap = "view.heat-map";
+inline constexpr const char* viewGrid = "view.grid";
+inline constexpr const char* viewFrameNumbers = "view.frame-numbers";
+inline constexpr const char* viewSideBySide = "view.side-by-side";
+inline constexpr const char* viewFrameSelection = "view.frame-selection";
+inline constexpr const char* viewFrameAll = "view.frame-all";
+inline constexpr const char* viewFront = "view.front";
+inline constexpr const char* viewSide = "view.side";
+inline constexpr const char* viewTop = "view.top";
+inline constexpr const char* viewPerspective = "view.perspective";
+inline constexpr const char* viewFileCamera = "view.camera";
+
+inline constexpr const char* palette = "help.palette";
+inline constexpr const char* keys = "help.keys";
+inline constexpr const char* settings = "help.settings";
+inline constexpr const char* about = "help.about";
+
+} // namespace stretch::ui::command

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session.h"
+#include "ui/panels/ui_state.h"
+#include "ui/widgets/item_registry.h"
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+/// A command as menus, palette, tooltips and the keys overview show it; made by the shell each frame.
+struct CommandInfo {
+  std::string id;      ///< "trail.apply".
+  std::string label;
+  std::string help;
+  std::string keyText; ///< The real key, as the user's layout names it; empty without one.
+  bool enabled = true;
+  bool checked = false; ///< A switch that is on.
+};
+
+/// Everything a panel may see and touch. Panels draw, read the session, make edits through it (begin, preview, commit) and
+/// ask for commands by id; the shell runs those after the frame's panels, in order.
+struct PanelContext {
+  app::Session* session = nullptr; ///< Null: no file is open.
+  UiState& ui;
+  const Theme& theme;
+  const std::vector<CommandInfo>& commands;
+  std::vector<std::string>& requestedCommands;
+  ItemRegistry& items;
+};
+
+/// Null for an id that no command has.
+[[nodiscard]] const CommandInfo* findCommand(const PanelContext& context, std::string_view id);
+void request(PanelContext& context, std::string_view commandId);
+
+} // namespace stretch::ui

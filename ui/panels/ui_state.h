@@ -1,0 +1,172 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+enum class NavigationStyle { maya, blender };
+
+/// What the viewport draws over the character.
+struct ViewportOverlays {
+  bool skeleton = false;
+  bool wire = false;
+  bool jointNames = false;
+  bool heatMap = false; ///< Stretch of the mesh as colour.
+  bool ghosts = false;
+  bool grid = true;
+  bool trailFrameNumbers = false;
+  bool trailTicks = true;
+  bool sideBySide = false;             ///< Original beside exaggerated.
+  bool trailsOnlyWhenSelected = false; ///< Else every visible trail is drawn.
+  int ghostsBefore = 3;
+  int ghostsAfter = 3;
+  int ghostStepFrames = 2;
+  bool trailWindow = false;      ///< Draw only `trailWindowFrames` around the playhead.
+  int trailWindowFrames = 12;
+  float trailThickness = 3.0F;   ///< Design pixels.
+  float sphereSize = 7.0F;       ///< Radius, design pixels.
+  double trailIncrement = 1.0;   ///< Frames between drawn samples.
+};
+
+/// Time as the bottom panes show it, and how it plays.
+struct TimelineState {
+  double viewStart = 0.0; ///< First visible frame.
+  double viewEnd = -1.0;  ///< Last visible frame; < viewStart: fit the clip.
+  bool playing = false;
+  bool loop = true;
+  double speed = 1.0; ///< Of real time.
+  bool snapToFrames = true;
+};
+
+enum class GraphChannels { translation, rotation, scale, stretch };
+enum class BottomTab { timeline, graph, dopeSheet };
+
+struct GraphState {
+  GraphChannels channels = GraphChannels::rotation;
+  int joint = 0; ///< Index into the limb's joints; the end comes last.
+  bool fitPending = true;
+  double valueMin = -1.0;
+  double valueMax = 1.0;
+  std::vector<bool> hidden = std::vector<bool>(3, false); ///< Curves switched off in the legend.
+};
+
+/// Choosing joints from the skeleton tree: a limb's correction or a new chain.
+struct JointPick {
+  bool open = false;
+  std::string limbId;  ///< Limb to correct; empty: a new chain.
+  int baseNode = -1;
+  int endNode = -1;
+  std::string filter;
+  std::string message; ///< Why the last try was refused.
+};
+
+enum class FilePurpose { openModel, saveModel, exportClean, openRecipe, saveRecipe, saveFrames };
+
+struct FileDialogState {
+  bool open = false;
+  bool justOpened = false;
+  FilePurpose purpose = FilePurpose::openModel;
+  std::filesystem::path folder;
+  std::string typed;   ///< Name or path as typed.
+  std::string filter;
+  int highlighted = 0; ///< Row that the keys are on.
+  std::string message;
+  bool confirmOverwrite = false;
+};
+
+struct PaletteState {
+  bool open = false;
+  bool justOpened = false;
+  std::string typed;
+  int highlighted = 0;
+};
+
+struct KeysOverviewState {
+  bool open = false;
+  std::string filter;
+  std::string waitingFor; ///< Command id whose new key is awaited; empty: none.
+  std::string clash;      ///< Told after a refused or shared key.
+};
+
+enum class ToastKind { info, success, warning, error };
+
+struct Toast {
+  ToastKind kind = ToastKind::info;
+  std::string text;
+  float secondsLeft = 4.0F;
+};
+
+struct KeyHint {
+  std::string key;  ///< "Enter"
+  std::string does; ///< "keep"
+};
+
+enum class UnsavedChoice { save, discard, cancel };
+
+struct FileChoice {
+  FilePurpose purpose = FilePurpose::openModel;
+  std::filesystem::path path;
+};
+
+struct KeyChange {
+  std::string commandId;
+  std::string keyText; ///< As Command::keys spells it; empty: no key.
+};
+
+/// What the user decided in a dialog, for the shell to take (and reset) in the same frame.
+struct UiAnswers {
+  std::optional<FileChoice> file;
+  std::optional<UnsavedChoice> unsaved;
+  std::optional<NavigationStyle> navigation;
+  std::optional<bool> restoreAutosave;
+  std::optional<KeyChange> keyChange;
+  bool resetKeys = false;
+  bool themeChanged = false; ///< `theme` or `scale` below was changed.
+};
+
+/// View state of all panels: no widget keeps anything anywhere else. Not part of the document, not undone.
+struct UiState {
+  ThemeKind theme = ThemeKind::dark;
+  float scale = 1.0F; ///< The user's factor on top of the screen's.
+  NavigationStyle navigation = NavigationStyle::maya;
+  ViewportOverlays overlays;
+  TimelineState timeline;
+  GraphState graph;
+  BottomTab bottomTab = BottomTab::timeline;
+  JointPick jointPick;
+  FileDialogState fileDialog;
+  PaletteState palette;
+  KeysOverviewState keys;
+  bool settingsOpen = false;
+  bool aboutOpen = false;
+  bool unsavedOpen = false;         ///< Asks before the work is lost; answered by answers.unsaved.
+  bool navigationChoiceOpen = false; ///< The first start.
+  std::string restoreOffer;         ///< File that an autosave was found for; empty: none. Answered by answers.restoreAutosave.
+  std::vector<std::filesystem::path> recentFiles;
+  std::vector<Toast> toasts;
+  std::string expandedLimb; ///< Limb whose reasons the rig panel shows.
+  std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
+
+  // Written by the shell, read by the panels.
+  bool autoKey = false;
+  std::string modalText;           ///< "left arm x3.00, axes X Z": empty outside a modal.
+  std::vector<KeyHint> keyHints;   ///< What the keys do right now.
+  std::string busyText;            ///< "Opening punch.glb": work in progress; empty: none.
+  float busyFraction = -1.0F;      ///< 0..1; < 0 unknown.
+  std::string pressedKey;          ///< The key pressed in this frame as Command::keys spells it: for the keys overview.
+
+  UiAnswers answers;
+
+  // Between frames of one gesture.
+  bool panelDrag = false; ///< The session's drag was begun by a panel.
+  int timelineDrag = 0;   ///< What the mouse holds in the timeline; 0 nothing.
+  double timelineDragOffset = 0.0;
+  double timelineDragView = 0.0;
+};
+
+} // namespace stretch::ui
