@@ -44,7 +44,7 @@ public:
     return std::move(*std::get_if<0>(&state_));
   }
   [[nodiscard]] const Error& error() const {
-    check(!ok(), "Result::error() read from a value");
+    check(state_.index() == 1, "Result::error() read from a value");
     return *std::get_if<1>(&state_);
   }
 

@@ -1,0 +1,34 @@
+#include "core/scene/mesh_sequence.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace stretch {
+
+double boxDiagonal(const glm::vec3* positions, std::size_t count) {
+  if (count == 0) {
+    return 0.0;
+  }
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high(std::numeric_limits<float>::lowest());
+  for (std::size_t i = 0; i < count; ++i) {
+    low = glm::min(low, positions[i]);
+    high = glm::max(high, positions[i]);
+  }
+  return glm::length(Vec3(high) - Vec3(low));
+}
+
+MeshSequence withoutFirstFrames(const MeshSequence& sequence, std::size_t firstFrame) {
+  const std::size_t frames = sequence.frameCount();
+  const auto first = static_cast<std::ptrdiff_t>(std::min(firstFrame, frames == 0 ? 0 : frames - 1));
+  MeshSequence rest = sequence;
+  rest.positions.erase(rest.positions.begin(),
+                       rest.positions.begin() + first * static_cast<std::ptrdiff_t>(sequence.vertexCount));
+  const auto names = std::min<std::ptrdiff_t>(first, static_cast<std::ptrdiff_t>(rest.frameNames.size()));
+  rest.frameNames.erase(rest.frameNames.begin(), rest.frameNames.begin() + names);
+  return rest;
+}
+
+} // namespace stretch

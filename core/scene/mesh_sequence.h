@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/math/types.h"
+
+namespace stretch {
+
+using Triangle = std::array<std::uint32_t, 3>; ///< Vertex indices, counter-clockwise seen from outside.
+
+/// An animated mesh whose topology never changes: one position a vertex and frame, one list of triangles.
+/// Positions are in the units of their source; memory is 12 bytes a vertex and frame.
+struct MeshSequence {
+  std::string name;
+  std::size_t vertexCount = 0;
+  std::vector<Triangle> triangles;
+  std::vector<glm::vec3> positions;    ///< Frame after frame, vertexCount each.
+  std::vector<std::string> frameNames; ///< What the source calls each frame (a file, a sample), for messages.
+  double framesPerSecond = 30.0;
+  std::vector<std::string> warnings; ///< One line each: what is odd about the source and what was made of it.
+
+  [[nodiscard]] std::size_t frameCount() const {
+    return vertexCount == 0 ? 0 : positions.size() / vertexCount;
+  }
+  [[nodiscard]] const glm::vec3* frame(std::size_t index) const {
+    return positions.data() + index * vertexCount;
+  }
+  [[nodiscard]] glm::vec3* frame(std::size_t index) { return positions.data() + index * vertexCount; }
+};
+
+/// Length of the diagonal of the box around `count` positions; 0 for none.
+[[nodiscard]] double boxDiagonal(const glm::vec3* positions, std::size_t count);
+
+/// The sequence from `firstFrame` on (settling frames left out). At least one frame is kept.
+[[nodiscard]] MeshSequence withoutFirstFrames(const MeshSequence& sequence, std::size_t firstFrame);
+
+} // namespace stretch

@@ -1,0 +1,146 @@
+#include "skinning/sequence/read_sequence.h"
+
+#include <algorithm>
+#include <cctype>
+#include <system_error>
+#include <utility>
+
+#include "skinning/sequence/mesh_file.h"
+#include "skinning/sequence/text.h"
+
+namespace stretch::skinning {
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Order in which runs of digits count as numbers: 2 before 10, and 002 equal to 2 but for the tie.
+bool numbersBefore(const std::string& a, const std::string& b) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!isDigit(a[i]) || !isDigit(b[j])) {
+      if (a[i] != b[j]) {
+        return a[i] < b[j];
+      }
+      ++i;
+      ++j;
+      continue;
+    }
+    const auto endOfRun = [](const std::string& text, std::size_t at) {
+      return static_cast<std::size_t>(
+          std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), isDigit) -
+          text.begin());
+    };
+    const std::size_t endA = endOfRun(a, i);
+    const std::size_t endB = endOfRun(b, j);
+    const std::size_t firstA = std::min(a.find_first_not_of('0', i), endA);
+    const std::size_t firstB = std::min(b.find_first_not_of('0', j), endB);
+    if (endA - firstA != endB - firstB) {
+      return endA - firstA < endB - firstB;
+    }
+    const int order = a.compare(firstA, endA - firstA, b, firstB, endB - firstB);
+    if (order != 0) {
+      return order < 0;
+    }
+    i = endA;
+    j = endB;
+  }
+  return std::pair(a.size() - i, a) < std::pair(b.size() - j, b);
+}
+
+Result<std::vector<std::filesystem::path>> frameFiles(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> objs;
+  std::vector<std::filesystem::path> plys;
+  std::error_code problem;
+  for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const std::string extension = lowerExtension(entry->path());
+    if (extension == ".obj") {
+      objs.push_back(entry->path());
+    } else if (extension == ".ply") {
+      plys.push_back(entry->path());
+    }
+  }
+  if (problem) {
+    return Error{"the folder cannot be read", folder.string(), "check that it exists and may be read"};
+  }
+  if (!objs.empty() && !plys.empty()) {
+    return Error{"the folder holds OBJ and PLY frames", folder.string(), "keep one kind"};
+  }
+  std::vector<std::filesystem::path> files = objs.empty() ? std::move(plys) : std::move(objs);
+  if (files.empty()) {
+    return Error{"the folder holds no .obj or .ply frames", folder.string(), "give the folder of the frames"};
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
+    return numbersBefore(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+Status addFrame(MeshSequence& sequence, const MeshFile& mesh, const std::string& file) {
+  if (sequence.vertexCount == 0) {
+    sequence.vertexCount = mesh.positions.size();
+    sequence.triangles = mesh.triangles;
+  }
+  if (mesh.positions.size() != sequence.vertexCount) {
+    return Error{"the frame has " + std::to_string(mesh.positions.size()) + " vertices where the first has " +
+                     std::to_string(sequence.vertexCount),
+                 file, "every frame needs the same topology"};
+  }
+  if (mesh.triangles != sequence.triangles) {
+    return Error{"the faces differ from those of the first frame", file,
+                 "every frame needs the same topology"};
+  }
+  sequence.positions.insert(sequence.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  sequence.frameNames.push_back(file);
+  return Success{};
+}
+
+} // namespace
+
+Result<MeshFile> readMeshFile(const std::filesystem::path& path) {
+  const auto content = readFile(path);
+  if (!content) {
+    return content.error();
+  }
+  const std::string name = path.filename().string();
+  return lowerExtension(path) == ".ply" ? parsePly(*content, name) : parseObj(*content, name);
+}
+
+Result<MeshSequence> readFrameFolder(const std::filesystem::path& folder, const Progress& progress) {
+  const auto files = frameFiles(folder);
+  if (!files) {
+    return files.error();
+  }
+  MeshSequence sequence;
+  sequence.name = folder.filename().string();
+  for (std::size_t i = 0; i < files->size(); ++i) {
+    const std::filesystem::path& path = files.value()[i];
+    const auto mesh = readMeshFile(path);
+    if (!mesh) {
+      return mesh.error();
+    }
+    if (i == 0) {
+      sequence.positions.reserve(mesh->positions.size() * files->size());
+    }
+    const auto added = addFrame(sequence, *mesh, path.filename().string());
+    if (!added) {
+      return added.error();
+    }
+    if (progress) {
+      progress(static_cast<double>(i + 1) / static_cast<double>(files->size()));
+    }
+  }
+  return sequence;
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,83 @@
+#include "skinning/sequence/mesh_file.h"
+
+#include <cmath>
+
+#include "skinning/sequence/text.h"
+
+namespace stretch::skinning {
+namespace {
+
+/// Largest magnitude that still leaves room for squares in single precision.
+constexpr double largestCoordinate = 1e15;
+
+Result<glm::vec3> parsePosition(std::string_view words, const std::string& place) {
+  glm::vec3 position(0.0F);
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const auto number = toNumber(nextWord(words));
+    if (!number || std::abs(*number) > largestCoordinate) {
+      return Error{"a vertex needs three finite numbers", place, "export the frame again"};
+    }
+    position[axis] = static_cast<float>(*number);
+  }
+  return position;
+}
+
+/// Adds the triangles of one `f` line. Indices are left unchecked against vertices that come later in the
+/// file.
+Status parseFace(std::string_view words, const std::string& place, std::size_t vertexCount,
+                 std::vector<Triangle>& triangles) {
+  std::vector<std::uint32_t> corners;
+  for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words)) {
+    const auto index = toInteger(word.substr(0, word.find('/')));
+    const long long count = static_cast<long long>(vertexCount);
+    const long long vertex = index ? (*index < 0 ? count + *index : *index - 1) : -1;
+    if (vertex < 0 || vertex >= static_cast<long long>(UINT32_MAX)) {
+      return Error{"a face names a vertex that is none", place, "export the frame again"};
+    }
+    corners.push_back(static_cast<std::uint32_t>(vertex));
+  }
+  if (corners.size() < 3) {
+    return Error{"a face has fewer than three corners", place, "export the frame again"};
+  }
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+  return Success{};
+}
+
+} // namespace
+
+Result<MeshFile> parseObj(std::string_view text, std::string_view name) {
+  MeshFile mesh;
+  std::string_view line;
+  for (std::size_t number = 1; nextLine(text, line); ++number) {
+    const std::string_view keyword = nextWord(line);
+    if (keyword == "v") {
+      const auto position = parsePosition(line, placeOf(name, number));
+      if (!position) {
+        return position.error();
+      }
+      mesh.positions.push_back(*position);
+    } else if (keyword == "f") {
+      const auto added = parseFace(line, placeOf(name, number), mesh.positions.size(), mesh.triangles);
+      if (!added) {
+        return added.error();
+      }
+    }
+  }
+  if (mesh.triangles.empty()) {
+    return Error{"the file holds no faces", std::string(name), "give a mesh with triangles or polygons"};
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      if (corner >= mesh.positions.size()) {
+        return Error{"a face names vertex " + std::to_string(corner + 1) + " of " +
+                         std::to_string(mesh.positions.size()),
+                     std::string(name), "export the frame again"};
+      }
+    }
+  }
+  return mesh;
+}
+
+} // namespace stretch::skinning

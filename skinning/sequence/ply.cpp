@@ -1,0 +1,289 @@
+#include "skinning/sequence/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "skinning/sequence/text.h"
+
+namespace stretch::skinning {
+namespace {
+
+enum class Encoding { ascii, littleEndian, bigEndian };
+enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+  std::string name;
+  Number type = Number::float32;
+  std::optional<Number> listCount; ///< Set for a list: the type of its length.
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+};
+
+std::optional<Number> numberType(std::string_view word) {
+  struct Spelling {
+    std::string_view word;
+    Number type;
+  };
+  constexpr std::array<Spelling, 16> spellings{{{"char", Number::int8},
+                                                {"int8", Number::int8},
+                                                {"uchar", Number::uint8},
+                                                {"uint8", Number::uint8},
+                                                {"short", Number::int16},
+                                                {"int16", Number::int16},
+                                                {"ushort", Number::uint16},
+                                                {"uint16", Number::uint16},
+                                                {"int", Number::int32},
+                                                {"int32", Number::int32},
+                                                {"uint", Number::uint32},
+                                                {"uint32", Number::uint32},
+                                                {"float", Number::float32},
+                                                {"float32", Number::float32},
+                                                {"double", Number::float64},
+                                                {"float64", Number::float64}}};
+  const auto found = std::find_if(spellings.begin(), spellings.end(),
+                                  [&](const Spelling& spelling) { return spelling.word == word; });
+  return found == spellings.end() ? std::nullopt : std::optional(found->type);
+}
+
+bool parseProperty(std::string_view words, Element& element) {
+  Property property;
+  std::string_view type = nextWord(words);
+  if (type == "list") {
+    property.listCount = numberType(nextWord(words));
+    if (!property.listCount) {
+      return false;
+    }
+    type = nextWord(words);
+  }
+  const auto number = numberType(type);
+  property.name = std::string(nextWord(words));
+  property.type = number.value_or(Number::float32);
+  element.properties.push_back(property);
+  return number.has_value() && !element.properties.back().name.empty();
+}
+
+bool parseFormat(std::string_view word, Encoding& encoding) {
+  if (word == "ascii") {
+    encoding = Encoding::ascii;
+  } else if (word == "binary_little_endian") {
+    encoding = Encoding::littleEndian;
+  } else if (word == "binary_big_endian") {
+    encoding = Encoding::bigEndian;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Reads up to and including "end_header"; `bytes` is left at the data.
+std::optional<Header> parseHeader(std::string_view& bytes) {
+  Header header;
+  std::string_view line;
+  if (!nextLine(bytes, line) || line != "ply") {
+    return std::nullopt;
+  }
+  bool understood = true;
+  while (understood && nextLine(bytes, line)) {
+    const std::string_view keyword = nextWord(line);
+    if (keyword == "end_header") {
+      return header;
+    }
+    if (keyword == "format") {
+      understood = parseFormat(nextWord(line), header.encoding);
+    } else if (keyword == "element") {
+      const std::string name(nextWord(line));
+      const auto count = toInteger(nextWord(line));
+      understood = count && *count >= 0;
+      header.elements.push_back({name, understood ? static_cast<std::size_t>(*count) : 0, {}});
+    } else if (keyword == "property") {
+      understood = !header.elements.empty() && parseProperty(line, header.elements.back());
+    }
+  }
+  return std::nullopt;
+}
+
+template <typename T>
+std::optional<double> takeBinary(std::string_view& bytes, bool swap) {
+  if (bytes.size() < sizeof(T)) {
+    return std::nullopt;
+  }
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), bytes.data(), sizeof(T));
+  bytes.remove_prefix(sizeof(T));
+  if (swap) {
+    std::reverse(raw.begin(), raw.end());
+  }
+  return static_cast<double>(std::bit_cast<T>(raw));
+}
+
+/// Hands out the numbers of the data part one after the other.
+class NumberReader {
+public:
+  NumberReader(std::string_view bytes, Encoding encoding) : bytes_(bytes), encoding_(encoding) {}
+
+  std::optional<double> next(Number type) {
+    if (encoding_ == Encoding::ascii) {
+      return nextAscii();
+    }
+    const bool swap = (encoding_ == Encoding::bigEndian) == (std::endian::native == std::endian::little);
+    switch (type) {
+    case Number::int8:
+      return takeBinary<std::int8_t>(bytes_, swap);
+    case Number::uint8:
+      return takeBinary<std::uint8_t>(bytes_, swap);
+    case Number::int16:
+      return takeBinary<std::int16_t>(bytes_, swap);
+    case Number::uint16:
+      return takeBinary<std::uint16_t>(bytes_, swap);
+    case Number::int32:
+      return takeBinary<std::int32_t>(bytes_, swap);
+    case Number::uint32:
+      return takeBinary<std::uint32_t>(bytes_, swap);
+    case Number::float32:
+      return takeBinary<float>(bytes_, swap);
+    case Number::float64:
+      break;
+    }
+    return takeBinary<double>(bytes_, swap);
+  }
+
+private:
+  std::optional<double> nextAscii() {
+    std::string_view word = nextWord(line_);
+    while (word.empty()) {
+      if (!nextLine(bytes_, line_)) {
+        return std::nullopt;
+      }
+      word = nextWord(line_);
+    }
+    return toNumber(word);
+  }
+
+  std::string_view bytes_;
+  std::string_view line_;
+  Encoding encoding_;
+};
+
+/// One property of one row; lists are returned whole. Empty when the data end or are no numbers.
+std::optional<std::vector<double>> readProperty(NumberReader& reader, const Property& property) {
+  constexpr double longestList = 1e6;
+  double count = 1.0;
+  if (property.listCount) {
+    const auto length = reader.next(*property.listCount);
+    if (!length || !(*length >= 0.0 && *length <= longestList)) {
+      return std::nullopt;
+    }
+    count = *length;
+  }
+  std::vector<double> values;
+  for (double i = 0.0; i < count; i += 1.0) {
+    const auto value = reader.next(property.type);
+    if (!value) {
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+bool addVertex(const Element& element, const std::vector<std::vector<double>>& row, MeshFile& mesh) {
+  constexpr double largestCoordinate = 1e15;
+  glm::vec3 position(0.0F);
+  int found = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string& name = element.properties[i].name;
+    const std::size_t axis = std::string_view("xyz").find(name);
+    if (name.size() == 1 && axis != std::string_view::npos && row[i].size() == 1) {
+      if (!(std::abs(row[i][0]) <= largestCoordinate)) {
+        return false;
+      }
+      position[static_cast<glm::length_t>(axis)] = static_cast<float>(row[i][0]);
+      ++found;
+    }
+  }
+  mesh.positions.push_back(position);
+  return found == 3;
+}
+
+bool addFace(const Element& element, const std::vector<std::vector<double>>& row, MeshFile& mesh) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (!element.properties[i].listCount || element.properties[i].name.rfind("vertex_ind", 0) != 0) {
+      continue;
+    }
+    for (const double corner : row[i]) {
+      if (!(corner >= 0.0 && corner < static_cast<double>(mesh.positions.size()))) {
+        return false;
+      }
+    }
+    for (std::size_t c = 2; c < row[i].size(); ++c) {
+      mesh.triangles.push_back({static_cast<std::uint32_t>(row[i][0]),
+                                static_cast<std::uint32_t>(row[i][c - 1]),
+                                static_cast<std::uint32_t>(row[i][c])});
+    }
+    return row[i].size() >= 3;
+  }
+  return false;
+}
+
+Status readElement(NumberReader& reader, const Element& element, MeshFile& mesh, std::string_view name) {
+  for (std::size_t i = 0; i < element.count; ++i) {
+    const std::string place = std::string(name) + ", " + element.name + " " + std::to_string(i);
+    std::vector<std::vector<double>> row;
+    for (const Property& property : element.properties) {
+      auto values = readProperty(reader, property);
+      if (!values) {
+        return Error{"the data end early or hold what is no number", place, "export the frame again"};
+      }
+      row.push_back(std::move(*values));
+    }
+    if (element.name == "vertex" && !addVertex(element, row, mesh)) {
+      return Error{"a vertex needs finite x, y and z", place, "export the frame again"};
+    }
+    if (element.name == "face" && !addFace(element, row, mesh)) {
+      return Error{"a face needs three or more corners that exist", place, "export the frame again"};
+    }
+  }
+  return Success{};
+}
+
+} // namespace
+
+Result<MeshFile> parsePly(std::string_view bytes, std::string_view name) {
+  const auto header = parseHeader(bytes);
+  if (!header) {
+    return Error{"the PLY header is not understood", std::string(name),
+                 "export the frame as ascii or binary PLY 1.0"};
+  }
+  MeshFile mesh;
+  NumberReader reader(bytes, header->encoding);
+  for (const Element& element : header->elements) {
+    if (element.properties.empty() && element.count > 0) {
+      return Error{"element '" + element.name + "' has no properties", std::string(name),
+                   "export the frame again"};
+    }
+    const auto done = readElement(reader, element, mesh, name);
+    if (!done) {
+      return done.error();
+    }
+  }
+  if (mesh.triangles.empty()) {
+    return Error{"the file holds no faces", std::string(name), "give a mesh with triangles or polygons"};
+  }
+  return mesh;
+}
+
+} // namespace stretch::skinning

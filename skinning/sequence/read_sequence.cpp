@@ -1,0 +1,41 @@
+#include "skinning/sequence/read_sequence.h"
+
+#include <system_error>
+
+#include "skinning/sequence/topology.h"
+
+namespace stretch::skinning {
+namespace {
+
+Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& progress) {
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) {
+    const bool simulated = std::filesystem::exists(path / "membranes_buffer.txt", problem);
+    return simulated ? readSibernetic(path, progress) : readFrameFolder(path, progress);
+  }
+  return Error{
+      "a single file is no mesh sequence", path.string(),
+      "give a folder of frames, a base mesh with its .pc2 cache, or a glTF with a morph-target clip"};
+}
+
+} // namespace
+
+Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& paths, const Progress& progress) {
+  if (paths.empty() || paths.size() > 2) {
+    return Error{"a sequence is one folder or file, or a base mesh and its cache", "",
+                 "name one or two paths"};
+  }
+  auto sequence =
+      paths.size() == 1 ? readOne(paths[0], progress) : readPointCache(paths[0], paths[1], progress);
+  if (!sequence) {
+    return sequence;
+  }
+  const TopologyReport report =
+      inspectTopology(sequence->frame(0), sequence->vertexCount, sequence->triangles);
+  for (std::string& warning : report.warnings()) {
+    sequence.value().warnings.push_back(std::move(warning));
+  }
+  return sequence;
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/mesh_sequence.h"
+
+namespace stretch::skinning {
+
+/// Called now and then with the share of the work that is done (0..1). May be empty.
+using Progress = std::function<void(double)>;
+
+/// A folder of numbered .obj or .ply frames, in the order of the numbers in their names (the last number that
+/// differs; with or without leading zeros). Every frame must have the vertices and the triangles of the
+/// first.
+[[nodiscard]] Result<MeshSequence> readFrameFolder(const std::filesystem::path& folder,
+                                                   const Progress& progress = {});
+
+/// A base mesh (.obj or .ply) with a PC2 point cache of its vertices. Little endian; header: "POINTCACHE2\0",
+/// version 1, points, start frame, frames between samples, samples.
+[[nodiscard]] Result<MeshSequence> readPointCache(const std::filesystem::path& base,
+                                                  const std::filesystem::path& cache,
+                                                  const Progress& progress = {});
+
+/// A folder that the particle simulation Sibernetic logged: `position_buffer.txt` (bounds and particle
+/// counts, then x, y, z, type of every particle, frame after frame) and `membranes_buffer.txt` (a count, then
+/// triples of particles, wound at random: they are oriented). Particles that no membrane uses are left out.
+[[nodiscard]] Result<MeshSequence> readSibernetic(const std::filesystem::path& folder,
+                                                  const Progress& progress = {});
+
+/// What the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a cache,
+/// or a glTF with a morph-target clip. The warnings of the result tell what is odd about the topology.
+[[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& paths,
+                                                const Progress& progress = {});
+
+} // namespace stretch::skinning

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/scene/mesh_sequence.h"
+
+namespace stretch::skinning {
+
+/// What the triangles of a mesh are like.
+struct TopologyReport {
+  std::size_t components = 0;    ///< Parts that no shared vertex joins; vertices of no triangle are left out.
+  std::size_t boundaryEdges = 0; ///< Edges of one triangle.
+  std::size_t crowdedEdges = 0;  ///< Edges of three or more triangles.
+  std::size_t degenerateTriangles = 0; ///< With a repeated corner.
+  std::size_t duplicatePositions = 0;  ///< Vertices at the very place of an earlier one.
+  std::size_t looseVertices = 0;       ///< Vertices of no triangle.
+
+  /// One line for each oddity; empty for a closed surface in one piece.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+};
+
+[[nodiscard]] TopologyReport inspectTopology(const glm::vec3* positions, std::size_t vertexCount,
+                                             const std::vector<Triangle>& triangles);
+
+/// Winds all triangles of each connected part alike (over edges of exactly two triangles), and outwards: the
+/// volume that the part encloses is made positive (an open part counts against the middle of the whole).
+/// Returns how many triangles were turned.
+std::size_t orientOutwards(const glm::vec3* positions, std::vector<Triangle>& triangles);
+
+/// Volume that the triangles enclose (for an open surface: closed towards its middle); positive when wound
+/// outwards.
+[[nodiscard]] double enclosedVolume(const glm::vec3* positions, const std::vector<Triangle>& triangles);
+
+} // namespace stretch::skinning
