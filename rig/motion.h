@@ -7,6 +7,7 @@
 
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
+#include "rig/bend_normal.h"
 #include "rig/biped/detection.h"
 #include "rig/limb.h"
 #include "rig/limb_topology.h"
@@ -29,6 +30,7 @@ struct SolvedTrail {
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
+  BendNormal bend;
   double startSeconds = 0.0;  ///< The range.
   double endSeconds = 0.0;
   double tipSeconds = 0.0;
@@ -43,6 +45,10 @@ struct SolvedTrail {
 struct MotionState {
   int clip = -1;
   double framesPerSecond = 30.0;
+  double startSeconds = 0.0; ///< Of the clip: where a release wraps from and to when it loops.
+  double endSeconds = 0.0;
+  bool loops = false;
+  int hips = -1; ///< What the space "root" is measured from.
   std::vector<SolvedTrail> trails;
 };
 
@@ -59,7 +65,7 @@ struct MotionInput {
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
 /// F(t) of one trail in world space as the source clip stands (blend and release in it), before inner trails carry it.
-[[nodiscard]] Vec3 targetAt(const SolvedTrail& solved, const LimbSample& sample);
+[[nodiscard]] Vec3 targetAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample);
 
 /// The character at one time with every active trail applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion, double timeSeconds);

@@ -1,0 +1,159 @@
+#include "rig/limb_deform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/math/rotation.h"
+
+namespace stretch::rig {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Writes local transforms of a frame while knowing the pose it started from.
+class PoseWriter {
+public:
+  PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
+
+  [[nodiscard]] const Mat4& worldBefore(int node) const { return before_[at(node)]; }
+
+  // World matrix of the node's parent as it stands, parents of it having been written before.
+  [[nodiscard]] Mat4 parentWorld(int node) const {
+    const int parent = scene_.nodes[at(node)].parent;
+    return parent < 0 ? Mat4(1.0) : frame_.worlds[at(parent)];
+  }
+
+  Transform& local(int node) {
+    frame_.pose.usesMatrix[at(node)] = false;
+    return frame_.pose.locals[at(node)];
+  }
+
+  // Recomputes the node's own world matrix; its children follow when they are written or at the end.
+  void refresh(int node) { frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node); }
+
+  void refreshSubtree(int node) {
+    refresh(node);
+    for (const int child : scene_.nodes[at(node)].children) {
+      refreshSubtree(child);
+    }
+  }
+
+  // Local rotation under the parent's present orientation that gives `worldRotation`.
+  void setWorldRotation(int node, const Quat& worldRotation) {
+    local(node).rotation = glm::normalize(glm::inverse(rotationOf(parentWorld(node))) * worldRotation);
+  }
+
+  void setWorldPosition(int node, const Vec3& positionWorld) {
+    local(node).translation = transformPoint(glm::inverse(parentWorld(node)), positionWorld);
+  }
+
+  void addStretch(int node, const Mat3& stretch) {
+    if (frame_.stretch.empty()) {
+      frame_.stretch.assign(scene_.nodes.size(), Mat3(1.0));
+    }
+    frame_.stretch[at(node)] = stretch * frame_.stretch[at(node)];
+  }
+
+private:
+  const Scene& scene_;
+  FrameState& frame_;
+  std::vector<Mat4> before_;
+};
+
+// A linear map of the joint's space seen from the space of a node below it.
+Mat3 inSpaceOf(const PoseWriter& writer, int joint, int node, const Mat3& stretch) {
+  const Mat3 toJoint = Mat3(glm::inverse(writer.worldBefore(joint)) * writer.worldBefore(node));
+  return glm::inverse(toJoint) * stretch * toJoint;
+}
+
+// What hangs on the bone moves by K; on the path K goes through the frames of the nodes between.
+void moveByStretch(PoseWriter& writer, const BoneTopology& bone, const Mat3& stretch) {
+  int parent = bone.joint;
+  for (const int node : bone.pathNodes) {
+    Transform& local = writer.local(node);
+    local.translation = inSpaceOf(writer, bone.joint, parent, stretch) * local.translation;
+    parent = node;
+  }
+  for (const int node : bone.hanging) {
+    Transform& local = writer.local(node);
+    local.translation = stretch * local.translation;
+  }
+}
+
+// Nested twist joints (children of twist joints) move by K as well; those that hang directly or lie on the path did already.
+void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Mat3& stretch) {
+  for (const int node : bone.twistNodes) {
+    const int parent = scene.nodes[at(node)].parent;
+    const bool onPath = std::find(bone.pathNodes.begin(), bone.pathNodes.end(), node) != bone.pathNodes.end();
+    if (parent != bone.joint && !onPath) {
+      writer.local(node).translation = inSpaceOf(writer, bone.joint, parent, stretch) * writer.local(node).translation;
+    }
+    writer.addStretch(node, inSpaceOf(writer, bone.joint, node, stretch));
+  }
+}
+
+struct KeptTransform {
+  int node = -1;
+  Mat4 world{1.0};
+};
+
+bool sameTurn(const Quat& a, const Quat& b) { return a == b; }
+
+} // namespace
+
+Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
+  const double across = std::pow(stretch, -0.5 * volume);
+  return Mat3(across) + (stretch - across) * glm::outerProduct(unitAxis, unitAxis);
+}
+
+void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
+                const DeformOptions& options, FrameState& frame) {
+  PoseWriter writer(scene, frame);
+  const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
+  std::vector<KeptTransform> kept;
+  for (const int node : topology.staying) {
+    kept.push_back({node, frame.worlds[at(node)]});
+  }
+  for (std::size_t i = 0; i < topology.bones.size(); ++i) {
+    const BoneTopology& bone = topology.bones[i];
+    // A joint that turns exactly as its parent bone does keeps its local rotation.
+    if (i == 0 || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
+      writer.setWorldRotation(bone.joint, shape.turns[i] * rotationOf(writer.worldBefore(bone.joint)));
+    }
+    writer.refresh(bone.joint);
+    const Vec3 offset = transformVector(glm::inverse(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
+    if (glm::length(offset) > 0.0) {
+      const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
+      moveByStretch(writer, bone, stretch);
+      moveNestedTwists(writer, scene, bone, stretch);
+      writer.addStretch(bone.joint, stretch);
+    }
+    for (const int node : bone.pathNodes) {
+      writer.refresh(node);
+    }
+  }
+  if (limb.endNode >= 0) {
+    if (!topology.endIsDescendant) {
+      writer.setWorldPosition(limb.endNode, shape.end);
+    }
+    if (!options.turnEnd) {
+      writer.setWorldRotation(limb.endNode, rotationOf(writer.worldBefore(limb.endNode)));
+    }
+  }
+  for (const KeptTransform& keep : kept) {
+    writer.setWorldRotation(keep.node, rotationOf(keep.world));
+    writer.setWorldPosition(keep.node, positionOf(keep.world));
+  }
+  writer.refreshSubtree(limb.joints.front());
+  if (!topology.endIsDescendant) {
+    writer.refreshSubtree(limb.endNode);
+  }
+}
+
+} // namespace stretch::rig

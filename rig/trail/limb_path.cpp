@@ -1,0 +1,220 @@
+#include "rig/trail/limb_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "rig/limb_topology.h"
+
+namespace stretch::rig {
+
+namespace {
+
+constexpr double sameTime = 1e-6; // seconds
+
+std::vector<int> withAncestors(const Scene& scene, const std::vector<int>& nodes) {
+  std::set<int> wanted;
+  for (int node : nodes) {
+    for (; node >= 0 && wanted.insert(node).second; node = scene.nodes[static_cast<std::size_t>(node)].parent) {
+    }
+  }
+  std::vector<int> ordered;
+  for (const int node : parentsFirst(scene)) {
+    if (wanted.count(node) != 0) {
+      ordered.push_back(node);
+    }
+  }
+  return ordered;
+}
+
+void mergeClose(std::vector<double>& times) {
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < sameTime; }), times.end());
+}
+
+// Cubic through control points of the path, tangents by three points: what an animator's few keys would give.
+Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls, std::size_t piece, double time) {
+  const auto point = [&](std::size_t c) { return samples[controls[c]].end; };
+  const auto seconds = [&](std::size_t c) { return samples[controls[c]].timeSeconds; };
+  const auto slope = [&](std::size_t c) {
+    const std::size_t before = c > 0 ? c - 1 : c;
+    const std::size_t after = c + 1 < controls.size() ? c + 1 : c;
+    return (point(after) - point(before)) / (seconds(after) - seconds(before));
+  };
+  const double h = seconds(piece + 1) - seconds(piece);
+  const double t = (time - seconds(piece)) / h;
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  return point(piece) * (2 * t3 - 3 * t2 + 1) + slope(piece) * (h * (t3 - 2 * t2 + t)) + point(piece + 1) * (3 * t2 - 2 * t3) +
+         slope(piece + 1) * (h * (t3 - t2));
+}
+
+// Index of the extreme of each coordinate, relative to the base, that turns inside the range.
+std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
+  std::vector<std::size_t> found{0, samples.size() - 1};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto coordinate = [&](const LimbSample& sample) { return sample.end[static_cast<std::size_t>(axis)]; };
+    const auto less = [&](const LimbSample& a, const LimbSample& b) { return coordinate(a) < coordinate(b); };
+    const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), less);
+    found.push_back(static_cast<std::size_t>(low - samples.begin()));
+    found.push_back(static_cast<std::size_t>(high - samples.begin()));
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// The sample that the cubic misses by most, and by how much.
+std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls) {
+  std::pair<std::size_t, double> worst{0, 0.0};
+  for (std::size_t piece = 0; piece + 1 < controls.size(); ++piece) {
+    for (std::size_t i = controls[piece] + 1; i < controls[piece + 1]; ++i) {
+      const double miss = glm::length(samples[i].end - cubicThrough(samples, controls, piece, samples[i].timeSeconds));
+      if (miss > worst.second) {
+        worst = {i, miss};
+      }
+    }
+  }
+  return worst;
+}
+
+} // namespace
+
+NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes) : scene_(&scene) {
+  for (const int node : withAncestors(scene, nodes)) {
+    Step step{node, {}};
+    for (const CopyOnWrite<Track>& track : clip.tracks) {
+      if (track->node == node && track->channel != Channel::weights) {
+        step.tracks.push_back(&*track);
+      }
+    }
+    steps_.push_back(std::move(step));
+  }
+}
+
+void NodeSampler::sample(double timeSeconds, std::vector<Mat4>& worlds) const {
+  worlds.resize(scene_->nodes.size(), Mat4(1.0));
+  for (const Step& step : steps_) {
+    const Node& node = scene_->nodes[static_cast<std::size_t>(step.node)];
+    Mat4 local = node.matrix ? *node.matrix : toMatrix(node.rest);
+    if (!step.tracks.empty()) {
+      Transform transform = node.rest;
+      for (const Track* track : step.tracks) {
+        std::array<double, 4> value{};
+        sampleTrack(*track, timeSeconds, value.data());
+        if (track->channel == Channel::translation) {
+          transform.translation = {value[0], value[1], value[2]};
+        } else if (track->channel == Channel::scale) {
+          transform.scale = {value[0], value[1], value[2]};
+        } else {
+          transform.rotation = Quat(value[3], value[0], value[1], value[2]);
+        }
+      }
+      local = toMatrix(transform);
+    }
+    worlds[static_cast<std::size_t>(step.node)] = node.parent < 0 ? local : worlds[static_cast<std::size_t>(node.parent)] * local;
+  }
+}
+
+Vec3 LimbPath::toSpace(const LimbSample& sample, const Vec3& world) const {
+  return glm::transpose(axes) * (world - sample.reference);
+}
+
+Vec3 LimbPath::toWorld(const LimbSample& sample, const Vec3& inSpace) const { return axes * inSpace + sample.reference; }
+
+double LimbPath::ratioAt(double timeSeconds) const {
+  if (timeSeconds <= samples.front().timeSeconds) {
+    return ratios.front();
+  }
+  if (timeSeconds >= samples.back().timeSeconds) {
+    return ratios.back();
+  }
+  const auto next = std::upper_bound(samples.begin(), samples.end(), timeSeconds,
+                                     [](double time, const LimbSample& sample) { return time < sample.timeSeconds; });
+  const auto i = static_cast<std::size_t>(next - samples.begin());
+  const double span = samples[i].timeSeconds - samples[i - 1].timeSeconds;
+  const double t = (timeSeconds - samples[i - 1].timeSeconds) / span;
+  return ratios[i - 1] + t * (ratios[i] - ratios[i - 1]);
+}
+
+LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds, double timeSeconds) {
+  LimbSample sample;
+  sample.timeSeconds = timeSeconds;
+  sample.base = positionOf(worlds[static_cast<std::size_t>(limb.joints.front())]);
+  sample.end = endPosition(limb, worlds);
+  if (space == TrailSpace::base) {
+    sample.reference = sample.base;
+  } else if (space == TrailSpace::root && hips >= 0) {
+    sample.reference = positionOf(worlds[static_cast<std::size_t>(hips)]);
+  }
+  return sample;
+}
+
+std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond, const std::vector<double>& keyTimes) {
+  std::vector<double> times{startSeconds, endSeconds};
+  const double lastFrame = std::floor(endSeconds * framesPerSecond);
+  for (double frame = std::ceil(startSeconds * framesPerSecond); frame <= lastFrame; frame += 1.0) {
+    times.push_back(frame / framesPerSecond);
+  }
+  for (const double time : keyTimes) {
+    if (time > startSeconds && time < endSeconds) {
+      times.push_back(time);
+    }
+  }
+  mergeClose(times);
+  // Merging keeps the earlier of two close times: the range's own end must not be the one that is lost.
+  times.back() = endSeconds;
+  return times;
+}
+
+std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds, double endSeconds) {
+  std::vector<double> times;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    if (track->channel == Channel::weights || std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
+      continue;
+    }
+    for (const float key : track->times) {
+      const auto time = static_cast<double>(key);
+      if (time >= startSeconds - sameTime && time <= endSeconds + sameTime) {
+        times.push_back(time);
+      }
+    }
+  }
+  mergeClose(times);
+  return times;
+}
+
+bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds, double framesPerSecond) {
+  const double frames = std::max(1.0, (endSeconds - startSeconds) * framesPerSecond);
+  constexpr double densest = 0.6; // keys a frame; hand-keyed clips stay below one key in two frames
+  return static_cast<double>(keyTimes.size()) - 1.0 > densest * frames && keyTimes.size() > 4;
+}
+
+std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes, double framesPerSecond,
+                                        double tolerance) {
+  const std::vector<LimbSample>& samples = path.samples;
+  const double start = samples.front().timeSeconds;
+  const double end = samples.back().timeSeconds;
+  std::vector<double> times{start, end};
+  if (!isDenselyKeyed(keyTimes, start, end, framesPerSecond)) {
+    times.insert(times.end(), keyTimes.begin(), keyTimes.end());
+  } else {
+    std::vector<std::size_t> controls = extremes(samples);
+    for (auto worst = worstSample(samples, controls); worst.second > tolerance; worst = worstSample(samples, controls)) {
+      controls.insert(std::lower_bound(controls.begin(), controls.end(), worst.first), worst.first);
+    }
+    for (const std::size_t control : controls) {
+      times.push_back(samples[control].timeSeconds);
+    }
+  }
+  mergeClose(times);
+  std::transform(times.begin(), times.end(), times.begin(), [&](double time) { return time * framesPerSecond; });
+  return times;
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/anim/sampling.h"
+#include "core/scene/scene.h"
+#include "rig/limb.h"
+#include "rig/trail/trail.h"
+
+namespace stretch::rig {
+
+/// Samples only what a few nodes need: their own tracks and those of their ancestors. Answers what samplePose and
+/// worldMatrices answer for these nodes, faster on clips with many tracks.
+class NodeSampler {
+public:
+  NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes);
+
+  /// World matrices at a time; only the asked nodes and their ancestors are filled in, the others are the identity.
+  void sample(double timeSeconds, std::vector<Mat4>& worlds) const;
+
+private:
+  struct Step {
+    int node = -1;
+    std::vector<const Track*> tracks;
+  };
+  const Scene* scene_;
+  std::vector<Step> steps_; // parents first
+};
+
+/// The limb at one time of the source clip, world space.
+struct LimbSample {
+  double timeSeconds = 0.0;
+  Vec3 base{0.0};     ///< P0.
+  Vec3 end{0.0};      ///< c.
+  Vec3 reference{0.0};///< What the trail's space is measured from: the hips (root), the base (base), 0 (world, view).
+};
+
+/// A limb's original path over the range.
+struct LimbPath {
+  std::vector<LimbSample> samples; ///< At every frame and every key time of the range; at least one.
+  std::vector<double> ratios;      ///< r of each sample (section 2).
+  Mat3 axes{1.0};                  ///< Columns: the axes of the trail's space, in world space.
+
+  [[nodiscard]] Vec3 toSpace(const LimbSample& sample, const Vec3& world) const;
+  [[nodiscard]] Vec3 toWorld(const LimbSample& sample, const Vec3& inSpace) const;
+  /// Ratio at any time of the range: linear in time within a piece; held outside.
+  [[nodiscard]] double ratioAt(double timeSeconds) const;
+};
+
+/// The limb at one time, from world matrices of the source clip.
+[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds, double timeSeconds);
+
+/// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends, ascending.
+[[nodiscard]] std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond,
+                                              const std::vector<double>& keyTimes);
+
+/// Key times of the limb's joints (end and twist nodes of `nodes` included) within [start, end], ascending, without repeats.
+[[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds, double endSeconds);
+
+/// Frames of the control spheres (section 3): the keys of a sparsely keyed limb; else the ends, the extremes and as few in
+/// between as keep a cubic through them within `tolerance` (world units) of the path.
+[[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
+                                                      double framesPerSecond, double tolerance);
+
+/// Whether the limb is keyed so densely (about a key a frame) that its keys say nothing about its poses.
+[[nodiscard]] bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds, double framesPerSecond);
+
+} // namespace stretch::rig

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "rig/trail/trail.h"
+
+namespace stretch::rig {
+
+/// How the tip's offset decays back to the original motion (section 5): 1 at the tip, 0 at the end of the release.
+class Release {
+public:
+  Release() = default;
+  /// `seconds` >= 0. `overshoot` in [0, 1]: the decay swings to -overshoot before it settles.
+  Release(double seconds, double overshoot);
+
+  /// `secondsPastTip` >= 0. 1 at 0; 0 past the end (and for every positive time when the release has no length).
+  [[nodiscard]] double at(double secondsPastTip) const;
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+private:
+  double seconds_ = 0.0;
+  double swing_ = 0.0; ///< Factor of the overshoot term.
+};
+
+/// 3 u^2 - 2 u^3 on [0, 1], held outside.
+[[nodiscard]] double smoothstep(double u);
+
+} // namespace stretch::rig

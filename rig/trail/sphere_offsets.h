@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "rig/trail/trail.h"
+
+namespace stretch::rig {
+
+/// The offset o(t) that pulled control spheres add to a path (section 3): cubic Hermite in time through one offset a control
+/// sphere, with three-point tangents: C1, equal steps give a straight ramp, nothing moves beyond the second neighbours.
+class SphereOffsets {
+public:
+  SphereOffsets() = default;
+  /// `controlFrames`: all spheres of the trail, ascending; those not named in `pulled` have offset 0. Pulled spheres at
+  /// frames that are no control frame become control frames.
+  SphereOffsets(const std::vector<double>& controlFrames, const std::vector<SphereOffset>& pulled);
+
+  /// Held before the first and after the last sphere.
+  [[nodiscard]] Vec3 at(double frame) const;
+  [[nodiscard]] bool empty() const { return frames_.empty(); }
+
+private:
+  std::vector<double> frames_;
+  std::vector<Vec3> values_;
+  std::vector<Vec3> slopes_; ///< Per frame.
+};
+
+} // namespace stretch::rig
