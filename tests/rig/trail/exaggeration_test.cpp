@@ -1,0 +1,139 @@
+#include <fstream>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "rig/trail/exaggeration.h"
+
+namespace {
+
+using namespace stretch;
+using namespace stretch::rig;
+
+Vec3 point(const nlohmann::json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+nlohmann::json workedCases() {
+  std::ifstream file(STRETCH_SOURCE_DIR "/tests/rig/trail/exaggeration_vectors.json");
+  REQUIRE(file.good());
+  return nlohmann::json::parse(file)["cases"];
+}
+
+Ease easeOf(const nlohmann::json& input, const char* key, double defaultValue) {
+  return input.contains(key) ? Ease{input[key][0].get<double>(), input[key][1].get<double>()} : Ease{0.0, defaultValue};
+}
+
+TipProblem problemOf(const nlohmann::json& input) {
+  TipProblem problem;
+  for (const auto& p : input["points"]) {
+    problem.points.push_back(point(p));
+  }
+  problem.basePosition = point(input["p0"]);
+  problem.scale = input["scale"].get<double>();
+  problem.pivot = input.value("pivot", "start") == "end" ? Pivot::end : Pivot::start;
+  problem.pull = false;
+  if (input.contains("axes")) {
+    const auto axes = input["axes"].get<std::string>();
+    for (std::size_t i = 0; i < 3; ++i) {
+      problem.axes[i] = axes.find("xyz"[i]) != std::string::npos;
+    }
+  }
+  const Vec3 tip = problem.pivot == Pivot::start ? problem.points.back() : problem.points.front();
+  problem.limbLength = input.contains("length") ? input["length"].get<double>() : glm::length(tip - problem.basePosition);
+  return problem;
+}
+
+std::vector<double> evenTimes(std::size_t count) {
+  std::vector<double> times(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    times[i] = static_cast<double>(i) / 24.0;
+  }
+  return times;
+}
+
+} // namespace
+
+TEST_CASE("the specification's worked cases come out to 1e-6") {
+  for (const nlohmann::json& worked : workedCases()) {
+    CAPTURE(worked["name"].get<std::string>());
+    const nlohmann::json& input = worked["input"];
+    const nlohmann::json& expect = worked["expect"];
+    const TipProblem problem = problemOf(input);
+    const TipSolution solution = solveTip(problem);
+    CHECK(glm::length(solution.tip - point(expect["tip"])) < 1e-6);
+    CHECK(solution.moved == expect["moved"].get<bool>());
+    CHECK(solution.reached() == expect["reached"].get<bool>());
+    REQUIRE(solution.trailScale.has_value() != expect["trail_scale"].is_null());
+    if (solution.trailScale) {
+      CHECK(*solution.trailScale == Approx(expect["trail_scale"].get<double>()).margin(1e-6));
+    }
+    const std::vector<double> ratios = pathRatios(problem.points, evenTimes(problem.points.size()), problem.pivot);
+    const Remap remap(input.value("remap", "spline") == "linear" ? RemapKind::linear : RemapKind::spline,
+                      easeOf(input, "ease_in", 0.1), easeOf(input, "ease_out", 0.9));
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      CAPTURE(i);
+      CHECK(ratios[i] == Approx(expect["ratios"][i].get<double>()).margin(1e-6));
+      const double weight = remap.at(ratios[i]);
+      CHECK(weight == Approx(expect["weights"][i].get<double>()).margin(1e-6));
+      const double blend = input.value("blend", 2.0);
+      const Vec3 original = problem.points[i];
+      const Vec3 followed = original + 0.5 * blend * weight * (exaggeratePoint(solution, original) - original);
+      CHECK(glm::length(followed - point(expect["points"][i])) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("what the line cannot reach is pulled to the wanted length") {
+  TipProblem problem;
+  problem.points = {Vec3(1, -1, 0), Vec3(1, 0, 0), Vec3(1, 1, 0)};
+  problem.limbLength = std::sqrt(2.0);
+  problem.scale = 0.5;
+  const TipSolution pulled = solveTip(problem);
+  CHECK(pulled.reached());
+  CHECK(pulled.outcome == TipOutcome::pulled);
+  CHECK(glm::length(pulled.tip) == Approx(std::sqrt(2.0) / 2));
+
+  problem.pull = false;
+  const TipSolution left = solveTip(problem);
+  CHECK_FALSE(left.reached());
+  CHECK(left.reachedLength == Approx(1.0));
+  CHECK(left.wantedLength == Approx(std::sqrt(2.0) / 2));
+}
+
+TEST_CASE("the pull moves along the active axes only") {
+  TipProblem problem;
+  problem.points = {Vec3(1, -1, 0), Vec3(1, 1, 0)};
+  problem.limbLength = std::sqrt(2.0);
+  problem.scale = 0.5;
+  problem.axes = {false, true, true};
+  const TipSolution solution = solveTip(problem);
+  CHECK(solution.tip.x == 1.0);
+  CHECK_FALSE(solution.reached());
+}
+
+TEST_CASE("a limb that does not move has nothing to scale") {
+  TipProblem problem;
+  problem.points = {Vec3(1, 0, 0), Vec3(1, 0, 0)};
+  problem.limbLength = 1.0;
+  problem.scale = 2.0;
+  const TipSolution solution = solveTip(problem);
+  CHECK(solution.outcome == TipOutcome::nothingToScale);
+  CHECK(solution.tip == Vec3(1, 0, 0));
+}
+
+TEST_CASE("the remap is monotone and stays between 0 and 1 for every ease") {
+  for (const double in : {0.0, 0.2, 0.6, 0.95}) {
+    for (const double out : {0.0, 0.3, 0.9}) {
+      const Remap remap(RemapKind::spline, {in, 0.1}, {out, 0.9});
+      double before = 0.0;
+      for (int i = 0; i <= 100; ++i) {
+        const double w = remap.at(i / 100.0);
+        CHECK(w >= before - 1e-12);
+        CHECK(w <= 1.0 + 1e-12);
+        before = w;
+      }
+      CHECK(remap.at(0.0) == 0.0);
+      CHECK(remap.at(1.0) == Approx(1.0));
+    }
+  }
+}
