@@ -24,7 +24,7 @@ function(stretch_system_includes target)
   endforeach()
 endfunction()
 
-set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb)
+set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb stb)
 set(STRETCH_LINKS_rig stretch_core)
 set(STRETCH_LINKS_skinning stretch_core embree Eigen3::Eigen OpenMeshCore)
 set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11)

@@ -136,7 +136,9 @@ Pose restPose(const Scene& scene) {
     pose.locals.push_back(node.rest);
     pose.usesMatrix.push_back(node.matrix.has_value());
   }
-  pose.weights.resize(scene.nodes.size());
+  for (const Node& node : scene.nodes) {
+    pose.weights.push_back(node.morphWeights);
+  }
   return pose;
 }
 

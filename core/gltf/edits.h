@@ -8,12 +8,14 @@
 
 namespace stretch::gltf {
 
-/// A node that saving appends. Its index is the number of the source's nodes plus its position in Edits::addedNodes.
+/// A node that saving appends. Its index is the number of the source's nodes plus its position in
+/// Edits::addedNodes.
 struct AddedNode {
   std::string name;
   int parent = -1; ///< Of the source, or an added node that stands earlier in the list.
   Transform rest;
-  int meshFrom = -1;      ///< Takes over mesh (and weights) of this node: the node of the source then holds none. -1: no mesh.
+  int meshFrom = -1; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
+                     ///< -1: no mesh.
   bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
 };
 
@@ -25,28 +27,33 @@ struct SkinSlot {
   Mat4 inverseBind; ///< Its inverse bind matrix.
 };
 
-/// Tracks of one clip that replace those of the source with the same (node, channel), or are new. Each gets accessors of
-/// its own: nothing that another channel or clip shares is changed in place. Tracks with equal times share one input.
+/// Tracks of one clip that replace those of the source with the same (node, channel), or are new. Each gets
+/// accessors of its own: nothing that another channel or clip shares is changed in place. Tracks with equal
+/// times share one input.
 struct ClipTracks {
   int clip = -1; ///< Index into the file's animations.
   std::vector<Track> tracks;
 };
 
-/// Everything that saving may change. Nothing is renumbered: nodes, accessors, samplers are appended, pointers moved.
+/// Everything that saving may change. Nothing is renumbered: nodes, accessors, samplers are appended,
+/// pointers moved.
 struct Edits {
   std::vector<AddedNode> addedNodes;
   std::vector<SkinSlot> skinSlots;
   std::vector<ClipTracks> clips;
-  Json work; ///< The program's own data, kept in root extras beside what restores the source. Null: none (a clean file).
+  Json work; ///< The program's own data, kept in root extras beside what restores the source. Null: none (a
+             ///< clean file).
 
-  [[nodiscard]] bool empty() const { return addedNodes.empty() && skinSlots.empty() && clips.empty() && work.is_null(); }
+  [[nodiscard]] bool empty() const {
+    return addedNodes.empty() && skinSlots.empty() && clips.empty() && work.is_null();
+  }
 };
 
 /// The source with the edits patched in, in memory.
 [[nodiscard]] Result<Source> patched(const Source& source, const Edits& edits);
 
-/// Writes .glb or .gltf (by the extension of `path`) atomically, with the .bin and the external images it refers to where
-/// the target folder is another. Nothing is left behind on failure.
+/// Writes .glb or .gltf (by the extension of `path`) atomically, with the .bin and the external images it
+/// refers to where the target folder is another. Nothing is left behind on failure.
 [[nodiscard]] Status save(const Source& source, const std::filesystem::path& path);
 
 } // namespace stretch::gltf

@@ -10,6 +10,7 @@
 
 #include "core/anim/clip.h"
 #include "core/base/result.h"
+#include "core/gltf/glb.h"
 #include "core/scene/scene.h"
 
 namespace stretch::gltf {
@@ -21,21 +22,26 @@ using Json = nlohmann::ordered_json;
 struct Source {
   std::filesystem::path path; ///< Where it was read from: relative URIs start in its folder.
   Json json;
-  /// Bytes of each entry of json["buffers"]; empty for a buffer that could not be read and that nothing needs.
+  /// Bytes of each entry of json["buffers"]; empty for a buffer that could not be read and that nothing
+  /// needs.
   std::vector<std::vector<std::uint8_t>> buffers;
   bool hasBinaryChunk = false; ///< buffers[0] is the GLB's BIN chunk (json gives it no uri).
+  /// Further chunks of the GLB, in their order; a BIN chunk that no buffer refers to is one of them.
+  std::vector<GlbChunk> otherChunks;
 };
 
 /// A file opened: the source and what was understood of it.
 struct Loaded {
-  std::shared_ptr<const Source> source; ///< A file of ours is restored first: this is the source it was made from.
+  std::shared_ptr<const Source>
+      source; ///< A file of ours is restored first: this is the source it was made from.
   std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;
   std::vector<std::string> warnings; ///< One line each: what in the file is odd and what was made of it.
   Json savedWork;                    ///< What `Edits::work` held when the file was saved; null without one.
 };
 
-/// Reads .glb, .gltf, .vrm or .vrma (told by content, not by name). Bad input gives an Error that names the place.
+/// Reads .glb, .gltf, .vrm or .vrma (told by content, not by name). Bad input gives an Error that names the
+/// place.
 [[nodiscard]] Result<Loaded> load(const std::filesystem::path& path);
 
 } // namespace stretch::gltf

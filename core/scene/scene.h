@@ -25,6 +25,7 @@ struct Node {
   std::optional<Mat4> matrix; ///< The file's matrix where it gives one: then it is what counts until the node is animated.
   int mesh = -1;
   int skin = -1;
+  std::vector<float> morphWeights; ///< Instead of the mesh's defaults; empty where the node gives none.
 };
 
 struct Skin {

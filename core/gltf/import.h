@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "core/gltf/problems.h"
+#include "core/gltf/source.h"
+
+namespace stretch::gltf {
+
+// The parts of the import. Each needs a source whose structure, graph, buffers and accessors were validated
+// without errors, and reports what it finds to `problems`; after an error its answer is not to be used.
+
+/// Nodes, roots, skins, meshes, materials, images and the humanoid table.
+[[nodiscard]] Scene importScene(const Source& source, Problems& problems);
+
+/// One clip an animation of the file, in its order; channels that drive nothing we know are left out.
+[[nodiscard]] std::vector<Clip> importClips(const Source& source, const Scene& scene, Problems& problems);
+
+/// Values that the import may decode at most, all meshes and clips together: a small file that names the same
+/// bytes over and over must not fill the memory.
+class DecodeBudget {
+public:
+  /// False when the file asks for more than it may.
+  [[nodiscard]] bool take(std::size_t values) {
+    constexpr std::size_t most = std::size_t{1} << 29U;
+    taken_ += values;
+    return taken_ <= most;
+  }
+
+private:
+  std::size_t taken_ = 0;
+};
+
+// Parts of importScene.
+[[nodiscard]] std::vector<Mesh> importMeshes(const Source& source, const Scene& scene, Problems& problems);
+[[nodiscard]] std::vector<Material> importMaterials(const Source& source, Problems& problems);
+[[nodiscard]] std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
+                                              Problems& problems);
+[[nodiscard]] std::map<std::string, int> importHumanoid(const Source& source, Problems& problems);
+
+/// Index of the TEXCOORD set that the material's base colour texture uses.
+[[nodiscard]] int baseColorTexCoord(const Source& source, int material);
+
+} // namespace stretch::gltf

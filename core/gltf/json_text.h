@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/gltf/source.h"
+
+namespace stretch::gltf {
+
+/// Parses the JSON of a glTF file. Refused with the place: a byte order mark, more than 256 levels of
+/// nesting, numbers out of range, invalid UTF-8, anything that is no object.
+[[nodiscard]] Result<Json> parseJson(std::string_view text);
+
+} // namespace stretch::gltf

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace stretch::gltf {
+
+enum class Severity { error, warning };
+
+/// One thing that is wrong or odd in a file.
+struct Problem {
+  Severity severity = Severity::error;
+  std::string where; ///< "meshes[0].primitives[1].attributes.POSITION"; empty for the file as a whole.
+  std::string what;
+
+  friend bool operator==(const Problem&, const Problem&) = default;
+};
+
+/// Problems in the order in which they were found. Keeps at most `capacity` of them, so that a broken file
+/// cannot fill the memory with complaints; the first error is always kept.
+class Problems {
+public:
+  static constexpr std::size_t capacity = 20000;
+
+  void error(std::string where, std::string what);
+  void warning(std::string where, std::string what);
+
+  [[nodiscard]] bool hasErrors() const { return hasErrors_; }
+  [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
+
+  /// The first error as one for the user; there has to be one.
+  [[nodiscard]] Error firstError() const;
+
+  /// The warnings, one line each; those that differ only in their place share a line.
+  [[nodiscard]] std::vector<std::string> warningLines() const;
+
+private:
+  std::vector<Problem> list_;
+  bool hasErrors_ = false;
+};
+
+/// "nodes[3]"
+[[nodiscard]] std::string at(std::string_view list, std::size_t index);
+
+} // namespace stretch::gltf
