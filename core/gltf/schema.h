@@ -27,7 +27,7 @@ struct Property {
   std::string_view owner; ///< Kind of the object that has it.
   std::string_view name;
   PropertyKind kind = PropertyKind::object;
-  std::string_view target;
+  std::string_view target{};
   bool isRequired = false;
   double minimum = 0.0;
   double maximum = std::numeric_limits<double>::infinity();
