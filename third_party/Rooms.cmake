@@ -51,11 +51,12 @@ function(stretch_program)
   endif()
 endfunction()
 
-# The program that makes the bundled character.
+# The program that makes the bundled character, and what it is made of as a library for its tests.
 function(stretch_assets)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/*.cpp)
-  if(sources)
-    add_executable(make-dummy ${sources})
-    target_link_libraries(make-dummy PRIVATE stretch_core)
-  endif()
+  list(FILTER sources EXCLUDE REGEX "assets/make_dummy\\.cpp$")
+  add_library(stretch_assets STATIC ${sources})
+  target_link_libraries(stretch_assets PUBLIC stretch_core)
+  add_executable(make-dummy ${CMAKE_SOURCE_DIR}/assets/make_dummy.cpp)
+  target_link_libraries(make-dummy PRIVATE stretch_assets)
 endfunction()

@@ -1,0 +1,16 @@
+#include "assets/dummy/dummy.h"
+
+#include "assets/dummy/body.h"
+#include "assets/dummy/face.h"
+
+namespace stretch::assets {
+
+Character makeDummy() {
+  Character dummy;
+  dummy.skeleton = dummySkeleton();
+  dummy.parts.push_back({"Body", 0.62, makeBody(dummy.skeleton)});
+  dummy.parts.push_back({"Face", 0.35, makeFace(jointIndex(dummy.skeleton, "Head"))});
+  return dummy;
+}
+
+} // namespace stretch::assets
