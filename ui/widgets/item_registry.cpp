@@ -9,7 +9,8 @@ void ItemRegistry::add(std::string id, const ImVec2& min, const ImVec2& max, boo
 }
 
 const Item* ItemRegistry::find(std::string_view id) const {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.id == id; });
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.id == id; });
   return found == items.end() ? nullptr : &*found;
 }
 

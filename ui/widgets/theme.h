@@ -20,8 +20,8 @@ struct ThemeColours {
   ImU32 sunken = 0; ///< Graphs, text fields, lists.
   ImU32 text = 0;
   ImU32 quietText = 0;
-  ImU32 accent = 0;     ///< The one accent: what is on, selected, or the next thing to do.
-  ImU32 onAccent = 0;   ///< Text on the accent.
+  ImU32 accent = 0;      ///< The one accent: what is on, selected, or the next thing to do.
+  ImU32 onAccent = 0;    ///< Text on the accent.
   ImU32 accentQuiet = 0; ///< Accent as a tint behind text.
   ImU32 success = 0;
   ImU32 warning = 0;
@@ -54,18 +54,21 @@ struct Theme {
 
 [[nodiscard]] ThemeColours coloursOf(ThemeKind kind);
 
-/// Loads the fonts (found through fontconfig; ImGui's own where there are none) into the current context's atlas, which is
-/// cleared first, at `scale` times their size. The renderer's font texture must be made again afterwards.
+/// Loads the fonts (found through fontconfig; ImGui's own where there are none) into the current context's
+/// atlas, which is cleared first, at `scale` times their size. The renderer's font texture must be made again
+/// afterwards.
 [[nodiscard]] Theme makeTheme(ThemeKind kind, float scale);
 
-/// Sets the current context's style: colours, spacing and rounding. To be called when the theme or the scale changed.
+/// Sets the current context's style: colours, spacing and rounding. To be called when the theme or the scale
+/// changed.
 void applyStyle(const Theme& theme);
 
 /// Colour of the original path: sky blue.
 inline constexpr ImU32 originalTrailColour = IM_COL32(0x56, 0xB4, 0xE9, 255);
 /// Colour of errors: vermilion.
 inline constexpr ImU32 errorTrailColour = IM_COL32(0xD5, 0x5E, 0x00, 255);
-/// Colours of exaggerated paths (M. Okabe, K. Ito, "Color Universal Design"): orange, bluish green, reddish purple, yellow, blue.
+/// Colours of exaggerated paths (M. Okabe, K. Ito, "Color Universal Design"): orange, bluish green, reddish
+/// purple, yellow, blue.
 inline constexpr std::array<ImU32, 5> trailPalette{
     IM_COL32(0xE6, 0x9F, 0x00, 255), IM_COL32(0x00, 0x9E, 0x73, 255), IM_COL32(0xCC, 0x79, 0xA7, 255),
     IM_COL32(0xF0, 0xE4, 0x42, 255), IM_COL32(0x00, 0x72, 0xB2, 255)};
@@ -78,8 +81,8 @@ inline constexpr std::array<ImU32, 5> trailPalette{
 /// Between two colours, 0 = a, 1 = b.
 [[nodiscard]] ImU32 mixed(ImU32 a, ImU32 b, float amount);
 
-/// Path of the font file that fontconfig finds for a family and weight (0..210 as fontconfig counts), empty when that family
-/// is not installed.
+/// Path of the font file that fontconfig finds for a family and weight (0..210 as fontconfig counts), empty
+/// when that family is not installed.
 [[nodiscard]] std::string findFont(const std::string& family, int weight);
 
 } // namespace stretch::ui

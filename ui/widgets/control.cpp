@@ -1,0 +1,121 @@
+#include "ui/widgets/control.h"
+
+#include <algorithm>
+
+#include <imgui_internal.h>
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr float tooltipDelaySeconds = 0.45F;
+
+ImFont* orDefault(ImFont* font) {
+  return font != nullptr ? font : ImGui::GetFont();
+}
+
+Rect clipped(const Rect& box) {
+  const ImRect clip = ImGui::GetCurrentWindow()->ClipRect;
+  return {{std::max(box.min.x, clip.Min.x), std::max(box.min.y, clip.Min.y)},
+          {std::min(box.max.x, clip.Max.x), std::min(box.max.y, clip.Max.y)}};
+}
+
+void tooltipHeader(const WidgetContext& context, const Help& help) {
+  const ThemeColours& colours = context.theme.colours;
+  if (!help.title.empty()) {
+    ImGui::TextUnformatted(help.title.c_str());
+  }
+  if (help.keyText.empty()) {
+    return;
+  }
+  if (!help.title.empty()) {
+    ImGui::SameLine(0.0F, context.theme.px(12.0F));
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, colours.accent);
+  ImGui::TextUnformatted(help.keyText.c_str());
+  ImGui::PopStyleColor();
+}
+
+} // namespace
+
+Control takePlace(const WidgetContext& context, std::string_view id, const ImVec2& size, bool enabled) {
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  Control control;
+  control.id = window->GetID(id.data(), id.data() + id.size());
+  const ImVec2 corner = window->DC.CursorPos;
+  control.box = {corner, {corner.x + size.x, corner.y + size.y}};
+  const ImRect box(control.box.min, control.box.max);
+  ImGui::ItemSize(size, 0.0F);
+  control.visible = ImGui::ItemAdd(box, control.id);
+  if (!control.visible && ImGui::GetActiveID() != control.id) {
+    return control;
+  }
+  const Rect shown = clipped(control.box);
+  context.items.add(std::string(id), shown.min, shown.max, enabled);
+  if (enabled) {
+    control.clicked = ImGui::ButtonBehavior(box, control.id, &control.hovered, &control.held);
+  } else {
+    control.hovered = ImGui::ItemHoverable(box, control.id);
+  }
+  return control;
+}
+
+void tooltipNow(const WidgetContext& context, const Help& help) {
+  if (help.title.empty() && help.text.empty() && help.keyText.empty()) {
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.px(10.0F), context.theme.px(8.0F)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8.0F), context.theme.px(4.0F)));
+  ImGui::BeginTooltip();
+  ImGui::PushFont(context.theme.fonts.label);
+  tooltipHeader(context, help);
+  if (!help.text.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colours.quietText);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + context.theme.px(300.0F));
+    ImGui::TextUnformatted(help.text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopFont();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar(2);
+}
+
+void tooltip(const WidgetContext& context, const Help& help) {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+  if (hovered && g.ActiveId == 0 && g.HoveredIdTimer >= tooltipDelaySeconds) {
+    tooltipNow(context, help);
+  }
+}
+
+ImVec2 textSize(ImFont* font, std::string_view text) {
+  ImFont* used = orDefault(font);
+  return used->CalcTextSizeA(used->FontSize, FLT_MAX, 0.0F, text.data(), text.data() + text.size());
+}
+
+void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32 colour,
+              std::string_view text, float alignment) {
+  if (text.empty() || box.width() <= 0.0F) {
+    return;
+  }
+  const ImVec2 size = textSize(font, text);
+  const float free = std::max(0.0F, box.width() - size.x);
+  const ImVec2 at(std::floor(box.min.x + free * alignment),
+                  std::floor(box.min.y + (box.height() - size.y) * 0.5F));
+  ImGui::PushFont(orDefault(font));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  const float right = box.max.x + context.theme.px(1.0F);
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, ImVec2(right, at.y + size.y), right, right,
+                            text.data(), text.data() + text.size(), &size);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+float columnWidth(int count) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  return std::floor((ImGui::GetContentRegionAvail().x - spacing * static_cast<float>(count - 1)) /
+                    static_cast<float>(count));
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <imgui.h>
+
+#include "ui/widgets/item_registry.h"
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+/// What every widget is given. Widgets draw at ImGui's cursor of the current window and keep no state of
+/// their own.
+struct WidgetContext {
+  const Theme& theme;
+  ItemRegistry& items;
+};
+
+/// What one frame did to a value that is edited by a gesture: a click, a drag, or typing.
+struct EditPhase {
+  bool changed = false; ///< The value is new.
+  bool ended = false;   ///< The gesture is over.
+};
+
+/// What the tooltip of a widget says.
+struct Help {
+  std::string title = {};
+  std::string text = {};
+  std::string keyText = {};
+};
+
+struct Rect {
+  ImVec2 min;
+  ImVec2 max;
+
+  [[nodiscard]] float width() const { return max.x - min.x; }
+  [[nodiscard]] float height() const { return max.y - min.y; }
+  [[nodiscard]] ImVec2 centre() const { return {(min.x + max.x) * 0.5F, (min.y + max.y) * 0.5F}; }
+  [[nodiscard]] bool contains(const ImVec2& point) const {
+    return point.x >= min.x && point.x < max.x && point.y >= min.y && point.y < max.y;
+  }
+};
+
+/// A widget's place and what the mouse does with it in this frame.
+struct Control {
+  unsigned id = 0;
+  Rect box;
+  bool visible = false;
+  bool hovered = false;
+  bool held = false;
+  bool clicked = false; ///< Pressed and released on it.
+};
+
+/// Takes the place of a widget, records it, and answers what the mouse does with it. `id` as Item::id.
+[[nodiscard]] Control takePlace(const WidgetContext& context, std::string_view id, const ImVec2& size,
+                                bool enabled = true);
+
+/// Shows a tooltip for the last widget once the mouse has rested on it.
+void tooltip(const WidgetContext& context, const Help& help);
+/// The same for anything that says itself that it is hovered; shown at once.
+void tooltipNow(const WidgetContext& context, const Help& help);
+
+/// Text with its vertical centre in the box, cut with an ellipsis where it does not fit.
+void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32 colour,
+              std::string_view text, float alignment = 0.0F);
+[[nodiscard]] ImVec2 textSize(ImFont* font, std::string_view text);
+
+/// Width of one column of `count` that share the available width with the style's spacing.
+[[nodiscard]] float columnWidth(int count);
+
+} // namespace stretch::ui

@@ -1,0 +1,185 @@
+#include "ui/widgets/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/icons.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr float labelColumn = 88.0F; ///< Design pixels.
+
+ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
+  switch (kind) {
+  case NoticeKind::success:
+    return colours.success;
+  case NoticeKind::warning:
+    return colours.warning;
+  case NoticeKind::error:
+    return colours.error;
+  case NoticeKind::info:
+    break;
+  }
+  return colours.quietText;
+}
+
+} // namespace
+
+void labelledRow(const WidgetContext& context, const std::string& label, const Help& help) {
+  const Theme& theme = context.theme;
+  const Control control =
+      takePlace(context, "label:" + label, {theme.px(labelColumn), theme.rowHeight()}, false);
+  drawText(context, theme.fonts.label, control.box, theme.colours.quietText, label);
+  tooltip(context, help);
+  ImGui::SameLine(0.0F, theme.unit());
+}
+
+void valueRow(const WidgetContext& context, const std::string& label, const std::string& value,
+              const Help& help) {
+  const Theme& theme = context.theme;
+  const float height = theme.px(22.0F);
+  const Control control =
+      takePlace(context, "row:" + label, {ImGui::GetContentRegionAvail().x, height}, false);
+  if (control.visible) {
+    const float split = control.box.min.x + theme.px(labelColumn) + theme.unit();
+    drawText(context, theme.fonts.label, {control.box.min, {split - theme.unit(), control.box.max.y}},
+             theme.colours.quietText, label);
+    drawText(context, theme.fonts.label, {{split, control.box.min.y}, control.box.max}, theme.colours.text,
+             value);
+  }
+  tooltip(context, help.title.empty() ? Help{.title = value, .text = help.text} : help);
+}
+
+bool section(const WidgetContext& context, const std::string& id, const std::string& title,
+             std::vector<std::string>& closedSections) {
+  const Theme& theme = context.theme;
+  const auto found = std::find(closedSections.begin(), closedSections.end(), id);
+  const bool open = found == closedSections.end();
+  verticalSpace(context, 2.0F);
+  const Control control = takePlace(context, id, {ImGui::GetContentRegionAvail().x, theme.px(28.0F)});
+  if (control.visible) {
+    const ThemeColours& colours = theme.colours;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddLine({control.box.min.x, control.box.min.y}, {control.box.max.x, control.box.min.y},
+                  faded(colours.border, 0.7F));
+    const ImU32 colour = control.hovered ? colours.text : colours.quietText;
+    const float half = theme.px(3.5F);
+    const ImVec2 centre(control.box.min.x + theme.px(5.0F), control.box.centre().y);
+    if (open) {
+      list->AddTriangleFilled({centre.x - half, centre.y - half * 0.6F},
+                              {centre.x + half, centre.y - half * 0.6F}, {centre.x, centre.y + half * 0.8F},
+                              colour);
+    } else {
+      list->AddTriangleFilled({centre.x - half * 0.6F, centre.y - half}, {centre.x + half * 0.8F, centre.y},
+                              {centre.x - half * 0.6F, centre.y + half}, colour);
+    }
+    const Rect text{{control.box.min.x + theme.px(16.0F), control.box.min.y}, control.box.max};
+    drawText(context, theme.fonts.label, text,
+             control.hovered ? colours.text : mixed(colours.text, colours.quietText, 0.35F), title);
+  }
+  tooltip(context, {.text = open ? "Click to fold this section." : "Click to open this section."});
+  if (control.clicked && open) {
+    closedSections.push_back(id);
+  } else if (control.clicked) {
+    closedSections.erase(found);
+  }
+  return open;
+}
+
+void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title) {
+  const Theme& theme = context.theme;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({width, theme.px(24.0F)});
+  const Rect box{corner, {corner.x + width, corner.y + theme.px(24.0F)}};
+  const std::string text = theme.fonts.hasIcons ? std::string(iconText) + "  " + title : title;
+  drawText(context, theme.fonts.strong, box, theme.colours.text, text);
+}
+
+void note(const WidgetContext& context, const std::string& text) {
+  ImGui::PushFont(context.theme.fonts.label);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colours.quietText);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void notice(const WidgetContext& context, NoticeKind kind, const std::string& text) {
+  const Theme& theme = context.theme;
+  const float padding = theme.unit();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImFont* font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  const float wrap = std::max(1.0F, width - padding * 2.0F - theme.px(3.0F));
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
+  const float height = size.y + theme.px(12.0F);
+  ImGui::Dummy({width, height});
+  const ImU32 colour = noticeColour(theme.colours, kind);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(corner, {corner.x + width, corner.y + height},
+                      mixed(theme.colours.panel, colour, 0.10F), theme.corner());
+  list->AddRectFilled(corner, {corner.x + theme.px(3.0F), corner.y + height}, colour, theme.corner(),
+                      ImDrawFlags_RoundCornersLeft);
+  list->AddText(font, font->FontSize, {corner.x + padding + theme.px(3.0F), corner.y + theme.px(6.0F)},
+                theme.colours.text, text.c_str(), nullptr, wrap);
+}
+
+void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
+                const std::string& text) {
+  const Theme& theme = context.theme;
+  verticalSpace(context, 12.0F);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  float y = corner.y;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  ImFont* large = theme.fonts.heading != nullptr ? theme.fonts.heading : ImGui::GetFont();
+  if (theme.fonts.hasIcons) {
+    const float size = large->FontSize * 1.2F;
+    const ImVec2 iconSize = large->CalcTextSizeA(size, FLT_MAX, 0.0F, iconText);
+    list->AddText(large, size, {corner.x + (width - iconSize.x) * 0.5F, y},
+                  faded(theme.colours.quietText, 0.7F), iconText);
+    y += iconSize.y + theme.unit();
+  }
+  drawText(context, theme.fonts.body, {{corner.x, y}, {corner.x + width, y + theme.px(20.0F)}},
+           theme.colours.text, title, 0.5F);
+  y += theme.px(24.0F);
+  ImGui::SetCursorScreenPos({corner.x + theme.unit(), y});
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - theme.unit() * 2.0F);
+  ImGui::PushFont(theme.fonts.label);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme.colours.quietText);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ImGui::PopTextWrapPos();
+  verticalSpace(context, 8.0F);
+}
+
+float keyCap(const WidgetContext& context, const ImVec2& corner, const std::string& text) {
+  const Theme& theme = context.theme;
+  const float height = theme.px(18.0F);
+  const float width = std::max(height, std::ceil(textSize(theme.fonts.label, text).x + theme.px(10.0F)));
+  const Rect box{corner, {corner.x + width, corner.y + height}};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(box.min, box.max, theme.colours.raised, theme.px(3.0F));
+  list->AddRect(box.min, box.max, theme.colours.border, theme.px(3.0F));
+  drawText(context, theme.fonts.label, box, theme.colours.text, text, 0.5F);
+  return width;
+}
+
+void verticalSpace(const WidgetContext& context, float designPixels) {
+  ImGui::Dummy({0.0F, std::max(0.0F, context.theme.px(designPixels) - ImGui::GetStyle().ItemSpacing.y)});
+}
+
+void separator(const WidgetContext& context) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({width, context.theme.px(1.0F)});
+  ImGui::GetWindowDrawList()->AddLine(corner, {corner.x + width, corner.y},
+                                      faded(context.theme.colours.border, 0.7F));
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+/// Draws a label in the left column and puts the cursor at the value's column, which takes the rest of the
+/// width. The label has the help as its tooltip.
+void labelledRow(const WidgetContext& context, const std::string& label, const Help& help = {});
+
+/// A line of quiet text in the value column's style: "Clip   punch".
+void valueRow(const WidgetContext& context, const std::string& label, const std::string& value,
+              const Help& help = {});
+
+/// A heading that folds what follows. `closedSections` keeps the ids of folded ones. True when its content is
+/// to be drawn.
+bool section(const WidgetContext& context, const std::string& id, const std::string& title,
+             std::vector<std::string>& closedSections);
+
+/// A panel's title row.
+void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title);
+
+/// Wrapped quiet text in the label font.
+void note(const WidgetContext& context, const std::string& text);
+
+enum class NoticeKind { info, success, warning, error };
+/// Wrapped text with a coloured edge: something the user should know.
+void notice(const WidgetContext& context, NoticeKind kind, const std::string& text);
+
+/// What a panel says while it has nothing to show: an icon, a title, and what to do.
+void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
+                const std::string& text);
+
+/// A key drawn as a key cap; returns its width.
+float keyCap(const WidgetContext& context, const ImVec2& corner, const std::string& text);
+
+void verticalSpace(const WidgetContext& context, float designPixels);
+void separator(const WidgetContext& context);
+
+} // namespace stretch::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+/// Parts of the drawn body, in the order of rig::LimbKind.
+enum class BodyPart { leftArm, rightArm, leftLeg, rightLeg, spine, neck };
+inline constexpr int bodyPartCount = 6;
+
+struct BodyPartState {
+  bool found = false;
+  bool selected = false;
+  bool lowConfidence = false;
+  std::optional<ImU32> trail = {}; ///< Colour of the limb's trail.
+  std::string id = {};             ///< "left-arm": names the widget.
+  std::string keyText = {};        ///< Shown at the limb.
+  Help help = {};
+};
+
+/// A body seen from the front, as wide as available: the character's left is on the right. The part that was
+/// clicked, or none.
+[[nodiscard]] std::optional<BodyPart> limbDiagram(const WidgetContext& context, const std::string& id,
+                                                  const std::array<BodyPartState, bodyPartCount>& parts,
+                                                  float height);
+
+/// The part under a point, for a diagram in this box; none beside the body.
+[[nodiscard]] std::optional<BodyPart> bodyPartAt(const Rect& box, const ImVec2& point);
+
+/// A point well inside the part, for a diagram in this box.
+[[nodiscard]] ImVec2 bodyPartCentre(const Rect& box, BodyPart part);
+
+} // namespace stretch::ui

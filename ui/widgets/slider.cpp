@@ -1,0 +1,164 @@
+#include "ui/widgets/slider.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include <imgui_internal.h>
+
+namespace stretch::ui {
+
+namespace {
+
+double snapped(const SliderSpec& spec, double value) {
+  const double stepped = spec.step > 0.0 ? std::round(value / spec.step) * spec.step : value;
+  return std::clamp(stepped, spec.minimum, spec.maximum);
+}
+
+double hardClamped(const SliderSpec& spec, double value) {
+  return std::clamp(value, spec.hardMinimum.value_or(spec.minimum), spec.hardMaximum.value_or(spec.maximum));
+}
+
+/// Draws the field; the fill is the part of the range left of the value.
+void drawField(const WidgetContext& context, const SliderSpec& spec, const Control& control, double value) {
+  const Theme& theme = context.theme;
+  const ThemeColours& colours = theme.colours;
+  const float opacity = spec.enabled ? 1.0F : 0.45F;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const bool lit = spec.enabled && (control.hovered || control.held);
+  list->AddRectFilled(control.box.min, control.box.max,
+                      faded(lit ? colours.hovered : colours.raised, opacity), theme.corner());
+  const double span = spec.maximum - spec.minimum;
+  if (spec.showsFill && span > 0.0) {
+    const float part = static_cast<float>(std::clamp((value - spec.minimum) / span, 0.0, 1.0));
+    const float edge = std::floor(control.box.min.x + control.box.width() * part);
+    list->PushClipRect(control.box.min, {edge, control.box.max.y}, true);
+    list->AddRectFilled(control.box.min, control.box.max, faded(colours.accentQuiet, opacity),
+                        theme.corner());
+    list->PopClipRect();
+    const float bar = theme.px(2.0F);
+    const float left = std::clamp(edge - bar, control.box.min.x, control.box.max.x - bar);
+    list->AddRectFilled({left, control.box.min.y + theme.px(5.0F)},
+                        {left + bar, control.box.max.y - theme.px(5.0F)}, faded(colours.accent, opacity),
+                        theme.px(1.0F));
+  }
+  if (theme.kind != ThemeKind::dark) {
+    list->AddRect(control.box.min, control.box.max, colours.border, theme.corner());
+  }
+  const Rect inner{{control.box.min.x + theme.unit(), control.box.min.y},
+                   {control.box.max.x - theme.unit(), control.box.max.y}};
+  drawText(context, theme.fonts.body, inner, faded(colours.text, opacity), sliderText(spec, value),
+           spec.showsFill ? 1.0F : 0.5F);
+}
+
+EditPhase dragged(const SliderSpec& spec, const Control& control, double& value) {
+  EditPhase phase;
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  if (ImGui::IsItemActivated()) {
+    storage->SetFloat(control.id, static_cast<float>(value));
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  if (control.held && io.MouseDelta.x != 0.0F && control.box.width() > 0.0F) {
+    const double speed =
+        (spec.maximum - spec.minimum) / static_cast<double>(control.box.width()) * (io.KeyShift ? 0.1 : 1.0);
+    const double loose =
+        static_cast<double>(storage->GetFloat(control.id)) + static_cast<double>(io.MouseDelta.x) * speed;
+    const double kept = std::clamp(loose, spec.minimum, spec.maximum);
+    storage->SetFloat(control.id, static_cast<float>(kept));
+    const double next = snapped(spec, kept);
+    phase.changed = next != value;
+    value = next;
+  }
+  return phase;
+}
+
+EditPhase typed(const SliderSpec& spec, const Control& control, double& value) {
+  EditPhase phase;
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", spec.decimals, value * spec.displayFactor);
+  const ImRect box(control.box.min, control.box.max);
+  if (ImGui::TempInputText(box, control.id, "##typed", buffer.data(), static_cast<int>(buffer.size()),
+                           ImGuiInputTextFlags_AutoSelectAll)) {
+    if (const std::optional<double> number = parseNumber(buffer.data())) {
+      const double next = hardClamped(spec, *number / spec.displayFactor);
+      phase.changed = next != value;
+      value = next;
+    }
+  }
+  return phase;
+}
+
+bool wantsTyping(const Control& control) {
+  if (!control.hovered) {
+    return false;
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
+         (io.KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
+}
+
+} // namespace
+
+std::optional<double> parseNumber(std::string_view text) {
+  std::string cleaned;
+  for (const char c : text) {
+    if (c == ',') {
+      cleaned += '.';
+    } else if (c != ' ' && c != '%' && c != 'x' && c != '+') {
+      cleaned += c;
+    }
+  }
+  double number = 0.0;
+  const char* end = cleaned.data() + cleaned.size();
+  const std::from_chars_result outcome = std::from_chars(cleaned.data(), end, number);
+  const bool whole = outcome.ec == std::errc() && outcome.ptr == end;
+  return whole && std::isfinite(number) ? std::optional<double>(number) : std::nullopt;
+}
+
+std::string sliderText(const SliderSpec& spec, double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%s%.*f%s", spec.prefix, spec.decimals,
+                value * spec.displayFactor, spec.suffix);
+  return buffer.data();
+}
+
+EditPhase slider(const WidgetContext& context, const SliderSpec& spec, double& value) {
+  const Theme& theme = context.theme;
+  const float width = spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImGuiID id = ImGui::GetCurrentWindow()->GetID(spec.id.c_str());
+  EditPhase phase;
+  if (ImGui::TempInputIsActive(id)) {
+    Control control{.id = id, .box = {corner, {corner.x + width, corner.y + theme.rowHeight()}}};
+    phase = typed(spec, control, value);
+    context.items.add(spec.id, control.box.min, control.box.max);
+    phase.ended = ImGui::IsItemDeactivated();
+    return phase;
+  }
+  const Control control = takePlace(context, spec.id, {width, theme.rowHeight()}, spec.enabled);
+  if (spec.enabled && wantsTyping(control)) {
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::SetActiveID(control.id, ImGui::GetCurrentWindow());
+    typed(spec, control, value);
+    return phase;
+  }
+  phase = dragged(spec, control, value);
+  phase.ended = ImGui::IsItemDeactivated();
+  if (spec.enabled && spec.defaultValue && control.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    phase.changed = value != *spec.defaultValue;
+    phase.ended = true;
+    value = *spec.defaultValue;
+  }
+  if (control.visible) {
+    drawField(context, spec, control, value);
+  }
+  if (control.hovered && spec.enabled) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  }
+  tooltip(context, spec.help);
+  return phase;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,299 @@
+#include "ui/widgets/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fontconfig/fontconfig.h>
+#include <imgui_freetype.h>
+
+#include "ui/widgets/icons.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr ImU32 rgb(unsigned hex) {
+  return IM_COL32((hex >> 16U) & 255U, (hex >> 8U) & 255U, hex & 255U, 255U);
+}
+
+ThemeColours darkColours() {
+  ThemeColours c;
+  c.background = rgb(0x151618);
+  c.panel = rgb(0x1E1F22);
+  c.raised = rgb(0x2A2C31);
+  c.hovered = rgb(0x34373D);
+  c.pressed = rgb(0x3E424A);
+  c.border = rgb(0x33363C);
+  c.sunken = rgb(0x17181B);
+  c.text = rgb(0xD8DADF);
+  c.quietText = rgb(0x8B9098);
+  c.accent = rgb(0xA594F9);
+  c.onAccent = rgb(0x16121F);
+  c.accentQuiet = rgb(0x3A3554);
+  c.success = rgb(0x5BBF96);
+  c.warning = rgb(0xE8B450);
+  c.error = rgb(0xE8773C);
+  c.shadow = IM_COL32(0, 0, 0, 110);
+  return c;
+}
+
+ThemeColours lightColours() {
+  ThemeColours c;
+  c.background = rgb(0xC9CBD0);
+  c.panel = rgb(0xECEDEF);
+  c.raised = rgb(0xFBFBFC);
+  c.hovered = rgb(0xE1E2E6);
+  c.pressed = rgb(0xD3D5DA);
+  c.border = rgb(0xC6C8CE);
+  c.sunken = rgb(0xF7F7F8);
+  c.text = rgb(0x1F2126);
+  c.quietText = rgb(0x5C616B);
+  c.accent = rgb(0x5A45C6);
+  c.onAccent = rgb(0xFFFFFF);
+  c.accentQuiet = rgb(0xDAD4F7);
+  c.success = rgb(0x00714F);
+  c.warning = rgb(0x8A5A00);
+  c.error = rgb(0xB24700);
+  c.shadow = IM_COL32(0, 0, 0, 50);
+  return c;
+}
+
+ThemeColours highContrastColours() {
+  ThemeColours c;
+  c.background = rgb(0x000000);
+  c.panel = rgb(0x000000);
+  c.raised = rgb(0x1C1C1C);
+  c.hovered = rgb(0x3A3A3A);
+  c.pressed = rgb(0x505050);
+  c.border = rgb(0xA8A8A8);
+  c.sunken = rgb(0x0A0A0A);
+  c.text = rgb(0xFFFFFF);
+  c.quietText = rgb(0xD2D2D2);
+  c.accent = rgb(0xFFD84A);
+  c.onAccent = rgb(0x000000);
+  c.accentQuiet = rgb(0x5A4A00);
+  c.success = rgb(0x5CFFB8);
+  c.warning = rgb(0xFFC857);
+  c.error = rgb(0xFF8A4C);
+  c.shadow = IM_COL32(0, 0, 0, 180);
+  return c;
+}
+
+struct FontFiles {
+  std::string regular;
+  std::string semiBold;
+  std::string icons;
+};
+
+ImFont* loadFont(ImFontAtlas& atlas, const std::string& file, float pixels, const ImWchar* ranges) {
+  ImFontConfig config;
+  config.OversampleH = 1;
+  config.OversampleV = 1;
+  config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  if (!file.empty()) {
+    return atlas.AddFontFromFileTTF(file.c_str(), pixels, &config, ranges);
+  }
+  config.SizePixels = std::max(13.0F, 13.0F * std::round(pixels / 13.0F));
+  return atlas.AddFontDefault(&config);
+}
+
+void mergeIcons(ImFontAtlas& atlas, const std::string& file, float pixels, const ImWchar* ranges) {
+  ImFontConfig config;
+  config.MergeMode = true;
+  config.GlyphMinAdvanceX = pixels * 1.1F;
+  config.GlyphOffset = ImVec2(0.0F, std::round(pixels * 0.06F));
+  config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  atlas.AddFontFromFileTTF(file.c_str(), std::round(pixels * 0.95F), &config, ranges);
+}
+
+void textRanges(ImFontAtlas& atlas, ImVector<ImWchar>& ranges) {
+  ImFontGlyphRangesBuilder builder;
+  builder.AddRanges(atlas.GetGlyphRangesDefault());
+  builder.AddRanges(atlas.GetGlyphRangesCyrillic());
+  const ImWchar more[] = {0x0100, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2190, 0x2199, 0x2212, 0x2212, 0};
+  builder.AddRanges(more);
+  builder.BuildRanges(&ranges);
+}
+
+ThemeFonts loadFonts(float scale) {
+  const FontFiles files{findFont("Inter", FC_WEIGHT_REGULAR), findFont("Inter", FC_WEIGHT_DEMIBOLD),
+                        findFont("FontAwesome", FC_WEIGHT_REGULAR)};
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  ImVector<ImWchar> text;
+  textRanges(atlas, text);
+  ImVector<ImWchar> icons;
+  ImFontGlyphRangesBuilder builder;
+  builder.AddText(icon::all);
+  builder.BuildRanges(&icons);
+  const auto load = [&](const std::string& file, float designPixels) {
+    const float pixels = std::round(designPixels * scale);
+    ImFont* font = loadFont(atlas, file, pixels, text.Data);
+    if (!files.icons.empty()) {
+      mergeIcons(atlas, files.icons, pixels, icons.Data);
+    }
+    return font;
+  };
+  ThemeFonts fonts;
+  fonts.body = load(files.regular, 15.0F);
+  fonts.label = load(files.regular, 13.0F);
+  fonts.strong = load(files.semiBold, 15.0F);
+  fonts.heading = load(files.semiBold, 20.0F);
+  fonts.hasIcons = !files.icons.empty();
+  atlas.Build();
+  return fonts;
+}
+
+void setColour(ImGuiStyle& style, ImGuiCol role, ImU32 colour) {
+  style.Colors[role] = ImGui::ColorConvertU32ToFloat4(colour);
+}
+
+void setSurfaceColours(ImGuiStyle& style, const ThemeColours& c) {
+  setColour(style, ImGuiCol_Text, c.text);
+  setColour(style, ImGuiCol_TextDisabled, c.quietText);
+  setColour(style, ImGuiCol_WindowBg, c.panel);
+  setColour(style, ImGuiCol_ChildBg, IM_COL32_BLACK_TRANS);
+  setColour(style, ImGuiCol_PopupBg, c.raised);
+  setColour(style, ImGuiCol_Border, c.border);
+  setColour(style, ImGuiCol_BorderShadow, IM_COL32_BLACK_TRANS);
+  setColour(style, ImGuiCol_FrameBg, c.raised);
+  setColour(style, ImGuiCol_FrameBgHovered, c.hovered);
+  setColour(style, ImGuiCol_FrameBgActive, c.pressed);
+  setColour(style, ImGuiCol_TitleBg, c.raised);
+  setColour(style, ImGuiCol_TitleBgActive, c.raised);
+  setColour(style, ImGuiCol_TitleBgCollapsed, c.raised);
+  setColour(style, ImGuiCol_MenuBarBg, c.panel);
+  setColour(style, ImGuiCol_ScrollbarBg, IM_COL32_BLACK_TRANS);
+  setColour(style, ImGuiCol_ScrollbarGrab, c.hovered);
+  setColour(style, ImGuiCol_ScrollbarGrabHovered, c.pressed);
+  setColour(style, ImGuiCol_ScrollbarGrabActive, c.quietText);
+  setColour(style, ImGuiCol_Separator, c.border);
+  setColour(style, ImGuiCol_ModalWindowDimBg, IM_COL32(0, 0, 0, 120));
+}
+
+void setControlColours(ImGuiStyle& style, const ThemeColours& c) {
+  setColour(style, ImGuiCol_CheckMark, c.accent);
+  setColour(style, ImGuiCol_SliderGrab, c.accent);
+  setColour(style, ImGuiCol_SliderGrabActive, c.accent);
+  setColour(style, ImGuiCol_Button, c.raised);
+  setColour(style, ImGuiCol_ButtonHovered, c.hovered);
+  setColour(style, ImGuiCol_ButtonActive, c.pressed);
+  setColour(style, ImGuiCol_Header, c.accentQuiet);
+  setColour(style, ImGuiCol_HeaderHovered, c.hovered);
+  setColour(style, ImGuiCol_HeaderActive, c.pressed);
+  setColour(style, ImGuiCol_SeparatorHovered, c.accent);
+  setColour(style, ImGuiCol_SeparatorActive, c.accent);
+  setColour(style, ImGuiCol_ResizeGrip, IM_COL32_BLACK_TRANS);
+  setColour(style, ImGuiCol_ResizeGripHovered, c.hovered);
+  setColour(style, ImGuiCol_ResizeGripActive, c.accent);
+  setColour(style, ImGuiCol_Tab, c.panel);
+  setColour(style, ImGuiCol_TabHovered, c.hovered);
+  setColour(style, ImGuiCol_TabActive, c.raised);
+  setColour(style, ImGuiCol_TextSelectedBg, c.accentQuiet);
+  setColour(style, ImGuiCol_DragDropTarget, c.accent);
+  setColour(style, ImGuiCol_NavHighlight, c.accent);
+  setColour(style, ImGuiCol_TableHeaderBg, c.raised);
+  setColour(style, ImGuiCol_TableBorderStrong, c.border);
+  setColour(style, ImGuiCol_TableBorderLight, c.border);
+}
+
+} // namespace
+
+ThemeColours coloursOf(ThemeKind kind) {
+  switch (kind) {
+  case ThemeKind::light:
+    return lightColours();
+  case ThemeKind::highContrast:
+    return highContrastColours();
+  case ThemeKind::dark:
+    break;
+  }
+  return darkColours();
+}
+
+Theme makeTheme(ThemeKind kind, float scale) {
+  Theme theme;
+  theme.kind = kind;
+  theme.scale = scale;
+  theme.colours = coloursOf(kind);
+  theme.fonts = loadFonts(scale);
+  return theme;
+}
+
+void applyStyle(const Theme& theme) {
+  ImGuiStyle style;
+  style.WindowPadding = ImVec2(12.0F, 8.0F);
+  style.FramePadding = ImVec2(8.0F, 5.0F);
+  style.CellPadding = ImVec2(4.0F, 2.0F);
+  style.ItemSpacing = ImVec2(8.0F, 6.0F);
+  style.ItemInnerSpacing = ImVec2(6.0F, 4.0F);
+  style.IndentSpacing = 16.0F;
+  style.ScrollbarSize = 10.0F;
+  style.GrabMinSize = 10.0F;
+  style.WindowRounding = 0.0F;
+  style.ChildRounding = 4.0F;
+  style.FrameRounding = 4.0F;
+  style.PopupRounding = 6.0F;
+  style.ScrollbarRounding = 5.0F;
+  style.GrabRounding = 4.0F;
+  style.TabRounding = 4.0F;
+  style.WindowBorderSize = 0.0F;
+  style.ChildBorderSize = 1.0F;
+  style.PopupBorderSize = 1.0F;
+  style.FrameBorderSize = theme.kind == ThemeKind::highContrast ? 1.0F : 0.0F;
+  style.DisabledAlpha = 0.45F;
+  style.ScaleAllSizes(theme.scale);
+  style.MouseCursorScale = 1.0F;
+  setSurfaceColours(style, theme.colours);
+  setControlColours(style, theme.colours);
+  ImGui::GetStyle() = style;
+  ImGui::GetIO().FontDefault = theme.fonts.body;
+}
+
+ImU32 trailColour(int index) {
+  const int count = static_cast<int>(trailPalette.size());
+  return trailPalette[static_cast<std::size_t>(((index % count) + count) % count)];
+}
+
+ImU32 faded(ImU32 colour, float opacity) {
+  const float alpha = static_cast<float>(colour >> IM_COL32_A_SHIFT) * std::clamp(opacity, 0.0F, 1.0F);
+  return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha + 0.5F) << IM_COL32_A_SHIFT);
+}
+
+ImU32 mixed(ImU32 a, ImU32 b, float amount) {
+  const ImVec4 from = ImGui::ColorConvertU32ToFloat4(a);
+  const ImVec4 to = ImGui::ColorConvertU32ToFloat4(b);
+  const auto mix = [amount](float x, float y) { return x + (y - x) * amount; };
+  return ImGui::ColorConvertFloat4ToU32(
+      {mix(from.x, to.x), mix(from.y, to.y), mix(from.z, to.z), mix(from.w, to.w)});
+}
+
+std::string findFont(const std::string& family, int weight) {
+  const std::unique_ptr<FcConfig, decltype(&FcConfigDestroy)> config(FcInitLoadConfigAndFonts(),
+                                                                     &FcConfigDestroy);
+  if (!config) {
+    return {};
+  }
+  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(FcPatternCreate(), &FcPatternDestroy);
+  const std::string& name = family;
+  FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(name.c_str()));
+  FcPatternAddInteger(pattern.get(), FC_WEIGHT, weight);
+  FcPatternAddInteger(pattern.get(), FC_SLANT, FC_SLANT_ROMAN);
+  FcConfigSubstitute(config.get(), pattern.get(), FcMatchPattern);
+  FcDefaultSubstitute(pattern.get());
+  FcResult outcome = FcResultNoMatch;
+  const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> match(
+      FcFontMatch(config.get(), pattern.get(), &outcome), &FcPatternDestroy);
+  FcChar8* text = nullptr;
+  if (!match || FcPatternGetString(match.get(), FC_FAMILY, 0, &text) != FcResultMatch ||
+      reinterpret_cast<const char*>(text) != family) {
+    return {}; // fontconfig always answers with some font: another family is no answer
+  }
+  return FcPatternGetString(match.get(), FC_FILE, 0, &text) == FcResultMatch
+             ? reinterpret_cast<const char*>(text)
+             : std::string();
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/widgets/axis.h"
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+/// A trail's time: its range, and the release in which the limb comes back.
+struct TimelineBar {
+  int id = 0; ///< > 0
+  double start = 0.0;
+  double end = 0.0;
+  double windowStart = 0.0; ///< Range and release together.
+  double windowEnd = 0.0;
+  ImU32 colour = 0;
+  std::string label = {};
+  bool selected = false;
+  bool active = false; ///< The character follows it.
+};
+
+/// A row of keys, for the dope sheet.
+struct KeyRow {
+  std::string label;
+  std::vector<double> frames; ///< Increasing.
+  bool selected = false;
+};
+
+struct TimelineModel {
+  Span clip; ///< First and last frame.
+  Span view; ///< What is visible.
+  double playhead = 0.0;
+  Span range;                  ///< The working range.
+  bool rangeIsDefault = false; ///< Not set by the user: drawn quieter.
+  std::vector<KeyRow> keyRows;
+  std::vector<TimelineBar> bars;
+  std::vector<double> spheres; ///< Frames of the selected trail's control spheres.
+  bool snap = true;            ///< Frames that the mouse sets are whole ones.
+};
+
+enum class TimelinePart { nothing, playhead, rangeStart, rangeEnd, barStart, barEnd, barBody, release, pan };
+
+/// What the mouse holds, from press to release.
+struct TimelineGesture {
+  TimelinePart part = TimelinePart::nothing;
+  int bar = 0;
+  double grabbedAt = 0.0;   ///< Frame under the mouse at the press.
+  Span startSpan{0.0, 0.0}; ///< Of what is held, at the press.
+};
+
+/// What the user asked for in this frame; spans are complete, ready to be set.
+struct TimelineOutcome {
+  bool playheadMoved = false;
+  double playhead = 0.0;
+  bool rangeChanged = false;
+  Span range;
+  int clickedBar = 0;
+  int editedBar = 0;       ///< A bar whose span is being dragged.
+  bool barChanged = false; ///< barSpan is new.
+  Span barSpan;
+  bool releaseChanged = false;
+  double releaseEdge = 0.0; ///< Frame where the release ends.
+  bool gestureEnded = false;
+  bool viewChanged = false;
+  Span view;
+};
+
+/// Height that the rows need, in screen pixels.
+[[nodiscard]] float timelineHeight(const Theme& theme, const TimelineModel& model);
+
+/// Ruler, working range, keys and bars, as wide as available; labels of rows in a column on the left.
+[[nodiscard]] TimelineOutcome timeline(const WidgetContext& context, const std::string& id,
+                                       const TimelineModel& model, TimelineGesture& gesture, float labelWidth,
+                                       float height);
+
+} // namespace stretch::ui
