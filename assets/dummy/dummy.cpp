@@ -2,6 +2,8 @@
 
 #include "assets/dummy/body.h"
 #include "assets/dummy/face.h"
+#include "assets/dummy/keying.h"
+#include "assets/dummy/punch.h"
 
 namespace stretch::assets {
 
@@ -10,6 +12,7 @@ Character makeDummy() {
   dummy.skeleton = dummySkeleton();
   dummy.parts.push_back({"Body", 0.62, makeBody(dummy.skeleton)});
   dummy.parts.push_back({"Face", 0.35, makeFace(jointIndex(dummy.skeleton, "Head"))});
+  dummy.motions.push_back(keyPoses("One-two punch", dummy.skeleton, punchPoses(), punchFramesPerSecond));
   return dummy;
 }
 

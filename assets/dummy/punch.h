@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "assets/dummy/pose.h"
+
+namespace stretch::assets {
+
+inline constexpr double punchFramesPerSecond = 24.0;
+
+/// The key poses of a one-two punch, frames 0 to 60: bouncing guard, left jab, right cross, back to the first
+/// pose.
+[[nodiscard]] std::vector<Pose> punchPoses();
+
+} // namespace stretch::assets
