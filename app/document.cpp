@@ -1,0 +1,64 @@
+#include "app/document.h"
+
+#include <algorithm>
+
+#include "app/saved_work.h"
+#include "core/base/check.h"
+
+namespace stretch::app {
+
+namespace {
+
+template <typename Trails>
+auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
+  const auto found = std::find_if(trails.begin(), trails.end(), [&](const rig::Trail& trail) { return trail.id == trailId; });
+  return found == trails.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+Result<Document> openDocument(const std::filesystem::path& path) {
+  Result<gltf::Loaded> loaded = gltf::load(path);
+  if (!loaded) {
+    return loaded.error();
+  }
+  Document document;
+  document.source = loaded->source;
+  document.scene = loaded->scene;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
+  document.warnings = std::move(loaded->warnings);
+  document.biped = rig::detectBiped(*document.scene);
+  if (!loaded->savedWork.is_null()) {
+    if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
+      document.warnings.push_back("the work kept in the file could not be taken up: " + restored.error().line());
+    }
+  }
+  return document;
+}
+
+bool sameDocument(const Document& a, const Document& b) {
+  return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
+         a.biped.hips == b.biped.hips && a.chains == b.chains && a.trails == b.trails && a.loopingClips == b.loopingClips;
+}
+
+const rig::Limb* findLimb(const Document& document, const std::string& limbId) {
+  for (const std::vector<rig::Limb>* limbs : {&document.biped.limbs, &document.chains}) {
+    const auto found = std::find_if(limbs->begin(), limbs->end(), [&](const rig::Limb& limb) { return limb.id == limbId; });
+    if (found != limbs->end()) {
+      return &*found;
+    }
+  }
+  return nullptr;
+}
+
+const rig::Trail* findTrail(const Document& document, int trailId) { return findById(document.trails, trailId); }
+rig::Trail* findTrail(Document& document, int trailId) { return findById(document.trails, trailId); }
+
+const Clip& clipOf(const Document& document, int clip) {
+  check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(), "the clip is one of the document's");
+  return (*document.clips)[static_cast<std::size_t>(clip)];
+}
+
+bool isActive(const rig::Trail& trail) { return trail.connected || trail.applied.has_value(); }
+
+} // namespace stretch::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/gltf/edits.h"
+
+namespace stretch::app {
+
+struct SaveOptions {
+  bool clean = false;         ///< Leave the program's own data out.
+  bool keyEveryFrame = false; ///< A key on every frame of range and release, as the thesis does.
+  bool keepSkeleton = false;  ///< Stretch through translations only: the joint list stays as it is.
+};
+
+/// What saving changes in the file: the clips re-keyed with the applied trails, bind leaves, skin slots, and the work.
+[[nodiscard]] Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options);
+
+/// Writes the document atomically; the source file itself is left alone unless it is `path`.
+[[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path, const SaveOptions& options);
+
+} // namespace stretch::app

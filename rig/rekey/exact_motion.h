@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+
+#include "core/anim/clip.h"
+#include "core/anim/frame_state.h"
+#include "core/scene/scene.h"
+#include "rig/motion.h"
+
+namespace stretch::rig {
+
+/// The motion that keys are made to follow, remembered per time.
+class ExactMotion {
+public:
+  ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion) : scene_(scene), clip_(clip), motion_(motion) {}
+
+  [[nodiscard]] const FrameState& at(double timeSeconds);
+  [[nodiscard]] const Pose& sourceAt(double timeSeconds);
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const Clip& clip() const { return clip_; }
+  [[nodiscard]] const MotionState& motion() const { return motion_; }
+
+private:
+  const Scene& scene_;
+  const Clip& clip_;
+  const MotionState& motion_;
+  std::map<double, FrameState> frames_;
+  std::map<double, Pose> sources_;
+};
+
+/// A node's animated property as numbers: translation and scale in x, y, z, rotation as (x, y, z, w).
+[[nodiscard]] Vec4 channelValue(const Pose& pose, int node, Channel channel);
+void setChannelValue(Pose& pose, int node, Channel channel, const Vec4& value);
+
+/// Axis and factors of a stretch matrix K = A diag(along, across, across) A^T.
+struct StretchParts {
+  Vec3 axis{0.0}; ///< Unit; zero where along and across are equal and K has no axis.
+  double along = 1.0;
+  double across = 1.0;
+};
+[[nodiscard]] StretchParts partsOf(const Mat3& stretch);
+
+} // namespace stretch::rig
