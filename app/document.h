@@ -25,6 +25,7 @@ struct Document {
   std::vector<std::string> warnings; ///< Of opening the file.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
+  bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
   std::vector<int> loopingClips; ///< Clips that the user marked as loops: releases wrap.
