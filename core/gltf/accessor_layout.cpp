@@ -34,6 +34,10 @@ std::size_t columnStride(const ElementType& type, ComponentType component) {
   return type.columns == 1 ? size : (size + 3) / 4 * 4;
 }
 
+bool hasBytes(const Source& source, const Json& view) {
+  return !source.buffers[static_cast<std::size_t>(indexOr(view, "buffer"))].empty();
+}
+
 const std::uint8_t* startOf(const Source& source, const Json& view, const Json& within) {
   const Bytes& bytes = source.buffers[static_cast<std::size_t>(indexOr(view, "buffer"))];
   return bytes.data() + wholeOr(view, "byteOffset", 0) + wholeOr(within, "byteOffset", 0);
@@ -42,7 +46,7 @@ const std::uint8_t* startOf(const Source& source, const Json& view, const Json& 
 ElementRun packedRun(const Source& source, const Json& part, std::size_t count, std::size_t stride) {
   const Json& view =
       element(source.json, "bufferViews", static_cast<std::size_t>(indexOr(part, "bufferView")));
-  return {startOf(source, view, part), stride, count};
+  return hasBytes(source, view) ? ElementRun{startOf(source, view, part), stride, count} : ElementRun{};
 }
 
 } // namespace
@@ -103,6 +107,9 @@ std::optional<ElementRun> denseRun(const Source& source, int accessor, const Acc
   }
   const Json& view =
       element(source.json, "bufferViews", static_cast<std::size_t>(indexOr(json, "bufferView")));
+  if (!hasBytes(source, view)) {
+    return std::nullopt;
+  }
   const auto stride = static_cast<std::size_t>(wholeOr(view, "byteStride", elementSize(shape)));
   return ElementRun{startOf(source, view, json), stride, shape.count};
 }
@@ -116,8 +123,12 @@ std::optional<SparseRuns> sparseRuns(const Source& source, int accessor, const A
   const auto count = static_cast<std::size_t>(wholeOr(*sparse, "count", 0));
   const Json& indices = *find(*sparse, "indices");
   const auto indexType = static_cast<ComponentType>(indexOr(indices, "componentType"));
-  return SparseRuns{packedRun(source, indices, count, componentSize(indexType)), indexType,
-                    packedRun(source, *find(*sparse, "values"), count, elementSize(shape))};
+  const ElementRun indexRun = packedRun(source, indices, count, componentSize(indexType));
+  const ElementRun valueRun = packedRun(source, *find(*sparse, "values"), count, elementSize(shape));
+  if (indexRun.count != valueRun.count) {
+    return std::nullopt; // one of them lies in a buffer without bytes
+  }
+  return SparseRuns{indexRun, indexType, valueRun};
 }
 
 } // namespace stretch::gltf

@@ -29,12 +29,12 @@ struct SparseRuns {
 /// Bytes of one element, the padding of matrix columns included.
 [[nodiscard]] std::size_t elementSize(const AccessorShape& shape);
 
-/// Nothing for an accessor without a buffer view: all zeros. The accessor has to be validated.
+/// Nothing for an accessor without a buffer view or bytes: all zeros. The accessor has to be validated.
 [[nodiscard]] std::optional<ElementRun> denseRun(const Source& source, int accessor,
                                                  const AccessorShape& shape);
 
-/// Nothing for an accessor that is not sparse. The accessor has to be validated, except the values of the
-/// indices.
+/// Nothing for an accessor that is not sparse, or whose sparse values have no bytes. The accessor has to be
+/// validated, except the values of the indices.
 [[nodiscard]] std::optional<SparseRuns> sparseRuns(const Source& source, int accessor,
                                                    const AccessorShape& shape);
 

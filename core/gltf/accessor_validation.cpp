@@ -21,17 +21,20 @@ void validateBufferView(const Source& source, std::size_t index, Problems& probl
   if (end > wholeOr(buffer, "byteLength", 0)) {
     problems.error(at("bufferViews", index), "reaches past the end of its buffer");
   }
+  constexpr int indexTarget = 34963;
   if (wholeOr(view, "byteStride", 4) % 4 != 0) {
     problems.error(at("bufferViews", index) + ".byteStride", "is no multiple of 4");
+  } else if (find(view, "byteStride") != nullptr && indexOr(view, "target") == indexTarget) {
+    problems.warning(at("bufferViews", index) + ".byteStride", "is not allowed for indices");
   }
 }
 
-// One accessor; answers whether it can be read.
+// One accessor; answers whether its values can be compared with what it says of them.
 class AccessorCheck {
 public:
-  AccessorCheck(const Source& source, std::size_t index, Problems& problems)
-      : source_(source), json_(element(source.json, "accessors", index)), index_(index), problems_(problems) {
-  }
+  AccessorCheck(const Source& source, std::size_t index, bool isUsed, Problems& problems)
+      : source_(source), json_(element(source.json, "accessors", index)), index_(index), problems_(problems),
+        isUsed_(isUsed) {}
 
   bool run() {
     const std::optional<AccessorShape> shape = shapeOf(source_, static_cast<int>(index_));
@@ -41,42 +44,49 @@ public:
     }
     if (find(json_, "bufferView") != nullptr) {
       part(json_, where(), *shape, shape->count, true);
-    } else if (shape->count > mostZeroElements) {
+    }
+    if ((find(json_, "bufferView") == nullptr || !isReadable_) && shape->count > mostZeroElements) {
       problems_.error(where(), fmt::format("has {} elements, but no data", shape->count));
     }
     if (const Json* sparse = find(json_, "sparse")) {
       sparsePart(*sparse, *shape);
     }
-    return !hasErrors_;
+    return !hasErrors_ && isReadable_ && hasData();
   }
 
 private:
   [[nodiscard]] std::string where() const { return at("accessors", index_); }
 
-  void error(std::string place, std::string what) {
-    problems_.error(std::move(place), std::move(what));
+  [[nodiscard]] bool hasData() const {
+    return find(json_, "bufferView") != nullptr || find(json_, "sparse") != nullptr;
+  }
+
+  void error(std::string place, std::string what, std::string remedy = {}) {
+    problems_.error(std::move(place), std::move(what), std::move(remedy));
     hasErrors_ = true;
   }
 
-  bool bytesAreThere(const Json& view) {
-    const int buffer = indexOr(view, "buffer");
-    if (!source_.buffers[static_cast<std::size_t>(buffer)].empty()) {
-      return true;
+  // Bytes that no file gives are zeros (glTF leaves them to extensions); bytes of a file that is missing are
+  // an error where the model uses them.
+  void needBytes(const Json& view) {
+    const auto buffer = static_cast<std::size_t>(indexOr(view, "buffer"));
+    const Json* uri = find(element(source_.json, "buffers", buffer), "uri");
+    if (!source_.buffers[buffer].empty()) {
+      return;
     }
-    const Json& json = element(source_.json, "buffers", static_cast<std::size_t>(buffer));
-    error(
-        at("buffers", static_cast<std::size_t>(buffer)),
-        fmt::format("its data ('{}') is missing, but the model needs it", textOr(json, "uri", "BIN chunk")));
-    return false;
+    isReadable_ = false;
+    if (uri != nullptr && isUsed_) {
+      const auto name = uri->get_ref<const std::string&>().substr(0, 200);
+      error(at("buffers", buffer),
+            fmt::format("its data ('{}') cannot be read, but the model needs it", name),
+            "put the file beside it");
+    }
   }
 
   void part(const Json& json, const std::string& place, const AccessorShape& shape, std::size_t count,
             bool mayBeStrided) {
     const Json& view =
         element(source_.json, "bufferViews", static_cast<std::size_t>(indexOr(json, "bufferView")));
-    if (!bytesAreThere(view)) {
-      return;
-    }
     const std::size_t size = elementSize(shape);
     const std::uint64_t stride = mayBeStrided ? wholeOr(view, "byteStride", size) : size;
     const std::uint64_t start = wholeOr(json, "byteOffset", 0);
@@ -89,6 +99,7 @@ private:
     } else if ((start + wholeOr(view, "byteOffset", 0)) % componentSize(shape.component) != 0) {
       problems_.warning(place, "is not aligned to the size of its components");
     }
+    needBytes(view);
   }
 
   void sparsePart(const Json& sparse, const AccessorShape& shape) {
@@ -107,7 +118,7 @@ private:
     }
     part(indices, where() + ".sparse.indices", indexShape, count, false);
     part(*find(sparse, "values"), where() + ".sparse.values", shape, count, false);
-    if (!hasErrors_) {
+    if (!hasErrors_ && isReadable_) {
       sparseOrder(shape);
     }
   }
@@ -126,8 +137,52 @@ private:
   const Json& json_;
   std::size_t index_;
   Problems& problems_;
+  bool isUsed_;
   bool hasErrors_ = false;
+  bool isReadable_ = true;
 };
+
+void markMap(const Json& map, std::vector<bool>& used) {
+  for (const auto& [name, accessor] : map.items()) {
+    used[static_cast<std::size_t>(*wholeNumber(accessor))] = true;
+  }
+}
+
+void markPrimitive(const Json& primitive, std::vector<bool>& used) {
+  markMap(*find(primitive, "attributes"), used);
+  for (std::size_t i = 0; i < sizeOf(primitive, "targets"); ++i) {
+    markMap(element(primitive, "targets", i), used);
+  }
+}
+
+void markIndex(const Json& object, std::string_view key, std::vector<bool>& used) {
+  if (const int accessor = indexOr(object, key); accessor >= 0) {
+    used[static_cast<std::size_t>(accessor)] = true;
+  }
+}
+
+// Accessors that meshes, skins or animations refer to.
+std::vector<bool> usedAccessors(const Json& json) {
+  std::vector<bool> used(sizeOf(json, "accessors"), false);
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      markPrimitive(element(mesh, "primitives", k), used);
+      markIndex(element(mesh, "primitives", k), "indices", used);
+    }
+  }
+  for (std::size_t i = 0; i < sizeOf(json, "skins"); ++i) {
+    markIndex(element(json, "skins", i), "inverseBindMatrices", used);
+  }
+  for (std::size_t i = 0; i < sizeOf(json, "animations"); ++i) {
+    const Json& animation = element(json, "animations", i);
+    for (std::size_t k = 0; k < sizeOf(animation, "samplers"); ++k) {
+      markIndex(element(animation, "samplers", k), "input", used);
+      markIndex(element(animation, "samplers", k), "output", used);
+    }
+  }
+  return used;
+}
 
 struct Bounds {
   std::vector<float> least;
@@ -184,9 +239,10 @@ void validateAccessors(const Source& source, Problems& problems) {
   if (problems.hasErrors()) {
     return;
   }
+  const std::vector<bool> used = usedAccessors(source.json);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
-    if (!AccessorCheck(source, i, problems).run()) {
+    if (!AccessorCheck(source, i, used[i], problems).run()) {
       continue;
     }
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));

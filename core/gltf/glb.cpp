@@ -107,6 +107,9 @@ Result<Glb> readGlb(std::span<const std::uint8_t> bytes) {
     if (length > chunks->size() - offset - chunkHeaderSize) {
       return malformed("a chunk reaches past the end");
     }
+    if (length % 4 != 0) {
+      glb.warnings.emplace_back("a chunk is not padded to 4 bytes");
+    }
     const auto content = chunks->subspan(offset + chunkHeaderSize, length);
     if (Status taken = take(glb, {type, Bytes(content.begin(), content.end())}, offset == 0); !taken) {
       return taken.error();

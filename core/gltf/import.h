@@ -41,4 +41,6 @@ private:
 /// Index of the TEXCOORD set that the material's base colour texture uses.
 [[nodiscard]] int baseColorTexCoord(const Source& source, int material);
 
+[[nodiscard]] bool usesBaseColorTexture(const Source& source, int material);
+
 } // namespace stretch::gltf

@@ -103,6 +103,11 @@ std::vector<Material> importMaterials(const Source& source, Problems& problems) 
   return materials;
 }
 
+bool usesBaseColorTexture(const Source& source, int material) {
+  return material >= 0 &&
+         baseColorInfo(element(source.json, "materials", static_cast<std::size_t>(material))) != nullptr;
+}
+
 int baseColorTexCoord(const Source& source, int material) {
   if (material < 0) {
     return 0;

@@ -68,7 +68,16 @@ private:
       return std::nullopt;
     }
     parts.completeNormals(made);
+    warnOfTexCoords(made, where);
     return made;
+  }
+
+  void warnOfTexCoords(const Primitive& made, const std::string& where) {
+    const int texCoord = baseColorTexCoord(source_, made.material);
+    if (made.texCoords.empty() && usesBaseColorTexture(source_, made.material)) {
+      problems_.warning(where,
+                        fmt::format("has no TEXCOORD_{}, which its material's texture needs", texCoord));
+    }
   }
 
   void readMorphWeights(const Json& json, std::size_t index, Mesh& mesh) {

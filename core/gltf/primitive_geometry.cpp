@@ -15,6 +15,11 @@ bool isNormal(const glm::vec3& normal) {
   return std::isfinite(length) && length > 1e-6F;
 }
 
+bool isUnitLength(const glm::vec3& normal) {
+  constexpr float tolerance = 2e-2F; // of normals stored in bytes
+  return std::abs(glm::length(normal) - 1.0F) < tolerance;
+}
+
 // Sum of the faces' cross products, whose lengths are twice their areas.
 std::vector<glm::vec3> areaWeightedNormals(const Primitive& primitive) {
   std::vector<glm::vec3> normals(primitive.positions.size(), glm::vec3(0.0F));
@@ -37,6 +42,10 @@ void PrimitiveParts::completeNormals(Primitive& made) {
       !made.normals.empty() && std::all_of(made.normals.begin(), made.normals.end(), isNormal);
   const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
   const bool hasOwn = !made.normals.empty();
+  if (hasOwn && !std::all_of(made.normals.begin(), made.normals.end(), isUnitLength)) {
+    problems_.warning(where_ + ".attributes.NORMAL",
+                      "holds normals that are not of unit length; they are repaired");
+  }
   made.normals.resize(made.positions.size());
   for (std::size_t i = 0; i < made.normals.size(); ++i) {
     const glm::vec3 normal = hasOwn && isNormal(made.normals[i]) ? made.normals[i] : computed[i];
@@ -46,7 +55,7 @@ void PrimitiveParts::completeNormals(Primitive& made) {
 }
 
 bool normalizeWeights(std::vector<VertexInfluences>& influences) {
-  constexpr float rounding = 4e-3F; // 8-bit weights sum to 1 within half a step each
+  constexpr float rounding = 4e-3F; // what the rounding of four weights to bytes leaves
   bool wasOff = false;
   for (VertexInfluences& vertex : influences) {
     const float sum = std::accumulate(vertex.weights.begin(), vertex.weights.end(), 0.0F);

@@ -1,8 +1,10 @@
 #include "core/gltf/primitive_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -29,6 +31,17 @@ bool isByteOrShort(const AccessorShape& shape) {
 
 bool isUnsignedByteOrShort(const AccessorShape& shape) {
   return shape.component == ComponentType::uint8 || shape.component == ComponentType::uint16;
+}
+
+bool repeatsJoint(const VertexInfluences& vertex) {
+  for (std::size_t i = 1; i < vertex.joints.size(); ++i) {
+    for (std::size_t k = 0; k < i && vertex.weights[i] > 0.0F; ++k) {
+      if (vertex.weights[k] > 0.0F && vertex.joints[i] == vertex.joints[k]) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 std::size_t largestIndexOf(ComponentType type) {
@@ -121,23 +134,57 @@ void PrimitiveParts::readVertices(int texCoordSet, Primitive& made) {
   if (const std::optional<Attribute> normal = attribute(attributes, "NORMAL", "VEC3", "attributes")) {
     made.normals = vectors(*normal);
   }
-  if (!attribute(attributes, "TANGENT", "VEC4", "attributes") && failed_) {
+  readTexCoords(texCoordSet, made);
+  readColors(made);
+  checkOtherAttributes();
+}
+
+void PrimitiveParts::readTexCoords(int set, Primitive& made) {
+  const std::string name = fmt::format("TEXCOORD_{}", set);
+  const std::optional<Attribute> texCoord = attribute(*find(json_, "attributes"), name, "VEC2", "attributes");
+  if (!texCoord) {
     return;
   }
-  const std::string texCoordName = fmt::format("TEXCOORD_{}", texCoordSet);
-  if (const std::optional<Attribute> texCoord = attribute(attributes, texCoordName, "VEC2", "attributes")) {
-    const std::vector<float> numbers = readFloats(source_, texCoord->accessor);
-    for (std::size_t i = 0; i < vertexCount_; ++i) {
-      made.texCoords.emplace_back(numbers[2 * i], numbers[2 * i + 1]);
-    }
+  const std::vector<float> numbers = readFloats(source_, texCoord->accessor);
+  for (std::size_t i = 0; i < vertexCount_; ++i) {
+    made.texCoords.emplace_back(numbers[2 * i], numbers[2 * i + 1]);
   }
-  if (const std::optional<Attribute> color = attribute(attributes, "COLOR_0", "VEC3 VEC4", "attributes")) {
-    const std::vector<float> numbers = readFloats(source_, color->accessor);
-    const auto width = static_cast<std::size_t>(color->shape.width);
-    for (std::size_t i = 0; i < vertexCount_; ++i) {
-      const float* one = numbers.data() + i * width;
-      made.colors.push_back(
-          glm::clamp(glm::vec4(one[0], one[1], one[2], width == 4 ? one[3] : 1.0F), 0.0F, 1.0F));
+}
+
+void PrimitiveParts::readColors(Primitive& made) {
+  const std::optional<Attribute> color =
+      attribute(*find(json_, "attributes"), "COLOR_0", "VEC3 VEC4", "attributes");
+  if (!color) {
+    return;
+  }
+  const std::vector<float> numbers = readFloats(source_, color->accessor);
+  const auto width = static_cast<std::size_t>(color->shape.width);
+  bool isClamped = false;
+  for (std::size_t i = 0; i < vertexCount_; ++i) {
+    const float* one = numbers.data() + i * width;
+    const glm::vec4 value(one[0], one[1], one[2], width == 4 ? one[3] : 1.0F);
+    made.colors.push_back(glm::clamp(value, 0.0F, 1.0F));
+    isClamped = isClamped || made.colors.back() != value;
+  }
+  if (isClamped) {
+    problems_.warning(where_ + ".attributes.COLOR_0", "holds colours beyond 0 to 1; they are clamped");
+  }
+}
+
+// What the import does not read: kept in the file, and named where it breaks the rules.
+void PrimitiveParts::checkOtherAttributes() {
+  constexpr std::array<std::string_view, 7> standardNames{"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
+                                                          "COLOR_",   "JOINTS_", "WEIGHTS_"};
+  for (const auto& [name, accessor] : find(json_, "attributes")->items()) {
+    const std::string place = fmt::format("{}.attributes.{}", where_, name.substr(0, 100));
+    const std::optional<AccessorShape> shape = shapeOf(source_, static_cast<int>(*wholeNumber(accessor)));
+    const bool isStandard =
+        std::any_of(standardNames.begin(), standardNames.end(),
+                    [&](std::string_view standard) { return name.starts_with(standard); });
+    if (!isStandard && !name.starts_with('_')) {
+      problems_.warning(place, "is no attribute that glTF knows");
+    } else if (!shape || shape->component == ComponentType::uint32 || shape->count != vertexCount_) {
+      problems_.warning(place, "its accessor has a type or number of elements that an attribute cannot have");
     }
   }
 }
@@ -191,31 +238,38 @@ void PrimitiveParts::readInfluences(std::optional<std::size_t> jointCount, Primi
   if (find(attributes, "JOINTS_2") != nullptr) {
     problems_.warning(where_, "has more than 8 joints a vertex; the others are left out");
   }
-  if (!failed_ && normalizeWeights(made.influences)) {
+  if (failed_) {
+    return;
+  }
+  if (normalizeWeights(made.influences)) {
     problems_.warning(where_ + ".attributes.WEIGHTS_0", "weights do not sum to 1; they are normalised");
+  }
+  if (std::any_of(made.influences.begin(), made.influences.end(), repeatsJoint)) {
+    problems_.warning(where_ + ".attributes.JOINTS_0", "a vertex names the same joint twice");
   }
 }
 
-void PrimitiveParts::readIndices(Primitive&, std::vector<std::uint32_t>& corners) {
+std::vector<std::uint32_t> PrimitiveParts::readIndices() {
   const int accessor = indexOr(json_, "indices");
   const std::optional<AccessorShape> shape = shapeOf(source_, accessor);
   const bool isIndexType = shape && shape->type == "SCALAR" && !shape->isNormalized &&
                            (isUnsignedByteOrShort(*shape) || shape->component == ComponentType::uint32);
   if (!isIndexType) {
     fail("indices", "its accessor holds no unsigned integers");
-    return;
+    return {};
   }
   if (!budget_.take(shape->count * 3)) {
     fail("indices", "the meshes decode to more data than memory is spent on");
-    return;
+    return {};
   }
-  corners = readIntegers(source_, accessor);
-  const std::uint32_t largest = corners.empty() ? 0 : *std::max_element(corners.begin(), corners.end());
+  std::vector<std::uint32_t> corners = readIntegers(source_, accessor);
+  const std::uint32_t largest = *std::max_element(corners.begin(), corners.end());
   if (largest >= vertexCount_) {
     fail("indices", fmt::format("refers to vertex {}, but there are {}", largest, vertexCount_));
   } else if (largest == largestIndexOf(shape->component)) {
     fail("indices", fmt::format("holds {}, which restarts primitives and is no index", largest));
   }
+  return corners;
 }
 
 void PrimitiveParts::readTriangles(Primitive& made) {
@@ -224,12 +278,10 @@ void PrimitiveParts::readTriangles(Primitive& made) {
   }
   std::vector<std::uint32_t> corners;
   if (find(json_, "indices") != nullptr) {
-    readIndices(made, corners);
+    corners = readIndices();
   } else {
     corners.resize(vertexCount_);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      corners[i] = static_cast<std::uint32_t>(i);
-    }
+    std::iota(corners.begin(), corners.end(), 0U);
   }
   if (!failed_) {
     made.indices = unrolledTriangles(corners, indexOr(json_, "mode", 4));

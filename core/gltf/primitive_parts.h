@@ -25,8 +25,8 @@ public:
   /// Indices, or the vertices in their order, strips and fans unrolled.
   void readTriangles(Primitive& made);
   void readMorphTargets(Primitive& made);
-  /// Normals that the file lacks: of the faces around a vertex, by their area.
-  static void completeNormals(Primitive& made);
+  /// Normals that the file lacks: of the faces around a vertex, by their area. All of unit length.
+  void completeNormals(Primitive& made);
 
   [[nodiscard]] bool failed() const { return failed_; }
 
@@ -44,7 +44,10 @@ private:
   std::vector<glm::vec3> vectors(const Attribute& attribute) const;
   void addInfluenceSet(int set, std::size_t jointCount, Primitive& made);
   MorphTarget readMorphTarget(const Json& json, const std::string& place);
-  void readIndices(Primitive& made, std::vector<std::uint32_t>& corners);
+  void readTexCoords(int set, Primitive& made);
+  void readColors(Primitive& made);
+  void checkOtherAttributes();
+  std::vector<std::uint32_t> readIndices();
 
   const Source& source_;
   const Json& json_;

@@ -24,16 +24,16 @@ std::string lineOf(const std::string& what, const Repeated& places) {
 
 } // namespace
 
-void Problems::error(std::string where, std::string what) {
+void Problems::error(std::string where, std::string what, std::string remedy) {
   if (list_.size() < capacity || !hasErrors_) {
-    list_.push_back({Severity::error, std::move(where), std::move(what)});
+    list_.push_back({Severity::error, std::move(where), std::move(what), std::move(remedy)});
   }
   hasErrors_ = true;
 }
 
 void Problems::warning(std::string where, std::string what) {
   if (list_.size() < capacity) {
-    list_.push_back({Severity::warning, std::move(where), std::move(what)});
+    list_.push_back({Severity::warning, std::move(where), std::move(what), {}});
   }
 }
 
@@ -41,7 +41,8 @@ Error Problems::firstError() const {
   const auto found = std::find_if(list_.begin(), list_.end(),
                                   [](const Problem& problem) { return problem.severity == Severity::error; });
   check(found != list_.end(), "a failed reading has an error");
-  return {found->what, found->where, "repair the file or export it again"};
+  return {found->what, found->where,
+          found->remedy.empty() ? "repair the file or export it again" : found->remedy};
 }
 
 std::vector<std::string> Problems::warningLines() const {

@@ -16,6 +16,7 @@ struct Problem {
   Severity severity = Severity::error;
   std::string where; ///< "meshes[0].primitives[1].attributes.POSITION"; empty for the file as a whole.
   std::string what;
+  std::string remedy; ///< What to do about it; empty when there is nothing special.
 
   friend bool operator==(const Problem&, const Problem&) = default;
 };
@@ -26,7 +27,7 @@ class Problems {
 public:
   static constexpr std::size_t capacity = 20000;
 
-  void error(std::string where, std::string what);
+  void error(std::string where, std::string what, std::string remedy = {});
   void warning(std::string where, std::string what);
 
   [[nodiscard]] bool hasErrors() const { return hasErrors_; }

@@ -14,7 +14,7 @@ namespace {
 std::optional<Json> parsed(std::string_view text, Problems& problems) {
   Result<Json> json = parseJson(text);
   if (!json) {
-    problems.error(json.error().where, json.error().what);
+    problems.error(json.error().where, json.error().what, json.error().remedy);
     return std::nullopt;
   }
   return std::move(json.value());
@@ -36,7 +36,7 @@ void placeBinary(Glb& glb, Source& source) {
 std::optional<Source> fromGlb(const Bytes& bytes, Problems& problems) {
   Result<Glb> glb = readGlb(bytes);
   if (!glb) {
-    problems.error(glb.error().where, glb.error().what);
+    problems.error(glb.error().where, glb.error().what, glb.error().remedy);
     return std::nullopt;
   }
   for (std::string& warning : glb->warnings) {
@@ -97,7 +97,7 @@ Bytes fromFileBeside(const Source& source, const std::string& uri, const std::st
 Bytes readBuffer(const Source& source, const Json& buffer, const std::string& where, Problems& problems) {
   const Json* uri = find(buffer, "uri");
   if (uri == nullptr) {
-    problems.warning(where, "has neither a uri nor a BIN chunk");
+    problems.warning(where, "has neither a uri nor a BIN chunk; its values are taken as zeros");
     return {};
   }
   const auto& text = uri->get_ref<const std::string&>();
@@ -119,7 +119,7 @@ void checkLength(const Bytes& bytes, const Json& buffer, bool isBinaryChunk, con
 std::optional<Source> readSource(const std::filesystem::path& path, Problems& problems) {
   const Result<Bytes> bytes = readFile(path);
   if (!bytes) {
-    problems.error(bytes.error().where, bytes.error().what);
+    problems.error(bytes.error().where, bytes.error().what, bytes.error().remedy);
     return std::nullopt;
   }
   std::optional<Source> source = isGlb(*bytes) ? fromGlb(*bytes, problems) : fromText(*bytes, problems);

@@ -155,10 +155,12 @@ private:
 };
 
 void validateVersion(const Json& json, Problems& problems) {
-  const std::string version = textOr(*find(json, "asset"), "version");
-  const std::string minimum = textOr(*find(json, "asset"), "minVersion", version);
-  if (!version.starts_with("2.") || !minimum.starts_with("2.")) {
-    problems.error("asset.version", fmt::format("glTF {} is not supported, only 2.0", version));
+  const Json* asset = find(json, "asset");
+  const std::string version = asset == nullptr ? "" : textOr(*asset, "version");
+  const std::string minimum = asset == nullptr ? "" : textOr(*asset, "minVersion", version);
+  if (!version.empty() && (!version.starts_with("2.") || !minimum.starts_with("2."))) {
+    problems.error("asset.version", fmt::format("glTF {} is not supported, only 2.0", version.substr(0, 20)),
+                   "export it as glTF 2.0");
   }
 }
 
@@ -181,17 +183,20 @@ void validateRequiredExtensions(const Json& json, Problems& problems) {
     }
   }
   if (!hiding.empty()) {
-    problems.error("extensionsRequired",
-                   fmt::format("needs {}, which cannot be read: export without compression", hiding));
+    problems.error("extensionsRequired", fmt::format("needs {}, which cannot be read", hiding),
+                   "export it without compression");
   }
 }
 
 } // namespace
 
 void validateStructure(const Json& json, Problems& problems) {
+  validateVersion(json, problems);
+  if (problems.hasErrors()) {
+    return; // another version has other rules
+  }
   StructureCheck(json, problems).object(json, "root", {});
   if (!problems.hasErrors()) {
-    validateVersion(json, problems);
     validateRequiredExtensions(json, problems);
   }
 }
