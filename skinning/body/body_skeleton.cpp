@@ -1,0 +1,350 @@
+#include "skinning/body/body_skeleton.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <glm/geometric.hpp>
+
+#include "skinning/geometry/geodesic_distance.h"
+
+namespace stretch::skinning {
+namespace {
+
+constexpr int curveSamples = 512;
+
+/// Uniform cubic B-spline over [0, 1] with `size` control points.
+struct SplineBasis {
+  Eigen::Index first = 0;
+  std::array<double, 4> values{};
+};
+
+SplineBasis splineBasis(double u, Eigen::Index size) {
+  const double x = std::clamp(u, 0.0, 1.0) * static_cast<double>(size - 3);
+  const auto span = std::min(static_cast<Eigen::Index>(x), size - 4);
+  const double t = x - static_cast<double>(span);
+  const double s = 1.0 - t;
+  return {span,
+          {s * s * s / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
+           (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0) / 6.0, t * t * t / 6.0}};
+}
+
+/// Points of the curve that fits `points` at parameters `u` best; second differences of the control points
+/// are kept small where points are missing.
+std::vector<Vec3> fitCurve(const std::vector<Vec3>& points, const std::vector<double>& u,
+                           Eigen::Index controls) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(controls, controls);
+  Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(controls, 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SplineBasis basis = splineBasis(u[i], controls);
+    for (Eigen::Index a = 0; a < 4; ++a) {
+      const double value = basis.values[static_cast<std::size_t>(a)];
+      for (Eigen::Index b = 0; b < 4; ++b) {
+        gram(basis.first + a, basis.first + b) += value * basis.values[static_cast<std::size_t>(b)];
+      }
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        pull(basis.first + a, axis) += value * points[i][static_cast<glm::length_t>(axis)];
+      }
+    }
+  }
+  const double smoothing = 1e-3 * gram.trace() / static_cast<double>(controls);
+  for (Eigen::Index c = 1; c + 1 < controls; ++c) {
+    const Eigen::Vector3d stencil(1.0, -2.0, 1.0);
+    gram.block<3, 3>(c - 1, c - 1) += smoothing * stencil * stencil.transpose();
+  }
+  gram.diagonal().array() += 1e-12 * gram.trace();
+  const Eigen::MatrixXd solved = gram.ldlt().solve(pull);
+  std::vector<Vec3> curve;
+  for (int i = 0; i <= curveSamples; ++i) {
+    const SplineBasis basis = splineBasis(static_cast<double>(i) / curveSamples, controls);
+    Vec3 point(0.0);
+    for (Eigen::Index a = 0; a < 4; ++a) {
+      const auto row = solved.row(basis.first + a);
+      point += basis.values[static_cast<std::size_t>(a)] * Vec3(row(0), row(1), row(2));
+    }
+    curve.push_back(point);
+  }
+  return curve;
+}
+
+std::vector<double> arcLengths(const std::vector<Vec3>& line) {
+  std::vector<double> lengths{0.0};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    lengths.push_back(lengths.back() + glm::length(line[i] - line[i - 1]));
+  }
+  return lengths;
+}
+
+/// Arc length of the point of the line nearest to `point`; beyond the ends the line goes on straight.
+double projectOn(const std::vector<Vec3>& line, const std::vector<double>& lengths, const Vec3& point) {
+  double best = 0.0;
+  double bestSquare = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec3 along = line[i] - line[i - 1];
+    const double square = glm::dot(along, along);
+    double t = square > 0.0 ? glm::dot(point - line[i - 1], along) / square : 0.0;
+    t = std::clamp(t, i == 1 ? -1e3 : 0.0, i + 1 == line.size() ? 1e3 : 1.0);
+    const Vec3 away = point - line[i - 1] - t * along;
+    if (glm::dot(away, away) < bestSquare) {
+      bestSquare = glm::dot(away, away);
+      best = lengths[i - 1] + t * (lengths[i] - lengths[i - 1]);
+    }
+  }
+  return best;
+}
+
+Vec3 pointAt(const std::vector<Vec3>& line, const std::vector<double>& lengths, double at) {
+  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, at);
+  const auto i = static_cast<std::size_t>(above - lengths.begin());
+  const double span = lengths[i] - lengths[i - 1];
+  return line[i - 1] + (span > 0.0 ? (at - lengths[i - 1]) / span : 0.0) * (line[i] - line[i - 1]);
+}
+
+/// Where along the curve from `from` on the straight distance first is `chord`; beyond `last` when the curve
+/// ends before.
+double stepByChord(const std::vector<Vec3>& line, const std::vector<double>& lengths, double from,
+                   double chord, double last) {
+  const Vec3 start = pointAt(line, lengths, from);
+  double low = from;
+  double high = from + chord;
+  while (glm::length(pointAt(line, lengths, high) - start) < chord) {
+    low = high;
+    high += 0.1 * chord;
+    if (low > last) {
+      return low;
+    }
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (glm::length(pointAt(line, lengths, middle) - start) < chord ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Cuts the curve between two places into segments of one length, measured straight.
+std::vector<double> equalStations(const std::vector<Vec3>& line, const std::vector<double>& lengths,
+                                  double first, double last, int segments) {
+  double shortest = 0.0;
+  double longest = (last - first) / segments;
+  std::vector<double> stations;
+  for (int i = 0; i < 60; ++i) {
+    const double chord = i == 0 ? longest : 0.5 * (shortest + longest);
+    std::vector<double> tried{first};
+    for (int s = 0; s < segments; ++s) {
+      tried.push_back(stepByChord(line, lengths, tried.back(), chord, last));
+    }
+    (tried.back() < last ? shortest : longest) = chord;
+    stations = tried;
+  }
+  return stations;
+}
+
+/// Largest number of pieces, each a fair share of its slice, that slices across the body fall into for most
+/// of the length.
+bool isBranched(const std::vector<double>& along, double length, const std::vector<Triangle>& triangles) {
+  constexpr int slices = 40;
+  std::vector<std::uint32_t> parents(along.size());
+  std::iota(parents.begin(), parents.end(), 0U);
+  const auto rootOf = [&](std::uint32_t v) {
+    while (parents[v] != v) {
+      parents[v] = parents[parents[v]];
+      v = parents[v];
+    }
+    return v;
+  };
+  const auto sliceOf = [&](std::uint32_t v) {
+    return std::clamp(static_cast<int>(along[v] / length * slices), 0, slices - 1);
+  };
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = triangle[c];
+      const std::uint32_t b = triangle[(c + 1) % 3];
+      if (std::abs(sliceOf(a) - sliceOf(b)) <= 1 && sliceOf(a) / 2 == sliceOf(b) / 2) {
+        parents[rootOf(a)] = rootOf(b);
+      }
+    }
+  }
+  std::vector<double> sizes(along.size(), 0.0);
+  std::vector<double> totals(slices / 2, 0.0);
+  for (std::uint32_t v = 0; v < along.size(); ++v) {
+    sizes[rootOf(v)] += 1.0;
+    totals[static_cast<std::size_t>(sliceOf(v) / 2)] += 1.0;
+  }
+  std::vector<int> pieces(slices / 2, 0);
+  for (std::uint32_t v = 0; v < along.size(); ++v) {
+    const auto slice = static_cast<std::size_t>(sliceOf(v) / 2);
+    pieces[slice] += sizes[v] > 0.15 * totals[slice] ? 1 : 0;
+  }
+  return std::count_if(pieces.begin(), pieces.end(), [](int count) { return count > 1; }) > slices / 2 / 5;
+}
+
+std::vector<Vec3> movedInwards(const glm::vec3* positions, std::size_t vertexCount,
+                               const std::vector<Triangle>& triangles,
+                               const std::vector<double>& vertexDiameters) {
+  std::vector<Vec3> normals(vertexCount, Vec3(0.0));
+  double volume = 0.0;
+  const Vec3 centre(positions[0]);
+  for (const Triangle& t : triangles) {
+    const Vec3 a(positions[t[0]]);
+    const Vec3 b(positions[t[1]]);
+    const Vec3 c(positions[t[2]]);
+    const Vec3 normal = glm::cross(b - a, c - a);
+    volume += glm::dot(a - centre, normal);
+    for (const std::uint32_t corner : t) {
+      normals[corner] += normal;
+    }
+  }
+  std::vector<Vec3> moved(vertexCount);
+  for (std::size_t v = 0; v < vertexCount; ++v) {
+    const double length = glm::length(normals[v]);
+    const Vec3 inwards = length > 0.0 ? normals[v] * ((volume > 0.0 ? -1.0 : 1.0) / length) : Vec3(0.0);
+    moved[v] = Vec3(positions[v]) + 0.5 * vertexDiameters[v] * inwards;
+  }
+  return moved;
+}
+
+std::uint32_t farthest(const std::vector<double>& distances) {
+  std::uint32_t best = 0;
+  for (std::uint32_t v = 0; v < distances.size(); ++v) {
+    if (std::isfinite(distances[v]) && (!std::isfinite(distances[best]) || distances[v] > distances[best])) {
+      best = v;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vertexCount,
+                                    const std::vector<Triangle>& triangles,
+                                    const std::vector<double>& vertexDiameters, int segmentCount) {
+  if (segmentCount < 1 || vertexCount < 4 * static_cast<std::size_t>(std::max(segmentCount, 1))) {
+    return Error{std::to_string(segmentCount) + " bones for " + std::to_string(vertexCount) + " vertices", "",
+                 "ask for at least one bone, and for at most a quarter of the vertices"};
+  }
+  const GeodesicSolver solver(positions, vertexCount, triangles);
+  const std::uint32_t anyVertex = triangles.empty() ? 0 : triangles.front()[0];
+  const std::uint32_t tip = farthest(solver.distances({farthest(solver.distances({anyVertex}))}));
+  std::vector<double> u = solver.distances({tip});
+  const double reach = u[farthest(u)];
+  const auto unreached = std::count_if(u.begin(), u.end(), [](double d) { return !std::isfinite(d); });
+  if (!(reach > 0.0) || static_cast<double>(unreached) > 0.05 * static_cast<double>(vertexCount)) {
+    return Error{"the mesh is in several parts, so it has no single centre line", "",
+                 "give a body in one piece"};
+  }
+  if (isBranched(u, reach, triangles)) {
+    return Error{"the body branches: it has no linear skeleton", "",
+                 "use --stretch measured --weights fitted, which needs none, or give a body without limbs"};
+  }
+  const std::vector<Vec3> inner = movedInwards(positions, vertexCount, triangles, vertexDiameters);
+  for (double& value : u) {
+    value = std::isfinite(value) ? value / reach : 0.5;
+  }
+  const auto controls = static_cast<Eigen::Index>(std::clamp(segmentCount / 2 + 4, 8, 40));
+  std::vector<Vec3> curve;
+  std::vector<double> lengths;
+  BodySkeleton skeleton;
+  skeleton.along.resize(vertexCount);
+  for (int round = 0; round < 4; ++round) {
+    curve = fitCurve(inner, u, controls);
+    lengths = arcLengths(curve);
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+      skeleton.along[v] = projectOn(curve, lengths, inner[v]);
+    }
+    const auto [low, high] = std::minmax_element(skeleton.along.begin(), skeleton.along.end());
+    for (std::size_t v = 0; v < vertexCount; ++v) {
+      u[v] = (skeleton.along[v] - *low) / (*high - *low);
+    }
+  }
+  for (std::size_t v = 0; v < vertexCount; ++v) {
+    skeleton.along[v] = projectOn(curve, lengths, Vec3(positions[v]));
+  }
+  const auto [low, high] = std::minmax_element(skeleton.along.begin(), skeleton.along.end());
+  skeleton.stations = equalStations(curve, lengths, *low, *high, segmentCount);
+  for (const double station : skeleton.stations) {
+    skeleton.joints.push_back(pointAt(curve, lengths, station));
+  }
+  skeleton.length = polylineLength(skeleton.joints);
+  return skeleton;
+}
+
+JointTracker::JointTracker(const BodySkeleton& skeleton) : parts_(skeleton.joints.size()) {
+  const double spacing =
+      (skeleton.stations.back() - skeleton.stations.front()) / static_cast<double>(skeleton.segmentCount());
+  for (std::size_t j = 0; j < parts_.size(); ++j) {
+    double reach = 0.6 * spacing;
+    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+    for (int widened = 0; widened < 8 && parts_[j].size() < 8; ++widened, reach *= 1.5) {
+      parts_[j].clear();
+      moments.setZero();
+      for (std::uint32_t v = 0; v < skeleton.along.size(); ++v) {
+        const double offset = (skeleton.along[v] - skeleton.stations[j]) / spacing;
+        const double kernel = 1.0 - std::abs(offset) * spacing / reach;
+        if (kernel > 0.0) {
+          parts_[j].push_back({v, kernel});
+          moments += kernel * Eigen::Vector2d(1.0, offset) * Eigen::RowVector2d(1.0, offset);
+        }
+      }
+    }
+    // A straight line through the cross-sections, read at the joint: at the tips, where all vertices lie on
+    // one side, a plain mean would pull the joint inwards.
+    moments(1, 1) += 1e-6 * moments(0, 0);
+    const Eigen::Vector2d line = moments.inverse() * Eigen::Vector2d(1.0, 0.0);
+    for (Part& part : parts_[j]) {
+      part.weight *= line(0) + line(1) * (skeleton.along[part.vertex] - skeleton.stations[j]) / spacing;
+    }
+  }
+}
+
+std::vector<Vec3> JointTracker::joints(const glm::vec3* positions) const {
+  std::vector<Vec3> joints;
+  for (const std::vector<Part>& parts : parts_) {
+    Vec3 sum(0.0);
+    double weight = 0.0;
+    for (const Part& part : parts) {
+      sum += part.weight * Vec3(positions[part.vertex]);
+      weight += part.weight;
+    }
+    joints.push_back(weight != 0.0 ? sum / weight : sum);
+  }
+  return joints;
+}
+
+std::size_t segmentAt(const BodySkeleton& skeleton, double along) {
+  const auto above = std::upper_bound(skeleton.stations.begin() + 1, skeleton.stations.end() - 1, along);
+  return static_cast<std::size_t>(above - skeleton.stations.begin()) - 1;
+}
+
+std::vector<int> segmentsOfTriangles(const BodySkeleton& skeleton, const std::vector<Triangle>& triangles) {
+  std::vector<int> segments;
+  for (const Triangle& t : triangles) {
+    const double along = (skeleton.along[t[0]] + skeleton.along[t[1]] + skeleton.along[t[2]]) / 3.0;
+    segments.push_back(static_cast<int>(segmentAt(skeleton, along)));
+  }
+  return segments;
+}
+
+double polylineLength(const std::vector<Vec3>& joints) {
+  double length = 0.0;
+  for (std::size_t j = 1; j < joints.size(); ++j) {
+    length += glm::length(joints[j] - joints[j - 1]);
+  }
+  return length;
+}
+
+double totalCurvature(const std::vector<Vec3>& joints) {
+  double sum = 0.0;
+  for (std::size_t j = 2; j < joints.size(); ++j) {
+    const Vec3 before = joints[j - 1] - joints[j - 2];
+    const Vec3 after = joints[j] - joints[j - 1];
+    sum += std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after));
+  }
+  return sum;
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/scene/mesh_sequence.h"
+#include "skinning/skinned_sequence.h"
+
+// Internal to skinning/fit: the numbers that the least-squares steps hand to each other. Positions are moved
+// so that the bind pose's centre is the origin and scaled so that its box diagonal is 1.
+namespace stretch::skinning::fit {
+
+/// Row-major 3 x 4: linear part and translation.
+using BoneMatrix = Eigen::Matrix<double, 3, 4>;
+
+/// Observed positions, one column a vertex: x of all frames, then y, then z.
+using Trajectories = Eigen::MatrixXf;
+
+struct FitState {
+  std::size_t frameCount = 0;
+  std::size_t boneCount = 0;
+  Trajectories observed;              ///< (3 frames) x vertices.
+  std::vector<Eigen::Vector3d> bind;  ///< One a vertex.
+  std::vector<Influences> influences; ///< One a vertex.
+  std::vector<BoneMatrix> matrices;   ///< Frame after frame, one a bone.
+  std::vector<Eigen::Matrix3d> axes;  ///< Of each bone: columns are the axes along which it may stretch.
+
+  [[nodiscard]] BoneMatrix& matrix(std::size_t frame, std::size_t bone) {
+    return matrices[frame * boneCount + bone];
+  }
+  [[nodiscard]] const BoneMatrix& matrix(std::size_t frame, std::size_t bone) const {
+    return matrices[frame * boneCount + bone];
+  }
+  [[nodiscard]] std::size_t vertexCount() const { return bind.size(); }
+};
+
+} // namespace stretch::skinning::fit

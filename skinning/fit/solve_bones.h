@@ -1,0 +1,51 @@
+#pragma once
+
+#include "skinning/fit/fit_state.h"
+
+namespace stretch::skinning::fit {
+
+/// What bones need to know of the bind pose and the weights: for vertices v (with 1 appended) and weights w,
+/// the products sum w_a w_b v v^T of every pair of bones that share a vertex. The same for every frame.
+class BindMoments {
+public:
+  explicit BindMoments(const FitState& state);
+
+  struct Neighbour {
+    std::size_t bone = 0;
+    Eigen::Matrix4d product; ///< sum w_a w_b v v^T.
+  };
+
+  [[nodiscard]] const Eigen::Matrix4d& own(std::size_t bone) const { return own_[bone]; }
+  [[nodiscard]] const std::vector<Neighbour>& neighbours(std::size_t bone) const { return neighbours_[bone]; }
+
+private:
+  std::vector<Eigen::Matrix4d> own_;
+  std::vector<std::vector<Neighbour>> neighbours_;
+};
+
+/// sum w_b x v^T of every bone in one frame: what the observed positions x pull the bones to.
+[[nodiscard]] std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame);
+
+/// Which factors a bone may scale by in the fit.
+enum class StretchFit {
+  fixed, ///< Those that its matrix holds stay.
+  free,  ///< Fitted frame by frame along the bone's axes.
+};
+
+/// Lowers the squared error over all vertices and frames by fitting each bone in turn, the others held:
+/// rotation and translation, and the scale along the bone's axes where it is free. `sweeps` rounds over all
+/// bones. `scales` holds frame after frame one factor triple a bone; it is read, and written where the
+/// stretch is free.
+void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps);
+
+/// Replaces every bone matrix by the best affine one, all bones of a frame together (a ridge towards the
+/// present ones keeps bones without vertices where they are).
+void fitAffineBones(FitState& state);
+
+/// Moves every vertex of the bind pose to where the frames fit best, weights and bones given.
+void fitBindPose(FitState& state);
+
+/// Root of the mean squared distance over all vertices and frames, in the units of the state (box diagonals).
+[[nodiscard]] double rootMeanSquare(const FitState& state);
+
+} // namespace stretch::skinning::fit

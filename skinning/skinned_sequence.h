@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/math/types.h"
+#include "core/scene/mesh_sequence.h"
+
+namespace stretch::skinning {
+
+/// How a vertex follows the bones: at most four, weights sum to 1, unused slots hold bone 0 with weight 0.
+struct Influences {
+  static constexpr std::size_t capacity = 4;
+  std::array<std::uint16_t, capacity> bones{};
+  std::array<float, capacity> weights{};
+
+  friend bool operator==(const Influences&, const Influences&) = default;
+};
+
+/// A bone of the bind pose, in the space of the mesh.
+struct SkinBone {
+  Vec3 pivot{0.0};               ///< Where it begins; its transforms turn and stretch about this point.
+  Vec3 end{0.0};                 ///< Where it ends.
+  Quat axes{1.0, 0.0, 0.0, 0.0}; ///< Bone space to mesh space: x runs along the bone.
+};
+
+/// What a bone does in one frame: v -> position + rotation * E diag(scale) E^-1 * (v - pivot), E =
+/// stretchAxes.
+struct BonePose {
+  Vec3 position{0.0};                ///< Where the pivot is, in the space of the mesh.
+  Quat rotation{1.0, 0.0, 0.0, 0.0}; ///< From the bind pose; unit; successive frames lie on one hemisphere.
+  Vec3 scale{1.0};                   ///< Along the stretch axes, x, y, z.
+  Quat stretchAxes{1.0, 0.0, 0.0,
+                   0.0}; ///< Stretch axes to mesh space of the bind pose; usually SkinBone::axes.
+};
+
+/// A bind mesh with bones and their motion: what a mesh sequence is compressed to.
+struct SkinnedSequence {
+  std::string name;
+  std::vector<glm::vec3> bindPositions;
+  std::vector<Triangle> triangles;
+  std::vector<Influences> influences; ///< One a vertex.
+  std::vector<SkinBone> bones;
+  std::vector<BonePose> poses; ///< Frame after frame, one a bone.
+  double framesPerSecond = 30.0;
+  bool chained =
+      false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be stored).
+
+  [[nodiscard]] std::size_t frameCount() const { return bones.empty() ? 0 : poses.size() / bones.size(); }
+  [[nodiscard]] const BonePose& pose(std::size_t frame, std::size_t bone) const {
+    return poses[frame * bones.size() + bone];
+  }
+  [[nodiscard]] BonePose& pose(std::size_t frame, std::size_t bone) {
+    return poses[frame * bones.size() + bone];
+  }
+};
+
+/// The affine map of one bone in one frame, bind pose to posed.
+[[nodiscard]] Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose);
+
+/// Linear blend skinning of one frame, the reference that files and graphics cards are held against. Writes
+/// one position a vertex to `out`.
+void skinFrame(const SkinnedSequence& sequence, std::size_t frame, glm::vec3* out);
+
+/// All frames.
+[[nodiscard]] MeshSequence skinAllFrames(const SkinnedSequence& sequence);
+
+} // namespace stretch::skinning
