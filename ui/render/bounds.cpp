@@ -1,0 +1,83 @@
+#include "ui/render/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stretch::ui {
+
+namespace {
+
+std::size_t vertexCountOf(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Node& node : scene.nodes) {
+    for (std::size_t i = 0;
+         node.mesh >= 0 && i < scene.meshes[static_cast<std::size_t>(node.mesh)].primitives.size(); ++i) {
+      count += scene.meshes[static_cast<std::size_t>(node.mesh)].primitives[i].positions.size();
+    }
+  }
+  return count;
+}
+
+Vec3 posed(const glm::vec3& position, const VertexInfluences& influences, const std::vector<Mat4>& matrices) {
+  Vec3 sum(0.0);
+  for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+    if (influences.weights[i] != 0.0F && influences.joints[i] < matrices.size()) {
+      sum += static_cast<double>(influences.weights[i]) *
+             transformPoint(matrices[influences.joints[i]], Vec3(position));
+    }
+  }
+  return sum;
+}
+
+bool isFinite(const Vec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+} // namespace
+
+BoundsSampler::BoundsSampler(const Scene& scene, std::size_t sampleCount) {
+  const std::size_t step =
+      std::max<std::size_t>(1, vertexCountOf(scene) / std::max<std::size_t>(1, sampleCount));
+  for (std::size_t nodeIndex = 0; nodeIndex < scene.nodes.size(); ++nodeIndex) {
+    const Node& node = scene.nodes[nodeIndex];
+    if (node.mesh < 0) {
+      continue;
+    }
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      Group group{static_cast<int>(nodeIndex), primitive.influences.empty() ? -1 : node.skin, {}};
+      for (std::size_t i = 0; i < primitive.positions.size(); i += step) {
+        group.samples.push_back(
+            {primitive.positions[i], group.skin >= 0 ? primitive.influences[i] : VertexInfluences{}});
+      }
+      groups_.push_back(std::move(group));
+    }
+  }
+}
+
+Box BoundsSampler::boxOf(const Scene& scene, const FrameState& frame) const {
+  Box box;
+  for (const Group& group : groups_) {
+    const std::vector<Mat4> matrices =
+        group.skin >= 0 ? skinMatrices(scene.skins[static_cast<std::size_t>(group.skin)], frame)
+                        : std::vector<Mat4>{meshMatrix(frame, group.node)};
+    for (const Sample& sample : group.samples) {
+      const Vec3 point = group.skin >= 0 ? posed(sample.position, sample.influences, matrices)
+                                         : transformPoint(matrices.front(), Vec3(sample.position));
+      if (isFinite(point)) {
+        box.add(point);
+      }
+    }
+  }
+  return box;
+}
+
+double floorHeightOf(const Box& characterBox) {
+  constexpr double tolerance = 0.1;
+  if (characterBox.empty()) {
+    return 0.0;
+  }
+  const double lowest = characterBox.minimum.y;
+  return std::abs(lowest) <= tolerance * characterBox.size().y ? 0.0 : lowest;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/anim/frame_state.h"
+#include "ui/render/camera.h"
+
+namespace stretch::ui {
+
+/// Finds the box around what a scene shows, fast enough for every frame: it poses a fixed sample of the
+/// vertices.
+class BoundsSampler {
+public:
+  /// Takes at most about `sampleCount` vertices, evenly over all drawn primitives. Morph targets are left
+  /// out.
+  explicit BoundsSampler(const Scene& scene, std::size_t sampleCount = 3000);
+
+  /// Box of the posed sample in world units; empty when the scene draws nothing.
+  [[nodiscard]] Box boxOf(const Scene& scene, const FrameState& frame) const;
+
+private:
+  struct Sample {
+    glm::vec3 position;
+    VertexInfluences influences;
+  };
+  struct Group {
+    int node = -1;
+    int skin = -1;
+    std::vector<Sample> samples;
+  };
+  std::vector<Group> groups_;
+};
+
+/// Where a character of that box stands: 0, glTF's ground, unless its lowest point lies far from it (more
+/// than a tenth of its height), then that point.
+[[nodiscard]] double floorHeightOf(const Box& characterBox);
+
+} // namespace stretch::ui

@@ -1,0 +1,98 @@
+#include "ui/render/image_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int gapPixels = 2;
+
+std::size_t offsetOf(const Image& image, int x, int y) {
+  return 4 *
+         (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+}
+
+int averageOf(const Image& image, int x, int y, int factor, std::size_t channel) {
+  int sum = 0;
+  for (int row = 0; row < factor; ++row) {
+    for (int column = 0; column < factor; ++column) {
+      sum += image.rgba[offsetOf(image, x + column, y + row) + channel];
+    }
+  }
+  return (sum + factor * factor / 2) / (factor * factor);
+}
+
+int clampedSide(long long side) {
+  return static_cast<int>(std::min<long long>(side, std::numeric_limits<int>::max()));
+}
+
+} // namespace
+
+Image reduced(const Image& image, int factor) {
+  if (factor <= 1) {
+    return image;
+  }
+  Image small = filled(image.width / factor, image.height / factor, glm::vec3(0.0F));
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      for (std::size_t channel = 0; channel < 4; ++channel) {
+        small.rgba[offsetOf(small, x, y) + channel] =
+            static_cast<std::uint8_t>(averageOf(image, x * factor, y * factor, factor, channel));
+      }
+    }
+  }
+  return small;
+}
+
+void makeOpaque(Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    image.rgba[i] = 255;
+  }
+}
+
+Image filled(int widthPixels, int heightPixels, const glm::vec3& colorSrgb) {
+  Image image;
+  image.width = widthPixels;
+  image.height = heightPixels;
+  image.rgba.resize(4 * static_cast<std::size_t>(widthPixels) * static_cast<std::size_t>(heightPixels), 255);
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    for (glm::length_t channel = 0; channel < 3; ++channel) {
+      image.rgba[i + channel] = static_cast<std::uint8_t>(std::lround(255.0F * colorSrgb[channel]));
+    }
+  }
+  return image;
+}
+
+void paste(Image& sheet, const Image& picture, int x, int y) {
+  const int columns = std::min(picture.width, sheet.width - x);
+  for (int row = 0; row < picture.height && y + row < sheet.height && columns > 0; ++row) {
+    const auto* first = picture.rgba.data() + offsetOf(picture, 0, row);
+    std::copy(first, first + 4 * columns, sheet.rgba.data() + offsetOf(sheet, x, y + row));
+  }
+}
+
+int SheetLayout::left(std::size_t index) const {
+  return static_cast<int>(index % static_cast<std::size_t>(columns)) * cellWidth;
+}
+int SheetLayout::top(std::size_t index) const {
+  return static_cast<int>(index / static_cast<std::size_t>(columns)) * cellHeight;
+}
+
+SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, int columns) {
+  const auto number = static_cast<double>(std::max<std::size_t>(count, 1));
+  const double square = std::sqrt(number * std::max(pictureHeight, 1) / std::max(pictureWidth, 1));
+  SheetLayout layout;
+  layout.columns = columns > 0 ? columns : std::max(1, static_cast<int>(std::lround(square)));
+  layout.columns = static_cast<int>(std::min<double>(layout.columns, number));
+  const auto rows = static_cast<long long>(std::ceil(number / layout.columns));
+  layout.cellWidth = pictureWidth + gapPixels;
+  layout.cellHeight = pictureHeight + gapPixels;
+  layout.widthPixels = clampedSide(static_cast<long long>(layout.columns) * layout.cellWidth - gapPixels);
+  layout.heightPixels = clampedSide(rows * layout.cellHeight - gapPixels);
+  return layout;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,186 @@
+#include "ui/render/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/render/image_edits.h"
+#include "ui/render/offscreen_context.h"
+#include "ui/render/skeleton_drawing.h"
+#include "ui/render/text.h"
+#include "ui/render/viewport_renderer.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int smallestSide = 16;
+constexpr int largestSide = 8192;
+constexpr int largestSheet = 16384;
+
+// The measures of a character that the style needs.
+SceneStyle measured(SceneStyle style, const Box& characterBox) {
+  const Vec3 size = characterBox.empty() ? Vec3(1.0) : characterBox.size();
+  style.floorHeight = floorHeightOf(characterBox);
+  style.characterHeight = std::max({size.y, 0.3 * size.x, 0.3 * size.z, 1e-9});
+  return style;
+}
+
+Camera cameraFor(const PictureOptions& options, const Viewport& viewport, const Box& shown) {
+  return options.camera ? *options.camera
+                        : fitted(lookFrom({}, options.view, options.facingYawRadians), viewport, shown);
+}
+
+Overlay overlayOf(const Scene& scene, const View& view, const PictureFrame& picture,
+                  const PictureOptions& options) {
+  Overlay overlay;
+  if (options.skeleton) {
+    overlay.add(
+        drawSkeleton(scene, picture.frame, skeletonStyle(options.style.palette), options.style.highlight));
+  }
+  for (std::size_t i = 0; i < picture.trails.size(); ++i) {
+    overlay.add(drawTrail(view, picture.trails[i],
+                          i < picture.trailStyles.size() ? picture.trailStyles[i] : TrailStyle{}));
+  }
+  return overlay;
+}
+
+int labelHeight(const PictureOptions& options) {
+  return std::clamp(options.heightPixels / 24, 11, 26);
+}
+
+Status checkSize(const PictureOptions& options) {
+  const auto fits = [](int side) { return side >= smallestSide && side <= largestSide; };
+  if (fits(options.widthPixels) && fits(options.heightPixels)) {
+    return Success{};
+  }
+  return Error{"pictures are 16 to 8192 pixels along a side", "size", "choose a size in that range"};
+}
+
+} // namespace
+
+// The context comes first, so that it goes last.
+struct PictureMaker::Parts {
+  OffscreenContext context;
+  ViewportRenderer renderer;
+  RenderTarget target;
+  TextFace face;
+  const Scene* scene = nullptr;
+  PictureOptions options;
+  View view;
+  int scale = 1;
+};
+
+PictureMaker::PictureMaker(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+PictureMaker::PictureMaker(PictureMaker&&) noexcept = default;
+PictureMaker& PictureMaker::operator=(PictureMaker&&) noexcept = default;
+PictureMaker::~PictureMaker() = default;
+
+Result<PictureMaker> PictureMaker::create(const Scene& scene, const PictureOptions& options,
+                                          const Box& shown) {
+  if (const Status size = checkSize(options); !size) {
+    return size.error();
+  }
+  Result<OffscreenContext> context = OffscreenContext::create();
+  if (!context) {
+    return context.error();
+  }
+  Result<ViewportRenderer> renderer = ViewportRenderer::create();
+  if (!renderer) {
+    return renderer.error();
+  }
+  const int largest = std::max(options.widthPixels, options.heightPixels);
+  const int scale = std::clamp(options.supersampling, 1, std::clamp(largestSide / largest, 1, 4));
+  const Viewport viewport{static_cast<double>(options.widthPixels * scale),
+                          static_cast<double>(options.heightPixels * scale), static_cast<double>(scale)};
+  auto parts = std::make_unique<Parts>(Parts{std::move(context).value(),
+                                             std::move(renderer).value(),
+                                             {},
+                                             TextFace(labelHeight(options)),
+                                             &scene,
+                                             options,
+                                             makeView(cameraFor(options, viewport, shown), viewport),
+                                             scale});
+  const FrameState rest = frameOf(scene, restPose(scene), 0.0);
+  parts->options.style = measured(options.style, BoundsSampler(scene).boxOf(scene, rest));
+  parts->renderer.setScene(scene);
+  return PictureMaker(std::move(parts));
+}
+
+Result<Image> PictureMaker::draw(const PictureFrame& picture) {
+  Parts& parts = *parts_;
+  const Overlay overlay = overlayOf(*parts.scene, parts.view, picture, parts.options);
+  const Status drawn = parts.renderer.draw(parts.target, parts.view,
+                                           {picture.frame, picture.ghosts, overlay, parts.options.style});
+  if (!drawn) {
+    return drawn.error();
+  }
+  Image image = reduced(parts.target.readPixels(), parts.scale);
+  makeOpaque(image);
+  const int margin = labelHeight(parts.options);
+  parts.face.write(image, margin, image.height - margin, picture.label, parts.options.style.palette.label);
+  return image;
+}
+
+Box boxOfPictures(const Scene& scene, std::span<const PictureFrame> pictures) {
+  const BoundsSampler bounds(scene);
+  Box box;
+  for (const PictureFrame& picture : pictures) {
+    box.add(bounds.boxOf(scene, picture.frame));
+    for (const Ghost& ghost : picture.ghosts) {
+      box.add(bounds.boxOf(scene, ghost.frame));
+    }
+    for (const TrailPicture& trail : picture.trails) {
+      for (const std::vector<Vec3>* path : {&trail.original, &trail.exaggerated}) {
+        std::for_each(path->begin(), path->end(), [&](const Vec3& point) { box.add(point); });
+      }
+    }
+  }
+  return box;
+}
+
+Result<Image> renderFrame(const Scene& scene, const PictureFrame& picture, const PictureOptions& options) {
+  Result<PictureMaker> maker = PictureMaker::create(scene, options, boxOfPictures(scene, {&picture, 1}));
+  if (!maker) {
+    return maker.error();
+  }
+  return maker->draw(picture);
+}
+
+Status renderSeries(const Scene& scene, std::span<const PictureFrame> pictures, const PictureOptions& options,
+                    const std::function<Status(std::size_t, const Image&)>& keep) {
+  Result<PictureMaker> maker = PictureMaker::create(scene, options, boxOfPictures(scene, pictures));
+  if (!maker) {
+    return maker.error();
+  }
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const Result<Image> image = maker->draw(pictures[i]);
+    if (!image) {
+      return image.error();
+    }
+    if (const Status kept = keep(i, *image); !kept) {
+      return kept;
+    }
+  }
+  return Success{};
+}
+
+Result<Image> renderSheet(const Scene& scene, std::span<const PictureFrame> pictures,
+                          const PictureOptions& options, int columns) {
+  const SheetLayout layout = layOutSheet(pictures.size(), options.widthPixels, options.heightPixels, columns);
+  if (pictures.empty() || layout.widthPixels > largestSheet || layout.heightPixels > largestSheet) {
+    return Error{
+        "a contact sheet of " + std::to_string(pictures.size()) + " pictures cannot be made", "sheet",
+        "choose between 1 frame and what fits on 16384 pixels along a side: a smaller size or a larger step"};
+  }
+  Image sheet = filled(layout.widthPixels, layout.heightPixels, options.style.palette.backgroundBottom);
+  const Status made = renderSeries(scene, pictures, options, [&](std::size_t index, const Image& picture) {
+    paste(sheet, picture, layout.left(index), layout.top(index));
+    return Status(Success{});
+  });
+  if (!made) {
+    return made.error();
+  }
+  return sheet;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,125 @@
+#include "ui/render/scene_renderer.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "ui/render/floor_pass.h"
+#include "ui/render/lighting.h"
+#include "ui/render/posing.h"
+#include "ui/render/shadow_pass.h"
+#include "ui/render/stretch_colors.h"
+#include "ui/render/surface_pass.h"
+
+namespace stretch::ui {
+
+struct SceneRenderer::Parts {
+  PosingPass posing;
+  ShadowPass shadows;
+  FloorPass floor;
+  SurfacePass surface;
+  const Scene* scene = nullptr;
+  UploadedScene uploaded;
+  std::optional<BoundsSampler> bounds;
+};
+
+namespace {
+
+JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
+  return {style.stretchRatio.empty() ? stretchRatios(frame) : style.stretchRatio, style.highlight};
+}
+
+SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
+  return {style.palette, style.shading, style.wireframe, style.floorHeight, style.characterHeight, &shadows};
+}
+
+} // namespace
+
+SceneRenderer::SceneRenderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+Result<SceneRenderer> SceneRenderer::create() {
+  Result<PosingPass> posing = PosingPass::create();
+  if (!posing) {
+    return posing.error();
+  }
+  Result<ShadowPass> shadows = ShadowPass::create();
+  if (!shadows) {
+    return shadows.error();
+  }
+  Result<FloorPass> floor = FloorPass::create();
+  if (!floor) {
+    return floor.error();
+  }
+  Result<SurfacePass> surface = SurfacePass::create();
+  if (!surface) {
+    return surface.error();
+  }
+  return SceneRenderer(std::make_unique<Parts>(Parts{std::move(posing).value(),
+                                                     std::move(shadows).value(),
+                                                     std::move(floor).value(),
+                                                     std::move(surface).value(),
+                                                     nullptr,
+                                                     {},
+                                                     {}}));
+}
+
+void SceneRenderer::setScene(const Scene& scene) {
+  parts_->scene = &scene;
+  parts_->uploaded = uploadScene(scene);
+  parts_->bounds.emplace(scene);
+}
+
+void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<const Ghost> ghosts,
+                         const SceneStyle& style, unsigned targetFramebuffer) {
+  const GlStateGuard guard;
+  Parts& parts = *parts_;
+  const StudioLights lights = studioLights(view);
+  const bool drawsMesh = parts.scene != nullptr && style.mesh;
+  ShadowMaps shadows;
+  if (drawsMesh) {
+    parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style));
+    const ShadowScene shadowScene{parts.bounds->boxOf(*parts.scene, frame), style.floorHeight,
+                                  style.characterHeight, lights.key};
+    shadows = parts.shadows.draw(parts.uploaded, shadowScene, style.quality);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, targetFramebuffer);
+  glViewport(0, 0, static_cast<GLsizei>(view.viewport.widthPixels),
+             static_cast<GLsizei>(view.viewport.heightPixels));
+  parts.floor.drawBackground(style.palette);
+  const SurfaceLook look = lookOf(style, shadows);
+  if (drawsMesh) {
+    parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
+  }
+  if (style.floor) {
+    const Vec2 centre = drawsMesh ? shadows.area.centre : Vec2(0.0);
+    parts.floor.drawFloor(view, style.palette, {style.floorHeight, style.characterHeight, centre}, shadows);
+  }
+  if (drawsMesh) {
+    parts.surface.drawBlended(*parts.scene, parts.uploaded, view, lights, look, frame);
+    for (const Ghost& ghost : ghosts) {
+      parts.posing.pose(*parts.scene, parts.uploaded, ghost.frame, {});
+      parts.surface.drawGhost(parts.uploaded, view, ghost.tint);
+    }
+  }
+}
+
+std::vector<glm::vec3> SceneRenderer::posedPositions(const FrameState& frame, std::size_t primitive) {
+  const GlStateGuard guard;
+  parts_->posing.pose(*parts_->scene, parts_->uploaded, frame, {});
+  return readPosedPositions(parts_->uploaded, primitive);
+}
+
+std::vector<glm::vec3> SceneRenderer::posedNormals(const FrameState& frame, std::size_t primitive) {
+  const GlStateGuard guard;
+  parts_->posing.pose(*parts_->scene, parts_->uploaded, frame, {});
+  return readPosedNormals(parts_->uploaded, primitive);
+}
+
+} // namespace stretch::ui

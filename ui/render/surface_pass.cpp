@@ -1,0 +1,250 @@
+#include "ui/render/surface_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <epoxy/gl.h>
+#include <glm/matrix.hpp>
+
+#include "ui/render/stretch_colors.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int baseColorUnit = 0;
+constexpr int stretchColorUnit = 1;
+constexpr int shadowUnit = 2;
+
+const Material plainMaterial{}; // what a primitive without a material looks like
+
+bool isOrthographic(const View& view) {
+  return view.projection[3][3] != 0.0;
+}
+
+GlSampler makeSampler(bool nearest) {
+  GlSampler sampler = GlSampler::create();
+  const GLuint name = sampler.name();
+  glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
+                      nearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return sampler;
+}
+
+GlTexture makeStretchColors() {
+  constexpr int width = 256;
+  std::vector<glm::vec3> colors;
+  const double first = std::log2(smallestShownStretch);
+  const double last = std::log2(largestShownStretch);
+  for (int i = 0; i < width; ++i) {
+    colors.push_back(stretchColor(std::exp2(first + (last - first) * (i + 0.5) / width)));
+  }
+  GlTexture texture = GlTexture::create();
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, width, 1, 0, GL_RGB, GL_FLOAT, colors.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+void bindTexture(int unit, unsigned texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+const Material& materialOf(const Scene& scene, int index) {
+  return index >= 0 ? scene.materials[static_cast<std::size_t>(index)] : plainMaterial;
+}
+
+bool isBlended(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item) {
+  return materialOf(scene, uploaded.parts[item.part].material).alphaMode == AlphaMode::blend;
+}
+
+// What the item's surface is moved by as a whole: a mirrored one turns its triangles inside out.
+Mat4 movedBy(const Scene& scene, const DrawItem& item, const FrameState& frame) {
+  if (item.skin < 0) {
+    return meshMatrix(frame, item.node);
+  }
+  const Skin& skin = scene.skins[static_cast<std::size_t>(item.skin)];
+  return skin.joints.empty() ? Mat4(1.0) : meshMatrix(frame, skin.joints[0]) * skin.inverseBind[0];
+}
+
+void drawTriangles(const UploadedScene& uploaded, const DrawItem& item) {
+  glBindVertexArray(item.surface.name());
+  glVertexAttrib4f(4, 1.0F, 1.0F, 1.0F, 1.0F);
+  glDrawElements(GL_TRIANGLES, uploaded.parts[item.part].indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+void setEye(const ShaderProgram& program, const View& view) {
+  program.set("viewProjection", glm::mat4(view.projection * view.view));
+  program.set("eye", glm::vec3(view.eye));
+  program.set("viewForward", glm::vec3(view.forward));
+  program.set("orthographic", isOrthographic(view));
+}
+
+} // namespace
+
+Result<SurfacePass> SurfacePass::create() {
+  SurfacePass pass;
+  const std::array<std::pair<ShaderProgram SurfacePass::*, ShaderFiles>, 4> programs{
+      {{&SurfacePass::surface_, {"surface.vert", "surface.frag", {}, {}}},
+       {&SurfacePass::ghost_, {"surface.vert", "ghost.frag", {}, {}}},
+       {&SurfacePass::depth_, {"position.vert", "depth_only.frag", {}, {}}},
+       {&SurfacePass::wire_, {"position.vert", "wire.frag", "wire.geom", {}}}}};
+  for (const auto& [member, files] : programs) {
+    Result<ShaderProgram> program = ShaderProgram::build(files);
+    if (!program) {
+      return program.error();
+    }
+    pass.*member = std::move(program).value();
+  }
+  pass.smooth_ = makeSampler(false);
+  pass.nearest_ = makeSampler(true);
+  pass.stretchColors_ = makeStretchColors();
+  return pass;
+}
+
+void SurfacePass::begin(const View& view, const StudioLights& lights, const SurfaceLook& look) const {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  bindTexture(stretchColorUnit, stretchColors_.name());
+  bindTexture(shadowUnit, look.shadows->depthTexture);
+  surface_.use();
+  setEye(surface_, view);
+  surface_.set("baseColorTexture", baseColorUnit);
+  surface_.set("stretchColors", stretchColorUnit);
+  surface_.set("shadowMap", shadowUnit);
+  surface_.set("hasShadow", look.shadows->depthTexture != 0);
+  surface_.set("shadowMatrix", glm::mat4(look.shadows->worldToDepth));
+  surface_.set("shadowTexel", static_cast<float>(look.shadows->depthTexelSize));
+  surface_.set("shading", static_cast<int>(look.shading));
+  surface_.set("stretchRange", glm::vec2(std::log2(smallestShownStretch), std::log2(largestShownStretch)));
+  surface_.set("highlightColor", look.palette.highlight);
+  surface_.set("keyDirection", glm::vec3(lights.key));
+  surface_.set("fillDirection", glm::vec3(lights.fill));
+  surface_.set("rimDirection", glm::vec3(lights.rim));
+  surface_.set("floorHeight", static_cast<float>(look.floorHeight));
+  surface_.set("characterHeight", static_cast<float>(look.characterHeight));
+}
+
+void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
+                           const FrameState& frame) const {
+  const UploadedPart& part = uploaded.parts[item.part];
+  const Material& material = materialOf(scene, part.material);
+  const bool hasImage = material.baseColorImage >= 0 && part.hasTexCoords;
+  const unsigned texture =
+      hasImage ? uploaded.textures[static_cast<std::size_t>(material.baseColorImage)].name() : 0U;
+  bindTexture(baseColorUnit, texture);
+  glBindSampler(baseColorUnit, material.nearestFilter ? nearest_.name() : smooth_.name());
+  const auto& uv = material.uvTransform;
+  surface_.set("hasTexture", texture != 0);
+  surface_.set("uvTransform", glm::vec4(uv[0], uv[1], uv[2], uv[3]));
+  surface_.set("baseColor", material.baseColor);
+  surface_.set("emissive", material.emissive);
+  surface_.set("alphaMode", static_cast<int>(material.alphaMode));
+  surface_.set("alphaCutoff", material.alphaCutoff);
+  surface_.set("unlit", material.unlit);
+  if (material.doubleSided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+  }
+  glFrontFace(glm::determinant(Mat3(movedBy(scene, item, frame))) < 0.0 ? GL_CW : GL_CCW);
+  drawTriangles(uploaded, item);
+  glBindSampler(baseColorUnit, 0);
+}
+
+void SurfacePass::drawOpaque(const Scene& scene, const UploadedScene& uploaded, const View& view,
+                             const StudioLights& lights, const SurfaceLook& look,
+                             const FrameState& frame) const {
+  begin(view, lights, look);
+  glDisable(GL_BLEND);
+  for (const DrawItem& item : uploaded.items) {
+    if (!isBlended(scene, uploaded, item)) {
+      drawItem(scene, uploaded, item, frame);
+    }
+  }
+  glFrontFace(GL_CCW);
+  if (look.wireframe) {
+    drawWires(uploaded, view, look.palette);
+  }
+}
+
+void SurfacePass::drawBlended(const Scene& scene, const UploadedScene& uploaded, const View& view,
+                              const StudioLights& lights, const SurfaceLook& look,
+                              const FrameState& frame) const {
+  std::vector<std::pair<double, const DrawItem*>> farthestFirst;
+  for (const DrawItem& item : uploaded.items) {
+    if (isBlended(scene, uploaded, item)) {
+      const Vec3 place = positionOf(frame.worlds[static_cast<std::size_t>(item.node)]);
+      farthestFirst.emplace_back(transformPoint(view.view, place).z, &item);
+    }
+  }
+  std::stable_sort(farthestFirst.begin(), farthestFirst.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  begin(view, lights, look);
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const auto& [depth, item] : farthestFirst) {
+    drawItem(scene, uploaded, *item, frame);
+  }
+  glFrontFace(GL_CCW);
+  glDisable(GL_BLEND);
+}
+
+// Depth first, then colour where the depth is its own: each pixel of a ghost is tinted once, whatever folds
+// behind it.
+void SurfacePass::drawGhost(const UploadedScene& uploaded, const View& view, const glm::vec4& tint) const {
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  ghost_.use();
+  setEye(ghost_, view);
+  ghost_.set("tint", tint);
+  ghost_.set("uvTransform", glm::vec4(0.0F));
+  for (const DrawItem& item : uploaded.items) {
+    drawTriangles(uploaded, item);
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const DrawItem& item : uploaded.items) {
+    drawTriangles(uploaded, item);
+  }
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
+}
+
+void SurfacePass::drawWires(const UploadedScene& uploaded, const View& view, const Palette& palette) const {
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  wire_.use();
+  wire_.set("viewProjection", glm::mat4(view.projection * view.view));
+  wire_.set("viewportSize", glm::vec2(view.viewport.widthPixels, view.viewport.heightPixels));
+  wire_.set("lineColor", palette.wire);
+  wire_.set("lineWidth", static_cast<float>(view.viewport.pixelsPerPoint));
+  for (const DrawItem& item : uploaded.items) {
+    drawTriangles(uploaded, item);
+  }
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
+}
+
+} // namespace stretch::ui

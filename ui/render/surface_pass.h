@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/render/scene_renderer.h"
+#include "ui/render/shadow_pass.h"
+
+namespace stretch::ui {
+
+/// How posed items are coloured.
+struct SurfaceLook {
+  const Palette& palette;
+  SurfaceShading shading = SurfaceShading::material;
+  bool wireframe = false;
+  double floorHeight = 0.0;
+  double characterHeight = 1.0;
+  const ShadowMaps* shadows = nullptr; ///< Never null while drawing.
+};
+
+/// Draws posed items with their materials, as wires, or as a ghost.
+class SurfacePass {
+public:
+  [[nodiscard]] static Result<SurfacePass> create();
+
+  /// Opaque and masked materials, and the wires of all.
+  void drawOpaque(const Scene& scene, const UploadedScene& uploaded, const View& view,
+                  const StudioLights& lights, const SurfaceLook& look, const FrameState& frame) const;
+  /// Blended materials, the farthest first.
+  void drawBlended(const Scene& scene, const UploadedScene& uploaded, const View& view,
+                   const StudioLights& lights, const SurfaceLook& look, const FrameState& frame) const;
+  void drawGhost(const UploadedScene& uploaded, const View& view, const glm::vec4& tint) const;
+
+private:
+  void begin(const View& view, const StudioLights& lights, const SurfaceLook& look) const;
+  void drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
+                const FrameState& frame) const;
+  void drawWires(const UploadedScene& uploaded, const View& view, const Palette& palette) const;
+
+  ShaderProgram surface_;
+  ShaderProgram ghost_;
+  ShaderProgram depth_;
+  ShaderProgram wire_;
+  GlSampler smooth_;
+  GlSampler nearest_;
+  GlTexture stretchColors_;
+};
+
+} // namespace stretch::ui
