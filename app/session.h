@@ -20,6 +20,8 @@ struct ViewState {
   double rangeStart = 0.0;                ///< The working range, for new trails.
   double rangeEnd = -1.0;                 ///< < rangeStart: the default range of section "Words".
   bool showOriginal = false;              ///< While held: the character as it was.
+  Mat3 cameraAxes{1.0};                   ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
+  std::optional<rig::Trail> copiedTrail;  ///< What Paste pastes.
 };
 
 /// One open file being edited: history, what is being dragged, and the caches. The one door for edits.

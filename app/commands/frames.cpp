@@ -1,0 +1,63 @@
+#include "app/commands/frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace stretch::app {
+
+namespace {
+
+/// The limbs' nodes; empty: every node.
+std::set<int> nodesOf(const Document& document, const std::vector<std::string>& limbIds) {
+  std::set<int> nodes;
+  for (const std::string& id : limbIds) {
+    if (const rig::Limb* limb = findLimb(document, id)) {
+      nodes.insert(limb->joints.begin(), limb->joints.end());
+      nodes.insert(limb->endNode);
+    }
+  }
+  return nodes;
+}
+
+} // namespace
+
+bool hasClip(const Document& document, int clip) {
+  return document.clips != nullptr && clip >= 0 && clip < static_cast<int>(document.clips->size());
+}
+
+double lastFrame(const Document& document, int clip) {
+  return hasClip(document, clip) ? std::max(0, frameCount(clipOf(document, clip)) - 1) : 0.0;
+}
+
+std::vector<double> keyFrames(const Document& document, int clip, const std::vector<std::string>& limbIds) {
+  if (!hasClip(document, clip)) {
+    return {};
+  }
+  const Clip& motion = clipOf(document, clip);
+  const std::set<int> nodes = nodesOf(document, limbIds);
+  std::vector<double> frames;
+  for (const CopyOnWrite<Track>& track : motion.tracks) {
+    if (!nodes.empty() && nodes.find(track->node) == nodes.end()) {
+      continue;
+    }
+    for (const float seconds : track->times) {
+      frames.push_back(std::round(static_cast<double>(seconds) * motion.framesPerSecond * 1000.0) / 1000.0);
+    }
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+Vec2 workingRange(const Session& session, const rig::Limb& limb) {
+  const Document& document = session.document();
+  const ViewState& view = session.view();
+  if (view.rangeEnd < view.rangeStart) {
+    return rig::defaultRange(*document.scene, clipOf(document, view.clip), limb);
+  }
+  const double last = lastFrame(document, view.clip);
+  return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
+}
+
+} // namespace stretch::app

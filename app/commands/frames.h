@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "app/session.h"
+
+namespace stretch::app {
+
+[[nodiscard]] bool hasClip(const Document& document, int clip);
+
+/// The clip's last frame, >= 0; 0 without such a clip.
+[[nodiscard]] double lastFrame(const Document& document, int clip);
+
+/// Frames at which these limbs' joints have keys, in order, each once; those of all tracks when no limb is
+/// named.
+[[nodiscard]] std::vector<double> keyFrames(const Document& document, int clip,
+                                            const std::vector<std::string>& limbIds);
+
+/// The working range (x start, y end) within the clip, or the limb's default range when none is set.
+[[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
+
+} // namespace stretch::app

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stretch::app {
+
+/// A key by its position on the keyboard, named as a US keyboard labels it. Printable keys have the value of
+/// their character (letters in capitals).
+enum class Key : int {
+  none = 0,
+  space = ' ',
+  apostrophe = '\'',
+  comma = ',',
+  minus = '-',
+  period = '.',
+  slash = '/',
+  digit0 = '0',
+  digit1,
+  digit2,
+  digit3,
+  digit4,
+  digit5,
+  digit6,
+  digit7,
+  digit8,
+  digit9,
+  semicolon = ';',
+  equal = '=',
+  a = 'A',
+  b,
+  c,
+  d,
+  e,
+  f,
+  g,
+  h,
+  i,
+  j,
+  k,
+  l,
+  m,
+  n,
+  o,
+  p,
+  q,
+  r,
+  s,
+  t,
+  u,
+  v,
+  w,
+  x,
+  y,
+  z,
+  leftBracket = '[',
+  backslash = '\\',
+  rightBracket = ']',
+  backtick = '`',
+  escape = 256,
+  enter,
+  tab,
+  backspace,
+  insert,
+  del,
+  right,
+  left,
+  down,
+  up,
+  pageUp,
+  pageDown,
+  home,
+  end,
+  f1,
+  f2,
+  f3,
+  f4,
+  f5,
+  f6,
+  f7,
+  f8,
+  f9,
+  f10,
+  f11,
+  f12,
+  numpad0,
+  numpad1,
+  numpad2,
+  numpad3,
+  numpad4,
+  numpad5,
+  numpad6,
+  numpad7,
+  numpad8,
+  numpad9,
+  numpadDecimal,
+  numpadEnter,
+};
+
+/// A key with its modifiers, as a command is bound to it.
+struct Chord {
+  Key key = Key::none;
+  bool ctrl = false;
+  bool shift = false;
+  bool alt = false;
+
+  friend bool operator==(const Chord&, const Chord&) = default;
+  friend auto operator<=>(const Chord&, const Chord&) = default;
+};
+
+/// One press (or repeat) of a key, as the window reports it.
+struct KeyPress {
+  Chord chord;
+  /// What the user's layout prints for the key without modifiers, in lower case; 0 when it prints nothing or
+  /// is not known. Keys that are typed for what they say (x, y, z) are read by this, commands by position.
+  char letter = 0;
+};
+
+/// "Ctrl+Shift+Z", "[", "Numpad 1", "?" (which is Shift+/). Modifiers in any order; case does not matter.
+[[nodiscard]] std::optional<Chord> parseChord(std::string_view text);
+
+/// As `parseChord` reads it, modifiers in the order Ctrl, Shift, Alt.
+[[nodiscard]] std::string chordText(const Chord& chord);
+
+/// Name of a key without modifiers: "Page Up". Empty for Key::none.
+[[nodiscard]] std::string keyName(Key key);
+
+/// The digit that a key of the upper row or of the numeric pad types.
+[[nodiscard]] std::optional<int> digitOf(Key key);
+
+/// Whether the key types a decimal separator: period, comma, or the numeric pad's.
+[[nodiscard]] bool isDecimalSeparator(Key key);
+
+/// What the key is typed for: the layout's letter, else the position's.
+[[nodiscard]] char typedLetter(const KeyPress& press);
+
+/// Every key that has a name.
+[[nodiscard]] std::vector<Key> allKeys();
+
+} // namespace stretch::app

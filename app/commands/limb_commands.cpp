@@ -1,0 +1,83 @@
+#include <array>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+
+namespace stretch::app {
+
+namespace {
+
+struct LimbKey {
+  const char* id;
+  const char* title;
+  const char* key;
+};
+
+constexpr std::array<LimbKey, 6> limbKeys{{{"left-arm", "left arm", "1"},
+                                           {"right-arm", "right arm", "2"},
+                                           {"left-leg", "left leg", "3"},
+                                           {"right-leg", "right leg", "4"},
+                                           {"spine", "spine", "5"},
+                                           {"neck", "neck", "6"}}};
+
+Command<Session> selectCommand(const LimbKey& limb, bool add) {
+  const std::string id = limb.id;
+  const std::string title = limb.title;
+  Command<Session> command;
+  command.id = "limb." + id + (add ? "-add" : "");
+  command.label = (add ? "Add " : "Select ") + title;
+  command.help = add ? "Adds the " + title + " to the selection, or takes it away."
+                     : "Selects the " + title + ", with its trail at the playhead.";
+  command.keys = {(add ? "Shift+" : "") + std::string(limb.key)};
+  command.enabled = [id](const Session& session) { return findLimb(session.document(), id) != nullptr; };
+  command.run = [id, title, add](Session& session) -> Status {
+    if (findLimb(session.document(), id) == nullptr) {
+      return Error{"no " + title + " was found on this character", "", "correct the limbs in the rig panel"};
+    }
+    selectLimb(session, id, add);
+    return Success{};
+  };
+  return command;
+}
+
+Status selectNone(Session& session) {
+  session.view().selectedLimbs.clear();
+  session.view().selectedSpheres.clear();
+  session.view().selectedTrail = 0;
+  return Success{};
+}
+
+Status detectAgain(Session& session) {
+  Document changed = session.document();
+  changed.biped = rig::detectBiped(*changed.scene);
+  return finish(session, changed, "Find the limbs again");
+}
+
+} // namespace
+
+std::vector<Command<Session>> limbCommands() {
+  std::vector<Command<Session>> commands;
+  for (const LimbKey& limb : limbKeys) {
+    commands.push_back(selectCommand(limb, false));
+  }
+  for (const LimbKey& limb : limbKeys) {
+    commands.push_back(selectCommand(limb, true));
+  }
+  commands.push_back({"limb.none",
+                      "Select nothing",
+                      "Takes limbs, trail and spheres out of the selection.",
+                      {"0"},
+                      always,
+                      selectNone});
+  commands.push_back({"rig.detect",
+                      "Find the limbs again",
+                      "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
+                      {},
+                      always,
+                      detectAgain});
+  return commands;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,156 @@
+#include "app/commands/selection.h"
+
+#include <algorithm>
+
+#include "app/commands/frames.h"
+#include "app/edits/trail_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool contains(const rig::Trail& trail, double frame) {
+  return trail.settings.startFrame <= frame && frame <= trail.settings.endFrame;
+}
+
+std::vector<const rig::Trail*> trailsOfLimb(const Session& session, const std::string& limbId) {
+  std::vector<const rig::Trail*> trails;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.limb == limbId && trail.clip == session.view().clip) {
+      trails.push_back(&trail);
+    }
+  }
+  return trails;
+}
+
+/// The limb's trail at the playhead; 0 for none.
+int trailAtPlayhead(const Session& session, const std::string& limbId) {
+  for (const rig::Trail* trail : trailsOfLimb(session, limbId)) {
+    if (contains(*trail, session.view().frame)) {
+      return trail->id;
+    }
+  }
+  return 0;
+}
+
+/// The trail at the playhead, else the limb's only one; 0 for none.
+int nearestTrail(const Session& session, const std::string& limbId) {
+  if (const int here = trailAtPlayhead(session, limbId); here != 0) {
+    return here;
+  }
+  const std::vector<const rig::Trail*> trails = trailsOfLimb(session, limbId);
+  return trails.size() == 1 ? trails.front()->id : 0;
+}
+
+} // namespace
+
+void selectLimb(Session& session, const std::string& limbId, bool add) {
+  ViewState& view = session.view();
+  const auto selected = std::find(view.selectedLimbs.begin(), view.selectedLimbs.end(), limbId);
+  const bool wasSelected = selected != view.selectedLimbs.end();
+  if (!add) {
+    view.selectedLimbs = {limbId};
+  } else if (wasSelected) {
+    view.selectedLimbs.erase(selected);
+  } else {
+    view.selectedLimbs.push_back(limbId);
+  }
+  view.selectedSpheres.clear();
+  if (!add || view.selectedTrail == 0) {
+    view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
+  } else if (const rig::Trail* trail = selectedTrail(session);
+             trail != nullptr && wasSelected && trail->limb == limbId) {
+    view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
+  }
+}
+
+void selectTrail(Session& session, int trailId) {
+  ViewState& view = session.view();
+  const rig::Trail* trail = findTrail(session.document(), trailId);
+  if (view.selectedTrail != trailId) {
+    view.selectedSpheres.clear();
+  }
+  view.selectedTrail = trail == nullptr ? 0 : trailId;
+  if (trail == nullptr) {
+    return;
+  }
+  const auto& limbs = view.selectedLimbs;
+  if (std::find(limbs.begin(), limbs.end(), trail->limb) == limbs.end()) {
+    view.selectedLimbs = {trail->limb};
+  }
+}
+
+std::vector<int> targetTrails(const Session& session) {
+  const rig::Trail* selected = selectedTrail(session);
+  std::vector<int> targets;
+  if (selected != nullptr) {
+    targets.push_back(selected->id);
+  }
+  for (const std::string& limbId : session.view().selectedLimbs) {
+    if (selected != nullptr && limbId == selected->limb) {
+      continue;
+    }
+    const rig::Trail* beside =
+        selected == nullptr ? nullptr
+                            : overlappingTrail(session.document(), limbId, selected->clip,
+                                               selected->settings.startFrame, selected->settings.endFrame);
+    const int id = selected != nullptr ? (beside == nullptr ? 0 : beside->id) : nearestTrail(session, limbId);
+    if (id != 0) {
+      targets.push_back(id);
+    }
+  }
+  return targets;
+}
+
+const rig::Trail* selectedTrail(const Session& session) {
+  const rig::Trail* trail = findTrail(session.document(), session.view().selectedTrail);
+  return trail != nullptr && trail->clip == session.view().clip ? trail : nullptr;
+}
+
+const rig::SolvedTrail* solvedTrail(Session& session, int trailId) {
+  if (!hasClip(session.document(), session.view().clip)) {
+    return nullptr;
+  }
+  const std::vector<rig::SolvedTrail>& trails = session.motion().trails;
+  const auto found = std::find_if(trails.begin(), trails.end(),
+                                  [&](const rig::SolvedTrail& solved) { return solved.trail.id == trailId; });
+  return found == trails.end() ? nullptr : &*found;
+}
+
+std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
+  const rig::SolvedTrail* solved = solvedTrail(session, trailId);
+  if (solved == nullptr) {
+    return {};
+  }
+  const Document& document = session.document();
+  const int clip = session.view().clip;
+  // An increment longer than any clip: samples at the control spheres and little else.
+  const rig::DrawnTrail drawn = rig::drawnPaths(*document.scene, clipOf(document, clip), session.motion(),
+                                                *solved, lastFrame(document, clip) + 1.0);
+  std::vector<PlacedSphere> spheres;
+  for (const double frame : solved->controlFrames) {
+    for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+      if (sameFrame(drawn.frames[i], frame)) {
+        spheres.push_back({frame, drawn.exaggerated[i]});
+        break;
+      }
+    }
+  }
+  return spheres;
+}
+
+std::string limbTitle(const Document& document, const std::string& limbId) {
+  const rig::Limb* limb = findLimb(document, limbId);
+  if (limb == nullptr || limb->kind == rig::LimbKind::chain) {
+    return limbId;
+  }
+  std::string title(rig::limbName(limb->kind));
+  std::replace(title.begin(), title.end(), '-', ' ');
+  return title;
+}
+
+double nudgeUnits(const Document& document) {
+  return document.biped.height / 200.0;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/edits/sphere_edits.h"
+#include "app/session.h"
+
+namespace stretch::app {
+
+// What commands act on: pure questions to the session's view state, and the few ways of changing it.
+
+/// Selects a limb alone, or adds it (again: takes it away). Its trail at the playhead becomes the selected
+/// one, else none: the next one is made where the playhead stands.
+void selectLimb(Session& session, const std::string& limbId, bool add);
+
+/// Selects a trail with its limb; 0 deselects.
+void selectTrail(Session& session, int trailId);
+
+/// Ids of the trails that commands act on: the selected trail, and of the other selected limbs those that
+/// share time with it; without a selected trail those of the selected limbs in which the playhead stands,
+/// else each limb's only one.
+[[nodiscard]] std::vector<int> targetTrails(const Session& session);
+
+/// Null when none is selected.
+[[nodiscard]] const rig::Trail* selectedTrail(const Session& session);
+
+/// The prepared trail; null when it is not in the viewed clip.
+[[nodiscard]] const rig::SolvedTrail* solvedTrail(Session& session, int trailId);
+
+/// Control spheres of a trail as they stand in the world, in order of time.
+[[nodiscard]] std::vector<PlacedSphere> placedSpheres(Session& session, int trailId);
+
+/// How people call a limb: "left arm", or the chain's id.
+[[nodiscard]] std::string limbTitle(const Document& document, const std::string& limbId);
+
+/// World units that one arrow key nudges a sphere: a two-hundredth of the character's height.
+[[nodiscard]] double nudgeUnits(const Document& document);
+
+} // namespace stretch::app

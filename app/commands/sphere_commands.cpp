@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/grab_modal.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/sphere_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hasSelectedTrail(const Session& session) {
+  return selectedTrail(session) != nullptr;
+}
+bool hasSpheres(const Session& session) {
+  return hasSelectedTrail(session) && !session.view().selectedSpheres.empty();
+}
+
+Error noSphere() {
+  return {"no control sphere is selected", "", "press Tab to select one, or click it"};
+}
+
+std::vector<double> controlFrames(Session& session) {
+  const rig::Trail* trail = selectedTrail(session);
+  const rig::SolvedTrail* solved = trail == nullptr ? nullptr : solvedTrail(session, trail->id);
+  return solved == nullptr ? std::vector<double>{} : solved->controlFrames;
+}
+
+Status stepSphere(Session& session, bool forward) {
+  const std::vector<double> frames = controlFrames(session);
+  if (frames.empty()) {
+    return Error{"no trail with control spheres is selected", "", "select a limb and press T or E"};
+  }
+  ViewState& view = session.view();
+  const bool started = !view.selectedSpheres.empty();
+  const double from = started ? view.selectedSpheres.back() : view.frame;
+  const auto count = static_cast<std::ptrdiff_t>(frames.size());
+  std::ptrdiff_t index = 0;
+  if (forward) {
+    const auto next = std::find_if(frames.begin(), frames.end(), [&](double frame) {
+      return started ? frame > from && !sameFrame(frame, from) : frame > from || sameFrame(frame, from);
+    });
+    index = next == frames.end() ? 0 : next - frames.begin();
+  } else {
+    const auto next = std::find_if(frames.rbegin(), frames.rend(), [&](double frame) {
+      return started ? frame < from && !sameFrame(frame, from) : frame < from || sameFrame(frame, from);
+    });
+    index = next == frames.rend() ? count - 1 : count - 1 - (next - frames.rbegin());
+  }
+  view.selectedSpheres = {frames[static_cast<std::size_t>(index)]};
+  view.frame = view.selectedSpheres.front();
+  return Success{};
+}
+
+Status selectAll(Session& session) {
+  session.view().selectedSpheres = controlFrames(session);
+  return session.view().selectedSpheres.empty() ? Status(noSphere()) : Status(Success{});
+}
+
+Status pull(Session& session, const std::vector<SphereMove>& moves, const char* label) {
+  const rig::Trail* trail = selectedTrail(session);
+  if (trail == nullptr || moves.empty()) {
+    return noSphere();
+  }
+  return finish(session, moveSpheres(session.document(), trail->id, moves), label);
+}
+
+Status nudge(Session& session, const Chord& chord) {
+  const rig::Trail* trail = selectedTrail(session);
+  if (trail == nullptr) {
+    return noSphere();
+  }
+  const Vec3 world = nudgeOf(chord, session.view().cameraAxes, nudgeUnits(session.document()));
+  std::vector<SphereMove> moves;
+  for (const double frame : session.view().selectedSpheres) {
+    moves.push_back({frame, toTrailAxes(trail->settings, world)});
+  }
+  return pull(session, moves, "Nudge the spheres");
+}
+
+/// Direction of the path at one of its spheres, from neighbour to neighbour; zero where they coincide.
+Vec3 pathDirection(const std::vector<PlacedSphere>& spheres, std::size_t index) {
+  const std::size_t before = index == 0 ? 0 : index - 1;
+  const std::size_t after = std::min(index + 1, spheres.size() - 1);
+  const Vec3 chord = spheres[after].positionWorld - spheres[before].positionWorld;
+  const double length = glm::length(chord);
+  return length > 1e-12 ? chord / length : Vec3(0.0);
+}
+
+Status nudgeAlong(Session& session, double direction) {
+  const rig::Trail* trail = selectedTrail(session);
+  if (trail == nullptr) {
+    return noSphere();
+  }
+  const std::vector<PlacedSphere> spheres = placedSpheres(session, trail->id);
+  const double step = direction * nudgeUnits(session.document());
+  std::vector<SphereMove> moves;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto& selected = session.view().selectedSpheres;
+    const bool isSelected = std::any_of(selected.begin(), selected.end(),
+                                        [&](double frame) { return sameFrame(frame, spheres[i].frame); });
+    if (isSelected) {
+      moves.push_back({spheres[i].frame, toTrailAxes(trail->settings, step * pathDirection(spheres, i))});
+    }
+  }
+  return pull(session, moves, "Slide the spheres along the path");
+}
+
+struct Direction {
+  const char* id;
+  const char* title;
+  Key key;
+};
+constexpr std::array<Direction, 6> directions{{{"left", "left", Key::left},
+                                               {"right", "right", Key::right},
+                                               {"up", "up", Key::up},
+                                               {"down", "down", Key::down},
+                                               {"away", "away", Key::pageUp},
+                                               {"towards", "towards the viewer", Key::pageDown}}};
+
+struct Reach {
+  const char* idSuffix;
+  const char* title;
+  bool ctrl;
+  bool shift;
+};
+constexpr std::array<Reach, 3> reaches{{{"", "", false, false},
+                                        {"-far", ", ten times as far", false, true},
+                                        {"-fine", ", a tenth", true, false}}};
+
+Command<Session> nudgeCommand(const Direction& direction, const Reach& reach) {
+  const Chord chord{direction.key, reach.ctrl, reach.shift, false};
+  Command<Session> command;
+  command.id = std::string("sphere.nudge-") + direction.id + reach.idSuffix;
+  command.label = std::string("Nudge ") + direction.title + reach.title;
+  command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
+                 reach.title + ".";
+  command.keys = {chordText(chord)};
+  command.enabled = hasSpheres;
+  command.run = [chord](Session& session) { return nudge(session, chord); };
+  return command;
+}
+
+} // namespace
+
+std::vector<Command<Session>> sphereCommands() {
+  std::vector<Command<Session>> commands{
+      {"sphere.next",
+       "Next sphere",
+       "Selects the next control sphere; the playhead jumps there.",
+       {"Tab"},
+       hasSelectedTrail,
+       [](Session& session) { return stepSphere(session, true); }},
+      {"sphere.previous",
+       "Previous sphere",
+       "Selects the control sphere before; the playhead jumps there.",
+       {"Shift+Tab"},
+       hasSelectedTrail,
+       [](Session& session) { return stepSphere(session, false); }},
+      {"sphere.all",
+       "All spheres",
+       "Selects every control sphere of the trail.",
+       {"Ctrl+A"},
+       hasSelectedTrail,
+       selectAll},
+      {"sphere.along-back",
+       "Slide back along the path",
+       "Moves the selected spheres back along the path: closer spacing "
+       "before, wider after.",
+       {"Alt+Left"},
+       hasSpheres,
+       [](Session& session) { return nudgeAlong(session, -1.0); }},
+      {"sphere.along-forward",
+       "Slide on along the path",
+       "Moves the selected spheres on along the path: wider spacing "
+       "before, closer after.",
+       {"Alt+Right"},
+       hasSpheres,
+       [](Session& session) { return nudgeAlong(session, 1.0); }},
+  };
+  for (const Reach& reach : reaches) {
+    for (const Direction& direction : directions) {
+      commands.push_back(nudgeCommand(direction, reach));
+    }
+  }
+  return commands;
+}
+
+} // namespace stretch::app

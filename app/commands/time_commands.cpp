@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/trail_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr double sameFrameTolerance = 1e-4;
+
+bool hasViewedClip(const Session& session) {
+  return hasClip(session.document(), session.view().clip);
+}
+
+Status goTo(Session& session, double frame) {
+  session.view().frame = std::clamp(frame, 0.0, lastFrame(session.document(), session.view().clip));
+  return Success{};
+}
+
+Status stepBack(Session& session) {
+  return goTo(session, std::ceil(session.view().frame - sameFrameTolerance) - 1.0);
+}
+
+Status stepForward(Session& session) {
+  return goTo(session, std::floor(session.view().frame + sameFrameTolerance) + 1.0);
+}
+
+Status goToKey(Session& session, bool next) {
+  const ViewState& view = session.view();
+  const std::vector<double> frames = keyFrames(session.document(), view.clip, view.selectedLimbs);
+  if (next) {
+    const auto found = std::find_if(frames.begin(), frames.end(),
+                                    [&](double frame) { return frame > view.frame + sameFrameTolerance; });
+    return found == frames.end() ? Status(Success{}) : goTo(session, *found);
+  }
+  const auto found = std::find_if(frames.rbegin(), frames.rend(),
+                                  [&](double frame) { return frame < view.frame - sameFrameTolerance; });
+  return found == frames.rend() ? Status(Success{}) : goTo(session, *found);
+}
+
+void setWorkingRange(Session& session, bool start) {
+  ViewState& view = session.view();
+  const double last = lastFrame(session.document(), view.clip);
+  const bool wasSet = view.rangeEnd >= view.rangeStart;
+  if (start) {
+    view.rangeEnd = wasSet && view.rangeEnd > view.frame ? view.rangeEnd : last;
+    view.rangeStart = view.frame;
+  } else {
+    view.rangeStart = wasSet && view.rangeStart < view.frame ? view.rangeStart : 0.0;
+    view.rangeEnd = view.frame;
+  }
+}
+
+/// The working range, and the selected trail's with it.
+Status setRange(Session& session, bool start) {
+  const rig::Trail* trail = selectedTrail(session);
+  if (trail == nullptr) {
+    setWorkingRange(session, start);
+    return Success{};
+  }
+  rig::TrailSettings settings = trail->settings;
+  (start ? settings.startFrame : settings.endFrame) = session.view().frame;
+  Status done =
+      finish(session, setTrailSettings(session.document(), trail->id, settings), "Change the range");
+  if (done) {
+    session.view().rangeStart = settings.startFrame;
+    session.view().rangeEnd = settings.endFrame;
+  }
+  return done;
+}
+
+Status toggleLoop(Session& session) {
+  const Document& document = session.document();
+  const int clip = session.view().clip;
+  const bool loops = std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
+                     document.loopingClips.end();
+  return finish(session, setLooping(document, clip, !loops), loops ? "Clip does not loop" : "Clip loops");
+}
+
+} // namespace
+
+std::vector<Command<Session>> timeCommands() {
+  return {
+      {"range.start",
+       "Range starts here",
+       "Starts the range at the playhead: of the selected trail, else of the next one.",
+       {"[", "Alt+,"},
+       hasViewedClip,
+       [](Session& session) { return setRange(session, true); }},
+      {"range.end",
+       "Range ends here",
+       "Ends the range at the playhead: of the selected trail, else of the next one.",
+       {"]", "Alt+."},
+       hasViewedClip,
+       [](Session& session) { return setRange(session, false); }},
+      {"range.default",
+       "Forget the range",
+       "The next trail takes the limb's own range: up to where its end is farthest away.",
+       {},
+       always,
+       [](Session& session) -> Status {
+         session.view().rangeStart = 0.0;
+         session.view().rangeEnd = -1.0;
+         return Success{};
+       }},
+      {"time.back", "Frame back", "Steps to the frame before.", {","}, hasViewedClip, stepBack},
+      {"time.forward", "Frame forward", "Steps to the next frame.", {"."}, hasViewedClip, stepForward},
+      {"time.previous-key",
+       "Previous key",
+       "Jumps to the key before, of the selected limbs if there are any.",
+       {"Ctrl+,"},
+       hasViewedClip,
+       [](Session& session) { return goToKey(session, false); }},
+      {"time.next-key",
+       "Next key",
+       "Jumps to the next key, of the selected limbs if there are any.",
+       {"Ctrl+."},
+       hasViewedClip,
+       [](Session& session) { return goToKey(session, true); }},
+      {"time.start",
+       "To the start",
+       "Jumps to the clip's first frame.",
+       {"Home"},
+       hasViewedClip,
+       [](Session& session) { return goTo(session, 0.0); }},
+      {"time.end",
+       "To the end",
+       "Jumps to the clip's last frame.",
+       {"End"},
+       hasViewedClip,
+       [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); }},
+      {"clip.loop",
+       "Clip loops",
+       "Marks the clip as a loop: a release at its end goes on at its start.",
+       {},
+       hasViewedClip,
+       toggleLoop},
+  };
+}
+
+} // namespace stretch::app

@@ -1,0 +1,268 @@
+#include <algorithm>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/exaggerate.h"
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/mirror_edits.h"
+#include "app/edits/sphere_edits.h"
+#include "app/edits/trail_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hasTarget(const Session& session) {
+  return !targetTrails(session).empty();
+}
+bool hasLimb(const Session& session) {
+  return !session.view().selectedLimbs.empty() && hasClip(session.document(), session.view().clip);
+}
+bool hasSelectedTrail(const Session& session) {
+  return selectedTrail(session) != nullptr;
+}
+
+Error noTrail() {
+  return {"no trail is selected", "", "select a limb and press T or E to make one"};
+}
+
+/// Runs an edit on every target trail, as one undo step.
+template <typename Edit>
+Status editTargets(Session& session, const char* label, Edit&& edit) {
+  const std::vector<int> targets = targetTrails(session);
+  if (targets.empty()) {
+    return noTrail();
+  }
+  Document document = session.document();
+  for (const int id : targets) {
+    Result<Document> changed = edit(document, *findTrail(document, id));
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(changed).value();
+  }
+  return finish(session, std::move(document), label);
+}
+
+template <typename Predicate>
+bool allTargets(const Session& session, Predicate&& predicate) {
+  const std::vector<int> targets = targetTrails(session);
+  return std::all_of(targets.begin(), targets.end(),
+                     [&](int id) { return predicate(*findTrail(session.document(), id)); });
+}
+
+Status finishNew(Session& session, Result<ExaggerateTargets> made, const char* label) {
+  if (!made) {
+    return made.error();
+  }
+  session.edit(made->document, label);
+  session.view().selectedTrail = made->trailIds.front();
+  session.view().selectedSpheres.clear();
+  return Success{};
+}
+
+Status toggleTrails(Session& session) {
+  const ViewState& view = session.view();
+  const bool newRange = selectedTrail(session) == nullptr && view.rangeEnd > view.rangeStart;
+  if (!hasTarget(session) || newRange) {
+    return finishNew(session, newTrails(session, false), "Make a trail");
+  }
+  const bool visible = allTargets(session, [](const rig::Trail& trail) { return trail.visible; });
+  return editTargets(session, visible ? "Hide the trail" : "Show the trail",
+                     [&](const Document& document, const rig::Trail& trail) {
+                       return setTrailDisplay(document, trail.id, {trail.colour, !visible, trail.pinned});
+                     });
+}
+
+Status toggleConnected(Session& session) {
+  const bool connected = allTargets(session, [](const rig::Trail& trail) { return trail.connected; });
+  return editTargets(session, connected ? "Disconnect" : "Connect",
+                     [&](const Document& document, const rig::Trail& trail) {
+                       return setConnected(document, trail.id, !connected);
+                     });
+}
+
+Status toggleFollow(Session& session) {
+  const bool follow = allTargets(session, [](const rig::Trail& trail) { return trail.follow; });
+  return editTargets(session, follow ? "Follow off" : "Follow on",
+                     [&](const Document& document, const rig::Trail& trail) {
+                       return setFollow(document, trail.id, !follow);
+                     });
+}
+
+/// Exaggerated, half, original, and round again.
+Status cycleBlend(Session& session) {
+  const std::vector<int> targets = targetTrails(session);
+  if (targets.empty()) {
+    return noTrail();
+  }
+  const double blend = findTrail(session.document(), targets.front())->settings.blend;
+  const double next = blend > 1.0 ? 1.0 : blend > 0.0 ? 0.0 : 2.0;
+  return editTargets(session, "Blend", [&](const Document& document, const rig::Trail& trail) {
+    return setBlend(document, trail.id, next);
+  });
+}
+
+Status applyTargets(Session& session) {
+  return editTargets(session, "Apply the new motion", [](const Document& document, const rig::Trail& trail) {
+    return applyTrail(document, trail.id);
+  });
+}
+
+Status deleteTargets(Session& session) {
+  return editTargets(session, "Delete the trail", [](const Document& document, const rig::Trail& trail) {
+    return deleteTrail(document, trail.id);
+  });
+}
+
+Status deleteSelection(Session& session) {
+  const rig::Trail* trail = selectedTrail(session);
+  const std::vector<double>& spheres = session.view().selectedSpheres;
+  if (trail == nullptr || spheres.empty()) {
+    return deleteTargets(session);
+  }
+  return finish(session, clearSpheres(session.document(), trail->id, spheres), "Put the spheres back");
+}
+
+Status deleteAllOfLimbs(Session& session) {
+  Document document = session.document();
+  for (const std::string& limbId : session.view().selectedLimbs) {
+    document = deleteTrailsOfLimb(document, limbId, session.view().clip);
+  }
+  return finish(session, std::move(document), "Delete all trails of the limb");
+}
+
+Status copySelected(Session& session) {
+  const rig::Trail* trail = selectedTrail(session);
+  if (trail == nullptr) {
+    return noTrail();
+  }
+  session.view().copiedTrail = *trail;
+  return Success{};
+}
+
+Status pasteOnLimbs(Session& session) {
+  const ViewState& view = session.view();
+  if (!view.copiedTrail || view.selectedLimbs.empty()) {
+    return Error{"there is nothing to paste, or no limb to paste it on", "",
+                 "copy a trail with Ctrl+C, select a limb"};
+  }
+  Document document = session.document();
+  int trailId = 0;
+  for (const std::string& limbId : view.selectedLimbs) {
+    Result<CreatedTrail> pasted = pasteTrail(document, *view.copiedTrail, limbId, view.clip);
+    if (!pasted) {
+      return pasted.error();
+    }
+    document = std::move(pasted->document);
+    trailId = pasted->trailId;
+  }
+  session.edit(std::move(document), "Paste the trail");
+  session.view().selectedTrail = trailId;
+  return Success{};
+}
+
+Status mirrorTargets(Session& session) {
+  return editTargets(session, "Mirror the trail",
+                     [](const Document& document, const rig::Trail& trail) -> Result<Document> {
+                       Result<CreatedTrail> mirrored = mirrorTrail(document, trail.id);
+                       if (!mirrored) {
+                         return mirrored.error();
+                       }
+                       return std::move(mirrored->document);
+                     });
+}
+
+Status exaggerateOnce(Session& session) {
+  return finishNew(session, exaggerateTargets(session), "Exaggerate");
+}
+
+bool canPaste(const Session& session) {
+  return session.view().copiedTrail && hasLimb(session);
+}
+bool canDelete(const Session& session) {
+  return hasTarget(session) || !session.view().selectedSpheres.empty();
+}
+
+} // namespace
+
+std::vector<Command<Session>> trailCommands() {
+  return {
+      {"trail.toggle",
+       "Motion trail",
+       "Shows the path of the limb's end over the range; again hides it.",
+       {"T"},
+       hasLimb,
+       toggleTrails},
+      {"trail.exaggerate-once",
+       "Exaggerate at 2",
+       "Makes the trail if there is none, exaggerates it to twice the length and "
+       "connects the limb.",
+       {},
+       hasLimb,
+       exaggerateOnce},
+      {"trail.connect",
+       "Connect",
+       "Lets the limb follow the exaggerated trail; again lets it go.",
+       {"C"},
+       hasTarget,
+       toggleConnected},
+      {"trail.follow",
+       "Follow",
+       "The limb follows while its spheres are dragged, or waits until it is connected.",
+       {"Shift+C"},
+       hasTarget,
+       toggleFollow},
+      {"trail.blend",
+       "Blend",
+       "Goes on from exaggerated to half-way, to original, and round again.",
+       {"B"},
+       hasTarget,
+       cycleBlend},
+      {"trail.apply",
+       "Apply new motion",
+       "Re-keys the clip with the exaggerated motion; the trail stays and can be changed.",
+       {"Enter", "Numpad Enter"},
+       hasTarget,
+       applyTargets},
+      {"edit.delete",
+       "Delete",
+       "Puts the selected spheres back; with none selected deletes the trail.",
+       {"Delete"},
+       canDelete,
+       deleteSelection},
+      {"trail.delete",
+       "Delete trail",
+       "Deletes the trail and gives its range back as the file had it.",
+       {},
+       hasTarget,
+       deleteTargets},
+      {"trail.delete-all",
+       "Delete all trails of the limb",
+       "Deletes every trail of the selected limbs in this clip.",
+       {"Shift+Delete"},
+       hasLimb,
+       deleteAllOfLimbs},
+      {"trail.copy",
+       "Copy trail",
+       "Copies the selected trail with its spheres.",
+       {"Ctrl+C"},
+       hasSelectedTrail,
+       copySelected},
+      {"trail.paste",
+       "Paste trail",
+       "Pastes the copied trail on the selected limbs.",
+       {"Ctrl+V"},
+       canPaste,
+       pasteOnLimbs},
+      {"trail.mirror",
+       "Mirror trail",
+       "Makes the same trail on the other side of the body.",
+       {"Ctrl+M"},
+       hasTarget,
+       mirrorTargets},
+  };
+}
+
+} // namespace stretch::app

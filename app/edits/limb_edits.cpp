@@ -1,0 +1,55 @@
+#include "app/edits/limb_edits.h"
+
+#include <algorithm>
+
+namespace stretch::app {
+
+namespace {
+
+Status validateJoints(const Document& document, const rig::Limb& limb) {
+  const int nodes = static_cast<int>(document.scene->nodes.size());
+  const bool known = std::all_of(limb.joints.begin(), limb.joints.end(),
+                                 [&](int joint) { return joint >= 0 && joint < nodes; });
+  if (limb.joints.empty() || !known || limb.endNode >= nodes) {
+    return Error{"the limb names joints that the character does not have", limb.id, "pick its joints again"};
+  }
+  return Success{};
+}
+
+} // namespace
+
+Result<Document> correctLimb(const Document& document, rig::Limb limb) {
+  if (limb.kind == rig::LimbKind::chain) {
+    return Error{"a chain is no limb of the body", limb.id, "add it as a chain"};
+  }
+  if (const Status valid = validateJoints(document, limb); !valid) {
+    return valid.error();
+  }
+  Document changed = document;
+  limb.id = std::string(rig::limbName(limb.kind));
+  limb.confidence = 1.0;
+  limb.reasons = {"set by hand"};
+  auto& limbs = changed.biped.limbs;
+  const auto place = std::find_if(limbs.begin(), limbs.end(),
+                                  [&](const rig::Limb& other) { return other.kind >= limb.kind; });
+  if (place != limbs.end() && place->kind == limb.kind) {
+    *place = std::move(limb);
+  } else {
+    limbs.insert(place, std::move(limb));
+  }
+  return changed;
+}
+
+Result<Document> addChain(const Document& document, rig::Limb chain) {
+  if (const Status valid = validateJoints(document, chain); !valid) {
+    return valid.error();
+  }
+  if (findLimb(document, chain.id) != nullptr) {
+    return Error{"this chain is there already", chain.id, "select it"};
+  }
+  Document changed = document;
+  changed.chains.push_back(std::move(chain));
+  return changed;
+}
+
+} // namespace stretch::app

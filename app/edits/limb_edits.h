@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+/// Puts a limb corrected by hand in the place of the one of its kind, or adds it where none was found. Trails
+/// of the limb stay and follow the corrected joints.
+[[nodiscard]] Result<Document> correctLimb(const Document& document, rig::Limb limb);
+
+/// Adds a chain that the user picked; the same chain twice is refused.
+[[nodiscard]] Result<Document> addChain(const Document& document, rig::Limb chain);
+
+} // namespace stretch::app

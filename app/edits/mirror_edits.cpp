@@ -1,0 +1,134 @@
+#include "app/edits/mirror_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/anim/sampling.h"
+
+namespace stretch::app {
+
+namespace {
+
+using rig::LimbKind;
+constexpr std::array<std::pair<LimbKind, LimbKind>, 2> limbPairs{
+    {{LimbKind::leftArm, LimbKind::rightArm}, {LimbKind::leftLeg, LimbKind::rightLeg}}};
+
+const rig::Limb* limbOfKind(const Document& document, LimbKind kind) {
+  const auto& limbs = document.biped.limbs;
+  const auto found =
+      std::find_if(limbs.begin(), limbs.end(), [&](const rig::Limb& limb) { return limb.kind == kind; });
+  return found == limbs.end() ? nullptr : &*found;
+}
+
+Vec3 reflected(const Vec3& vector, const Vec3& normal) {
+  return vector - 2.0 * glm::dot(vector, normal) * normal;
+}
+
+/// Rest positions of the bases of the first pair of limbs that was found, left then right.
+std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const std::vector<Mat4>& worlds) {
+  for (const auto& [left, right] : limbPairs) {
+    const rig::Limb* a = limbOfKind(document, left);
+    const rig::Limb* b = limbOfKind(document, right);
+    if (a != nullptr && b != nullptr && !a->joints.empty() && !b->joints.empty()) {
+      return std::pair(positionOf(worlds[static_cast<std::size_t>(a->joints.front())]),
+                       positionOf(worlds[static_cast<std::size_t>(b->joints.front())]));
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 levelUnit(const Vec3& vector) {
+  const Vec3 level(vector.x, 0.0, vector.z);
+  const double length = glm::length(level);
+  return length > 1e-9 ? level / length : Vec3(1.0, 0.0, 0.0);
+}
+
+std::vector<Mat4> worldsAt(const Document& document, int clip, double frame) {
+  const Clip& motion = clipOf(document, clip);
+  return worldMatrices(*document.scene, samplePose(*document.scene, motion, frame / motion.framesPerSecond));
+}
+
+/// A point of the sagittal plane: the hips, else the origin.
+Vec3 sagittalPoint(const Document& document, int clip, double frame) {
+  const int hips = document.biped.hips;
+  return hips < 0 ? Vec3(0.0) : positionOf(worldsAt(document, clip, frame)[static_cast<std::size_t>(hips)]);
+}
+
+} // namespace
+
+Result<std::string> otherSide(const Document& document, const std::string& limbId) {
+  const rig::Limb* limb = findLimb(document, limbId);
+  if (limb == nullptr) {
+    return Error{"the character has no such limb", limbId, "pick a limb that was found"};
+  }
+  for (const auto& [left, right] : limbPairs) {
+    if (limb->kind != left && limb->kind != right) {
+      continue;
+    }
+    const rig::Limb* other = limbOfKind(document, limb->kind == left ? right : left);
+    if (other == nullptr) {
+      return Error{"the limb on the other side was not found", limbId, "correct the limbs by hand"};
+    }
+    return other->id;
+  }
+  return Error{"this limb has no other side", limbId, "mirror an arm or a leg"};
+}
+
+Vec3 sagittalNormal(const Document& document, int clip, double frame) {
+  const std::vector<Mat4> rest = worldMatrices(*document.scene, restPose(*document.scene));
+  const auto bases = pairBases(document, rest);
+  if (!bases) {
+    return Vec3(1.0, 0.0, 0.0);
+  }
+  const Vec3 restNormal = bases->first - bases->second;
+  const int hips = document.biped.hips;
+  if (hips < 0) {
+    return levelUnit(restNormal);
+  }
+  const auto index = static_cast<std::size_t>(hips);
+  const Quat turn =
+      rotationOf(worldsAt(document, clip, frame)[index]) * glm::conjugate(rotationOf(rest[index]));
+  return levelUnit(turn * restNormal);
+}
+
+rig::TrailSettings mirroredSettings(const rig::TrailSettings& settings, const Vec3& normal,
+                                    const Vec3& planePoint) {
+  rig::TrailSettings mirrored = settings;
+  const bool inView = settings.space == rig::TrailSpace::view;
+  // The reflection of the view's axes is left-handed; turning its first axis round makes it an orientation
+  // again.
+  mirrored.viewAxes = Mat3(-reflected(settings.viewAxes[0], normal), reflected(settings.viewAxes[1], normal),
+                           reflected(settings.viewAxes[2], normal));
+  for (rig::SphereOffset& sphere : mirrored.spheres) {
+    sphere.offset =
+        inView ? Vec3(-sphere.offset.x, sphere.offset.y, sphere.offset.z) : reflected(sphere.offset, normal);
+  }
+  if (mirrored.stopAt) {
+    mirrored.stopAt->point = planePoint + reflected(mirrored.stopAt->point - planePoint, normal);
+    mirrored.stopAt->normal = reflected(mirrored.stopAt->normal, normal);
+  }
+  return mirrored;
+}
+
+Result<CreatedTrail> mirrorTrail(const Document& document, int trailId) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  const Result<std::string> limb = otherSide(document, trail->limb);
+  if (!limb) {
+    return limb.error();
+  }
+  const double frame = trail->settings.startFrame;
+  rig::Trail mirrored = *trail;
+  mirrored.settings = mirroredSettings(trail->settings, sagittalNormal(document, trail->clip, frame),
+                                       sagittalPoint(document, trail->clip, frame));
+  return pasteTrail(document, mirrored, *limb, trail->clip);
+}
+
+} // namespace stretch::app

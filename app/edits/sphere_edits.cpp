@@ -1,0 +1,160 @@
+#include "app/edits/sphere_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "app/edits/trail_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+using Spheres = std::vector<rig::SphereOffset>;
+
+Spheres::iterator findSphere(Spheres& spheres, double frame) {
+  return std::find_if(spheres.begin(), spheres.end(),
+                      [&](const rig::SphereOffset& sphere) { return sameFrame(sphere.frame, frame); });
+}
+
+void dropUnmoved(Spheres& spheres) {
+  std::erase_if(spheres, [](const rig::SphereOffset& sphere) { return sphere.offset == Vec3(0.0); });
+}
+
+/// Adds to the sphere's offset, keeping the list ordered by frame.
+void addOffset(Spheres& spheres, double frame, const Vec3& delta) {
+  const auto found = findSphere(spheres, frame);
+  if (found != spheres.end()) {
+    found->offset += delta;
+    return;
+  }
+  const auto after = std::find_if(spheres.begin(), spheres.end(),
+                                  [&](const rig::SphereOffset& sphere) { return sphere.frame > frame; });
+  spheres.insert(after, {frame, delta});
+}
+
+Result<Document> changeSpheres(const Document& document, int trailId, Spheres spheres) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  dropUnmoved(spheres);
+  rig::TrailSettings settings = trail->settings;
+  settings.spheres = std::move(spheres);
+  Result<Document> changed = setTrailSettings(document, trailId, settings);
+  if (changed) {
+    rig::Trail& edited = *findTrail(*changed, trailId);
+    edited.exaggerated = true;
+    edited.connected = edited.follow;
+  }
+  return changed;
+}
+
+double nearestSelected(const PlacedSphere& sphere, std::span<const PlacedSphere> spheres,
+                       std::span<const double> selectedFrames) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const PlacedSphere& other : spheres) {
+    const bool selected = std::any_of(selectedFrames.begin(), selectedFrames.end(),
+                                      [&](double frame) { return sameFrame(frame, other.frame); });
+    if (selected) {
+      nearest = std::min(nearest, glm::distance(sphere.positionWorld, other.positionWorld));
+    }
+  }
+  return nearest;
+}
+
+double falloff(double distance, double radius) {
+  if (distance <= 0.0) {
+    return 1.0;
+  }
+  if (radius <= 0.0 || distance >= radius) {
+    return 0.0;
+  }
+  const double share = 1.0 - (distance / radius) * (distance / radius);
+  return share * share;
+}
+
+} // namespace
+
+bool sameFrame(double a, double b) {
+  return std::abs(a - b) < 1e-3;
+}
+
+Result<Document> moveSpheres(const Document& document, int trailId, std::span<const SphereMove> moves) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  Spheres spheres = trail->settings.spheres;
+  for (const SphereMove& move : moves) {
+    addOffset(spheres, move.frame, move.delta);
+  }
+  return changeSpheres(document, trailId, std::move(spheres));
+}
+
+Result<Document> clearSpheres(const Document& document, int trailId, std::span<const double> frames) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  rig::TrailSettings settings = trail->settings;
+  std::erase_if(settings.spheres, [&](const rig::SphereOffset& sphere) {
+    return std::any_of(frames.begin(), frames.end(),
+                       [&](double frame) { return sameFrame(frame, sphere.frame); });
+  });
+  return setTrailSettings(document, trailId, settings);
+}
+
+Result<Document> setSphereOffset(const Document& document, int trailId, const rig::SphereOffset& offset) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  Spheres spheres = trail->settings.spheres;
+  std::erase_if(spheres,
+                [&](const rig::SphereOffset& sphere) { return sameFrame(sphere.frame, offset.frame); });
+  addOffset(spheres, offset.frame, offset.offset);
+  return changeSpheres(document, trailId, std::move(spheres));
+}
+
+Result<Document> setControlFrames(const Document& document, int trailId, std::vector<double> frames) {
+  Document changed = document;
+  rig::Trail* trail = findTrail(changed, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  if (!std::all_of(frames.begin(), frames.end(), [](double frame) { return std::isfinite(frame); })) {
+    return Error{"a frame is not a number", "trail " + std::to_string(trailId), "type a number"};
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end(), sameFrame), frames.end());
+  trail->controlFrames = std::move(frames);
+  return changed;
+}
+
+Vec3 toTrailAxes(const rig::TrailSettings& settings, const Vec3& worldVector) {
+  return settings.space == rig::TrailSpace::view ? glm::transpose(settings.viewAxes) * worldVector
+                                                 : worldVector;
+}
+
+std::vector<SphereMove> softMoves(const rig::TrailSettings& settings, std::span<const PlacedSphere> spheres,
+                                  std::span<const double> selectedFrames, const Vec3& deltaWorld,
+                                  double radiusWorld) {
+  const Vec3 delta = toTrailAxes(settings, deltaWorld);
+  std::vector<SphereMove> moves;
+  for (const PlacedSphere& sphere : spheres) {
+    const bool selected = std::any_of(selectedFrames.begin(), selectedFrames.end(),
+                                      [&](double frame) { return sameFrame(frame, sphere.frame); });
+    const double share =
+        selected ? 1.0 : falloff(nearestSelected(sphere, spheres, selectedFrames), radiusWorld);
+    if (share > 0.0) {
+      moves.push_back({sphere.frame, share * delta});
+    }
+  }
+  return moves;
+}
+
+} // namespace stretch::app

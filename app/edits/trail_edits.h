@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+// Edits of trails: pure functions from a document to a changed one. None of them evaluates motion; all of
+// them refuse what would make the document contradict itself, with one line that says why.
+
+/// What a new trail starts from. The range must have a length and may share no time with another trail of the
+/// same limb and clip; ranges that only touch at an end are fine.
+struct NewTrail {
+  std::string limb; ///< Limb id; must exist in the document.
+  int clip = 0;     ///< Must exist in the document.
+  rig::TrailSettings settings;
+  bool exaggerated = false;
+  bool connected = false;
+};
+
+/// A document with a trail that was not there before.
+struct CreatedTrail {
+  Document document;
+  int trailId = 0;
+};
+
+/// Colours are dealt in turn, so that trails beside each other stay apart.
+[[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
+
+/// The trail of this limb and clip (other than `exceptTrailId`) that shares time with [start, end]; null when
+/// there is none.
+[[nodiscard]] const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId,
+                                                 int clip, double startFrame, double endFrame,
+                                                 int exceptTrailId = 0);
+
+/// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
+/// that are none.
+[[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
+                                                const rig::TrailSettings& settings);
+
+/// Makes the exaggerated copy of the path, or drops it (which disconnects the character).
+[[nodiscard]] Result<Document> setExaggerated(const Document& document, int trailId, bool exaggerated);
+
+/// Whether the character follows the exaggerated copy; connecting makes the copy where there is none.
+[[nodiscard]] Result<Document> setConnected(const Document& document, int trailId, bool connected);
+
+/// Whether the character follows while spheres are dragged.
+[[nodiscard]] Result<Document> setFollow(const Document& document, int trailId, bool follow);
+
+/// 0 original, 1 half-way, 2 exaggerated; values outside are clamped.
+[[nodiscard]] Result<Document> setBlend(const Document& document, int trailId, double blend);
+
+/// How a trail is shown.
+struct TrailDisplay {
+  int colour = 0; ///< Index into the palette of trails, >= 0.
+  bool visible = true;
+  bool pinned = false;
+};
+[[nodiscard]] Result<Document> setTrailDisplay(const Document& document, int trailId,
+                                               const TrailDisplay& display);
+
+/// Re-keys the clip with the trail as it stands: the character follows it, and the file that is saved holds
+/// the motion.
+[[nodiscard]] Result<Document> applyTrail(const Document& document, int trailId);
+
+/// Gives the range back as the source has it.
+[[nodiscard]] Result<Document> deleteTrail(const Document& document, int trailId);
+[[nodiscard]] Document deleteTrailsOfLimb(const Document& document, const std::string& limbId, int clip);
+
+/// Pastes a trail on a limb: onto the trail that already shares its time (which keeps its range; spheres move
+/// along with the range's start), else as a new trail.
+[[nodiscard]] Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& copied,
+                                              const std::string& limbId, int clip);
+
+/// Marks a clip as a loop, or not: releases wrap.
+[[nodiscard]] Document setLooping(const Document& document, int clip, bool loops);
+
+/// The error of every edit that names a trail which is not there.
+[[nodiscard]] Error missingTrail(int trailId);
+
+} // namespace stretch::app
