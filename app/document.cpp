@@ -59,6 +59,14 @@ const Clip& clipOf(const Document& document, int clip) {
   return (*document.clips)[static_cast<std::size_t>(clip)];
 }
 
+void setFramesPerSecond(Document& document, double framesPerSecond) {
+  std::vector<Clip> clips = *document.clips;
+  for (Clip& clip : clips) {
+    clip.framesPerSecond = framesPerSecond;
+  }
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+}
+
 bool isActive(const rig::Trail& trail) { return trail.connected || trail.applied.has_value(); }
 
 } // namespace stretch::app

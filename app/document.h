@@ -45,6 +45,9 @@ struct Document {
 
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
 
+/// Reads all clips at another frame rate: frames, ranges and ticks count in it.
+void setFramesPerSecond(Document& document, double framesPerSecond);
+
 /// Whether the character follows this trail: it is connected, or it was applied.
 [[nodiscard]] bool isActive(const rig::Trail& trail);
 

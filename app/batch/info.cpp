@@ -1,0 +1,149 @@
+#include <iostream>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "app/batch/verb.h"
+#include "app/document.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct InfoArguments {
+  std::string file;
+  bool json = false;
+};
+
+int keyCount(const Clip& clip) {
+  std::size_t keys = 0;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    keys += track->times.size();
+  }
+  return static_cast<int>(keys);
+}
+
+Json jointJson(const Scene& scene, int node) {
+  return {{"name", scene.nodes[static_cast<std::size_t>(node)].name}, {"node", node}};
+}
+
+Json limbJson(const Scene& scene, const rig::Limb& limb) {
+  Json joints = Json::array();
+  for (const int joint : limb.joints) {
+    joints.push_back(jointJson(scene, joint));
+  }
+  if (limb.endNode >= 0) {
+    joints.push_back(jointJson(scene, limb.endNode));
+  }
+  const std::string end = limb.endNode >= 0 ? scene.nodes[static_cast<std::size_t>(limb.endNode)].name : "estimated";
+  return {{"limb", limb.id},
+          {"joints", joints},
+          {"end", end},
+          {"rest_length", limb.restLength},
+          {"confidence", limb.confidence},
+          {"reasons", limb.reasons}};
+}
+
+Json meshJson(const Mesh& mesh) {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  for (const Primitive& primitive : mesh.primitives) {
+    vertices += primitive.positions.size();
+    triangles += primitive.indices.size() / 3;
+  }
+  return {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles}};
+}
+
+Json infoOf(const Document& document) {
+  const Scene& scene = *document.scene;
+  Json info;
+  info["meshes"] = Json::array();
+  for (const Mesh& mesh : scene.meshes) {
+    info["meshes"].push_back(meshJson(mesh));
+  }
+  info["joints"] = Json::array();
+  for (const Skin& skin : scene.skins) {
+    Json joints = Json::array();
+    for (const int joint : skin.joints) {
+      joints.push_back(jointJson(scene, joint));
+    }
+    info["joints"].push_back(std::move(joints));
+  }
+  info["clips"] = Json::array();
+  for (const Clip& clip : *document.clips) {
+    info["clips"].push_back({{"name", clip.name},
+                             {"seconds", clip.endSeconds},
+                             {"frames", frameCount(clip)},
+                             {"keys", keyCount(clip)},
+                             {"fps", clip.framesPerSecond}});
+  }
+  info["biped"] = document.biped.isBiped;
+  info["height"] = document.biped.height;
+  info["limbs"] = Json::array();
+  for (const rig::Limb& limb : document.biped.limbs) {
+    info["limbs"].push_back(limbJson(scene, limb));
+  }
+  info["warnings"] = document.warnings;
+  for (const std::string& warning : document.biped.warnings) {
+    info["warnings"].push_back(warning);
+  }
+  return info;
+}
+
+std::string jointNames(const Json& limb) {
+  std::string names;
+  for (const Json& joint : limb["joints"]) {
+    names += (names.empty() ? "" : " > ") + joint["name"].get<std::string>();
+  }
+  return limb["end"] == "estimated" ? names + " > (end estimated)" : names;
+}
+
+void printText(const Json& info) {
+  for (const Json& mesh : info["meshes"]) {
+    fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(), mesh["vertices"].get<int>(),
+               mesh["triangles"].get<int>());
+  }
+  for (std::size_t i = 0; i < info["joints"].size(); ++i) {
+    fmt::print("skin   #{}: {} joints\n", i, info["joints"][i].size());
+  }
+  for (const Json& clip : info["clips"]) {
+    fmt::print("clip   {}: {:.3f} s, {} frames at {:g} fps, {} keys\n", clip["name"].get<std::string>(),
+               clip["seconds"].get<double>(), clip["frames"].get<int>(), clip["fps"].get<double>(), clip["keys"].get<int>());
+  }
+  for (const Json& limb : info["limbs"]) {
+    fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(), jointNames(limb),
+               limb["rest_length"].get<double>(), limb["confidence"].get<double>());
+  }
+  for (const Json& warning : info["warnings"]) {
+    fmt::print("warning: {}\n", warning.get<std::string>());
+  }
+}
+
+Status runInfo(const InfoArguments& arguments) {
+  const Result<Document> document = openDocument(arguments.file);
+  if (!document) {
+    return document.error();
+  }
+  const Json info = infoOf(*document);
+  if (arguments.json) {
+    std::cout << info.dump(1) << '\n';
+  } else {
+    printText(info);
+  }
+  return Success{};
+}
+
+} // namespace
+
+Verb infoVerb() {
+  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.", [](CLI::App& app) {
+            const auto arguments = std::make_shared<InfoArguments>();
+            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments] { return runInfo(*arguments); };
+          }};
+}
+
+} // namespace stretch::app

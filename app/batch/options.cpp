@@ -1,0 +1,92 @@
+#include "app/batch/options.h"
+
+#include <charconv>
+
+#include <fmt/core.h>
+
+#include "app/trail_description.h"
+
+namespace stretch::app {
+
+namespace {
+
+std::string limbList(const Document& document) {
+  std::string list;
+  for (const rig::Limb& limb : document.biped.limbs) {
+    list += (list.empty() ? "" : ", ") + limb.id;
+  }
+  return list.empty() ? "none was found" : list;
+}
+
+} // namespace
+
+Result<Vec2> parseRange(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    return Error{"'" + text + "' is no range", "--range", "give the first and the last frame, such as 0:12"};
+  }
+  const Result<double> first = parseNumber(text.substr(0, colon), "--range");
+  const Result<double> last = parseNumber(text.substr(colon + 1), "--range");
+  if (!first || !last) {
+    return first ? last.error() : first.error();
+  }
+  if (*first > *last) {
+    return Error{"the first frame comes after the last", "--range", "give them in order"};
+  }
+  return Vec2(*first, *last);
+}
+
+std::string clipList(const Document& document) {
+  std::string list;
+  for (std::size_t i = 0; i < document.clips->size(); ++i) {
+    const std::string& name = (*document.clips)[i].name;
+    list += (i == 0 ? "" : ", ") + (name.empty() ? fmt::format("#{}", i) : name);
+  }
+  return list;
+}
+
+Result<int> findClip(const Document& document, const std::string& text) {
+  const std::vector<Clip>& clips = *document.clips;
+  if (clips.empty()) {
+    return Error{"the file holds no clip", "animations", "give a file with an animation"};
+  }
+  if (text.empty()) {
+    return 0;
+  }
+  int found = -1;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (clips[i].name == text) {
+      if (found >= 0) {
+        return Error{"two clips are named '" + text + "'", "--clip", fmt::format("name one by its number, such as #{}", found)};
+      }
+      found = static_cast<int>(i);
+    }
+  }
+  if (found < 0 && text.front() == '#') {
+    std::size_t index = clips.size();
+    std::from_chars(text.data() + 1, text.data() + text.size(), index);
+    found = index < clips.size() ? static_cast<int>(index) : -1;
+  }
+  if (found < 0) {
+    return Error{"there is no clip '" + text + "'", "--clip", "the file has: " + clipList(document)};
+  }
+  return found;
+}
+
+Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text) {
+  if (const rig::Limb* limb = findLimb(document, text)) {
+    return *limb;
+  }
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    return Error{"there is no limb '" + text + "'", "--limb",
+                 "limbs of this character: " + limbList(document) + "; any chain: JOINT_A..JOINT_B"};
+  }
+  Result<rig::Limb> chain = rig::chainLimb(*document.scene, text.substr(0, dots), text.substr(dots + 2));
+  if (chain) {
+    document.chains.push_back(*chain);
+  }
+  return chain;
+}
+
+} // namespace stretch::app

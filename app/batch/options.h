@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "app/document.h"
+#include "core/base/result.h"
+
+namespace stretch::app {
+
+/// "A:B": first and last frame, real numbers, A <= B.
+[[nodiscard]] Result<Vec2> parseRange(const std::string& text);
+
+/// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an index.
+[[nodiscard]] Result<int> findClip(const Document& document, const std::string& text);
+
+/// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.
+[[nodiscard]] Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text);
+
+/// "3 clips: walk, run, jump": for messages.
+[[nodiscard]] std::string clipList(const Document& document);
+
+} // namespace stretch::app

@@ -1,0 +1,32 @@
+#include <memory>
+
+#include "app/batch/verb.h"
+#include "app/document.h"
+#include "app/save.h"
+
+namespace stretch::app {
+
+namespace {
+
+struct ResaveArguments {
+  std::string file;
+  std::string output;
+};
+
+Status runResave(const ResaveArguments& arguments) {
+  const Result<Document> document = openDocument(arguments.file);
+  return document ? saveDocument(*document, arguments.output, {}) : Status(document.error());
+}
+
+} // namespace
+
+Verb resaveVerb() {
+  return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).", [](CLI::App& app) {
+            const auto arguments = std::make_shared<ResaveArguments>();
+            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+            return [arguments] { return runResave(*arguments); };
+          }};
+}
+
+} // namespace stretch::app

@@ -1,0 +1,99 @@
+#include <iostream>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "app/batch/options.h"
+#include "app/batch/verb.h"
+#include "app/document.h"
+#include "app/evaluate.h"
+#include "app/trail_json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct TrailArguments {
+  std::string file;
+  std::string limb;
+  std::string clip;
+  std::string range;
+  double framesPerSecond = 0.0;
+  bool json = false;
+};
+
+Json trailJson(const rig::MotionState& motion) {
+  const rig::SolvedTrail& solved = motion.trails.front();
+  Json json;
+  json["frames"] = Json::array();
+  json["points"] = Json::array();
+  json["base"] = Json::array();
+  for (const rig::LimbSample& sample : solved.path.samples) {
+    json["frames"].push_back(sample.timeSeconds * motion.framesPerSecond);
+    json["points"].push_back(vectorToJson(sample.end));
+    json["base"].push_back(vectorToJson(sample.base));
+  }
+  json["control_frames"] = solved.controlFrames;
+  return json;
+}
+
+Status runTrail(const TrailArguments& arguments) {
+  Result<Document> document = openDocument(arguments.file);
+  if (!document) {
+    return document.error();
+  }
+  if (arguments.framesPerSecond > 0.0) {
+    setFramesPerSecond(*document, arguments.framesPerSecond);
+  }
+  const Result<int> clip = findClip(*document, arguments.clip);
+  const Result<rig::Limb> limb = findOrAddLimb(*document, arguments.limb);
+  if (!clip || !limb) {
+    return clip ? limb.error() : clip.error();
+  }
+  Vec2 range = rig::defaultRange(*document->scene, clipOf(*document, *clip), *limb);
+  if (!arguments.range.empty()) {
+    const Result<Vec2> given = parseRange(arguments.range);
+    if (!given) {
+      return given.error();
+    }
+    range = *given;
+  }
+  rig::Trail trail;
+  trail.limb = limb->id;
+  trail.clip = *clip;
+  trail.settings.startFrame = range.x;
+  trail.settings.endFrame = range.y;
+  document->trails = {trail};
+  const Json json = trailJson(prepareMotion(*document, *clip));
+  if (arguments.json) {
+    std::cout << json.dump(1) << '\n';
+    return Success{};
+  }
+  for (std::size_t i = 0; i < json["frames"].size(); ++i) {
+    const Json& point = json["points"][i];
+    fmt::print("frame {:8.3f}  {:10.5f} {:10.5f} {:10.5f}\n", json["frames"][i].get<double>(), point[0].get<double>(),
+               point[1].get<double>(), point[2].get<double>());
+  }
+  return Success{};
+}
+
+} // namespace
+
+Verb trailVerb() {
+  return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CLI::App& app) {
+            const auto arguments = std::make_shared<TrailArguments>();
+            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            app.add_option("--limb", arguments->limb, "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
+                ->required();
+            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            app.add_option("--range", arguments->range, "First and last frame, A:B");
+            app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+                ->check(CLI::PositiveNumber);
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments] { return runTrail(*arguments); };
+          }};
+}
+
+} // namespace stretch::app

@@ -1,0 +1,45 @@
+#include "app/batch/verb.h"
+
+#include <cstdio>
+
+#include <fmt/core.h>
+
+namespace stretch::app {
+
+namespace {
+
+constexpr int couldNotBeDone = 1;
+constexpr int wrongArguments = 2;
+
+int report(const Error& error) {
+  fmt::print(stderr, "stretch-engine: {}\n", error.line());
+  return couldNotBeDone;
+}
+
+} // namespace
+
+std::vector<Verb> batchVerbs() { return {infoVerb(), trailVerb(), exaggerateVerb(), resaveVerb(), checkVerb()}; }
+
+int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {
+  CLI::App program{"Makes a realistic clip of a biped hit like a cartoon: trails, stretch, re-keyed glTF.\n"
+                   "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf]"};
+  program.name("stretch-engine");
+  program.require_subcommand(1);
+  std::function<Status()> chosen;
+  for (const Verb& verb : verbs) {
+    CLI::App* const subcommand = program.add_subcommand(verb.name, verb.help);
+    const std::function<Status()> run = verb.declare(*subcommand);
+    subcommand->callback([&chosen, run] { chosen = run; });
+  }
+  try {
+    program.parse(argumentCount, arguments);
+  } catch (const CLI::ParseError& problem) {
+    const bool helpAsked = problem.get_exit_code() == 0;
+    program.exit(problem);
+    return helpAsked ? 0 : wrongArguments;
+  }
+  const Status done = chosen();
+  return done ? 0 : report(done.error());
+}
+
+} // namespace stretch::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/result.h"
+
+namespace stretch::app {
+
+/// A verb of the command line: adds its options to a subcommand and answers what to do when it was chosen.
+struct Verb {
+  std::string name;
+  std::string help; ///< One sentence.
+  std::function<std::function<Status()>(CLI::App&)> declare;
+};
+
+/// The verbs that need no screen. `render` is registered by the program from ui/.
+[[nodiscard]] std::vector<Verb> batchVerbs();
+
+/// Runs one verb by command line (without the program's name). Exit code: 0 done, 1 could not be done (one line on standard
+/// error), 2 wrong arguments.
+[[nodiscard]] int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments);
+
+[[nodiscard]] Verb infoVerb();
+[[nodiscard]] Verb trailVerb();
+[[nodiscard]] Verb exaggerateVerb();
+[[nodiscard]] Verb resaveVerb();
+[[nodiscard]] Verb checkVerb();
+
+} // namespace stretch::app

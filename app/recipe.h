@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+/// A recipe (spec/commands.md): an edit that can be replayed on another clip or character.
+struct Recipe {
+  int clip = 0;
+  std::vector<rig::Trail> trails; ///< Without ids; limbs exist in the document.
+};
+
+/// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns fractions of the clip
+/// into frames and offsets in lengths of the limb into world units. Ranges that are left out get the default range. An
+/// unknown key or a value of the wrong kind is an error that names it.
+[[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document);
+[[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document);
+
+/// The trails of one clip as a recipe.
+[[nodiscard]] gltf::Json recipeToJson(const Document& document, int clip);
+
+} // namespace stretch::app
