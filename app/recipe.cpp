@@ -7,6 +7,7 @@
 
 #include "app/batch/options.h"
 #include "app/trail_json.h"
+#include "rig/motion.h"
 
 namespace stretch::app {
 

@@ -87,7 +87,7 @@ std::vector<TrailSetting> makeTable() {
       number("blend", "--blend", 0.0, 2.0, "", "0 original, 1 half-way, 2 exaggerated.", &S::blend),
       number("switch", "--switch", 0.0, 1.0, "", "How much of the wanted length the limb takes on.", &S::stretchSwitch),
       number("volume", "--volume", 0.0, 1.0, "", "Volume preservation: 0 keeps the thickness, 1 the volume.", &S::volume),
-      flag("pull", "--pull", "Pull the tip to the wanted length where its line does not reach it.", &S::pull),
+      flag("pull", "", "Pull the tip to the wanted length where its line does not reach it.", &S::pull),
       flag("stay_in_world", "--stay-in-world", "The limb's end is not carried along by inner trails.", &S::stayInWorld),
       flag("turn_end", "--turn-end", "The hand or foot turns with the limb.", &S::turnEnd),
   };

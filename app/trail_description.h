@@ -15,7 +15,7 @@ enum class SettingKind { number, optionalNumber, flag, choice, axes, ease };
 /// One setting of a trail, described once: recipes, saved work, the options of `exaggerate` and the tests read this table.
 struct TrailSetting {
   std::string name;   ///< Key in recipes and saved work: "ease_in".
-  std::string option; ///< Long option of `exaggerate`: "--ease-in".
+  std::string option; ///< Long option of `exaggerate`: "--ease-in"; empty for `pull`, which has --no-pull.
   SettingKind kind = SettingKind::number;
   double minimum = 0.0; ///< Of numbers, inclusive.
   double maximum = 0.0;

@@ -256,18 +256,20 @@ std::string optionHelp(const TrailSetting& setting) {
 void addTrailOptions(CLI::App& app) {
   constexpr const char* group = "Trail (each --limb starts the next)";
   const auto add = [&](const std::string& name, const std::string& help) {
-    return app.add_option(name, help)->take_all()->expected(1)->group(group);
+    return app.add_option(name)->description(help)->take_all()->expected(1)->group(group);
   };
   add("--limb", "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B");
   add("--range", "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start");
   for (const TrailSetting& setting : trailSettings()) {
-    if (setting.kind == SettingKind::flag) {
-      app.add_flag(setting.option, optionHelp(setting))->group(group);
-    } else {
+    if (setting.kind == SettingKind::flag && !setting.option.empty()) {
+      app.add_flag(setting.option)->description(optionHelp(setting))->group(group);
+    } else if (!setting.option.empty()) {
       add(setting.option, optionHelp(setting));
     }
   }
-  app.add_flag("--no-pull", "Leave the tip at the closest approach where its line does not reach the wanted length")->group(group);
+  app.add_flag("--no-pull")
+      ->description("Leave the tip at the closest approach where its line does not reach the wanted length")
+      ->group(group);
 }
 
 } // namespace
