@@ -38,6 +38,8 @@ Node importNode(const Json& json) {
     node.matrix = glm::make_mat4(numbers.data());
     node.rest = toTransform(*node.matrix);
   }
+  const Json* mark = findPath(json, {"extras", "stretch_engine"});
+  node.isBindLeaf = mark != nullptr && flagOr(*mark, "bind", false);
   for (const double weight : numbersOf(json, "weights")) {
     node.morphWeights.push_back(static_cast<float>(weight));
   }

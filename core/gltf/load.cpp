@@ -1,6 +1,7 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/import.h"
 #include "core/gltf/read.h"
+#include "core/gltf/saved_work.h"
 #include "core/gltf/source.h"
 #include "core/gltf/structure.h"
 
@@ -8,12 +9,31 @@ namespace stretch::gltf {
 
 namespace {
 
-// Every stage relies on the ones before it.
-void validate(Source& source, Problems& problems) {
+// JSON and graph sound, bytes there.
+void readParts(Source& source, Problems& problems) {
   validateStructure(source.json, problems);
   if (!problems.hasErrors()) {
-    validateGraph(source.json, problems);
     readBuffers(source, problems);
+  }
+}
+
+// A file of ours gives back the source that it was made from.
+Json takeSavedWork(Source& source, Problems& problems) {
+  if (problems.hasErrors()) {
+    return nullptr;
+  }
+  std::optional<Restored> restored = restoreSource(source, problems);
+  if (!restored) {
+    return nullptr;
+  }
+  source = std::move(restored->source);
+  validateStructure(source.json, problems);
+  return std::move(restored->work);
+}
+
+void validateContent(const Source& source, Problems& problems) {
+  if (!problems.hasErrors()) {
+    validateGraph(source.json, problems);
   }
   if (!problems.hasErrors()) {
     validateAccessors(source, problems);
@@ -24,14 +44,16 @@ void validate(Source& source, Problems& problems) {
 
 Result<Loaded> load(const std::filesystem::path& path) {
   Problems problems;
+  Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
   if (source) {
-    validate(*source, problems);
+    readParts(*source, problems);
+    loaded.savedWork = takeSavedWork(*source, problems);
+    validateContent(*source, problems);
   }
   if (problems.hasErrors()) {
     return problems.firstError();
   }
-  Loaded loaded;
   auto scene = std::make_shared<Scene>(importScene(*source, problems));
   if (problems.hasErrors()) {
     return problems.firstError();

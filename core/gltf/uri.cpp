@@ -134,6 +134,22 @@ std::optional<std::filesystem::path> relativePath(std::string_view uri) {
   return path;
 }
 
+std::string percentEncoded(std::string_view name) {
+  constexpr std::string_view hexDigits = "0123456789ABCDEF";
+  constexpr std::string_view unescaped =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~()!@+,";
+  std::string encoded;
+  for (const char letter : name) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (unescaped.find(letter) != std::string_view::npos) {
+      encoded.push_back(letter);
+    } else {
+      encoded += {'%', hexDigits[byte >> 4U], hexDigits[byte & 15U]};
+    }
+  }
+  return encoded;
+}
+
 bool escapesFolder(const std::filesystem::path& relative) {
   const std::filesystem::path normal = relative.lexically_normal();
   return normal.is_absolute() || (!normal.empty() && *normal.begin() == "..");

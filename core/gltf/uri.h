@@ -26,6 +26,9 @@ struct DataUri {
 /// and names that no file can have.
 [[nodiscard]] std::optional<std::filesystem::path> relativePath(std::string_view uri);
 
+/// A file name as a URI: what has a meaning there is %-escaped.
+[[nodiscard]] std::string percentEncoded(std::string_view name);
+
 /// Whether a relative path leaves the folder that it starts in.
 [[nodiscard]] bool escapesFolder(const std::filesystem::path& relative);
 

@@ -26,6 +26,7 @@ struct Node {
   int mesh = -1;
   int skin = -1;
   std::vector<float> morphWeights; ///< Instead of the mesh's defaults; empty where the node gives none.
+  bool isBindLeaf = false; ///< Made by this program to carry a stretch (marked in the file's extras): no joint of a limb.
 };
 
 struct Skin {

@@ -1,0 +1,65 @@
+#include "core/gltf/fields.h"
+#include "core/gltf/patch_parts.h"
+#include "core/gltf/saved_work.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+// The buffer that takes new bytes: the first, unless its own bytes could not be read.
+std::size_t growingBuffer(const Source& source) {
+  const bool hasFirst = !source.buffers.empty() && !source.buffers[0].empty();
+  return hasFirst ? 0 : source.buffers.size();
+}
+
+std::size_t aligned(std::size_t size) {
+  return (size + 3) / 4 * 4;
+}
+
+// Adds the bytes to the buffer, which then lives in memory: saving gives it a place (the BIN chunk, a .bin
+// file).
+void growBuffer(Source& source, std::size_t index, std::size_t start, const Bytes& bytes) {
+  if (bytes.empty()) {
+    return;
+  }
+  if (index == source.buffers.size()) {
+    source.buffers.emplace_back();
+    source.json["buffers"].push_back(Json::object());
+  }
+  Bytes& buffer = source.buffers[index];
+  buffer.resize(start);
+  buffer.insert(buffer.end(), bytes.begin(), bytes.end());
+  Json& json = source.json["buffers"][index];
+  json.erase("uri");
+  json["byteLength"] = buffer.size();
+  source.hasBinaryChunk = source.hasBinaryChunk || index == 0;
+}
+
+} // namespace
+
+Result<Source> patched(const Source& source, const Edits& edits) {
+  if (Status fit = validateEdits(source, edits); !fit) {
+    return fit.error();
+  }
+  const std::size_t buffer = growingBuffer(source);
+  const std::size_t start = buffer < source.buffers.size() ? aligned(source.buffers[buffer].size()) : 0;
+  Journal journal(source.json);
+  AppendedData data(journal, buffer, start);
+  patchNodes(edits.addedNodes, journal);
+  patchSkins(source, edits.skinSlots, journal, data);
+  patchClips(edits.clips, journal, data);
+  const Bytes bytes = data.finish();
+  Source result = source;
+  result.json = journal.json();
+  if (!edits.work.is_null()) {
+    Result<Json> json = withSavedWork(source, edits.work, std::move(journal));
+    if (!json) {
+      return json.error();
+    }
+    result.json = std::move(json.value());
+  }
+  growBuffer(result, buffer, start, bytes);
+  return result;
+}
+
+} // namespace stretch::gltf

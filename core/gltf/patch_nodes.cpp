@@ -1,0 +1,78 @@
+#include "core/gltf/fields.h"
+#include "core/gltf/patch_parts.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+using Pointer = Json::json_pointer;
+
+Json nodeJson(const AddedNode& node) {
+  Json json = Json::object();
+  if (!node.name.empty()) {
+    json["name"] = node.name;
+  }
+  const Transform identity;
+  if (node.rest.translation != identity.translation) {
+    json["translation"] = {node.rest.translation.x, node.rest.translation.y, node.rest.translation.z};
+  }
+  if (node.rest.rotation != identity.rotation) {
+    const Quat q = glm::normalize(node.rest.rotation);
+    json["rotation"] = {q.x, q.y, q.z, q.w};
+  }
+  if (node.rest.scale != identity.scale) {
+    json["scale"] = {node.rest.scale.x, node.rest.scale.y, node.rest.scale.z};
+  }
+  if (node.isBindLeaf) {
+    json["extras"] = {{"stretch_engine", {{"bind", true}}}};
+  }
+  return json;
+}
+
+// Channels that drive the morph weights of a node follow its mesh.
+void moveWeightChannels(std::size_t from, std::size_t to, Journal& journal) {
+  for (std::size_t clip = 0; clip < sizeOf(journal.json(), "animations"); ++clip) {
+    const Json& animation = element(journal.json(), "animations", clip);
+    for (std::size_t i = 0; i < sizeOf(animation, "channels"); ++i) {
+      const Json& target = *find(element(animation, "channels", i), "target");
+      if (textOr(target, "path") == "weights" && indexOr(target, "node") == static_cast<int>(from)) {
+        journal.set(Pointer("/animations") / clip / "channels" / i / "target" / "node", to);
+      }
+    }
+  }
+}
+
+void moveMesh(std::size_t from, std::size_t to, Journal& journal) {
+  const Pointer source = Pointer("/nodes") / from;
+  const Pointer target = Pointer("/nodes") / to;
+  for (const char* property : {"mesh", "weights"}) {
+    if (const Json* value = find(journal.json().at(source), property)) {
+      journal.set(target / property, Json(*value));
+      journal.erase(source / property);
+    }
+  }
+  moveWeightChannels(from, to, journal);
+}
+
+void attach(int parent, std::size_t child, Journal& journal) {
+  if (parent >= 0) {
+    journal.append(Pointer("/nodes") / static_cast<std::size_t>(parent) / "children", child);
+  } else if (sizeOf(journal.json(), "scenes") > 0) {
+    const auto scene = static_cast<std::size_t>(indexOr(journal.json(), "scene", 0));
+    journal.append(Pointer("/scenes") / scene / "nodes", child);
+  }
+}
+
+} // namespace
+
+void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal) {
+  for (const AddedNode& node : nodes) {
+    const std::size_t index = journal.append(Pointer("/nodes"), nodeJson(node));
+    if (node.meshFrom >= 0) {
+      moveMesh(static_cast<std::size_t>(node.meshFrom), index, journal);
+    }
+    attach(node.parent, index, journal);
+  }
+}
+
+} // namespace stretch::gltf

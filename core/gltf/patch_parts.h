@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/gltf/appended_data.h"
+#include "core/gltf/edits.h"
+
+namespace stretch::gltf {
+
+// Parts of `patched`. The edits have to be validated; every change goes through the journal.
+
+/// Whether the edits fit the source: indices there, tracks and transforms well formed and finite.
+[[nodiscard]] Status validateEdits(const Source& source, const Edits& edits);
+
+/// Appends the nodes, moves meshes to them, extends the children of their parents.
+void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal);
+
+/// Points slots of skins to other joints; each skin gets an accessor of inverse bind matrices of its own.
+void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
+                AppendedData& data);
+
+/// Appends samplers and points channels to them, or appends channels.
+void patchClips(const std::vector<ClipTracks>& clips, Journal& journal, AppendedData& data);
+
+} // namespace stretch::gltf

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "core/gltf/edits.h"
+#include "core/gltf/fields.h"
+#include "core/gltf/files.h"
+#include "core/gltf/problems.h"
+#include "core/gltf/uri.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isSameFolder(const fs::path& a, const fs::path& b) {
+  const auto absolute = [](const fs::path& folder) {
+    return fs::weakly_canonical(folder.empty() ? "." : folder);
+  };
+  return absolute(a) == absolute(b);
+}
+
+// The files of one save: the JSON gets its final form while buffers and images find their place.
+class Saving {
+public:
+  Saving(const Source& source, const fs::path& path, bool isBinary)
+      : source_(source), path_(path), isBinary_(isBinary), json_(source.json) {}
+
+  Result<std::vector<OutputFile>> files() {
+    if (Status placed = placeBuffers(); !placed) {
+      return placed.error();
+    }
+    if (Status copied = copyImages(); !copied) {
+      return copied.error();
+    }
+    Result<Bytes> main = isBinary_ ? binaryFile() : textFile();
+    if (!main) {
+      return main.error();
+    }
+    files_.push_back({path_, std::move(main.value())});
+    return std::move(files_);
+  }
+
+private:
+  // The BIN chunk takes the first buffer; a chunk that was there without a buffer of its own keeps its place.
+  [[nodiscard]] bool hasRoomInBinary() const {
+    return isBinary_ &&
+           std::none_of(source_.otherChunks.begin(), source_.otherChunks.end(),
+                        [](const GlbChunk& chunk) { return chunk.type == GlbChunk::binaryType; });
+  }
+
+  [[nodiscard]] Bytes withinLength(std::size_t buffer) const {
+    const Bytes& bytes = source_.buffers[buffer];
+    const auto length = static_cast<std::size_t>(wholeOr(element(json_, "buffers", buffer), "byteLength", 0));
+    return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(length, bytes.size()))};
+  }
+
+  Status placeBuffers() {
+    for (std::size_t i = 0; i < source_.buffers.size(); ++i) {
+      if (Status placed = placeBuffer(i); !placed) {
+        return placed;
+      }
+    }
+    return Success{};
+  }
+
+  Status placeBuffer(std::size_t index) {
+    const std::string uri = textOr(element(json_, "buffers", index), "uri");
+    const bool isBinaryChunk = index == 0 && source_.hasBinaryChunk;
+    if (index == 0 && hasRoomInBinary() && (isBinaryChunk || !source_.buffers[0].empty())) {
+      hasBinary_ = true;
+      binary_ = isBinaryChunk ? source_.buffers[0] : withinLength(0);
+      json_["buffers"][0].erase("uri");
+      return Success{};
+    }
+    if (source_.buffers[index].empty() || isDataUri(uri)) {
+      return Success{};
+    }
+    if (!uri.empty()) {
+      return placeBeside(uri, source_.buffers[index], at("buffers", index));
+    }
+    const fs::path name = freeName(index);
+    const std::u8string text = name.filename().u8string();
+    json_["buffers"][index]["uri"] = percentEncoded(std::string(text.begin(), text.end()));
+    files_.push_back({name, withinLength(index)});
+    return Success{};
+  }
+
+  // "OUT.bin", or a numbered name where the source itself refers to a file of that name.
+  [[nodiscard]] fs::path freeName(std::size_t index) const {
+    for (std::size_t number = index;; ++number) {
+      fs::path name = path_;
+      name.replace_extension();
+      name += number == 0 ? ".bin" : fmt::format("_{}.bin", number);
+      const bool isTaken =
+          refersTo(name) || std::any_of(files_.begin(), files_.end(),
+                                        [&](const OutputFile& file) { return file.path == name; });
+      if (!isTaken) {
+        return name;
+      }
+    }
+  }
+
+  [[nodiscard]] bool refersTo(const fs::path& file) const {
+    if (!isSameFolder(source_.path.parent_path(), file.parent_path())) {
+      return false;
+    }
+    for (const char* list : {"buffers", "images"}) {
+      for (std::size_t i = 0; i < sizeOf(source_.json, list); ++i) {
+        const std::string uri = textOr(element(source_.json, list, i), "uri");
+        if (const auto relative = relativePath(uri);
+            relative && relative->lexically_normal() == file.filename()) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // The bytes of a file that the glTF refers to, put where the reference finds them.
+  Status placeBeside(const std::string& uri, const Bytes& bytes, const std::string& where) {
+    const std::optional<fs::path> relative = relativePath(uri);
+    if (!relative) {
+      return Success{}; // an absolute reference finds its file from anywhere
+    }
+    const fs::path target = path_.parent_path() / *relative;
+    const Result<Bytes> present = readFile(target);
+    if (present && *present == bytes) {
+      return Success{};
+    }
+    if (escapesFolder(*relative)) {
+      return Error{fmt::format("its file '{}' lies outside the folder of the output", uri), where,
+                   "save beside the source"};
+    }
+    if (present) {
+      return Error{fmt::format("'{}' is already there with other content", target.string()), where,
+                   "save into another folder"};
+    }
+    files_.push_back({target, bytes});
+    return Success{};
+  }
+
+  Status copyImages() {
+    if (isSameFolder(source_.path.parent_path(), path_.parent_path())) {
+      return Success{};
+    }
+    for (std::size_t i = 0; i < sizeOf(json_, "images"); ++i) {
+      const std::string uri = textOr(element(json_, "images", i), "uri");
+      const std::optional<fs::path> relative = isDataUri(uri) ? std::nullopt : relativePath(uri);
+      const Result<Bytes> bytes =
+          relative ? readFile(source_.path.parent_path() / *relative) : Result<Bytes>(Error{});
+      if (!bytes || isPlanned(path_.parent_path() / *relative)) {
+        continue; // what the source does not have cannot be copied
+      }
+      if (Status placed = placeBeside(uri, *bytes, at("images", i)); !placed) {
+        return placed;
+      }
+    }
+    return Success{};
+  }
+
+  [[nodiscard]] bool isPlanned(const fs::path& path) const {
+    return std::any_of(files_.begin(), files_.end(),
+                       [&](const OutputFile& file) { return file.path == path; });
+  }
+
+  [[nodiscard]] Result<std::string> jsonText(int indent) const {
+    try {
+      return json_.dump(indent);
+    } catch (const Json::exception&) {
+      return Error{"a name in it is not valid UTF-8", "JSON", "rename it"};
+    }
+  }
+
+  [[nodiscard]] Result<Bytes> textFile() const {
+    constexpr int indent = 2;
+    const Result<std::string> text = jsonText(indent);
+    if (!text) {
+      return text.error();
+    }
+    return Bytes(text->begin(), text->end());
+  }
+
+  [[nodiscard]] Result<Bytes> binaryFile() {
+    Result<std::string> text = jsonText(-1);
+    if (!text) {
+      return text.error();
+    }
+    Glb glb;
+    glb.json = std::move(text.value());
+    glb.hasBinary = hasBinary_;
+    glb.binary = std::move(binary_);
+    glb.others = source_.otherChunks;
+    return writeGlb(glb);
+  }
+
+  const Source& source_;
+  const fs::path& path_;
+  bool isBinary_;
+  Json json_;
+  bool hasBinary_ = false;
+  Bytes binary_;
+  std::vector<OutputFile> files_;
+};
+
+} // namespace
+
+Status save(const Source& source, const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
+  });
+  const bool isText = extension == ".gltf";
+  if (!isText && extension != ".glb" && extension != ".vrm" && extension != ".vrma") {
+    return Error{"an output has to end in .glb or .gltf", path.string(), "give it such a name"};
+  }
+  try {
+    const Result<std::vector<OutputFile>> files = Saving(source, path, !isText).files();
+    return files ? writeFiles(*files) : Status(files.error());
+  } catch (const fs::filesystem_error&) {
+    return Error{"cannot be written", path.string(), "check the path"};
+  }
+}
+
+} // namespace stretch::gltf

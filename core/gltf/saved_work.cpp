@@ -1,0 +1,213 @@
+#include "core/gltf/saved_work.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include <fmt/core.h>
+
+#include "core/gltf/fields.h"
+#include "core/gltf/uri.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+using Pointer = Json::json_pointer;
+
+constexpr int formatVersion = 1;
+constexpr const char* blockName = "stretch_engine";
+// glTF allows extras of any type. Where the root's are no object, those of the asset take the work.
+constexpr std::array<const char*, 2> places{"/extras", "/asset/extras"};
+
+// FNV-1a, 64 bit.
+class Checksum {
+public:
+  void add(const void* bytes, std::size_t count) {
+    const auto* data = static_cast<const std::uint8_t*>(bytes);
+    for (std::size_t i = 0; i < count; ++i) {
+      value_ = (value_ ^ data[i]) * 0x100000001B3U;
+    }
+  }
+  void add(const std::string& text) {
+    addNumber(static_cast<double>(text.size()));
+    add(text.data(), text.size());
+  }
+  void addNumber(double number) {
+    const auto bits = std::bit_cast<std::uint64_t>(number == 0.0 ? 0.0 : number);
+    add(&bits, sizeof bits);
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
+
+private:
+  std::uint64_t value_ = 0xCBF29CE484222325U;
+};
+
+// By meaning: neither the order of keys nor the spelling of numbers counts, since other programs may change
+// both.
+void addJson(const Json& json, Checksum& sum) {
+  if (json.is_object()) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) {
+      keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    sum.add("{");
+    for (const std::string& key : keys) {
+      sum.add(key);
+      addJson(json.at(key), sum);
+    }
+    sum.add("}");
+  } else if (json.is_array()) {
+    sum.add("[");
+    for (const Json& value : json) {
+      addJson(value, sum);
+    }
+    sum.add("]");
+  } else if (json.is_number()) {
+    sum.addNumber(json.get<double>());
+  } else {
+    sum.add(json.is_string() ? json.get_ref<const std::string&>() : json.dump());
+  }
+}
+
+std::string checksumOf(const Source& source) {
+  Checksum sum;
+  addJson(source.json, sum);
+  for (std::size_t i = 0; i < source.buffers.size(); ++i) {
+    const auto length =
+        static_cast<std::size_t>(wholeOr(element(source.json, "buffers", i), "byteLength", 0));
+    sum.add(source.buffers[i].data(), std::min(length, source.buffers[i].size()));
+  }
+  return sum.text();
+}
+
+// A data URI is left out of what is stored where its bytes give it back.
+bool isCanonicalDataUri(const std::string& uri, const Bytes& bytes) {
+  const std::size_t comma = uri.find(',');
+  return isDataUri(uri) && comma != std::string::npos &&
+         std::string_view(uri).substr(comma + 1) == encodeBase64(bytes);
+}
+
+Json firstBufferRecord(const Source& source) {
+  Json buffer = element(source.json, "buffers", 0);
+  const std::string uri = textOr(buffer, "uri");
+  const bool isEmbedded = isCanonicalDataUri(uri, source.buffers[0]);
+  if (isEmbedded) {
+    buffer["uri"] = uri.substr(0, uri.find(',') + 1);
+  }
+  return {{"json", buffer}, {"bytes", source.buffers[0].size()}, {"embedded", isEmbedded}};
+}
+
+Json bufferRecord(const Source& source) {
+  const std::size_t count = sizeOf(source.json, "buffers");
+  Json record = {{"is_array", find(source.json, "buffers") != nullptr},
+                 {"count", count},
+                 {"binary_chunk", source.hasBinaryChunk}};
+  if (count > 0) {
+    record["first"] = firstBufferRecord(source);
+  }
+  return record;
+}
+
+std::optional<Pointer> freePlace(const Json& json) {
+  for (const char* place : places) {
+    const Pointer pointer(place);
+    if (!json.contains(pointer) || json.at(pointer).is_object()) {
+      return pointer;
+    }
+  }
+  return std::nullopt;
+}
+
+const Json* findBlock(const Json& json) {
+  for (const char* place : places) {
+    const Pointer pointer = Pointer(place) / blockName;
+    if (json.contains(pointer) && find(json.at(pointer), "restore") != nullptr) {
+      return &json.at(pointer);
+    }
+  }
+  return nullptr;
+}
+
+bool restoreFirstBuffer(Source& source, const Json& record) {
+  const Json* json = find(record, "json");
+  const auto bytes = static_cast<std::size_t>(wholeOr(record, "bytes", 0));
+  if (json == nullptr || !json->is_object() || source.buffers.empty()) {
+    return false;
+  }
+  Bytes& buffer = source.buffers[0];
+  buffer.resize(std::min(buffer.size(), bytes));
+  Json& target = source.json["buffers"][0];
+  target = *json;
+  if (flagOr(record, "embedded", false)) {
+    target["uri"] = textOr(target, "uri") + encodeBase64(buffer);
+  }
+  return true;
+}
+
+bool restoreBuffers(Source& source, const Json& record) {
+  const auto count = static_cast<std::size_t>(wholeOr(record, "count", 0));
+  if (count > source.buffers.size()) {
+    return false;
+  }
+  source.hasBinaryChunk = flagOr(record, "binary_chunk", false);
+  source.buffers.resize(count);
+  if (!flagOr(record, "is_array", false)) {
+    source.json.erase("buffers");
+    return true;
+  }
+  Json& list = source.json["buffers"];
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(count), list.end());
+  const Json* first = find(record, "first");
+  return count == 0 || (first != nullptr && restoreFirstBuffer(source, *first));
+}
+
+bool takeApart(Source& source, const Json& restore) {
+  const Json* steps = find(restore, "steps");
+  const Json* buffers = find(restore, "buffers");
+  return steps != nullptr && buffers != nullptr && takeBack(source.json, *steps) &&
+         restoreBuffers(source, *buffers) && checksumOf(source) == textOr(restore, "checksum");
+}
+
+} // namespace
+
+Result<Json> withSavedWork(const Source& source, const Json& work, Journal journal) {
+  const std::optional<Pointer> place = freePlace(source.json);
+  if (!place) {
+    return Error{"its extras are no objects, so the work finds no place in it", "extras",
+                 "save without the work (clean)"};
+  }
+  const bool isNew = !source.json.contains(*place);
+  if (isNew) {
+    journal.set(*place, Json::object());
+  }
+  const Pointer block = *place / blockName;
+  journal.set(block, nullptr); // the step that removes the block is part of the block
+  Json restore = {
+      {"steps", journal.undo()}, {"buffers", bufferRecord(source)}, {"checksum", checksumOf(source)}};
+  Json json = journal.json();
+  json[block] = {{"version", formatVersion}, {"work", work}, {"restore", std::move(restore)}};
+  return json;
+}
+
+std::optional<Restored> restoreSource(const Source& saved, Problems& problems) {
+  const Json* block = findBlock(saved.json);
+  if (block == nullptr) {
+    return std::nullopt;
+  }
+  if (indexOr(*block, "version") != formatVersion) {
+    problems.warning("extras", "holds work of another version of this program; opened as an ordinary file");
+    return std::nullopt;
+  }
+  const Json* work = find(*block, "work");
+  Restored restored{saved, work == nullptr ? Json() : *work};
+  if (!takeApart(restored.source, *find(*block, "restore"))) {
+    problems.warning("extras",
+                     "another program changed the file since it was saved; opened as an ordinary file");
+    return std::nullopt;
+  }
+  return restored;
+}
+
+} // namespace stretch::gltf

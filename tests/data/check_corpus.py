@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""Opens and saves every real file of a data folder with the built program and compares the result with the source.
+
+    check_corpus.py PROGRAM DATA_FOLDER
+
+Valid files: JSON equal in content and in the order of its keys, binary data equal, .glb -> .gltf -> .glb and the other way.
+Malformed files: refused with exactly one line, or opened with a message; never a crash, a hang or a file left behind.
+"""
+
+import base64
+import json
+import pathlib
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import urllib.parse
+
+SECONDS_AT_MOST = 60
+BYTES_AT_MOST = 8 << 30
+VALID_FOLDERS = ["biped", "vrm", "quadruped", "interpolation", "mesh-sequence/morph"]
+SUFFIXES = {".glb", ".gltf", ".vrm", ".vrma"}
+# Files that need an extension which hides their geometry: refused, and the line names it.
+UNREADABLE = {"valid-avatar-Asian_M_1_Busi.glb": "EXT_meshopt_compression"}
+
+
+def run(program, *arguments):
+    """Exit status and both outputs of the program, with bounded time and memory."""
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (BYTES_AT_MOST, BYTES_AT_MOST))
+
+    try:
+        done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=SECONDS_AT_MOST, preexec_fn=limit)
+    except subprocess.TimeoutExpired:
+        return None, "", "took too long"
+    return done.returncode, done.stdout, done.stderr
+
+
+def read_gltf(path):
+    """JSON and the bytes of all buffers."""
+    raw = path.read_bytes()
+    binary = None
+    if raw[:4] == b"glTF":
+        offset, chunks = 12, {}
+        while offset + 8 <= len(raw):
+            length, kind = struct.unpack_from("<I4s", raw, offset)
+            chunks.setdefault(kind, raw[offset + 8 : offset + 8 + length])
+            offset += 8 + length
+        document = json.loads(chunks[b"JSON"])
+        binary = chunks.get(b"BIN\0")
+    else:
+        document = json.loads(raw)
+    buffers = []
+    for index, buffer in enumerate(document.get("buffers", [])):
+        uri = buffer.get("uri")
+        if uri is None:
+            content = binary if index == 0 and binary is not None else b""
+        elif uri.startswith("data:"):
+            content = base64.b64decode(uri.split(",", 1)[1])
+        else:
+            beside = path.parent / urllib.parse.unquote(uri)
+            content = beside.read_bytes() if beside.is_file() else b""
+        buffers.append(content[: buffer["byteLength"]])
+    return document, buffers
+
+
+def without_home(document):
+    """The JSON without the place of the first buffer, which changes between .glb and .gltf; key order kept."""
+    copy = json.loads(json.dumps(document))
+    if copy.get("buffers"):
+        copy["buffers"][0].pop("uri", None)
+    return copy
+
+
+def differences(source, result):
+    source_json, source_buffers = read_gltf(source)
+    result_json, result_buffers = read_gltf(result)
+    found = []
+    if json.dumps(without_home(source_json)) != json.dumps(without_home(result_json)):
+        found.append("the JSON differs")
+    if source_buffers != result_buffers:
+        found.append("the binary data differs")
+    for image in source_json.get("images", []):
+        uri = image.get("uri", "data:")
+        if not uri.startswith("data:"):
+            name = urllib.parse.unquote(uri)
+            original, copied = source.parent / name, result.parent / name
+            if original.is_file() and (not copied.is_file() or original.read_bytes() != copied.read_bytes()):
+                found.append(f"the image {name} was not carried along")
+    return found
+
+
+def check_round_trips(program, file, folder):
+    """Problems of FILE -> .glb, FILE -> .gltf and both back again."""
+    problems = []
+    for first, second in [("glb", "gltf"), ("gltf", "glb")]:
+        once = folder / f"once_{first}" / f"model.{first}"
+        twice = folder / f"twice_{second}" / f"model.{second}"
+        for source, target in [(file, once), (once, twice)]:
+            target.parent.mkdir(exist_ok=True)
+            status, _, errors = run(program, "resave", source, "-o", target)
+            if status != 0:
+                return problems + [f"{source.name} -> {target.name}: exit status {status}: {errors.strip()}"]
+            problems += [f"{source.name} -> {target.name}: {what}" for what in differences(file, target)]
+    return problems
+
+
+def check_valid(program, file):
+    with tempfile.TemporaryDirectory() as folder:
+        if file.name not in UNREADABLE:
+            return check_round_trips(program, file, pathlib.Path(folder))
+        target = pathlib.Path(folder) / "out.glb"
+        status, _, errors = run(program, "resave", file, "-o", target)
+        if status != 1 or UNREADABLE[file.name] not in errors or target.exists():
+            return [f"should be refused naming {UNREADABLE[file.name]}; exit status {status}: {errors.strip()}"]
+    return []
+
+
+def check_refused(status, errors, folder):
+    problems = []
+    if status != 1:
+        problems.append(f"exit status {status}: {errors.strip()[:200]}")
+    if len(errors.strip().splitlines()) != 1:
+        problems.append(f"{len(errors.strip().splitlines())} lines of error instead of one")
+    if list(folder.iterdir()):
+        problems.append("left files behind")
+    return problems
+
+
+def check_malformed(program, file, error_count):
+    """`error_count` is that of the Khronos validator; None where it could not read the file at all."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        status, _, errors = run(program, "resave", file, "-o", folder / "out.glb")
+        if status != 0:
+            refused = check_refused(status, errors, folder)
+            return refused + (["is correct glTF, but was refused: " + errors.strip()] if error_count == 0 else [])
+        if not (folder / "out.glb").is_file():
+            return ["says that it saved, but wrote nothing"]
+    if error_count == 0:
+        return []
+    status, output, errors = run(program, "check", file, "--json")
+    if status not in (0, 1):
+        return [f"check: exit status {status}: {errors.strip()[:200]}"]
+    return [] if json.loads(output).get("problems") else ["was opened without a message"]
+
+
+def expectations(invalid):
+    for line in (invalid / "EXPECTED.tsv").read_text().splitlines()[1:]:
+        columns = line.split("\t")
+        yield invalid / columns[0], int(columns[4]) if columns[4].isdigit() else None
+
+
+def main():
+    if len(sys.argv) != 3:
+        print(__doc__, file=sys.stderr)
+        return 2
+    program, data = sys.argv[1], pathlib.Path(sys.argv[2])
+    checked, failed = 0, 0
+    jobs = [(file, check_valid, ()) for folder in VALID_FOLDERS for file in sorted((data / folder).rglob("*")) if file.suffix in SUFFIXES]
+    jobs += [(file, check_malformed, (count,)) for file, count in expectations(data / "invalid")]
+    for file, test, arguments in jobs:
+        problems = test(program, file, *arguments)
+        checked += 1
+        failed += bool(problems)
+        for problem in problems:
+            print(f"{file.relative_to(data)}: {problem}")
+    print(f"{checked} files checked, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
