@@ -179,4 +179,26 @@ Motion keyPoses(const std::string& name, const std::vector<Joint>& skeleton, con
   return motion;
 }
 
+Motion bakePoses(const std::string& name, const std::vector<Joint>& skeleton, const std::vector<Pose>& poses,
+                 double framesPerSecond) {
+  Motion motion{name, framesPerSecond, {{0, true, {}, {}, {}, {}}}};
+  for (std::size_t joint = 0; joint < skeleton.size(); ++joint) {
+    if (!isFinger(skeleton[joint].name)) {
+      motion.tracks.push_back({static_cast<int>(joint), false, {}, {}, {}, {}});
+    }
+  }
+  for (int frame = poses.front().frame; frame <= poses.back().frame; ++frame) {
+    const Pose pose = poseAt(poses, frame);
+    const SolvedPose solved = solvePose(skeleton, pose);
+    for (MotionTrack& track : motion.tracks) {
+      const Vec4 value = track.isTranslation ? Vec4(pose[Control::hips], 0.0)
+                                             : asVector(localRotation(skeleton, solved, track.joint));
+      track.values.push_back(track.values.empty() ? value
+                                                  : aligned(value, track.values.back(), track.isTranslation));
+      track.frames.push_back(frame);
+    }
+  }
+  return motion;
+}
+
 } // namespace stretch::assets

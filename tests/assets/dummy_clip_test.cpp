@@ -75,6 +75,17 @@ TEST_CASE("The clip loops: the last pose is the first") {
   }
 }
 
+TEST_CASE("The guard is a second clip, baked on every frame of its loop") {
+  const Played played;
+  REQUIRE(played.loaded.clips.size() == 2);
+  const Clip& guard = played.loaded.clips[1];
+  CHECK(guard.name == "Guard");
+  for (const auto& track : guard.tracks) {
+    CHECK(track->interpolation == Interpolation::linear);
+    CHECK(track->times.size() == 17);
+  }
+}
+
 TEST_CASE("The jab carries the left fist half a metre, and nothing else takes it further from the shoulder") {
   const Played played;
   const auto reach = [&](double frame) { return played.at("LeftHand", frame) - played.at("LeftArm", frame); };
