@@ -7,8 +7,7 @@
 
 namespace stretch::assets {
 
-/// Keys of one joint's rotation, or of the hips' translation. With tangents (per second) they are glTF's
-/// cubic splines, without they are joined by straight lines.
+/// Keys of one joint's rotation, or of the hips' translation: glTF cubic splines, tangents per second.
 struct MotionTrack {
   int joint = 0;
   bool isTranslation = false; ///< Values are (x, y, z, 0) in metres; else quaternions (x, y, z, w).

@@ -29,7 +29,6 @@ public:
 
   void error(std::string where, std::string what, std::string remedy = {});
   void warning(std::string where, std::string what);
-  void add(const Problems& others);
 
   [[nodiscard]] bool hasErrors() const { return hasErrors_; }
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }

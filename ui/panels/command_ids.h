@@ -1,6 +1,7 @@
 #pragma once
 
-/// Ids of the commands that panels ask for. The shell's tables define them; a panel's button is off while a command is missing.
+/// Ids of the commands that panels ask for. The shell's tables define them; a panel's button is off while a
+/// command is missing.
 namespace stretch::ui::command {
 
 inline constexpr const char* fileOpen = "file.open";

@@ -13,7 +13,7 @@ namespace stretch::ui {
 
 /// A command as menus, palette, tooltips and the keys overview show it; made by the shell each frame.
 struct CommandInfo {
-  std::string id;      ///< "trail.apply".
+  std::string id; ///< "trail.apply".
   std::string label;
   std::string help;
   std::string keyText; ///< The real key, as the user's layout names it; empty without one.
@@ -21,8 +21,8 @@ struct CommandInfo {
   bool checked = false; ///< A switch that is on.
 };
 
-/// Everything a panel may see and touch. Panels draw, read the session, make edits through it (begin, preview, commit) and
-/// ask for commands by id; the shell runs those after the frame's panels, in order.
+/// Everything a panel may see and touch. Panels draw, read the session, make edits through it (begin,
+/// preview, commit) and ask for commands by id; the shell runs those after the frame's panels, in order.
 struct PanelContext {
   app::Session* session = nullptr; ///< Null: no file is open.
   UiState& ui;

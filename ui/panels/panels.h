@@ -6,21 +6,26 @@ namespace stretch::ui {
 
 // Each panel draws into the window (or child window) that its caller has begun, and fills its width.
 
-/// Once at the start of each frame's panels: forgets the last frame's items, commits a drag whose widget is gone.
+/// Once at the start of each frame's panels: forgets the last frame's items, commits a drag whose widget is
+/// gone.
 void beginPanels(PanelContext& context);
 
-void drawMenuBar(PanelContext& context);       ///< Inside BeginMainMenuBar/EndMainMenuBar or a menu bar of a window.
-void drawRigPanel(PanelContext& context);      ///< Left, top.
-void drawLimbPanel(PanelContext& context);     ///< Left: the limb diagram.
-void drawTrailsPanel(PanelContext& context);   ///< Right, top: list of trails and what can be done with them.
+void drawMenuBar(
+    PanelContext& context); ///< Inside BeginMainMenuBar/EndMainMenuBar or a menu bar of a window.
+void drawRigPanel(PanelContext& context);    ///< Left, top.
+void drawLimbPanel(PanelContext& context);   ///< Left: the limb diagram.
+void drawTrailsPanel(PanelContext& context); ///< Right, top: list of trails and what can be done with them.
 void drawTrailSettingsPanel(PanelContext& context); ///< Right.
-void drawTimelinePanel(PanelContext& context); ///< Bottom: play controls, ruler, range, keys, trails.
-void drawGraphPanel(PanelContext& context);    ///< Bottom: curves and dope sheet.
+void drawBottomPanel(
+    PanelContext& context); ///< Bottom: tabs and play controls, and below them what the tab shows:
+void drawTimelinePanel(PanelContext& context); ///< ruler, range, keys of the selection, trails,
+void drawGraphPanel(PanelContext& context);    ///< curves of the selected limb,
+void drawDopeSheet(PanelContext& context);     ///< or keys of every limb.
 void drawStatusBar(PanelContext& context);     ///< One row of Theme::rowHeight().
 void drawViewportBar(PanelContext& context);   ///< Over the viewport's top edge: switches of the overlays.
 
-/// Every dialog and popup that is open (file browser, palette, keys, settings, questions) and the toasts: once a frame, after
-/// the panels, outside any window.
+/// Every dialog and popup that is open (file browser, palette, keys, settings, questions) and the toasts:
+/// once a frame, after the panels, outside any window.
 void drawDialogs(PanelContext& context);
 
 } // namespace stretch::ui

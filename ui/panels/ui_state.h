@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/math/types.h"
+#include "rig/trail/trail.h"
+#include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/timeline.h"
 
 namespace stretch::ui {
 
@@ -26,11 +30,11 @@ struct ViewportOverlays {
   int ghostsBefore = 3;
   int ghostsAfter = 3;
   int ghostStepFrames = 2;
-  bool trailWindow = false;      ///< Draw only `trailWindowFrames` around the playhead.
+  bool trailWindow = false; ///< Draw only `trailWindowFrames` around the playhead.
   int trailWindowFrames = 12;
-  float trailThickness = 3.0F;   ///< Design pixels.
-  float sphereSize = 7.0F;       ///< Radius, design pixels.
-  double trailIncrement = 1.0;   ///< Frames between drawn samples.
+  float trailThickness = 3.0F; ///< Design pixels.
+  float sphereSize = 7.0F;     ///< Radius, design pixels.
+  double trailIncrement = 1.0; ///< Frames between drawn samples.
 };
 
 /// Time as the bottom panes show it, and how it plays.
@@ -46,6 +50,20 @@ struct TimelineState {
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
+/// What the graph's curves were made from.
+struct GraphKey {
+  const void* clips = nullptr;
+  int clip = -1;
+  std::string limb;
+  int node = -1;
+  GraphChannels channels = GraphChannels::rotation;
+  double firstFrame = 0.0;
+  double lastFrame = 0.0;
+  std::vector<rig::Trail> trails;
+
+  friend bool operator==(const GraphKey&, const GraphKey&) = default;
+};
+
 struct GraphState {
   GraphChannels channels = GraphChannels::rotation;
   int joint = 0; ///< Index into the limb's joints; the end comes last.
@@ -53,12 +71,14 @@ struct GraphState {
   double valueMin = -1.0;
   double valueMax = 1.0;
   std::vector<bool> hidden = std::vector<bool>(3, false); ///< Curves switched off in the legend.
+  std::vector<Curve> curves;                              ///< As last made, from:
+  std::optional<GraphKey> madeFrom;
 };
 
 /// Choosing joints from the skeleton tree: a limb's correction or a new chain.
 struct JointPick {
   bool open = false;
-  std::string limbId;  ///< Limb to correct; empty: a new chain.
+  std::string limbId; ///< Limb to correct; empty: a new chain.
   int baseNode = -1;
   int endNode = -1;
   std::string filter;
@@ -72,7 +92,7 @@ struct FileDialogState {
   bool justOpened = false;
   FilePurpose purpose = FilePurpose::openModel;
   std::filesystem::path folder;
-  std::string typed;   ///< Name or path as typed.
+  std::string typed; ///< Name or path as typed.
   std::string filter;
   int highlighted = 0; ///< Row that the keys are on.
   std::string message;
@@ -144,29 +164,31 @@ struct UiState {
   KeysOverviewState keys;
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool unsavedOpen = false;         ///< Asks before the work is lost; answered by answers.unsaved.
+  bool unsavedOpen = false;          ///< Asks before the work is lost; answered by answers.unsaved.
   bool navigationChoiceOpen = false; ///< The first start.
-  std::string restoreOffer;         ///< File that an autosave was found for; empty: none. Answered by answers.restoreAutosave.
+  std::string restoreOffer;          ///< File that an autosave was found for; empty: none. Answered by
+                                     ///< answers.restoreAutosave.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
-  std::string expandedLimb; ///< Limb whose reasons the rig panel shows.
+  std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.
   std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
 
   // Written by the shell, read by the panels.
+  Mat3 cameraAxes{
+      1.0}; ///< Columns: right, up, towards the viewer, in world space: what the space "view" takes.
   bool autoKey = false;
-  std::string modalText;           ///< "left arm x3.00, axes X Z": empty outside a modal.
-  std::vector<KeyHint> keyHints;   ///< What the keys do right now.
-  std::string busyText;            ///< "Opening punch.glb": work in progress; empty: none.
-  float busyFraction = -1.0F;      ///< 0..1; < 0 unknown.
-  std::string pressedKey;          ///< The key pressed in this frame as Command::keys spells it: for the keys overview.
+  std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
+  std::vector<KeyHint> keyHints; ///< What the keys do right now.
+  std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
+  float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
+  std::string
+      pressedKey; ///< The key pressed in this frame as Command::keys spells it: for the keys overview.
 
   UiAnswers answers;
 
   // Between frames of one gesture.
   bool panelDrag = false; ///< The session's drag was begun by a panel.
-  int timelineDrag = 0;   ///< What the mouse holds in the timeline; 0 nothing.
-  double timelineDragOffset = 0.0;
-  double timelineDragView = 0.0;
+  TimelineGesture timelineGesture;
 };
 
 } // namespace stretch::ui

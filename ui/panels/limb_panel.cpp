@@ -1,0 +1,130 @@
+#include <array>
+
+#include "app/commands/selection.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/limb_diagram.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr double doubtful = 0.6; ///< Confidence below this is shown as a question.
+
+constexpr std::array<const char*, bodyPartCount> limbIds{"left-arm",  "right-arm", "left-leg",
+                                                         "right-leg", "spine",     "neck"};
+constexpr std::array<const char*, bodyPartCount> limbCommands{command::selectLeftArm, command::selectRightArm,
+                                                              command::selectLeftLeg, command::selectRightLeg,
+                                                              command::selectSpine,   command::selectNeck};
+
+bool isSelected(const app::Session& session, const std::string& limbId) {
+  const std::vector<std::string>& selected = session.view().selectedLimbs;
+  return std::find(selected.begin(), selected.end(), limbId) != selected.end();
+}
+
+/// The trail that the limb shows: the selected one, else its first in the viewed clip.
+const rig::Trail* trailOf(const app::Session& session, const std::string& limbId) {
+  const rig::Trail* shown = nullptr;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.limb == limbId && trail.clip == session.view().clip &&
+        (shown == nullptr || trail.id == session.view().selectedTrail)) {
+      shown = &trail;
+    }
+  }
+  return shown;
+}
+
+BodyPartState stateOf(const PanelContext& context, std::size_t part) {
+  const app::Session& session = *context.session;
+  BodyPartState state;
+  state.id = limbIds[part];
+  const rig::Limb* limb = app::findLimb(session.document(), state.id);
+  state.keyText = keyOf(context, limbCommands[part]);
+  state.help.title = capitalised(app::limbTitle(session.document(), state.id));
+  state.help.keyText = state.keyText;
+  state.found = limb != nullptr;
+  if (limb == nullptr) {
+    state.help.text = "Not found in this character. Choose its joints in the rig panel.";
+    return state;
+  }
+  state.selected = isSelected(session, state.id);
+  state.lowConfidence = limb->confidence < doubtful;
+  if (const rig::Trail* trail = trailOf(session, state.id)) {
+    state.trail = trailColour(trail->colour);
+  }
+  state.help.text = "Click selects it, Shift+click adds it.";
+  if (state.lowConfidence) {
+    state.help.text += " Its joints are a guess (" + shortNumber(limb->confidence * 100.0, 0) +
+                       " %): check them in the rig panel.";
+  }
+  return state;
+}
+
+void chainChips(PanelContext& context) {
+  app::Session& session = *context.session;
+  const WidgetContext widgets = widgetsOf(context);
+  for (const rig::Limb& chain : session.document().chains) {
+    ButtonSpec chip;
+    chip.id = "limb/" + chain.id;
+    chip.icon = icon::link;
+    chip.text = chain.id;
+    chip.on = isSelected(session, chain.id);
+    chip.width = ImGui::GetContentRegionAvail().x;
+    chip.help = {chain.id, "A chain of your own. Click selects it, Shift+click adds it.", {}};
+    if (button(widgets, chip)) {
+      app::selectLimb(session, chain.id, ImGui::GetIO().KeyShift);
+    }
+  }
+}
+
+std::string selectionText(const app::Session& session) {
+  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  if (limbs.empty()) {
+    return "Click a limb to start.";
+  }
+  std::string text;
+  for (const std::string& limb : limbs) {
+    text += (text.empty() ? "" : ", ") + app::limbTitle(session.document(), limb);
+  }
+  return capitalised(text);
+}
+
+} // namespace
+
+void drawLimbPanel(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  panelTitle(widgets, icon::person, "Limbs");
+  if (!hasCharacter(context)) {
+    note(widgets, "The character's limbs appear here.");
+    return;
+  }
+  app::Session& session = *context.session;
+  std::array<BodyPartState, bodyPartCount> parts;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    parts[part] = stateOf(context, part);
+  }
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = std::min(width * 1.22F, context.theme.px(280.0F));
+  if (const std::optional<BodyPart> clicked = limbDiagram(widgets, "limb", parts, height)) {
+    const auto part = static_cast<std::size_t>(*clicked);
+    if (parts[part].found) {
+      app::selectLimb(session, limbIds[part], ImGui::GetIO().KeyShift);
+    } else {
+      context.ui.jointPick = {};
+      context.ui.jointPick.open = true;
+      context.ui.jointPick.limbId = limbIds[part];
+    }
+  }
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({width, context.theme.px(20.0F)});
+  drawText(
+      widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},
+      session.view().selectedLimbs.empty() ? context.theme.colours.quietText : context.theme.colours.text,
+      selectionText(session), 0.5F);
+  chainChips(context);
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,103 @@
+#include <initializer_list>
+
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// A menu's entries by command id; an empty id is a separator.
+struct Menu {
+  const char* title;
+  std::initializer_list<const char*> commands;
+};
+
+void menuEntry(PanelContext& context, const char* id) {
+  const CommandInfo* info = findCommand(context, id);
+  if (info == nullptr) {
+    return;
+  }
+  if (ImGui::MenuItem(info->label.c_str(), info->keyText.empty() ? nullptr : info->keyText.c_str(),
+                      info->checked, info->enabled)) {
+    request(context, id);
+  }
+  context.items.add(std::string("menu/") + id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                    info->enabled);
+  tooltip(widgetsOf(context), {info->label, info->help, info->keyText});
+}
+
+void recentFiles(PanelContext& context) {
+  if (context.ui.recentFiles.empty() || !ImGui::BeginMenu("Open recent")) {
+    return;
+  }
+  for (const std::filesystem::path& path : context.ui.recentFiles) {
+    if (ImGui::MenuItem(path.filename().string().c_str())) {
+      context.ui.answers.file = FileChoice{FilePurpose::openModel, path};
+    }
+    tooltip(widgetsOf(context), {path.filename().string(), path.parent_path().string(), {}});
+  }
+  ImGui::EndMenu();
+}
+
+void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
+  const bool open = ImGui::BeginMenu(menu.title);
+  context.items.add(std::string("menu/") + menu.title, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  if (!open) {
+    return;
+  }
+  bool first = true;
+  for (const char* id : menu.commands) {
+    if (id[0] == '\0') {
+      ImGui::Separator();
+    } else {
+      menuEntry(context, id);
+    }
+    if (first && withRecent) {
+      recentFiles(context);
+    }
+    first = false;
+  }
+  ImGui::EndMenu();
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
+             recipeSave, filePlayblast, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, "", copyTrail, pasteTrail, mirrorTrail, "", settings}}, false);
+  drawMenu(context,
+           {"Limb",
+            {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck,
+             selectNone, "", pickChain, detectAgain}},
+           false);
+  drawMenu(
+      context,
+      {"Trail",
+       {trailToggle, trailExaggerate, trailConnect, trailFollow, trailApply, "", trailBlend,
+        trailShowOriginal, trailMatchHand, "", spherePrevious, sphereNext, "", trailDelete, trailDeleteAll}},
+      false);
+  drawMenu(context,
+           {"Time",
+            {timePlay, timeBack, timeForward, timePreviousKey, timeNextKey, timeStart, timeEnd, "",
+             rangeStart, rangeEnd}},
+           false);
+  drawMenu(context,
+           {"View",
+            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective,
+             viewFileCamera, "", viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
+             viewFrameNumbers, viewGrid, viewSideBySide}},
+           false);
+  drawMenu(context, {"Help", {palette, keys, about}}, false);
+  ImGui::PopStyleVar(2);
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,220 @@
+#include "ui/panels/panel_support.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include <glm/geometric.hpp>
+#include <imgui_internal.h>
+
+#include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
+#include "ui/panels/panels.h"
+
+namespace stretch::ui {
+
+const CommandInfo* findCommand(const PanelContext& context, std::string_view id) {
+  const auto found = std::find_if(context.commands.begin(), context.commands.end(),
+                                  [&](const CommandInfo& c) { return c.id == id; });
+  return found == context.commands.end() ? nullptr : &*found;
+}
+
+void request(PanelContext& context, std::string_view commandId) {
+  context.requestedCommands.emplace_back(commandId);
+}
+
+void beginPanels(PanelContext& context) {
+  context.items.clear();
+  if (!context.ui.panelDrag) {
+    return;
+  }
+  app::Session* session = context.session;
+  if (session == nullptr || !session->isDragging()) {
+    context.ui.panelDrag = false;
+  } else if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    session->cancel();
+    context.ui.panelDrag = false;
+    ImGui::ClearActiveID();
+  } else if (ImGui::GetActiveID() == 0 && ImGui::GetCurrentContext()->ActiveIdPreviousFrame == 0) {
+    session->commit(); // its widget was not drawn any more when the gesture ended
+    context.ui.panelDrag = false;
+  }
+}
+
+void commandButton(PanelContext& context, const CommandButton& spec) {
+  const CommandInfo* info = findCommand(context, spec.command);
+  ButtonSpec button_;
+  button_.id = spec.command;
+  button_.icon = spec.icon;
+  button_.fallback = spec.fallback;
+  const std::string label = info != nullptr ? info->label : spec.text;
+  button_.text = std::string_view(spec.text) == " " ? "" : spec.text[0] != '\0' ? spec.text : label;
+  button_.help = {label, info != nullptr ? info->help : "", info != nullptr ? info->keyText : ""};
+  button_.emphasis = spec.emphasis;
+  button_.on = info != nullptr && info->checked;
+  button_.enabled = info != nullptr && info->enabled;
+  button_.width = spec.width;
+  if (button_.emphasis == Emphasis::primary && !button_.enabled) {
+    button_.emphasis = Emphasis::normal;
+  }
+  if (button(widgetsOf(context), button_)) {
+    request(context, spec.command);
+  }
+}
+
+std::string keyOf(const PanelContext& context, std::string_view commandId) {
+  const CommandInfo* info = findCommand(context, commandId);
+  return info != nullptr ? info->keyText : std::string();
+}
+
+void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
+                 const DocumentChange& change) {
+  app::Session& session = *context.session;
+  const bool foreignDrag = session.isDragging() && !context.ui.panelDrag;
+  if (foreignDrag) {
+    return;
+  }
+  if (phase.changed) {
+    const Result<app::Document> changed = change(session.atBegin());
+    if (!changed) {
+      toast(context.ui, ToastKind::warning, changed.error().line());
+    } else {
+      if (!session.isDragging()) {
+        session.begin(label);
+        context.ui.panelDrag = true;
+      }
+      session.preview(*changed);
+    }
+  }
+  if (phase.ended && context.ui.panelDrag) {
+    session.commit();
+    context.ui.panelDrag = false;
+  }
+}
+
+void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed) {
+  if (!changed) {
+    toast(context.ui, ToastKind::warning, changed.error().line());
+    return;
+  }
+  if (context.session->isDragging()) {
+    toast(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
+    return;
+  }
+  context.session->edit(*changed, label);
+}
+
+void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
+                  const SettingsChange& change) {
+  const std::vector<int> targets = app::targetTrails(*context.session);
+  editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
+    app::Document document = start;
+    for (const int id : targets) {
+      const rig::Trail* trail = app::findTrail(start, id);
+      if (trail == nullptr) {
+        continue;
+      }
+      rig::TrailSettings settings = trail->settings;
+      change(settings);
+      Result<app::Document> changed = app::setTrailSettings(document, id, settings);
+      if (!changed) {
+        return changed;
+      }
+      document = std::move(changed).value();
+    }
+    return document;
+  });
+}
+
+void toast(UiState& ui, ToastKind kind, const std::string& text) {
+  constexpr float shownSeconds = 5.0F;
+  const auto same =
+      std::find_if(ui.toasts.begin(), ui.toasts.end(), [&](const Toast& t) { return t.text == text; });
+  if (same != ui.toasts.end()) {
+    same->secondsLeft = shownSeconds;
+  } else {
+    ui.toasts.push_back({kind, text, shownSeconds});
+  }
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+std::string limbHeading(const app::Document& document, const std::string& limbId) {
+  const rig::Limb* limb = app::findLimb(document, limbId);
+  const bool chain = limb != nullptr && limb->kind == rig::LimbKind::chain;
+  return chain ? limbId : capitalised(app::limbTitle(document, limbId));
+}
+
+std::string nodeName(const Scene& scene, int node) {
+  if (node < 0 || node >= static_cast<int>(scene.nodes.size())) {
+    return "(estimated)";
+  }
+  const std::string& name = scene.nodes[static_cast<std::size_t>(node)].name;
+  if (!name.empty()) {
+    return name;
+  }
+  std::string number = "#";
+  number += std::to_string(node);
+  return number;
+}
+
+bool hasCharacter(const PanelContext& context) {
+  return context.session != nullptr && context.session->document().scene != nullptr;
+}
+
+bool hasViewedClip(const PanelContext& context) {
+  if (!hasCharacter(context) || !context.session->document().clips) {
+    return false;
+  }
+  const int clip = context.session->view().clip;
+  return clip >= 0 && clip < static_cast<int>(context.session->document().clips->size());
+}
+
+std::string shortNumber(double value, int decimals) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string result = text;
+  if (result.find('.') != std::string::npos) {
+    result.erase(result.find_last_not_of('0') + 1);
+    if (result.back() == '.') {
+      result.pop_back();
+    }
+  }
+  return result == "-0" ? "0" : result;
+}
+
+TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved) {
+  TipLengths lengths;
+  if (solved.path.samples.empty()) {
+    return lengths;
+  }
+  const bool tipIsEnd = solved.settings.pivot == rig::Pivot::start;
+  const rig::LimbSample& tip = tipIsEnd ? solved.path.samples.back() : solved.path.samples.front();
+  lengths.before = glm::length(tip.end - tip.base);
+  lengths.after = solved.tip.reachedLength;
+  if (solved.active) {
+    const FrameState frame = app::evaluate(session.document(), session.motion(), solved.tipSeconds);
+    const std::vector<Vec3> points = rig::limbPoints(solved.limb, frame.worlds);
+    lengths.after = points.size() < 2 ? lengths.after : glm::length(points.back() - points.front());
+  } else if (!solved.trail.exaggerated) {
+    lengths.after = lengths.before;
+  }
+  return lengths;
+}
+
+std::string lengthsText(const TipLengths& lengths) {
+  char text[96];
+  const double ratio = lengths.before > 0.0 ? lengths.after / lengths.before : 1.0;
+  const int decimals = lengths.before >= 10.0 ? 1 : lengths.before >= 0.1 ? 2 : 4;
+  std::snprintf(text, sizeof text, "%.*f \xE2\x86\x92 %.*f  (\xC3\x97%.2f)", decimals, lengths.before,
+                decimals, lengths.after, ratio);
+  return text;
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rig/motion.h"
+#include "ui/panels/panel_context.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+// What the panels share. None of this knows a particular panel.
+
+[[nodiscard]] inline WidgetContext widgetsOf(const PanelContext& context) {
+  return {context.theme, context.items};
+}
+
+/// A button that asks for a command; off while the command is missing or disabled. Text and help are the
+/// command's, the text can be replaced by a shorter one; " " shows the icon alone.
+struct CommandButton {
+  const char* command = "";
+  const char* icon = "";
+  const char* text = "";
+  Emphasis emphasis = Emphasis::normal;
+  float width = 0.0F;
+  const char* fallback = "";
+};
+void commandButton(PanelContext& context, const CommandButton& spec);
+
+/// The key that a command has, as shown; empty without one.
+[[nodiscard]] std::string keyOf(const PanelContext& context, std::string_view commandId);
+
+/// Carries one frame of a value's gesture into the session: the first change begins a drag, each change
+/// previews `change(document at begin)`, the end commits. While another part of the program is dragging
+/// nothing happens.
+using DocumentChange = std::function<Result<app::Document>(const app::Document&)>;
+void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
+                 const DocumentChange& change);
+
+/// One finished edit; an error is told in a toast.
+void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed);
+
+/// The same for settings of every trail that commands act on.
+using SettingsChange = std::function<void(rig::TrailSettings&)>;
+void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
+                  const SettingsChange& change);
+
+/// Shows a message for a few seconds; the same message is not shown twice at once.
+void toast(UiState& ui, ToastKind kind, const std::string& text);
+
+/// "left arm" -> "Left arm".
+[[nodiscard]] std::string capitalised(std::string text);
+/// A limb's name as a heading: "Left arm", or the chain's id.
+[[nodiscard]] std::string limbHeading(const app::Document& document, const std::string& limbId);
+
+/// The name of a node, or "#index" where it has none.
+[[nodiscard]] std::string nodeName(const Scene& scene, int node);
+
+/// Whether there is a character to work on: a file with a scene.
+[[nodiscard]] bool hasCharacter(const PanelContext& context);
+/// Whether the viewed clip exists.
+[[nodiscard]] bool hasViewedClip(const PanelContext& context);
+
+/// "24", "12.5": no decimals where none are needed.
+[[nodiscard]] std::string shortNumber(double value, int decimals = 2);
+
+/// How long the limb is at the trail's tip: straight distance from its base to its end, world units.
+struct TipLengths {
+  double before = 0.0; ///< In the source clip.
+  double after =
+      0.0; ///< Of the character as it moves where the trail is active, else of the exaggerated path.
+};
+[[nodiscard]] TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved);
+
+/// "0.52 -> 1.04 (x2.00)" with units fit for the size.
+[[nodiscard]] std::string lengthsText(const TipLengths& lengths);
+
+} // namespace stretch::ui

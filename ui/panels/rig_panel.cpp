@@ -1,0 +1,252 @@
+#include <algorithm>
+
+#include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+
+namespace stretch::ui {
+
+namespace {
+
+std::size_t vertexCount(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      count += primitive.positions.size();
+    }
+  }
+  return count;
+}
+
+std::size_t jointCount(const Scene& scene) {
+  std::vector<int> joints;
+  for (const Skin& skin : scene.skins) {
+    joints.insert(joints.end(), skin.joints.begin(), skin.joints.end());
+  }
+  std::sort(joints.begin(), joints.end());
+  return static_cast<std::size_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
+}
+
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3) {
+    text.insert(at - 3, "\xE2\x80\x89"); // thin space
+  }
+  return text;
+}
+
+void fileSummary(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const app::Document& document = context.session->document();
+  const Scene& scene = *document.scene;
+  const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
+  valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices, " + joints);
+  valueRow(
+      widgets, "Height",
+      shortNumber(document.biped.height) + (document.biped.isBiped ? " m, biped" : " m, no biped found"),
+      {.title = "Height of the character in its bind pose", .text = "Tolerances are measured against it."});
+}
+
+std::string clipName(const Clip& clip, std::size_t index) {
+  return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
+}
+
+void clipChooser(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  app::Session& session = *context.session;
+  const std::vector<Clip>& clips = *session.document().clips;
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    choices.push_back({clipName(clips[i], i), {.title = clipName(clips[i], i)}});
+  }
+  labelledRow(
+      widgets, "Clip",
+      {.title = "Animation of the file", .text = "Trails belong to the clip that they were made in."});
+  if (const int chosen = dropdown(widgets, "rig/clip", choices, session.view().clip,
+                                  {.title = "Choose the clip to work on"});
+      chosen >= 0) {
+    session.view().clip = chosen;
+    session.view().frame = 0.0;
+    session.view().rangeEnd = session.view().rangeStart - 1.0;
+    session.view().selectedTrail = 0;
+    session.view().selectedSpheres.clear();
+    context.ui.timeline.viewEnd = context.ui.timeline.viewStart - 1.0;
+    context.ui.graph.fitPending = true;
+  }
+  const Clip& clip = app::clipOf(session.document(), session.view().clip);
+  valueRow(
+      widgets, "Length",
+      std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.endSeconds) + " s, " +
+          shortNumber(clip.framesPerSecond) + " fps",
+      {.title = "Frames and rate", .text = "Frame 0 is the time 0. The rate is guessed from the key times."});
+}
+
+std::string jointsText(const Scene& scene, const rig::Limb& limb) {
+  const std::string first = limb.joints.empty() ? "?" : nodeName(scene, limb.joints.front());
+  return first + " \xE2\x86\x92 " + nodeName(scene, limb.endNode);
+}
+
+ImU32 confidenceColour(const ThemeColours& colours, double confidence) {
+  return confidence >= 0.8 ? colours.success : confidence >= 0.6 ? colours.warning : colours.error;
+}
+
+void openCorrection(PanelContext& context, const rig::Limb& limb) {
+  JointPick pick;
+  pick.open = true;
+  pick.limbId = limb.kind == rig::LimbKind::chain ? std::string() : limb.id;
+  pick.baseNode = limb.joints.empty() ? -1 : limb.joints.front();
+  pick.endNode = limb.endNode;
+  context.ui.jointPick = pick;
+}
+
+void drawLimbRow(const PanelContext& context, const Control& row, const rig::Limb& limb, bool selected) {
+  const Theme& theme = context.theme;
+  const ThemeColours& colours = theme.colours;
+  const WidgetContext widgets = widgetsOf(context);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (selected || row.hovered) {
+    list->AddRectFilled(row.box.min, row.box.max, selected ? colours.accentQuiet : colours.raised,
+                        theme.corner());
+  }
+  const float split = row.box.min.x + theme.px(88.0F);
+  drawText(widgets, theme.fonts.body, {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}},
+           selected ? colours.accent : colours.text, limbHeading(context.session->document(), limb.id));
+  const float numberLeft = row.box.max.x - theme.px(40.0F);
+  drawText(widgets, theme.fonts.label,
+           {{split + theme.unit(), row.box.min.y}, {numberLeft - theme.px(4.0F), row.box.max.y}},
+           colours.quietText, jointsText(*context.session->document().scene, limb));
+  drawText(widgets, theme.fonts.label,
+           {{numberLeft, row.box.min.y}, {row.box.max.x - theme.px(4.0F), row.box.max.y}},
+           confidenceColour(colours, limb.confidence), shortNumber(limb.confidence * 100.0, 0) + " %", 1.0F);
+}
+
+void limbReasons(PanelContext& context, const rig::Limb& limb) {
+  const WidgetContext widgets = widgetsOf(context);
+  ImGui::Indent(context.theme.px(12.0F));
+  const Scene& scene = *context.session->document().scene;
+  std::string joints;
+  for (const int joint : limb.joints) {
+    joints += (joints.empty() ? "" : ", ") + nodeName(scene, joint);
+  }
+  note(widgets, joints + " \xE2\x86\x92 " + nodeName(scene, limb.endNode) + "; " +
+                    shortNumber(limb.restLength, 3) + " m at rest");
+  for (const std::string& reason : limb.reasons) {
+    note(widgets, "\xE2\x80\xA2 " + reason);
+  }
+  ButtonSpec correct;
+  correct.id = "rig/correct/" + limb.id;
+  correct.icon = icon::pencil;
+  correct.text = "Choose its joints";
+  correct.help = {"Correct this limb", "Choose the first joint and the end from the skeleton.", {}};
+  if (button(widgets, correct)) {
+    openCorrection(context, limb);
+  }
+  ImGui::Unindent(context.theme.px(12.0F));
+}
+
+void limbRow(PanelContext& context, const rig::Limb& limb) {
+  const WidgetContext widgets = widgetsOf(context);
+  app::Session& session = *context.session;
+  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  const bool selected = std::find(limbs.begin(), limbs.end(), limb.id) != limbs.end();
+  const float chevron = context.theme.rowHeight();
+  const float width = ImGui::GetContentRegionAvail().x - chevron;
+  const Control row = takePlace(widgets, "rig/limb/" + limb.id, {width, context.theme.rowHeight()});
+  if (row.visible) {
+    drawLimbRow(context, row, limb, selected);
+  }
+  tooltip(widgets, {limbHeading(session.document(), limb.id),
+                    "How sure the program is of its joints: " + shortNumber(limb.confidence * 100.0, 0) +
+                        " %. Click selects the limb.",
+                    {}});
+  if (row.clicked) {
+    app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift);
+  }
+  ImGui::SameLine(0.0F, 0.0F);
+  const bool expanded = context.ui.expandedLimb == limb.id;
+  ButtonSpec more;
+  more.id = "rig/why/" + limb.id;
+  more.icon = expanded ? icon::chevronDown : icon::chevronRight;
+  more.fallback = expanded ? "-" : "+";
+  more.emphasis = Emphasis::quiet;
+  more.width = chevron;
+  more.help = {"Why these joints", "Shows the reasons, and lets you choose other joints.", {}};
+  if (button(widgets, more)) {
+    context.ui.expandedLimb = expanded ? std::string() : limb.id;
+  }
+  if (expanded) {
+    limbReasons(context, limb);
+  }
+}
+
+void limbList(PanelContext& context) {
+  const app::Document& document = context.session->document();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.unit(), context.theme.px(1.0F)));
+  for (const rig::Limb& limb : document.biped.limbs) {
+    limbRow(context, limb);
+  }
+  for (const rig::Limb& chain : document.chains) {
+    limbRow(context, chain);
+  }
+  ImGui::PopStyleVar();
+  if (document.biped.limbs.empty() && document.chains.empty()) {
+    note(widgetsOf(context), "No limb was found. Pick a chain: its first joint, then its end.");
+  }
+}
+
+void limbTools(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  verticalSpace(widgets, 4.0F);
+  const float width = columnWidth(2);
+  commandButton(context,
+                {.command = command::pickChain, .icon = icon::plus, .text = "Chain", .width = width});
+  ImGui::SameLine();
+  commandButton(
+      context,
+      {.command = command::detectAgain, .icon = icon::refresh, .text = "Find again", .width = width});
+}
+
+} // namespace
+
+void drawRigPanel(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  panelTitle(widgets, icon::cube, "Character");
+  if (!hasCharacter(context)) {
+    emptyState(widgets, icon::folderOpen, "No character yet",
+               "Drop a .glb, .gltf or .vrm file here, or open one.");
+    commandButton(context, {.command = command::fileOpen,
+                            .icon = icon::folderOpen,
+                            .text = "Open a file",
+                            .emphasis = Emphasis::primary,
+                            .width = ImGui::GetContentRegionAvail().x});
+    return;
+  }
+  fileSummary(context);
+  if (hasViewedClip(context)) {
+    clipChooser(context);
+  } else {
+    notice(widgets, NoticeKind::warning,
+           "The file has no animation: there is no motion to exaggerate. Open one with a clip.");
+  }
+  if (section(widgets, "rig/limbs", "Limbs found", context.ui.closedSections)) {
+    limbList(context);
+    limbTools(context);
+  }
+  const app::Document& document = context.session->document();
+  std::vector<std::string> warnings = document.warnings;
+  warnings.insert(warnings.end(), document.biped.warnings.begin(), document.biped.warnings.end());
+  if (!warnings.empty() &&
+      section(widgets, "rig/warnings", "Warnings (" + std::to_string(warnings.size()) + ")",
+              context.ui.closedSections)) {
+    for (const std::string& warning : warnings) {
+      notice(widgets, NoticeKind::warning, warning);
+    }
+  }
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,127 @@
+#include "app/commands/selection.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// Draws text at the cursor as wide as it is and moves on; nothing once the row is full.
+void statusText(PanelContext& context, const std::string& id, const std::string& text, ImU32 colour,
+                const Help& help) {
+  const WidgetContext widgets = widgetsOf(context);
+  const float width =
+      std::min(textSize(context.theme.fonts.label, text).x + 2.0F, ImGui::GetContentRegionAvail().x);
+  if (width < context.theme.px(24.0F)) {
+    return;
+  }
+  const Control place = takePlace(widgets, id, {width, context.theme.rowHeight()}, false);
+  drawText(widgets, context.theme.fonts.label, place.box, colour, text);
+  tooltip(widgets, help);
+  ImGui::SameLine(0.0F, context.theme.px(20.0F));
+}
+
+std::string selectionText(const app::Session& session) {
+  const app::ViewState& view = session.view();
+  if (view.selectedLimbs.empty()) {
+    return "Nothing selected";
+  }
+  std::string text;
+  for (const std::string& limb : view.selectedLimbs) {
+    text += (text.empty() ? "" : ", ") + app::limbTitle(session.document(), limb);
+  }
+  if (!view.selectedSpheres.empty()) {
+    const bool one = view.selectedSpheres.size() == 1;
+    text += one ? ", sphere at frame " + shortNumber(view.selectedSpheres.front(), 1)
+                : ", " + std::to_string(view.selectedSpheres.size()) + " spheres";
+  }
+  return capitalised(text);
+}
+
+void selectionPart(PanelContext& context) {
+  app::Session& session = *context.session;
+  statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
+             {"What is selected", "", {}});
+  const rig::SolvedTrail* solved = app::solvedTrail(session, session.view().selectedTrail);
+  if (solved == nullptr) {
+    return;
+  }
+  const TipLengths lengths = tipLengths(session, *solved);
+  statusText(context, "status/tip", "tip " + lengthsText(lengths), context.theme.colours.quietText,
+             {"Length of the limb at the trail's tip", "In the source clip, and as it is now.", {}});
+}
+
+float hintWidth(const PanelContext& context, const KeyHint& hint) {
+  const Theme& theme = context.theme;
+  const float cap =
+      std::max(theme.px(18.0F), std::ceil(textSize(theme.fonts.label, hint.key).x + theme.px(10.0F)));
+  return cap + theme.px(6.0F) + textSize(theme.fonts.label, hint.does).x + theme.px(14.0F);
+}
+
+/// As many hints as fit, the first ones first, at the right end of the row.
+void hintPart(PanelContext& context) {
+  const Theme& theme = context.theme;
+  const WidgetContext widgets = widgetsOf(context);
+  const float free = ImGui::GetContentRegionAvail().x;
+  float width = 0.0F;
+  std::size_t count = 0;
+  while (count < context.ui.keyHints.size() &&
+         width + hintWidth(context, context.ui.keyHints[count]) <= free) {
+    width += hintWidth(context, context.ui.keyHints[count]);
+    ++count;
+  }
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  float x = corner.x + free - width + theme.px(14.0F);
+  for (std::size_t i = 0; i < count; ++i) {
+    const KeyHint& hint = context.ui.keyHints[i];
+    const float cap = keyCap(widgets, {x, corner.y + theme.px(4.0F)}, hint.key);
+    const Rect text{{x + cap + theme.px(6.0F), corner.y},
+                    {x + hintWidth(context, hint), corner.y + theme.rowHeight()}};
+    drawText(widgets, theme.fonts.label, text, theme.colours.quietText, hint.does);
+    x += hintWidth(context, hint);
+  }
+  ImGui::Dummy({free, theme.rowHeight()});
+}
+
+void busyPart(PanelContext& context) {
+  const Theme& theme = context.theme;
+  const UiState& ui = context.ui;
+  if (ui.busyText.empty()) {
+    return;
+  }
+  statusText(context, "status/busy", ui.busyText, theme.colours.accent,
+             {"Work in progress", ui.busyText, {}});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = theme.px(120.0F);
+  const float middle = corner.y + theme.rowHeight() * 0.5F;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float half = theme.px(2.0F);
+  list->AddRectFilled({corner.x, middle - half}, {corner.x + width, middle + half}, theme.colours.raised,
+                      half);
+  const float part = ui.busyFraction < 0.0F ? 0.3F : ui.busyFraction;
+  list->AddRectFilled({corner.x, middle - half}, {corner.x + width * part, middle + half},
+                      theme.colours.accent, half);
+  ImGui::Dummy({width, theme.rowHeight()});
+  ImGui::SameLine(0.0F, theme.px(20.0F));
+}
+
+} // namespace
+
+void drawStatusBar(PanelContext& context) {
+  busyPart(context);
+  if (!context.ui.modalText.empty()) {
+    statusText(context, "status/modal", context.ui.modalText, context.theme.colours.accent,
+               {"What is being done", "Enter keeps it, Esc restores.", {}});
+  }
+  if (hasCharacter(context)) {
+    selectionPart(context);
+  } else {
+    statusText(context, "status/selection", "No file is open", context.theme.colours.quietText,
+               {"No file is open", "Drop one on the window.", {}});
+  }
+  hintPart(context);
+}
+
+} // namespace stretch::ui

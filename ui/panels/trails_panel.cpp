@@ -1,0 +1,249 @@
+#include <algorithm>
+
+#include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr float trailRowHeight = 42.0F;
+
+std::string stateText(const rig::Trail& trail) {
+  if (trail.applied) {
+    return *trail.applied == trail.settings ? "applied" : "changed since Apply";
+  }
+  return trail.connected ? "connected" : trail.exaggerated ? "not connected" : "path only";
+}
+
+std::string detailText(const rig::Trail& trail) {
+  const rig::TrailSettings& s = trail.settings;
+  const std::string range = shortNumber(s.startFrame, 1) + "\xE2\x80\x93" + shortNumber(s.endFrame, 1);
+  const std::string scale = trail.exaggerated ? ", \xC3\x97" + shortNumber(s.scale) : std::string();
+  return range + scale + ", " + stateText(trail);
+}
+
+/// The next thing to do with the selected trail: its button carries the accent.
+const char* nextStep(const app::Session& session) {
+  const rig::Trail* trail = app::selectedTrail(session);
+  if (trail == nullptr || !trail->exaggerated) {
+    return command::trailExaggerate;
+  }
+  if (!trail->connected && !trail->applied) {
+    return command::trailConnect;
+  }
+  return trail->applied && *trail->applied == trail->settings ? "" : command::trailApply;
+}
+
+void actions(PanelContext& context) {
+  const std::string next = nextStep(*context.session);
+  const auto emphasis = [&](const char* id) { return next == id ? Emphasis::primary : Emphasis::normal; };
+  const float width = columnWidth(2);
+  const rig::Trail* trail = app::selectedTrail(*context.session);
+  const bool connected = trail != nullptr && trail->connected;
+  commandButton(context,
+                {.command = command::trailToggle, .icon = icon::plus, .text = "Trail", .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::trailExaggerate,
+                          .icon = icon::bolt,
+                          .text = "Exaggerate",
+                          .emphasis = emphasis(command::trailExaggerate),
+                          .width = width});
+  commandButton(context, {.command = command::trailConnect,
+                          .icon = connected ? icon::unlink : icon::link,
+                          .text = connected ? "Disconnect" : "Connect",
+                          .emphasis = emphasis(command::trailConnect),
+                          .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::trailApply,
+                          .icon = icon::check,
+                          .text = "Apply",
+                          .emphasis = emphasis(command::trailApply),
+                          .width = width});
+}
+
+void colourPopup(PanelContext& context, const rig::Trail& trail, const std::string& popup) {
+  if (!ImGui::BeginPopup(popup.c_str())) {
+    return;
+  }
+  const WidgetContext widgets = widgetsOf(context);
+  for (int i = 0; i < static_cast<int>(trailPalette.size()); ++i) {
+    if (i > 0) {
+      ImGui::SameLine(0.0F, context.theme.px(4.0F));
+    }
+    const float side = context.theme.rowHeight();
+    const Control swatch = takePlace(widgets, "trails/colour-" + std::to_string(i), {side, side});
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddCircleFilled(swatch.box.centre(), context.theme.px(swatch.hovered ? 10.0F : 8.0F),
+                          trailColour(i));
+    if (i == trail.colour) {
+      list->AddCircle(swatch.box.centre(), context.theme.px(11.0F), context.theme.colours.text, 0,
+                      context.theme.px(1.5F));
+    }
+    if (swatch.clicked) {
+      editOnce(context, "Change the trail's colour",
+               app::setTrailDisplay(context.session->document(), trail.id, {i, trail.visible, trail.pinned}));
+      ImGui::CloseCurrentPopup();
+    }
+  }
+  ImGui::EndPopup();
+}
+
+void colourSwatch(PanelContext& context, const rig::Trail& trail, float height) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Theme& theme = context.theme;
+  const std::string id = "trails/" + std::to_string(trail.id);
+  const std::string popup = id + "/colours";
+  const Control swatch = takePlace(widgets, id + "/colour", {theme.px(24.0F), height});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float radius = theme.px(swatch.hovered ? 7.0F : 6.0F);
+  if (trail.visible) {
+    list->AddCircleFilled(swatch.box.centre(), radius, trailColour(trail.colour));
+  } else {
+    list->AddCircle(swatch.box.centre(), radius - theme.px(1.0F), trailColour(trail.colour), 0,
+                    theme.px(1.5F));
+  }
+  tooltip(widgets, {.title = "Colour", .text = "Click to choose another one."});
+  if (swatch.clicked) {
+    ImGui::OpenPopup(popup.c_str());
+  }
+  colourPopup(context, trail, popup);
+}
+
+void trailText(PanelContext& context, const rig::Trail& trail, float width, float height) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Theme& theme = context.theme;
+  app::Session& session = *context.session;
+  const bool selected = session.view().selectedTrail == trail.id;
+  const Control row = takePlace(widgets, "trails/" + std::to_string(trail.id), {width, height});
+  const float middle = row.box.centre().y + theme.px(1.0F);
+  const ImU32 colour = selected        ? theme.colours.accent
+                       : trail.visible ? theme.colours.text
+                                       : theme.colours.quietText;
+  drawText(widgets, theme.fonts.body,
+           {{row.box.min.x, row.box.min.y + theme.px(4.0F)}, {row.box.max.x, middle}}, colour,
+           limbHeading(session.document(), trail.limb));
+  drawText(widgets, theme.fonts.label,
+           {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
+           theme.colours.quietText, detailText(trail));
+  tooltip(widgets, {.title = limbHeading(session.document(), trail.limb),
+                    .text = detailText(trail) + ". Click selects this trail."});
+  if (row.clicked) {
+    app::selectTrail(session, trail.id);
+  }
+}
+
+bool rowButton(PanelContext& context, const std::string& id, const char* iconText, const char* fallback,
+               bool on, const Help& help) {
+  ButtonSpec spec;
+  spec.id = id;
+  spec.icon = iconText;
+  spec.fallback = fallback;
+  spec.emphasis = Emphasis::quiet;
+  spec.on = on;
+  spec.help = help;
+  spec.width = context.theme.px(26.0F);
+  return button(widgetsOf(context), spec);
+}
+
+void trailButtons(PanelContext& context, const rig::Trail& trail) {
+  const std::string id = "trails/" + std::to_string(trail.id);
+  const app::Document& document = context.session->document();
+  if (rowButton(context, id + "/visible", trail.visible ? icon::visible : icon::hidden,
+                trail.visible ? "o" : "-", false,
+                {"Visible", "Shows or hides the trail in the viewport.", {}})) {
+    editOnce(context, trail.visible ? "Hide the trail" : "Show the trail",
+             app::setTrailDisplay(document, trail.id, {trail.colour, !trail.visible, trail.pinned}));
+  }
+  ImGui::SameLine(0.0F, 0.0F);
+  if (rowButton(context, id + "/pinned", icon::pin, "p", trail.pinned,
+                {"Pinned", "A pinned trail is drawn even when its limb is not selected.", {}})) {
+    editOnce(context, trail.pinned ? "Unpin the trail" : "Pin the trail",
+             app::setTrailDisplay(document, trail.id, {trail.colour, trail.visible, !trail.pinned}));
+  }
+  ImGui::SameLine(0.0F, 0.0F);
+  if (rowButton(context, id + "/delete", icon::trash, "x", false,
+                {"Delete this trail", "Gives its range back exactly as the source has it.",
+                 keyOf(context, command::trailDelete)})) {
+    editOnce(context, "Delete the trail", app::deleteTrail(document, trail.id));
+  }
+}
+
+void trailRow(PanelContext& context, const rig::Trail& trail) {
+  const Theme& theme = context.theme;
+  const float height = theme.px(trailRowHeight);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool selected = context.session->view().selectedTrail == trail.id;
+  const bool hovered =
+      ImGui::IsMouseHoveringRect(corner, {corner.x + width, corner.y + height}) && ImGui::IsWindowHovered();
+  if (selected || hovered) {
+    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height}, fill,
+                                              theme.corner());
+  }
+  ImGui::BeginGroup();
+  colourSwatch(context, trail, height);
+  ImGui::SameLine(0.0F, theme.px(4.0F));
+  const float buttons = theme.px(26.0F) * 3.0F + theme.px(4.0F);
+  trailText(context, trail, width - theme.px(28.0F) - buttons, height);
+  ImGui::SameLine(0.0F, theme.px(2.0F));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (height - theme.rowHeight()) * 0.5F);
+  trailButtons(context, trail);
+  ImGui::EndGroup();
+  ImGui::SetCursorScreenPos({corner.x, corner.y + height});
+}
+
+void clipboardRow(PanelContext& context) {
+  const float width = columnWidth(3);
+  commandButton(context, {.command = command::copyTrail, .icon = icon::copy, .text = "Copy", .width = width});
+  ImGui::SameLine();
+  commandButton(context,
+                {.command = command::pasteTrail, .icon = icon::paste, .text = "Paste", .width = width});
+  ImGui::SameLine();
+  commandButton(context,
+                {.command = command::mirrorTrail, .icon = icon::mirror, .text = "Mirror", .width = width});
+}
+
+} // namespace
+
+void drawTrailsPanel(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  panelTitle(widgets, icon::bolt, "Trails");
+  if (!hasViewedClip(context)) {
+    note(widgets, "Motion trails appear here once a character with a clip is open.");
+    return;
+  }
+  actions(context);
+  verticalSpace(widgets, 4.0F);
+  const app::Session& session = *context.session;
+  const std::vector<rig::Trail> trails = session.document().trails; // a copy: rows may edit the document
+  bool any = false;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+  for (const rig::Trail& trail : trails) {
+    if (trail.clip == session.view().clip) {
+      trailRow(context, trail);
+      any = true;
+    }
+  }
+  ImGui::PopStyleVar();
+  if (any) {
+    verticalSpace(widgets, 4.0F);
+    clipboardRow(context);
+    return;
+  }
+  const bool limbChosen = !session.view().selectedLimbs.empty();
+  const std::string key = keyOf(context, command::trailExaggerate);
+  emptyState(widgets, icon::bolt, limbChosen ? "Ready to exaggerate" : "No trail yet",
+             limbChosen ? "Press " + (key.empty() ? std::string("Exaggerate") : key) +
+                              " to make the limb's path bigger, or Trail to see the path first."
+                        : "Click a limb in the body picture, then press " +
+                              (key.empty() ? std::string("Exaggerate") : key) + ".");
+}
+
+} // namespace stretch::ui
