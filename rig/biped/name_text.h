@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stretch::rig::biped {
+
+/// A piece of a name between separators, digits and changes of script.
+struct NameChunk {
+  std::vector<std::string> parts; ///< Split again where lower case meets upper case ("LeftArm" -> left, arm).
+  std::string whole;              ///< The parts joined.
+};
+
+/// Splits a UTF-8 joint name into chunks: a namespace ("mixamorig:", "Armature|") is dropped, letters are
+/// folded to lower case without accents, full-width forms become ASCII, digits and punctuation separate.
+/// Ideographs and kana form chunks of one part. Bytes that are no UTF-8 separate.
+[[nodiscard]] std::vector<NameChunk> nameChunks(std::string_view name);
+
+} // namespace stretch::rig::biped

@@ -1,0 +1,119 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/anim/sampling.h"
+#include "tests/support/rig/described_limbs.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+double largestDifference(const Mat4& a, const Mat4& b) {
+  double largest = 0.0;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 4; ++row) {
+      largest = std::max(largest, std::abs(a[column][row] - b[column][row]));
+    }
+  }
+  return largest;
+}
+
+// A chain of three joints along +Y under an armature: bound straight, resting bent.
+Scene bentChain(const Transform& armature) {
+  Scene scene;
+  scene.nodes.resize(4);
+  scene.nodes[0].rest = armature;
+  Skin skin;
+  for (int i = 1; i < 4; ++i) {
+    Node& node = scene.nodes[static_cast<std::size_t>(i)];
+    node.parent = i - 1;
+    node.rest.translation = Vec3(0, 1, 0);
+    node.rest.rotation = i > 1 ? glm::angleAxis(0.7, Vec3(0, 0, 1)) : Quat(1, 0, 0, 0);
+    scene.nodes[static_cast<std::size_t>(i - 1)].children.push_back(i);
+    skin.joints.push_back(i);
+    skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(0, -i, 0)));
+  }
+  scene.skins.push_back(skin);
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("the bind pose is what the inverse bind matrices say, not the rest pose") {
+  const Scene scene = bentChain({});
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  CHECK(glm::distance(positionOf(worlds[3]), Vec3(0, 3, 0)) < 1e-12);
+  CHECK(glm::distance(positionOf(worldMatrices(scene, restPose(scene))[3]), Vec3(0, 3, 0)) > 0.1);
+}
+
+TEST_CASE("the bind pose stands in the world as the topmost joint does at rest") {
+  const Transform armature{Vec3(5, 0, 0), glm::angleAxis(pi / 2.0, Vec3(1, 0, 0)), Vec3(0.01)};
+  const Scene scene = bentChain(armature);
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  CHECK(largestDifference(worlds[1], rest[1]) < 1e-12);
+  CHECK(glm::distance(positionOf(worlds[3]), Vec3(5, 0, 0.03)) < 1e-12);
+}
+
+TEST_CASE("nodes that no skin binds follow their parents") {
+  Scene scene = bentChain({});
+  scene.nodes.resize(5);
+  scene.nodes[4].parent = 3;
+  scene.nodes[4].rest.translation = Vec3(0, 0.5, 0);
+  scene.nodes[3].children.push_back(4);
+  CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[4]), Vec3(0, 3.5, 0)) < 1e-12);
+}
+
+TEST_CASE("skins that share a skeleton share its bind pose, in whatever model space each was bound") {
+  Scene scene = bentChain({});
+  // Quantised meshes carry their scale in the inverse bind matrices.
+  const Mat4 quantisation = glm::translate(Mat4(1.0), Vec3(0, -7, 0)) * glm::scale(Mat4(1.0), Vec3(100.0));
+  Skin second;
+  second.joints = {2, 3};
+  for (const int joint : second.joints) {
+    second.inverseBind.push_back(scene.skins[0].inverseBind[static_cast<std::size_t>(joint - 1)] *
+                                 quantisation);
+  }
+  const std::vector<Mat4> alone = bindPoseWorlds(scene);
+  scene.skins.insert(scene.skins.begin(), second);
+  const std::vector<Mat4> both = bindPoseWorlds(scene);
+  for (std::size_t node = 0; node < both.size(); ++node) {
+    CHECK(largestDifference(alone[node], both[node]) < 1e-9);
+  }
+}
+
+TEST_CASE("inverse bind matrices that cannot be a bind pose are replaced by the rest transform") {
+  Scene scene = bentChain({});
+  scene.skins[0].inverseBind[2] = GENERATE(Mat4(0.0), Mat4(1.0), Mat4(std::nan("")));
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  CHECK(glm::distance(positionOf(worlds[3]), Vec3(0, 3, 0)) < 1e-12);
+}
+
+TEST_CASE("rest length and estimated ends are in world units, whatever the armature's scale") {
+  for (const double scale : {1.0, 0.01, 100.0}) {
+    SyntheticBiped body = makeBody();
+    body.armatureScale = scale;
+    const BuiltBiped built = build(body);
+    const Biped biped = detectBiped(built.scene);
+    const Limb* arm = findLimb(biped, LimbKind::leftArm);
+    REQUIRE(arm != nullptr);
+    CHECK(arm->restLength == Approx(std::hypot(0.27, 0.01) + std::hypot(0.25, 0.01)));
+    CHECK(biped.height == Approx(1.84).margin(0.01));
+  }
+}
+
+TEST_CASE("a character that lies down is as high as it is long") {
+  SyntheticBiped body = makeBody();
+  for (SyntheticJoint& joint : body.joints) {
+    joint.position = Vec3(joint.position.x, -joint.position.z, joint.position.y);
+  }
+  body.withMesh = false;
+  const BuiltBiped built = build(body);
+  const Biped biped = detectBiped(built.scene);
+  CHECK(biped.isBiped);
+  CHECK(biped.height > 1.5);
+}

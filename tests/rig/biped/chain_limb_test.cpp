@@ -1,0 +1,60 @@
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "tests/support/rig/described_limbs.h"
+#include "tests/support/rig/naming_schemes.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+BuiltBiped unreal() {
+  SyntheticBiped body = makeBody();
+  addTwist(body, "helper.l", "upperArm.l", "foreArm.l", 1.0, true);
+  body.joints.back().isJoint = false;
+  applyNames(body, namingScheme("Unreal"));
+  return build(body);
+}
+
+} // namespace
+
+TEST_CASE("any chain of joints can be a limb, by name or by index") {
+  const BuiltBiped built = unreal();
+  const Result<Limb> byName = chainLimb(built.scene, "clavicle_l", "hand_l");
+  REQUIRE(byName.ok());
+  CHECK(byName->id == "clavicle_l..hand_l");
+  CHECK(byName->kind == LimbKind::chain);
+  CHECK(byName->joints ==
+        std::vector{built.node.at("clavicle.l"), built.node.at("upperArm.l"), built.node.at("foreArm.l")});
+  CHECK(byName->endNode == built.node.at("hand.l"));
+  CHECK(byName->restLength > 0.5);
+  const auto indexOf = [&](const std::string& key) { return fmt::format("#{}", built.node.at(key)); };
+  const Result<Limb> byIndex = chainLimb(built.scene, indexOf("clavicle.l"), indexOf("hand.l"));
+  REQUIRE(byIndex.ok());
+  CHECK(byIndex->joints == byName->joints);
+}
+
+TEST_CASE("a chain that is none is refused with what is wrong") {
+  BuiltBiped built = unreal();
+  const auto refusal = [&](const std::string& a, const std::string& b) {
+    const Result<Limb> limb = chainLimb(built.scene, a, b);
+    REQUIRE_FALSE(limb.ok());
+    return limb.error().line();
+  };
+  CHECK(refusal("nobody", "hand_l").find("no node has this name") != std::string::npos);
+  CHECK(refusal("hand_l", "#999").find("no node has this index") != std::string::npos);
+  CHECK(refusal("hand_l", "#4x").find("no node has this index") != std::string::npos);
+  CHECK(refusal("hand_l", "hand_l").find("two different joints") != std::string::npos);
+  CHECK(refusal("hand_l", "upperarm_l").find("name the upper joint first") != std::string::npos);
+  CHECK(refusal("hand_l", "foot_r").find("one chain") != std::string::npos);
+  built.scene.nodes[static_cast<std::size_t>(built.node.at("hand.r"))].name = "hand_l";
+  CHECK(refusal("clavicle_l", "hand_l").find("several nodes have this name") != std::string::npos);
+}
+
+TEST_CASE("among nodes of one name the joint is meant, not the mesh") {
+  BuiltBiped built = unreal();
+  built.scene.nodes.back().name = "hand_l";
+  CHECK(chainLimb(built.scene, "upperarm_l", "hand_l").ok());
+}

@@ -1,0 +1,71 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/rig/described_limbs.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+const std::vector<std::pair<std::string, std::string>> table{{"hips", "hips"},
+                                                             {"spine", "spine0"},
+                                                             {"chest", "spine1"},
+                                                             {"upperChest", "spine2"},
+                                                             {"neck", "neck0"},
+                                                             {"head", "head"},
+                                                             {"leftUpperArm", "upperArm.r"},
+                                                             {"leftLowerArm", "foreArm.r"},
+                                                             {"leftHand", "hand.r"},
+                                                             {"rightUpperArm", "upperArm.l"},
+                                                             {"rightLowerArm", "foreArm.l"},
+                                                             {"rightHand", "hand.l"},
+                                                             {"leftUpperLeg", "thigh.r"},
+                                                             {"leftLowerLeg", "shin.r"},
+                                                             {"leftFoot", "foot.r"},
+                                                             {"rightUpperLeg", "thigh.l"},
+                                                             {"rightLowerLeg", "shin.l"},
+                                                             {"rightFoot", "foot.l"}};
+
+BuiltBiped withTable() {
+  BuiltBiped built = build(makeBody());
+  for (const auto& [bone, key] : table) {
+    built.scene.humanoid[bone] = built.node.at(key);
+  }
+  return built;
+}
+
+} // namespace
+
+TEST_CASE("the VRM humanoid table decides joints and sides, whatever names and feet say") {
+  const BuiltBiped built = withTable();
+  const Biped biped = detectBiped(built.scene);
+  CHECK(biped.isBiped);
+  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, biped, LimbKind::neck) == "neck0 -> head");
+  CHECK(biped.hips == built.node.at("hips"));
+  CHECK(biped.head == built.node.at("head"));
+}
+
+TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that ends at the head") {
+  BuiltBiped built = withTable();
+  for (const char* bone : {"neck", "chest", "upperChest"}) {
+    built.scene.humanoid.erase(bone);
+  }
+  const Biped biped = detectBiped(built.scene);
+  CHECK(describe(built, biped, LimbKind::neck) == "none");
+  CHECK(describe(built, biped, LimbKind::spine) == "spine0 -> head");
+}
+
+TEST_CASE(
+    "an entry of the humanoid table that leads nowhere leaves the limb to the geometry, with a warning") {
+  BuiltBiped built = withTable();
+  built.scene.humanoid["leftHand"] = 9999;
+  const Biped biped = detectBiped(built.scene);
+  CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.r foreArm.r -> hand.r");
+  REQUIRE_FALSE(biped.warnings.empty());
+  CHECK(biped.warnings.front().find("humanoid table names no complete left-arm") != std::string::npos);
+}

@@ -1,0 +1,44 @@
+#include "tests/support/rig/described_limbs.h"
+
+#include <algorithm>
+
+namespace stretch::test {
+
+namespace {
+
+std::string keyOf(const BuiltBiped& built, int node) {
+  for (const auto& [key, index] : built.node) {
+    if (index == node) {
+      return key;
+    }
+  }
+  return "estimated";
+}
+
+} // namespace
+
+const rig::Limb* findLimb(const rig::Biped& biped, rig::LimbKind kind) {
+  const auto found = std::ranges::find(biped.limbs, kind, &rig::Limb::kind);
+  return found == biped.limbs.end() ? nullptr : &*found;
+}
+
+std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::LimbKind kind) {
+  const rig::Limb* limb = findLimb(biped, kind);
+  if (limb == nullptr) {
+    return "none";
+  }
+  std::string text;
+  for (const int joint : limb->joints) {
+    text += keyOf(built, joint) + " ";
+  }
+  return text + "-> " + keyOf(built, limb->endNode);
+}
+
+Vec3 endOf(const Scene& scene, const rig::Limb& limb) {
+  const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
+  return limb.endNode >= 0
+             ? positionOf(worlds[static_cast<std::size_t>(limb.endNode)])
+             : transformPoint(worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
+}
+
+} // namespace stretch::test

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "rig/biped/detection.h"
+#include "tests/support/rig/synthetic_biped.h"
+
+namespace stretch::test {
+
+/// The limb of a kind; null where it was not found.
+[[nodiscard]] const rig::Limb* findLimb(const rig::Biped& biped, rig::LimbKind kind);
+
+/// Keys of a limb's joints and of its end: "upperArm.l foreArm.l -> hand.l"; "-> estimated" without an end
+/// joint, "none" without the limb.
+[[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::LimbKind kind);
+
+/// World position of a limb's end in the bind pose.
+[[nodiscard]] Vec3 endOf(const Scene& scene, const rig::Limb& limb);
+
+} // namespace stretch::test

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace stretch::test {
+
+/// A joint of a made-up skeleton: known to the test by its key, whatever its name.
+struct SyntheticJoint {
+  std::string key; ///< "upperArm.l", "spine0", ...
+  std::string parent;
+  Vec3 position{0.0};  ///< World, bind pose, before facing and scale.
+  bool isJoint = true; ///< Part of the skin.
+  bool movesMesh = true;
+};
+
+/// A plausible biped, 1.8 units tall, standing in a T-pose on the floor, facing +Z, left at +X.
+struct SyntheticBiped {
+  std::vector<SyntheticJoint> joints;
+  std::map<std::string, std::string> names; ///< Key to node name; a key without an entry has no name.
+  double armatureScale = 1.0;  ///< Of a node above the root joint; the bind pose's model space is its own.
+  bool facesBackwards = false; ///< Turned about Y: left is at -X.
+  bool withMesh = true;
+  bool withSkin = true;
+  bool shuffled = false;    ///< Node indices in another order than the tree's.
+  bool posedAtRest = false; ///< Rest rotations that are not the bind pose's.
+};
+
+struct BodyOptions {
+  int spineJoints = 3;
+  int neckJoints = 1;
+  bool clavicles = true;
+  bool hands = true;
+  bool feet = true;
+  bool toes = true;
+  bool fingers = true;
+  bool tips = false; ///< A joint without weight at the top of the head and at the end of the toes.
+};
+
+[[nodiscard]] SyntheticBiped makeBody(const BodyOptions& options = {});
+
+/// Puts a joint at `share` of the way from `key` to its child `childKey` and, if `inChain`, hangs the child
+/// from it.
+void addTwist(SyntheticBiped& body, const std::string& newKey, const std::string& key,
+              const std::string& childKey, double share, bool inChain);
+
+/// Names of the joints of a scheme: "%" stands for the side.
+struct NamingScheme {
+  std::string title;
+  std::string left;
+  std::string right;
+  std::map<std::string, std::string> names; ///< Key without its side ("upperArm", "spine0") to name.
+};
+
+void applyNames(SyntheticBiped& body, const NamingScheme& scheme);
+
+/// The scene, and where each joint went.
+struct BuiltBiped {
+  Scene scene;
+  std::map<std::string, int> node;
+};
+
+[[nodiscard]] BuiltBiped build(const SyntheticBiped& body);
+
+} // namespace stretch::test
