@@ -24,16 +24,18 @@ double wantedEdgeLength(const Vec3& point) {
     double radius;
     double edgeLength;
   };
-  constexpr std::array<Detail, 9> details{{{{0.0, 1.585, 0.13}, 0.06, 0.0085},
-                                           {{0.13, 1.588, -0.01}, 0.05, 0.009},
-                                           {{0.0, 1.61, 0.0}, 0.19, 0.0135},
-                                           {{0.65, 0.95, 0.05}, 0.16, 0.0125},
-                                           {{0.56, 1.03, 0.02}, 0.08, 0.0125},
-                                           {{0.13, 0.03, 0.04}, 0.20, 0.0140},
-                                           {{0.0, 1.008, 0.0}, 0.17, 0.0170},
-                                           {{0.386, 1.186, -0.03}, 0.10, 0.0145},
-                                           {{0.112, 0.492, 0.016}, 0.12, 0.0165}}};
-  double length = 0.020;
+  constexpr std::array<Detail, 11> details{{{{0.0, 1.565, 0.13}, 0.06, 0.0110},
+                                            {{0.14, 1.575, -0.01}, 0.05, 0.0115},
+                                            {{0.0, 1.78, 0.11}, 0.03, 0.0110},
+                                            {{0.0, 1.60, 0.0}, 0.20, 0.0185},
+                                            {{0.66, 0.94, 0.05}, 0.17, 0.0160},
+                                            {{0.56, 1.03, 0.02}, 0.08, 0.0170},
+                                            {{0.13, 0.03, 0.04}, 0.20, 0.0185},
+                                            {{0.0, 1.008, 0.0}, 0.17, 0.0225},
+                                            {{0.386, 1.186, -0.03}, 0.10, 0.0170},
+                                            {{0.29, 1.27, -0.02}, 0.12, 0.0195},
+                                            {{0.112, 0.492, 0.016}, 0.12, 0.0200}}};
+  double length = 0.027;
   for (const Detail& detail : details) {
     const double outside = std::max(0.0, glm::length(p - detail.center) - detail.radius);
     length = std::min(length, detail.edgeLength + 0.25 * outside);
@@ -42,7 +44,7 @@ double wantedEdgeLength(const Vec3& point) {
 }
 
 SurfaceMesh bodySurface() {
-  const SurfaceMesh raw = polygonize(bodyDistance, {-0.80, -0.03, -0.20}, {0.80, 1.84, 0.26}, 0.012);
+  const SurfaceMesh raw = polygonize(bodyDistance, {-0.80, -0.03, -0.20}, {0.80, 1.84, 0.26}, 0.010);
   const SurfaceMesh even = remesh(raw, {wantedEdgeLength, projectToBody, bodyNormal, 8});
   return cutAlongRegions(even);
 }
@@ -67,7 +69,7 @@ SkinnedMesh makeBody(const std::vector<Joint>& skeleton) {
           vertexOf.try_emplace({triangle[corner], region}, static_cast<int>(body.vertices.size()));
       if (isNew) {
         const Vec3& position = surface.positions[static_cast<std::size_t>(triangle[corner])];
-        const Vec3 normal = bodyNormal(position);
+        const Vec3 normal = regionNormal(region, position);
         body.vertices.push_back({position, normal, paintedColor(region, position, normal),
                                  influences[static_cast<std::size_t>(triangle[corner])]});
       }

@@ -27,4 +27,12 @@ namespace stretch::assets {
 /// Intersection of two shapes with its edge rounded over `width` metres.
 [[nodiscard]] double smoothIntersection(double a, double b, double width);
 
+/// Gradient of a field of distances, by central differences of a tenth of a millimetre.
+template <typename Field>
+[[nodiscard]] Vec3 gradientOf(const Field& field, const Vec3& point) {
+  constexpr double step = 1e-4;
+  const auto slope = [&](const Vec3& offset) { return field(point + offset) - field(point - offset); };
+  return Vec3(slope({step, 0.0, 0.0}), slope({0.0, step, 0.0}), slope({0.0, 0.0, step})) / (2.0 * step);
+}
+
 } // namespace stretch::assets

@@ -13,6 +13,7 @@ Character makeDummy() {
   dummy.parts.push_back({"Body", 0.62, makeBody(dummy.skeleton)});
   dummy.parts.push_back({"Face", 0.35, makeFace(jointIndex(dummy.skeleton, "Head"))});
   dummy.motions.push_back(keyPoses("One-two punch", dummy.skeleton, punchPoses(), punchFramesPerSecond));
+  dummy.motions.push_back(bakePoses("Guard", dummy.skeleton, guardPoses(), punchFramesPerSecond));
   return dummy;
 }
 

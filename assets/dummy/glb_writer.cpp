@@ -199,13 +199,18 @@ Json writeMotion(Buffer& buffer, const Motion& motion) {
     const int width = track.isTranslation ? 3 : 4;
     std::vector<float> values;
     for (std::size_t key = 0; key < track.frames.size(); ++key) {
-      appendValue(values, track.inTangents[key], width);
+      if (!track.inTangents.empty()) {
+        appendValue(values, track.inTangents[key], width);
+      }
       appendValue(values, track.values[key], width);
-      appendValue(values, track.outTangents[key], width);
+      if (!track.outTangents.empty()) {
+        appendValue(values, track.outTangents[key], width);
+      }
     }
     const int output = buffer.add(values, singleFloat, track.isTranslation ? "VEC3" : "VEC4", width);
-    samplers.push_back(
-        {{"input", inputs[track.frames]}, {"interpolation", "CUBICSPLINE"}, {"output", output}});
+    samplers.push_back({{"input", inputs[track.frames]},
+                        {"interpolation", track.inTangents.empty() ? "LINEAR" : "CUBICSPLINE"},
+                        {"output", output}});
     channels.push_back(
         {{"sampler", samplers.size() - 1},
          {"target", {{"node", track.joint}, {"path", track.isTranslation ? "translation" : "rotation"}}}});

@@ -12,7 +12,11 @@ namespace stretch::assets {
 [[nodiscard]] Motion keyPoses(const std::string& name, const std::vector<Joint>& skeleton,
                               const std::vector<Pose>& poses, double framesPerSecond);
 
-/// The value of a track at a frame, as a glTF viewer computes it; rotations normalised.
+/// Keys every moving joint on every frame, joined by straight lines, as exporters bake a clip.
+[[nodiscard]] Motion bakePoses(const std::string& name, const std::vector<Joint>& skeleton,
+                               const std::vector<Pose>& poses, double framesPerSecond);
+
+/// The value of a cubic track at a frame, as a glTF viewer computes it; rotations normalised.
 [[nodiscard]] Vec4 trackValue(const MotionTrack& track, double frame, double framesPerSecond);
 
 } // namespace stretch::assets

@@ -7,7 +7,8 @@
 
 namespace stretch::assets {
 
-/// Keys of one joint's rotation, or of the hips' translation: glTF cubic splines, tangents per second.
+/// Keys of one joint's rotation, or of the hips' translation. With tangents (per second) they are glTF's
+/// cubic splines, without they are joined by straight lines.
 struct MotionTrack {
   int joint = 0;
   bool isTranslation = false; ///< Values are (x, y, z, 0) in metres; else quaternions (x, y, z, w).

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "assets/dummy/body_shape.h"
+#include "assets/dummy/head_shape.h"
 
 namespace stretch::assets {
 
@@ -14,7 +16,7 @@ namespace {
 unsigned paletteHex(Region region) {
   switch (region) {
   case Region::skin:
-    return 0xF2C7A0;
+    return skinHex;
   case Region::hair:
     return hairHex;
   case Region::glove:
@@ -45,9 +47,10 @@ double openness(const Vec3& point, const Vec3& normal) {
   return std::clamp(1.0 - 9.0 * blocked, 0.0, 1.0);
 }
 
-double bump(const Vec3& point, const Vec3& center, double radius) {
-  const Vec3 offset(std::abs(point.x) - center.x, point.y - center.y, point.z - center.z);
-  const double square = (offset.x * offset.x + offset.y * offset.y + offset.z * offset.z) / (radius * radius);
+/// 1 at a place of the face (left side, the head's drawing space), falling smoothly to 0 at `radius`.
+double bump(const Vec3& point, const Vec3& place, double radius) {
+  const Vec3 offset = Vec3(std::abs(point.x), point.y, point.z) - headToModel(place);
+  const double square = glm::dot(offset, offset) / (radius * radius);
   const double inside = std::max(0.0, 1.0 - square);
   return inside * inside;
 }

@@ -11,6 +11,8 @@ namespace stretch::assets {
 /// in creases.
 [[nodiscard]] Vec3 paintedColor(Region region, const Vec3& point, const Vec3& normal);
 
+inline constexpr unsigned skinHex = 0xF2C7A0;
+inline constexpr unsigned lidHex = 0xEDBC96;
 inline constexpr unsigned hairHex = 0x7A3E1D;
 
 } // namespace stretch::assets

@@ -57,14 +57,15 @@ Pose rise(int frame, double sway) {
 /// The left shoulder winds back, weight onto the back foot.
 Pose jabAnticipation(int frame) {
   Pose pose = crouch(frame, -0.03);
-  pose[hips] = {-0.060, 0.812, -0.030};
-  pose[hipsTurn] = {5.0, -20.0, 3.0};
-  pose[chestTurn] = {14.0, -4.0, 5.0};
-  pose[headTurn] = {9.0, -6.0, 3.0};
-  pose[leftWrist] = {0.185, 1.150, 0.165};
-  pose[leftElbow] = {0.65, -0.8, -0.6};
-  pose[leftClavicle] = {-10.0, 3.0, 0.0};
-  pose[rightWrist] = {-0.150, 1.175, 0.185};
+  pose[hips] = {-0.075, 0.800, -0.045};
+  pose[hipsTurn] = {5.0, -14.0, 4.0};
+  pose[chestTurn] = {12.0, 8.0, 7.0};
+  pose[headTurn] = {10.0, -4.0, 4.0};
+  pose[leftWrist] = {0.205, 1.120, 0.120};
+  pose[leftElbow] = {0.70, -0.65, -0.75};
+  pose[leftKnuckles] = {-0.12, 0.60, 0.80};
+  pose[leftClavicle] = {-14.0, 3.0, 0.0};
+  pose[rightWrist] = {-0.160, 1.170, 0.205};
   pose[leftFoot].x = 16.0;
   pose[rightFoot].x = 14.0;
   return pose;
@@ -100,7 +101,8 @@ Pose jabExtension(int frame, double further) {
   pose[leftKnuckles] = {0.0, -0.02, 1.0};
   pose[leftThumb] = {-1.0, 0.12, 0.0};
   pose[leftClavicle] = {20.0 + 2.0 * further, 9.0, 0.0};
-  pose[rightWrist] = {-0.115, 1.205, 0.115};
+  pose[rightWrist] = {-0.175, 1.190, 0.235};
+  pose[rightKnuckles] = {0.25, 0.85, 0.40};
   pose[leftFoot].x = 4.0;
   pose[rightFoot] = {48.0, -42.0, 0.0};
   return pose;
@@ -116,7 +118,7 @@ Pose jabRecoil(int frame) {
   pose[leftWrist] = {0.175, 1.200, 0.390};
   pose[leftKnuckles] = {-0.10, 0.60, 0.80};
   pose[leftClavicle] = {8.0, 4.0, 0.0};
-  pose[rightWrist] = {-0.150, 1.195, 0.110};
+  pose[rightWrist] = {-0.165, 1.190, 0.150};
   pose[leftFoot].x = 18.0;
   pose[rightFoot] = {28.0, -50.0, 0.0};
   return pose;
@@ -131,9 +133,9 @@ Pose crossAnticipation(int frame) {
   pose[headTurn] = {8.0, -14.0, 4.0};
   pose[leftWrist] = {0.110, 1.190, 0.360};
   pose[leftClavicle] = {12.0, 5.0, 0.0};
-  pose[rightWrist] = {-0.235, 1.130, 0.000};
+  pose[rightWrist] = {-0.285, 1.110, 0.010};
   pose[rightElbow] = {-0.8, -0.7, -0.5};
-  pose[rightKnuckles] = {0.20, 0.70, 0.70};
+  pose[rightKnuckles] = {-0.02, 0.75, 0.65};
   pose[rightClavicle] = {-12.0, 3.0, 0.0};
   pose[leftFoot].x = 16.0;
   pose[rightFoot] = {12.0, -54.0, 0.0};
@@ -164,8 +166,9 @@ Pose crossExtension(int frame, double further) {
   pose[hipsTurn] = {9.0, 28.0 + 4.0 * further, -4.0};
   pose[chestTurn] = {18.0, 50.0 + 5.0 * further, -8.0};
   pose[headTurn] = {8.0, 6.0, 3.0};
-  pose[leftWrist] = {0.190, 1.180, 0.230};
+  pose[leftWrist] = {0.235, 1.170, 0.310};
   pose[leftElbow] = {0.65, -0.9, -0.2};
+  pose[leftKnuckles] = {-0.05, 0.90, 0.40};
   pose[rightWrist] = Vec3(0.020, 1.360, 1.150) + further * Vec3(0.01, -0.01, 0.06);
   pose[rightElbow] = {-0.80, -0.60, 0.0};
   pose[rightKnuckles] = {0.0, -0.04, 1.0};
@@ -208,6 +211,10 @@ std::vector<Pose> punchPoses() {
           crossRecoil(50),
           crouch(55, 0.004),
           guard(60)};
+}
+
+std::vector<Pose> guardPoses() {
+  return {guard(0), crouch(4, 0.018), rise(8, 0.004), crouch(12, -0.018), guard(16)};
 }
 
 } // namespace stretch::assets

@@ -12,4 +12,7 @@ inline constexpr double punchFramesPerSecond = 24.0;
 /// pose.
 [[nodiscard]] std::vector<Pose> punchPoses();
 
+/// The guard alone, bouncing from foot to foot: frames 0 to 16, a loop.
+[[nodiscard]] std::vector<Pose> guardPoses();
+
 } // namespace stretch::assets

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "assets/dummy/body_shape.h"
+#include "assets/dummy/distance_field.h"
 #include "assets/dummy/editable_mesh.h"
+#include "assets/dummy/slivers.h"
 
 namespace stretch::assets {
 
@@ -16,39 +20,77 @@ struct Border {
   std::function<bool(const Vec3&)> applies;
 };
 
-constexpr double soleHeight = 0.027;
-constexpr double bootTrimHeight = 0.228;
-constexpr double cuffReach = -0.008; ///< Along the glove's axis, from the wrist.
-constexpr double stripeCenter = 0.0;
+constexpr double soleHeight = 0.025;
+constexpr double bootTrimHeight = 0.226;
+constexpr double cuffReach = -0.012; ///< Along the glove's axis, from the wrist.
+constexpr double bandHeight = 0.985; ///< Lower edge of the waistband.
 constexpr double stripeHalfWidth = 0.024;
 
-bool isOuterTrunks(const Vec3& p) {
+bool isTrunks(const Vec3& p) {
   const Layers layers = layersAt(p);
-  return std::abs(p.x) > 0.09 && layers.trunks < std::min(layers.skin, layers.waistband);
+  return std::min(layers.trunks, layers.waistband) < layers.skin;
 }
 
+bool isBoot(const Vec3& p) {
+  const Layers layers = layersAt(p);
+  return layers.boot < layers.skin;
+}
+
+bool isGlove(const Vec3& p) {
+  const Layers layers = layersAt(p);
+  return layers.glove < layers.skin;
+}
+
+bool isOuterTrunks(const Vec3& p) {
+  return std::abs(p.x) > 0.09 && p.y < bandHeight && isTrunks(p);
+}
+
+Border layerBorder(double Layers::*layer) {
+  return {[=](const Vec3& p) {
+            const Layers layers = layersAt(p);
+            return layers.*layer - layers.skin;
+          },
+          [](const Vec3&) { return true; }};
+}
+
+/// A level of height above the ground.
+Border heightBorder(double height, bool (*applies)(const Vec3&)) {
+  return {[=](const Vec3& p) { return p.y - height; }, applies};
+}
+
+Border gloveBorder(double reach) {
+  return {[=](const Vec3& p) { return gloveReach(p) - reach; }, isGlove};
+}
+
+Border stripeBorder(double z) {
+  return {[=](const Vec3& p) { return p.z - z; }, isOuterTrunks};
+}
+
+/// Colour borders, and the rims of boots, cuffs and trunks: they look ragged unless edges run around them.
 std::vector<Border> borders() {
-  const auto always = [](const Vec3&) { return true; };
-  const auto layerBorder = [&](double Layers::*layer, double Layers::*under) {
-    return Border{[=](const Vec3& p) {
-                    const Layers layers = layersAt(p);
-                    return layers.*layer - layers.*under;
-                  },
-                  always};
-  };
-  const auto boots = [](const Vec3& p) { return p.y < 0.35; };
-  const auto gloves = [](const Vec3& p) { return layersAt(p).glove < layersAt(p).skin; };
-  return {layerBorder(&Layers::hair, &Layers::skin),
-          layerBorder(&Layers::glove, &Layers::skin),
-          layerBorder(&Layers::boot, &Layers::skin),
-          layerBorder(&Layers::trunks, &Layers::skin),
-          layerBorder(&Layers::waistband, &Layers::skin),
-          layerBorder(&Layers::waistband, &Layers::trunks),
-          {[](const Vec3& p) { return gloveReach(p) - cuffReach; }, gloves},
-          {[](const Vec3& p) { return p.y - soleHeight; }, boots},
-          {[](const Vec3& p) { return p.y - bootTrimHeight; }, boots},
-          {[](const Vec3& p) { return p.z - stripeCenter - stripeHalfWidth; }, isOuterTrunks},
-          {[](const Vec3& p) { return p.z - stripeCenter + stripeHalfWidth; }, isOuterTrunks}};
+  const Border trunks{[](const Vec3& p) {
+                        const Layers layers = layersAt(p);
+                        return std::min(layers.trunks, layers.waistband) - layers.skin;
+                      },
+                      [](const Vec3&) { return true; }};
+  return {layerBorder(&Layers::hair),
+          layerBorder(&Layers::glove),
+          layerBorder(&Layers::boot),
+          trunks,
+          heightBorder(bandHeight, isTrunks),
+          heightBorder(bandHeight + 0.008, isTrunks),
+          heightBorder(bandHeight + 0.039, isTrunks),
+          gloveBorder(cuffReach),
+          heightBorder(soleHeight, isBoot),
+          heightBorder(bootTrimHeight, isBoot),
+          heightBorder(bootHem - 0.010, isBoot),
+          heightBorder(bootHem - 0.003, isBoot),
+          gloveBorder(cuffEnd + 0.010),
+          gloveBorder(cuffEnd + 0.003),
+          heightBorder(trunksHem + 0.010, isTrunks),
+          heightBorder(trunksHem + 0.003, isTrunks),
+          stripeBorder(-stripeHalfWidth),
+          stripeBorder(stripeHalfWidth)};
 }
 
 /// Edges that the border crosses, as the fraction from the first end at which it does.
@@ -69,7 +111,8 @@ std::vector<std::pair<Edge, double>> crossedEdges(const EditableMesh& mesh, cons
   return crossed;
 }
 
-/// The point of the border on the segment between two points on either side of it, put onto the surface.
+/// The point of the border between two points on either side of it, on the surface: the segment's, moved
+/// along the border's own level so that rims stay where they are.
 Vec3 borderPoint(const Border& border, Vec3 a, Vec3 b) {
   double sideA = border.side(a);
   for (int step = 0; step < 24; ++step) {
@@ -82,7 +125,16 @@ Vec3 borderPoint(const Border& border, Vec3 a, Vec3 b) {
       b = middle;
     }
   }
-  return projectToBody(0.5 * (a + b));
+  Vec3 point = 0.5 * (a + b);
+  for (int step = 0; step < 8; ++step) {
+    const Vec3 across = gradientOf(border.side, point);
+    point -= across * (border.side(point) / std::max(glm::dot(across, across), 0.25));
+    const Vec3 outward = gradientOf(bodyDistance, point);
+    const Vec3 along =
+        outward - across * (glm::dot(outward, across) / std::max(glm::dot(across, across), 0.25));
+    point -= along * (bodyDistance(point) / std::max(glm::dot(along, along), 0.09));
+  }
+  return projectToBody(point);
 }
 
 /// Moves vertices that lie close to the border onto it, those on an earlier border excepted.
@@ -126,11 +178,32 @@ Region regionAt(const Vec3& point) {
   if (nearest == layers.boot) {
     return point.y < soleHeight ? Region::sole : (point.y > bootTrimHeight ? Region::bootTrim : Region::boot);
   }
-  if (nearest == layers.waistband) {
+  if (point.y > bandHeight) {
     return Region::waistband;
   }
-  const bool onStripe = std::abs(point.z - stripeCenter) < stripeHalfWidth && std::abs(point.x) > 0.09;
-  return onStripe ? Region::stripe : Region::trunks;
+  return isOuterTrunks(point) && std::abs(point.z) < stripeHalfWidth ? Region::stripe : Region::trunks;
+}
+
+Vec3 regionNormal(Region region, const Vec3& point) {
+  switch (region) {
+  case Region::skin:
+    return layerNormal(&Layers::skin, point);
+  case Region::hair:
+    return layerNormal(&Layers::hair, point);
+  case Region::glove:
+  case Region::cuff:
+    return layerNormal(&Layers::glove, point);
+  case Region::boot:
+  case Region::sole:
+  case Region::bootTrim:
+    return layerNormal(&Layers::boot, point);
+  case Region::trunks:
+  case Region::stripe:
+  case Region::waistband:
+    break;
+  }
+  const Layers layers = layersAt(point);
+  return layerNormal(layers.trunks < layers.waistband ? &Layers::trunks : &Layers::waistband, point);
 }
 
 SurfaceMesh cutAlongRegions(const SurfaceMesh& mesh) {
@@ -140,6 +213,8 @@ SurfaceMesh cutAlongRegions(const SurfaceMesh& mesh) {
     snapVertices(cut, border, fixed);
     splitEdges(cut, border, fixed);
   }
+  mergeCoincident(cut);
+  flipSlivers(cut, [](const Vec3& p) { return static_cast<int>(regionAt(p)); });
   return cut.compact();
 }
 

@@ -20,8 +20,8 @@ constexpr std::array<Place, 6> trunk{{
     {"Spine", "Hips", {0.0, 1.025, 0.0}},
     {"Spine1", "Spine", {0.0, 1.13, -0.004}},
     {"Spine2", "Spine1", {0.0, 1.24, -0.01}},
-    {"Neck", "Spine2", {0.0, 1.415, -0.016}},
-    {"Head", "Neck", {0.0, 1.485, -0.006}},
+    {"Neck", "Spine2", {0.0, 1.405, -0.016}},
+    {"Head", "Neck", {0.0, 1.463, -0.006}},
 }};
 
 /// One side's limbs, without the side's name in front; positions of the left side.
@@ -30,8 +30,8 @@ constexpr std::array<Place, 10> limbs{{
     {"Arm", "Shoulder", {0.182, 1.366, -0.012}},
     {"ForeArm", "Arm", {0.386, 1.186, -0.030}},
     {"Hand", "ForeArm", {0.570, 1.020, 0.022}},
-    {"HandMiddle1", "Hand", {0.640, 0.957, 0.044}},
-    {"HandThumb1", "Hand", {0.598, 1.003, 0.072}},
+    {"HandMiddle1", "Hand", {0.648, 0.950, 0.044}},
+    {"HandThumb1", "Hand", {0.602, 1.000, 0.080}},
     {"UpLeg", "Hips", {0.092, 0.895, 0.0}},
     {"Leg", "UpLeg", {0.112, 0.492, 0.016}},
     {"Foot", "Leg", {0.124, 0.098, -0.022}},

@@ -113,12 +113,12 @@ double blendWidth(const Vec3& point, const std::vector<Joint>& skeleton) {
                                           {"Head", 0.022},
                                           {"LeftShoulder", 0.045},
                                           {"LeftArm", 0.042},
-                                          {"LeftForeArm", 0.026},
+                                          {"LeftForeArm", 0.022},
                                           {"LeftHand", 0.014},
                                           {"LeftHandMiddle1", 0.022},
                                           {"LeftHandThumb1", 0.014},
                                           {"LeftUpLeg", 0.050},
-                                          {"LeftLeg", 0.034},
+                                          {"LeftLeg", 0.023},
                                           {"LeftFoot", 0.026},
                                           {"LeftToeBase", 0.020}}};
   double sum = 0.0;

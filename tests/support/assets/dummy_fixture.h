@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/gltf/source.h"
+
+namespace stretch::assets {
+
+[[nodiscard]] std::filesystem::path committedDummyPath();
+[[nodiscard]] std::vector<std::uint8_t> committedDummy();
+
+/// The committed character, read as the program reads any other.
+[[nodiscard]] gltf::Loaded loadedDummy();
+
+/// Index of the node of that name; a failed test when there is none.
+[[nodiscard]] int nodeNamed(const Scene& scene, const std::string& name);
+
+/// Vertices with one joint turned about the axis of its own bend in the bind pose, by the smallest turn that
+/// bends the limb further. `joint` has a parent and a first child.
+[[nodiscard]] std::vector<Vec3> bent(const Scene& scene, const Primitive& body, int joint, double degrees);
+
+} // namespace stretch::assets
