@@ -313,6 +313,13 @@ void applyInnerTrails(const Scene& scene, const MotionState& motion, const Solve
   }
 }
 
+// Whether an active trail that is solved earlier may move this one's limb.
+bool isCarried(const MotionState& motion, const SolvedTrail& solved) {
+  return std::any_of(motion.trails.begin(), motion.trails.end(), [&](const SolvedTrail& other) {
+    return other.active && solveOrder(other.limb.kind) < solveOrder(solved.limb.kind);
+  });
+}
+
 } // namespace
 
 MotionState solveMotion(const MotionInput& input) {
@@ -354,43 +361,47 @@ FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionStat
   return frame;
 }
 
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                      double incrementFrames) {
-  const double fps = motion.framesPerSecond;
-  std::vector<double> extra{solved.startSeconds, solved.endSeconds};
-  for (const double frame : solved.controlFrames) {
-    extra.push_back(frame / fps);
-  }
-  const double increment = std::max(incrementFrames, 0.05);
-  const double start = std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
-  const double end = std::min(solved.windowEndSeconds, clip.endSeconds);
-  DrawnTrail drawn;
-  const bool carried = std::any_of(motion.trails.begin(), motion.trails.end(), [&](const SolvedTrail& other) {
-    return other.active && solveOrder(other.limb.kind) < solveOrder(solved.limb.kind);
-  });
+DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+                   const std::vector<double>& frames) {
   std::vector<int> nodes = touchedNodes(solved.limb, solved.topology);
   if (motion.hips >= 0) {
     nodes.push_back(motion.hips);
   }
   const NodeSampler sampler(scene, clip, nodes);
+  const bool carried = isCarried(motion, solved);
+  DrawnTrail drawn;
+  drawn.frames = frames;
   std::vector<Mat4> worlds;
-  for (const double time : sampleTimes(start, end, fps / increment, extra)) {
-    LimbSample sample;
-    FrameState frame;
+  for (const double frameNumber : frames) {
+    const double time = frameNumber / motion.framesPerSecond;
+    sampler.sample(time, worlds);
+    const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, worlds, time);
+    drawn.original.push_back(sample.end);
+    drawn.exaggerated.push_back(targetAt(motion, solved, sample));
     if (carried) {
-      frame = frameOf(scene, samplePose(scene, clip, time), time);
-      worlds = frame.worlds;
-      applyInnerTrails(scene, motion, solved, worlds, frame);
-    } else {
-      sampler.sample(time, worlds);
+      FrameState frame = frameOf(scene, samplePose(scene, clip, time), time);
+      const std::vector<Mat4> sourceWorlds = frame.worlds;
+      applyInnerTrails(scene, motion, solved, sourceWorlds, frame);
+      for (Vec3* point : {&drawn.original.back(), &drawn.exaggerated.back()}) {
+        *point = carriedPoint(scene, solved, sample, *point, sourceWorlds, frame);
+      }
     }
-    sample = limbSample(solved.limb, solved.settings.space, motion.hips, worlds, time);
-    const Vec3 target = targetAt(motion, solved, sample);
-    drawn.frames.push_back(time * fps);
-    drawn.original.push_back(carried ? carriedPoint(scene, solved, sample, sample.end, worlds, frame) : sample.end);
-    drawn.exaggerated.push_back(carried ? carriedPoint(scene, solved, sample, target, worlds, frame) : target);
   }
   return drawn;
+}
+
+DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+                      std::size_t samplesPerFrame) {
+  const double fps = motion.framesPerSecond;
+  const double start = fps * std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
+  const double end = std::max(start, fps * std::min(solved.windowEndSeconds, clip.endSeconds));
+  const auto perFrame = static_cast<double>(std::max<std::size_t>(1, samplesPerFrame));
+  const auto count = static_cast<std::size_t>(std::floor((end - start) * perFrame + 1e-6)) + 1;
+  std::vector<double> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    frames.push_back(start + static_cast<double>(i) / perFrame);
+  }
+  return pathsAt(scene, clip, motion, solved, frames);
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

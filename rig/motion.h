@@ -70,16 +70,20 @@ struct MotionInput {
 /// The character at one time with every active trail applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion, double timeSeconds);
 
-/// A trail's paths as they are drawn: one point a sample of its window, world space.
+/// Points of a trail's paths, world space, one a frame asked for. Inner trails carry both paths.
 struct DrawnTrail {
   std::vector<double> frames;
   std::vector<Vec3> original;
   std::vector<Vec3> exaggerated;
 };
 
-/// Sampled every `incrementFrames` frames and at every control sphere. Inner trails carry both paths.
+/// The paths at given frames, as at the control spheres (SolvedTrail::controlFrames).
+[[nodiscard]] DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+                                 const std::vector<double>& frames);
+
+/// The paths as they are drawn: evenly `samplesPerFrame` a frame over range and release. At least one sample.
 [[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                                    double incrementFrames);
+                                    std::size_t samplesPerFrame);
 
 /// The default range of a limb in a clip (section "Words"): first frame .. frame at which the end, seen from the base, is
 /// farthest from where it began. Frames.

@@ -123,18 +123,11 @@ std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
     return {};
   }
   const Document& document = session.document();
-  const int clip = session.view().clip;
-  // An increment longer than any clip: samples at the control spheres and little else.
-  const rig::DrawnTrail drawn = rig::drawnPaths(*document.scene, clipOf(document, clip), session.motion(),
-                                                *solved, lastFrame(document, clip) + 1.0);
+  const rig::DrawnTrail drawn = rig::pathsAt(*document.scene, clipOf(document, session.view().clip), session.motion(), *solved,
+                                             solved->controlFrames);
   std::vector<PlacedSphere> spheres;
-  for (const double frame : solved->controlFrames) {
-    for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-      if (sameFrame(drawn.frames[i], frame)) {
-        spheres.push_back({frame, drawn.exaggerated[i]});
-        break;
-      }
-    }
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+    spheres.push_back({drawn.frames[i], drawn.exaggerated[i]});
   }
   return spheres;
 }

@@ -1,0 +1,262 @@
+#include "ui/batch/render_verb.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "app/batch/options.h"
+#include "app/document.h"
+#include "app/evaluate.h"
+#include "app/recipe.h"
+#include "app/trail_description.h"
+#include "ui/render/picture.h"
+#include "ui/render/png.h"
+
+namespace stretch::ui {
+
+namespace {
+
+struct RenderArguments {
+  std::string file;
+  std::string output;
+  std::string clip;
+  std::string frame;
+  std::string frames;
+  std::string size = "1280x720";
+  std::string view = "three-quarter";
+  std::string trails;
+  double framesPerSecond = 0.0;
+  int ghosts = 0;
+  bool sheet = false;
+  bool skeleton = false;
+};
+
+struct PixelSize {
+  int width = 0;
+  int height = 0;
+};
+
+Result<PixelSize> parseSize(const std::string& text) {
+  const std::size_t times = text.find('x');
+  const Error wrong{"'" + text + "' is no size", "--size", "give width and height in pixels from 16 to 8192, such as 1280x720"};
+  if (times == std::string::npos) {
+    return wrong;
+  }
+  const Result<double> width = app::parseNumber(text.substr(0, times), "--size");
+  const Result<double> height = app::parseNumber(text.substr(times + 1), "--size");
+  const auto fits = [](double pixels) { return pixels >= 16.0 && pixels <= 8192.0; };
+  if (!width || !height || !fits(*width) || !fits(*height)) {
+    return wrong;
+  }
+  return PixelSize{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+Result<ViewDirection> parseView(const std::string& text) {
+  for (const auto& [name, view] : {std::pair{"front", ViewDirection::front}, std::pair{"side", ViewDirection::side},
+                                   std::pair{"top", ViewDirection::top}, std::pair{"three-quarter", ViewDirection::threeQuarter}}) {
+    if (text == name) {
+      return view;
+    }
+  }
+  return Error{"there is no view '" + text + "'", "--view", "give front, side, top or three-quarter"};
+}
+
+// "A:B" or "A:B:STEP".
+Result<std::vector<double>> parseFrames(const std::string& text) {
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+  const Result<Vec2> range = app::parseRange(text.substr(0, second));
+  if (!range) {
+    return Error{range.error().what, "--frames", range.error().remedy};
+  }
+  const Result<double> step = second == std::string::npos ? Result<double>(1.0) : app::parseNumber(text.substr(second + 1), "--frames");
+  if (!step || *step <= 0.0) {
+    return Error{"the step is no positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
+  }
+  constexpr double mostPictures = 100000.0;
+  const double count = std::floor((range->y - range->x) / *step + 1e-9);
+  if (count > mostPictures) {
+    return Error{"that are too many pictures", "--frames", "give a larger step"};
+  }
+  std::vector<double> frames;
+  for (double i = 0.0; i <= count; i += 1.0) {
+    frames.push_back(range->x + i * *step);
+  }
+  return frames;
+}
+
+Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app::Document& document, int clip) {
+  if (!arguments.frames.empty()) {
+    return parseFrames(arguments.frames);
+  }
+  if (!arguments.frame.empty()) {
+    const Result<double> frame = app::parseNumber(arguments.frame, "--frame");
+    return frame ? Result<std::vector<double>>(std::vector<double>{*frame}) : Result<std::vector<double>>(frame.error());
+  }
+  if (!arguments.sheet || clip < 0) {
+    return std::vector<double>{0.0};
+  }
+  // A sheet without frames shows the whole clip in twelve pictures.
+  const double last = app::clipOf(document, clip).endSeconds * app::clipOf(document, clip).framesPerSecond;
+  constexpr int pictures = 12;
+  std::vector<double> frames;
+  for (int i = 0; i < pictures; ++i) {
+    frames.push_back(std::round(last * i / (pictures - 1)));
+  }
+  return frames;
+}
+
+TrailPicture pictureOf(const app::Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved, double frame) {
+  constexpr std::size_t samplesPerFrame = 2;
+  const Scene& scene = *document.scene;
+  const Clip& clip = app::clipOf(document, motion.clip);
+  const rig::DrawnTrail paths = rig::drawnPaths(scene, clip, motion, solved, samplesPerFrame);
+  const rig::DrawnTrail spheres = rig::pathsAt(scene, clip, motion, solved, solved.controlFrames);
+  const bool exaggerated = solved.trail.exaggerated;
+  TrailPicture picture;
+  picture.original = paths.original;
+  picture.exaggerated = exaggerated ? paths.exaggerated : std::vector<Vec3>{};
+  picture.samplesPerFrame = samplesPerFrame;
+  if (frame >= paths.frames.front() && frame <= paths.frames.back()) {
+    picture.currentSample = (frame - paths.frames.front()) * static_cast<double>(samplesPerFrame);
+  }
+  for (const Vec3& center : exaggerated ? spheres.exaggerated : spheres.original) {
+    picture.spheres.push_back({center, false, false});
+  }
+  return picture;
+}
+
+std::vector<Ghost> ghostsAround(const app::Document& document, const rig::MotionState& motion, double frame, int count) {
+  std::vector<Ghost> ghosts;
+  for (int i = 1; i <= count; ++i) {
+    const float opacity = 0.35F * (1.0F - static_cast<float>(i - 1) / static_cast<float>(count));
+    for (const int side : {-1, 1}) {
+      const double at = frame + 2.0 * side * i;
+      if (at >= 0.0 && at <= motion.endSeconds * motion.framesPerSecond) {
+        glm::vec4 tint = side < 0 ? rgba(okabe::skyBlue) : rgba(okabe::bluishGreen);
+        tint.a = opacity;
+        ghosts.push_back({app::evaluate(document, motion, at / motion.framesPerSecond), tint});
+      }
+    }
+  }
+  return ghosts;
+}
+
+std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::MotionState& motion, const std::vector<double>& frames,
+                                     const RenderArguments& arguments) {
+  std::vector<PictureFrame> pictures;
+  for (const double frame : frames) {
+    PictureFrame picture;
+    picture.frame = app::evaluate(document, motion, frame / motion.framesPerSecond);
+    picture.label = motion.clip >= 0 && (frames.size() > 1 || arguments.sheet) ? fmt::format("frame {:g}", frame) : std::string();
+    picture.ghosts = ghostsAround(document, motion, frame, arguments.ghosts);
+    for (const rig::SolvedTrail& solved : motion.trails) {
+      if (solved.trail.visible) {
+        picture.trails.push_back(pictureOf(document, motion, solved, frame));
+      }
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+Status takeTrails(const RenderArguments& arguments, app::Document& document, int& clip) {
+  if (arguments.trails.empty()) {
+    return Success{};
+  }
+  const Result<app::Recipe> recipe = app::loadRecipe(arguments.trails, document);
+  if (!recipe) {
+    return recipe.error();
+  }
+  clip = recipe->clip;
+  document.trails.clear();
+  for (rig::Trail trail : recipe->trails) {
+    trail.id = document.nextTrailId++;
+    trail.exaggerated = true;
+    trail.connected = true;
+    document.trails.push_back(std::move(trail));
+  }
+  return Success{};
+}
+
+std::filesystem::path numbered(const std::filesystem::path& path, double frame) {
+  std::filesystem::path name = path;
+  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame)) : fmt::format("{:08.3f}", frame);
+  name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
+  return name;
+}
+
+Status draw(const RenderArguments& arguments, const Scene& scene, const std::vector<double>& frames,
+            const std::vector<PictureFrame>& pictures, const PictureOptions& options) {
+  if (arguments.sheet) {
+    const Result<Image> sheet = renderSheet(scene, pictures, options);
+    return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
+  }
+  if (pictures.size() == 1 && arguments.frames.empty()) {
+    const Result<Image> image = renderFrame(scene, pictures.front(), options);
+    return image ? writePng(arguments.output, *image) : Status(image.error());
+  }
+  return renderSeries(scene, pictures, options, [&](std::size_t index, const Image& image) {
+    return writePng(numbered(arguments.output, frames[index]), image);
+  });
+}
+
+Status runRender(const RenderArguments& arguments) {
+  Result<app::Document> document = app::openDocument(arguments.file);
+  const Result<PixelSize> size = parseSize(arguments.size);
+  const Result<ViewDirection> view = parseView(arguments.view);
+  if (!document || !size || !view) {
+    return !document ? document.error() : !size ? size.error() : view.error();
+  }
+  if (arguments.framesPerSecond > 0.0) {
+    app::setFramesPerSecond(*document, arguments.framesPerSecond);
+  }
+  int clip = document->clips->empty() ? -1 : 0;
+  if (!arguments.clip.empty()) {
+    const Result<int> named = app::findClip(*document, arguments.clip);
+    if (!named) {
+      return named.error();
+    }
+    clip = *named;
+  }
+  if (const Status trails = takeTrails(arguments, *document, clip); !trails) {
+    return trails;
+  }
+  const Result<std::vector<double>> frames = framesOf(arguments, *document, clip);
+  if (!frames) {
+    return frames.error();
+  }
+  PictureOptions options;
+  options.widthPixels = size->width;
+  options.heightPixels = size->height;
+  options.view = *view;
+  options.skeleton = arguments.skeleton;
+  const rig::MotionState motion = app::prepareMotion(*document, clip);
+  return draw(arguments, *document->scene, *frames, picturesOf(*document, motion, *frames, arguments), options);
+}
+
+} // namespace
+
+app::Verb renderVerb() {
+  return {"render", "Draws a file without a display: a frame, a numbered series, a contact sheet.", [](CLI::App& program) {
+            const auto arguments = std::make_shared<RenderArguments>();
+            program.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            program.add_option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN")->required();
+            program.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            CLI::Option* const frame = program.add_option("--frame", arguments->frame, "One frame; default: 0");
+            program.add_option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP")->excludes(frame);
+            program.add_flag("--sheet", arguments->sheet, "All frames on one contact sheet");
+            program.add_option("--size", arguments->size, "Pixels of a picture, WxH")->capture_default_str();
+            program.add_option("--view", arguments->view, "front, side, top or three-quarter")->capture_default_str();
+            program.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+                ->check(CLI::PositiveNumber);
+            program.add_option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
+            program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")->check(CLI::Range(0, 20));
+            program.add_flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+            return [arguments] { return runRender(*arguments); };
+          }};
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/batch/verb.h"
+
+namespace stretch::ui {
+
+/// `render`: pictures of a file without a display (spec/commands.md).
+[[nodiscard]] app::Verb renderVerb();
+
+} // namespace stretch::ui
