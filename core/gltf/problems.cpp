@@ -37,6 +37,16 @@ void Problems::warning(std::string where, std::string what) {
   }
 }
 
+void Problems::add(const Problems& others) {
+  for (const Problem& problem : others.list_) {
+    if (problem.severity == Severity::error) {
+      error(problem.where, problem.what, problem.remedy);
+    } else {
+      warning(problem.where, problem.what);
+    }
+  }
+}
+
 Error Problems::firstError() const {
   const auto found = std::find_if(list_.begin(), list_.end(),
                                   [](const Problem& problem) { return problem.severity == Severity::error; });

@@ -29,6 +29,7 @@ public:
 
   void error(std::string where, std::string what, std::string remedy = {});
   void warning(std::string where, std::string what);
+  void add(const Problems& others);
 
   [[nodiscard]] bool hasErrors() const { return hasErrors_; }
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }

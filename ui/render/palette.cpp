@@ -48,7 +48,7 @@ Palette highContrastPalette() {
   palette.backgroundTop = rgb(0x000000);
   palette.backgroundBottom = rgb(0x000000);
   palette.floor = rgb(0x0A0A0A);
-  palette.floorLine = rgb(0x8A8A8A);
+  palette.floorLine = rgb(0x606060);
   palette.shadow = rgb(0x000000);
   palette.wire = rgba(0x000000, 0.8F);
   palette.highlight = rgb(okabe::yellow);

@@ -26,8 +26,9 @@ SceneStyle measured(SceneStyle style, const Box& characterBox) {
 }
 
 Camera cameraFor(const PictureOptions& options, const Viewport& viewport, const Box& shown) {
-  return options.camera ? *options.camera
-                        : fitted(lookFrom({}, options.view, options.facingYawRadians), viewport, shown);
+  return options.camera
+             ? *options.camera
+             : fitted(lookFrom({}, options.view, options.facingYawRadians), viewport, shown, 0.045);
 }
 
 Overlay overlayOf(const Scene& scene, const View& view, const PictureFrame& picture,
@@ -117,7 +118,7 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   Image image = reduced(parts.target.readPixels(), parts.scale);
   makeOpaque(image);
   const int margin = labelHeight(parts.options);
-  parts.face.write(image, margin, image.height - margin, picture.label, parts.options.style.palette.label);
+  parts.face.write(image, margin, 2 * margin, picture.label, parts.options.style.palette.label);
   return image;
 }
 

@@ -113,6 +113,8 @@ void PosingPass::pose(const Scene& scene, UploadedScene& uploaded, const FrameSt
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, matrices_.name());
   program_.use();
   program_.set("matrices", 0);
+  GLint boundBefore = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &boundBefore);
   glBindFramebuffer(GL_FRAMEBUFFER, unseen_.framebuffer.name());
   glEnable(GL_RASTERIZER_DISCARD);
   for (std::size_t i = 0; i < uploaded.items.size(); ++i) {
@@ -128,6 +130,7 @@ void PosingPass::pose(const Scene& scene, UploadedScene& uploaded, const FrameSt
     glEndTransformFeedback();
   }
   glDisable(GL_RASTERIZER_DISCARD);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   glBindTexture(GL_TEXTURE_BUFFER, 0);
 }

@@ -18,7 +18,6 @@ struct JointAttributes {
 };
 
 /// Poses every item of an uploaded scene on the graphics card: once a frame, for all passes that draw it.
-/// Leaves a framebuffer of its own bound.
 class PosingPass {
 public:
   [[nodiscard]] static Result<PosingPass> create();

@@ -1,7 +1,5 @@
 #include "ui/render/scene_renderer.h"
 
-#include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include <epoxy/gl.h>
@@ -35,6 +33,22 @@ JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
 
 SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
   return {style.palette, style.shading, style.wireframe, style.floorHeight, style.characterHeight, &shadows};
+}
+
+} // namespace
+
+namespace {
+
+// Ghosts lie behind the character wherever they stand, so that it stays clear, and leave no depth behind.
+template <typename Parts>
+void drawGhosts(Parts& parts, const View& view, std::span<const Ghost> ghosts) {
+  for (const Ghost& ghost : ghosts) {
+    parts.posing.pose(*parts.scene, parts.uploaded, ghost.frame, {});
+    parts.surface.drawGhost(parts.uploaded, view, ghost.tint);
+  }
+  if (!ghosts.empty()) {
+    glClear(GL_DEPTH_BUFFER_BIT);
+  }
 }
 
 } // namespace
@@ -93,20 +107,18 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   glViewport(0, 0, static_cast<GLsizei>(view.viewport.widthPixels),
              static_cast<GLsizei>(view.viewport.heightPixels));
   parts.floor.drawBackground(style.palette);
-  const SurfaceLook look = lookOf(style, shadows);
-  if (drawsMesh) {
-    parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
-  }
   if (style.floor) {
     const Vec2 centre = drawsMesh ? shadows.area.centre : Vec2(0.0);
     parts.floor.drawFloor(view, style.palette, {style.floorHeight, style.characterHeight, centre}, shadows);
   }
   if (drawsMesh) {
-    parts.surface.drawBlended(*parts.scene, parts.uploaded, view, lights, look, frame);
-    for (const Ghost& ghost : ghosts) {
-      parts.posing.pose(*parts.scene, parts.uploaded, ghost.frame, {});
-      parts.surface.drawGhost(parts.uploaded, view, ghost.tint);
+    drawGhosts(parts, view, ghosts);
+    if (!ghosts.empty()) {
+      parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style));
     }
+    const SurfaceLook look = lookOf(style, shadows);
+    parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
+    parts.surface.drawBlended(*parts.scene, parts.uploaded, view, lights, look, frame);
   }
 }
 

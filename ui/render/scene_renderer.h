@@ -52,7 +52,7 @@ public:
   /// Uploads the scene; replaces the one before. The scene must outlive the renderer's use of it.
   void setScene(const Scene& scene);
 
-  /// Background, floor with shadows, character, ghosts. `targetFramebuffer` is the framebuffer to draw into.
+  /// Background, floor with shadows, ghosts, character. `targetFramebuffer` is the framebuffer to draw into.
   void draw(const View& view, const FrameState& frame, std::span<const Ghost> ghosts, const SceneStyle& style,
             unsigned targetFramebuffer);
 

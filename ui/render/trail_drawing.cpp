@@ -33,10 +33,12 @@ struct PathStyle {
 };
 
 Polyline pathLine(const TrailPicture& trail, const std::vector<Vec3>& path, const PathStyle& style) {
+  const bool hasColors = !style.dashed && trail.exaggeratedColors.size() == path.size();
   Polyline line;
   for (std::size_t i = 0; i < path.size(); ++i) {
+    const glm::vec4 color = hasColors ? trail.exaggeratedColors[i] : style.color;
     line.points.push_back(
-        {path[i], withAlpha(style.color, windowShare(trail, static_cast<double>(i))), style.widthPoints});
+        {path[i], withAlpha(color, windowShare(trail, static_cast<double>(i))), style.widthPoints});
   }
   line.dashPoints = style.dashed ? 6.0F : 0.0F;
   line.gapPoints = style.dashed ? 5.0F : 0.0F;
@@ -85,17 +87,12 @@ Marker currentMark(const Vec3& place, const glm::vec4& fill, const glm::vec4& ed
 }
 
 void addPath(Overlay& overlay, const View& view, const TrailPicture& trail, const std::vector<Vec3>& path,
-             const PathStyle& style, const TrailStyle& trailStyle) {
+             const PathStyle& style) {
   if (path.empty()) {
     return;
   }
   overlay.lines.push_back(pathLine(trail, path, style));
   addTicks(overlay, view, trail, path, style);
-  if (trail.currentSample) {
-    const float radius = style.dashed ? 3.5F : 0.5F * style.widthPoints + 3.0F;
-    overlay.markers.push_back(
-        currentMark(pointOfPath(path, *trail.currentSample), trailStyle.currentColor, style.color, radius));
-  }
 }
 
 Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style) {
@@ -110,6 +107,22 @@ Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style) {
   mark.edgePoints = sphere.selected ? 2.5F : 1.5F;
   mark.depth = OverlayDepth::onTop;
   return mark;
+}
+
+// Comes after the spheres: where both stand at one place the mark shows inside the sphere.
+void addCurrent(Overlay& overlay, const TrailPicture& trail, const TrailStyle& style) {
+  if (!trail.currentSample) {
+    return;
+  }
+  if (!trail.original.empty()) {
+    overlay.markers.push_back(currentMark(pointOfPath(trail.original, *trail.currentSample),
+                                          style.currentColor, style.originalColor, 3.5F));
+  }
+  if (!trail.exaggerated.empty()) {
+    overlay.markers.push_back(currentMark(pointOfPath(trail.exaggerated, *trail.currentSample),
+                                          style.currentColor, style.exaggeratedColor,
+                                          0.5F * style.exaggeratedWidthPoints + 2.0F));
+  }
 }
 
 void addEnds(Overlay& overlay, const TrailPicture& trail, const TrailStyle& style) {
@@ -147,14 +160,14 @@ Vec3 pointOfPath(const std::vector<Vec3>& path, double sample) {
 Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& wanted) {
   const TrailStyle style = wanted.emphasised ? wanted : quieter(wanted);
   Overlay overlay;
-  addPath(overlay, view, trail, trail.original, {style.originalColor, style.originalWidthPoints, true},
-          style);
+  addPath(overlay, view, trail, trail.original, {style.originalColor, style.originalWidthPoints, true});
   addPath(overlay, view, trail, trail.exaggerated,
-          {style.exaggeratedColor, style.exaggeratedWidthPoints, false}, style);
+          {style.exaggeratedColor, style.exaggeratedWidthPoints, false});
   for (const TrailSphere& sphere : trail.spheres) {
     overlay.markers.push_back(sphereMark(sphere, style));
   }
   addEnds(overlay, trail, style);
+  addCurrent(overlay, trail, style);
   return overlay;
 }
 

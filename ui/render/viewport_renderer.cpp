@@ -1,6 +1,36 @@
 #include "ui/render/viewport_renderer.h"
 
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
 namespace stretch::ui {
+
+namespace {
+
+// A floor that is seen edge-on, as in the front and side views, shows nothing: a line behind the character
+// stands for it.
+Overlay floorEdge(const View& view, const SceneStyle& style) {
+  constexpr double steepestSine = 1e-3;
+  constexpr double heightsBehind = 3.0;
+  const bool orthographic = view.projection[3][3] != 0.0;
+  Overlay overlay;
+  if (!style.floor || !orthographic || std::abs(view.forward.y) > steepestSine) {
+    return overlay;
+  }
+  const double away = heightsBehind * style.characterHeight - glm::dot(view.eye, view.forward);
+  Vec3 middle = view.eye + away * view.forward;
+  middle.y = style.floorHeight;
+  const Vec3 reach = 2.0 * style.characterHeight * viewRight(view);
+  const glm::vec4 full(style.palette.floorLine, 1.0F);
+  const glm::vec4 none(style.palette.floorLine, 0.0F);
+  Polyline line;
+  line.points = {{middle - reach, none, 1.5F}, {middle, full, 1.5F}, {middle + reach, none, 1.5F}};
+  overlay.lines.push_back(line);
+  return overlay;
+}
+
+} // namespace
 
 Result<ViewportRenderer> ViewportRenderer::create() {
   Result<SceneRenderer> scene = SceneRenderer::create();
@@ -25,6 +55,7 @@ Status ViewportRenderer::draw(RenderTarget& target, const View& view, const View
   const GlStateGuard guard;
   scene_.draw(view, picture.frame, picture.ghosts, picture.style, target.framebufferId());
   target.bind();
+  overlay_.draw(view, floorEdge(view, picture.style), picture.style.palette);
   overlay_.draw(view, picture.overlay, picture.style.palette);
   target.resolve();
   return Success{};

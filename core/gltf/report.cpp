@@ -1,0 +1,86 @@
+#include "core/gltf/report.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "core/gltf/accessor.h"
+#include "core/gltf/fields.h"
+#include "core/gltf/import.h"
+#include "core/gltf/read.h"
+#include "core/gltf/saved_work.h"
+#include "core/gltf/structure.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+constexpr std::size_t jointsThatEnginesHold = 128;
+
+std::string momentOf(const Shear& shear, const std::vector<Clip>& clips) {
+  if (shear.clip < 0) {
+    return "at rest";
+  }
+  return fmt::format("in clip '{}' at {:.3f} s", clips[static_cast<std::size_t>(shear.clip)].name,
+                     shear.timeSeconds);
+}
+
+void reportShear(const Scene& scene, const std::vector<Clip>& clips, Problems& problems) {
+  for (const Shear& shear : residualShear(scene, clips)) {
+    const auto node = static_cast<std::size_t>(shear.node);
+    problems.warning(
+        at("nodes", node),
+        fmt::format("'{}' is sheared by up to {:.1f} degrees {}: an uneven scale above a rotation; other "
+                    "programs may show something else",
+                    scene.nodes[node].name, 90.0 - std::acos(shear.cosine) * 180.0 / pi,
+                    momentOf(shear, clips)));
+  }
+}
+
+void reportJointCounts(const Scene& scene, Problems& problems) {
+  for (std::size_t i = 0; i < scene.skins.size(); ++i) {
+    if (scene.skins[i].joints.size() > jointsThatEnginesHold) {
+      problems.warning(at("skins", i), fmt::format("has {} joints; some engines hold {} at most",
+                                                   scene.skins[i].joints.size(), jointsThatEnginesHold));
+    }
+  }
+}
+
+// Goes on after errors as far as the parts that were sound allow.
+void reportContent(Source& source, Problems& problems) {
+  validateGraph(source.json, problems);
+  const bool isGraphSound = !problems.hasErrors();
+  Problems bytes;
+  readBuffers(source, bytes);
+  if (!bytes.hasErrors()) {
+    validateAccessors(source, bytes);
+  }
+  problems.add(bytes);
+  if (!isGraphSound || bytes.hasErrors()) {
+    return;
+  }
+  const Scene scene = importScene(source, problems);
+  if (scene.meshes.size() != sizeOf(source.json, "meshes")) {
+    return;
+  }
+  const std::vector<Clip> clips = importClips(source, scene, problems);
+  reportShear(scene, clips, problems);
+  reportJointCounts(scene, problems);
+  (void)restoreSource(source, problems);
+}
+
+} // namespace
+
+std::vector<Problem> diagnose(const std::filesystem::path& path) {
+  Problems problems;
+  std::optional<Source> source = readSource(path, problems);
+  if (source) {
+    validateStructure(source->json, problems);
+  }
+  if (source && !problems.hasErrors()) {
+    reportContent(*source, problems);
+  }
+  return problems.list();
+}
+
+} // namespace stretch::gltf

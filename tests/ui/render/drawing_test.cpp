@@ -1,0 +1,179 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "../../support/ui/render_scenes.h"
+#include "ui/render/arrow_mesh.h"
+#include "ui/render/lighting.h"
+#include "ui/render/quality.h"
+#include "ui/render/skeleton_drawing.h"
+#include "ui/render/stretch_colors.h"
+#include "ui/render/trail_drawing.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+using namespace stretch::test;
+
+namespace {
+
+const View someView = makeView(Camera{}, {800.0, 600.0, 1.0});
+
+TrailPicture straightTrail() {
+  TrailPicture trail;
+  trail.samplesPerFrame = 2;
+  for (int i = 0; i <= 8; ++i) {
+    trail.original.emplace_back(0.1 * i, 1.0, 0.0);
+    trail.exaggerated.emplace_back(0.2 * i, 1.0, 0.0);
+  }
+  return trail;
+}
+
+std::ptrdiff_t count(const Overlay& overlay, MarkerShape shape) {
+  return std::count_if(overlay.markers.begin(), overlay.markers.end(),
+                       [&](const Marker& mark) { return mark.shape == shape; });
+}
+
+} // namespace
+
+TEST_CASE("The original is thin and dashed, the exaggerated path thick and solid") {
+  const Overlay overlay = drawTrail(someView, straightTrail());
+  REQUIRE(overlay.lines.size() == 2);
+  CHECK(overlay.lines[0].dashPoints > 0.0F);
+  CHECK(overlay.lines[1].dashPoints == 0.0F);
+  CHECK(overlay.lines[0].points[0].widthPoints < overlay.lines[1].points[0].widthPoints);
+  CHECK(overlay.lines[0].points[0].color == rgba(okabe::skyBlue));
+  CHECK(overlay.lines[1].points[0].color == rgba(okabe::orange));
+}
+
+TEST_CASE("Every frame has a tick across the original and a dot on the exaggerated path") {
+  const Overlay overlay = drawTrail(someView, straightTrail());
+  CHECK(count(overlay, MarkerShape::tick) == 5);
+  CHECK(count(overlay, MarkerShape::disc) == 5);
+  TrailPicture without = straightTrail();
+  without.samplesPerFrame = 0;
+  CHECK(drawTrail(someView, without).markers.empty());
+}
+
+TEST_CASE("The playhead is marked on both paths, key spheres are larger and the selected one the largest") {
+  TrailPicture trail = straightTrail();
+  trail.samplesPerFrame = 0;
+  trail.currentSample = 2.5;
+  trail.spheres = {{trail.exaggerated[0], false, false}, {trail.exaggerated[4], true, false}};
+  const Overlay overlay = drawTrail(someView, trail);
+  REQUIRE(overlay.markers.size() == 4);
+  CHECK(count(overlay, MarkerShape::sphere) == 2);
+  CHECK(overlay.markers[1].radiusPoints > overlay.markers[0].radiusPoints);
+  CHECK(overlay.markers[2].world.x == Approx(0.25));
+  CHECK(overlay.markers[3].world.x == Approx(0.5));
+  CHECK(overlay.markers[0].radiusPoints > overlay.markers[2].radiusPoints);
+}
+
+TEST_CASE("Outside its window a trail fades out") {
+  TrailPicture trail = straightTrail();
+  trail.currentSample = 0.0;
+  trail.windowSamples = 2.0;
+  const Overlay overlay = drawTrail(someView, trail);
+  CHECK(overlay.lines[1].points[2].color.a == 1.0F);
+  CHECK(overlay.lines[1].points[8].color.a == 0.0F);
+}
+
+TEST_CASE("A trail of one point or none is drawn without harm") {
+  TrailPicture trail;
+  CHECK(drawTrail(someView, trail).markers.empty());
+  trail.original = {{0.0, 1.0, 0.0}};
+  trail.currentSample = 7.0;
+  CHECK(drawTrail(someView, trail).markers.size() == 2);
+}
+
+TEST_CASE("Bones lead from joint to joint, through helper nodes") {
+  Scene scene = bipedScene();
+  const BipedNodes nodes;
+  const std::vector<int> joints = jointsOf(scene);
+  CHECK(joints.size() == scene.skins[0].joints.size());
+  const FrameState frame = frameOf(scene, restPose(scene), 0.0);
+  CHECK(boneSegments(scene, frame, joints).size() == joints.size() - 1);
+
+  auto& skinJoints = scene.skins[0].joints;
+  skinJoints.erase(std::find(skinJoints.begin(), skinJoints.end(), nodes.leftForearm));
+  const auto bones = boneSegments(scene, frame, jointsOf(scene));
+  const auto ofUpperArm = std::find_if(
+      bones.begin(), bones.end(), [&](const BoneSegment& bone) { return bone.node == nodes.leftUpperArm; });
+  REQUIRE(ofUpperArm != bones.end());
+  CHECK(glm::length(ofUpperArm->toWorld -
+                    positionOf(frame.worlds[static_cast<std::size_t>(nodes.leftHand)])) < 1e-12);
+}
+
+TEST_CASE("A character of rigid parts has a skeleton too") {
+  Scene scene = triangleScene();
+  CHECK(jointsOf(scene) == std::vector<int>{0});
+}
+
+TEST_CASE("The stretch ratio of a bone is its singular value farthest from one") {
+  CHECK(stretchRatio(Mat3(1.0)) == Approx(1.0));
+  CHECK(stretchRatio(Mat3(2.0, 0, 0, 0, 0.7, 0, 0, 0, 0.7)) == Approx(2.0));
+  CHECK(stretchRatio(Mat3(0.4, 0, 0, 0, 1.2, 0, 0, 0, 1.2)) == Approx(0.4));
+  const Mat3 turn(glm::mat3_cast(glm::angleAxis(0.8, glm::normalize(Vec3(1, 2, 3)))));
+  CHECK(stretchRatio(turn * Mat3(1, 0, 0, 0, 3, 0, 0, 0, 1) * glm::transpose(turn)) == Approx(3.0));
+  CHECK(stretchRatio(Mat3(1, 0, 0, 0, 0, 0, 0, 0, 1)) == 0.0);
+}
+
+TEST_CASE("Stretch colours are grey at one, warm above and cool below") {
+  const glm::vec3 rest = stretchColor(1.0);
+  CHECK(rest.r == Approx(rest.b));
+  CHECK(stretchColor(2.0).r > 4.0F * stretchColor(2.0).b);
+  CHECK(stretchColor(0.5).b > 4.0F * stretchColor(0.5).r);
+  CHECK(stretchColor(100.0) == stretchColor(largestShownStretch));
+  CHECK(stretchColor(0.0) == stretchColor(smallestShownStretch));
+}
+
+TEST_CASE("The floor's cells are round numbers that follow the character's size") {
+  CHECK(floorCellSize(1.75) == Approx(0.5));
+  CHECK(floorCellSize(130.0) == Approx(20.0));
+  CHECK(floorCellSize(0.02) == Approx(0.005));
+}
+
+TEST_CASE("The floor under a shadow reaches from the feet to the shadow's end") {
+  Box box;
+  box.add({-0.3, 0.0, -0.2});
+  box.add({0.3, 1.8, 0.2});
+  const Vec3 towardsLight = glm::normalize(Vec3(-1.0, 1.0, 0.0));
+  const FloorArea area = shadowedFloor(box, 0.0, towardsLight);
+  CHECK(area.centre.x - area.halfSize.x < -0.3);
+  CHECK(area.centre.x + area.halfSize.x > 0.3 + 1.8);
+}
+
+TEST_CASE("Arrows are closed solids whose faces look outwards") {
+  const std::vector<Arrow> arrows{{{0.0, 1.0, 0.0}, {0.0, 2.0, 0.0}, glm::vec4(1.0F), 3.0F, 13.0F}};
+  const std::vector<SolidVertex> vertices = arrowMeshes(someView, arrows);
+  REQUIRE_FALSE(vertices.empty());
+  for (std::size_t i = 0; i < vertices.size(); i += 3) {
+    const glm::vec3 face = glm::cross(vertices[i + 1].position - vertices[i].position,
+                                      vertices[i + 2].position - vertices[i].position);
+    CHECK(glm::dot(face, vertices[i].normal + vertices[i + 1].normal + vertices[i + 2].normal) > 0.0F);
+  }
+  CHECK(arrowMeshes(someView, std::vector<Arrow>{{{1, 1, 1}, {1, 1, 1}, glm::vec4(1.0F), 3.0F, 13.0F}})
+            .empty());
+}
+
+TEST_CASE("Quality falls when frames stay slow, rises when they stay fast, and does not swing") {
+  QualityGovernor governor(2);
+  for (int i = 0; i < 20; ++i) {
+    governor.frameTook(0.1);
+  }
+  CHECK(governor.level() == 0);
+  for (int i = 0; i < 500; ++i) {
+    governor.frameTook(0.001);
+  }
+  CHECK(governor.level() == 0);
+
+  QualityGovernor fast(1);
+  for (int i = 0; i < 500; ++i) {
+    fast.frameTook(0.001);
+  }
+  CHECK(fast.level() == highestQualityLevel);
+  fast.frameTook(0.2);
+  CHECK(fast.level() == highestQualityLevel);
+}

@@ -1,0 +1,192 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include "../../support/ui/picture_baseline.h"
+#include "../../support/ui/render_scenes.h"
+#include "ui/render/handle_drawing.h"
+#include "ui/render/image_edits.h"
+#include "ui/render/offscreen_context.h"
+#include "ui/render/picture.h"
+#include "ui/render/png.h"
+#include "ui/render/skeleton_drawing.h"
+#include "ui/render/viewport_renderer.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+using namespace stretch::test;
+
+namespace {
+
+PictureOptions smallPicture(ViewDirection view) {
+  PictureOptions options;
+  options.widthPixels = 320;
+  options.heightPixels = 240;
+  options.view = view;
+  return options;
+}
+
+// An arc of the left hand, and the same arc twice as large.
+TrailPicture handTrail() {
+  TrailPicture trail;
+  trail.samplesPerFrame = 4;
+  for (int i = 0; i <= 32; ++i) {
+    const double share = i / 32.0;
+    const double angle = 2.6 * share * share;
+    const Vec3 offset(0.25 * std::sin(angle), 0.4 - 0.4 * std::cos(angle), 0.3 * std::sin(0.5 * angle));
+    trail.original.push_back(Vec3(0.45, 0.9, 0.1) + offset);
+    trail.exaggerated.push_back(Vec3(0.45, 0.9, 0.1) + 1.6 * offset);
+  }
+  trail.spheres = {{trail.exaggerated[0], false, false},
+                   {trail.exaggerated[16], true, false},
+                   {trail.exaggerated[32], false, true}};
+  trail.pivot = trail.exaggerated[0];
+  trail.tip = trail.exaggerated[32];
+  trail.currentSample = 22.0;
+  return trail;
+}
+
+} // namespace
+
+TEST_CASE("Picture: the biped from the front") {
+  const Scene scene = bipedScene();
+  const auto image = renderFrame(scene, {frameOf(scene, restPose(scene), 0.0), {}, {}, {}, {}},
+                                 smallPicture(ViewDirection::front));
+  REQUIRE(image);
+  const std::string difference = differenceFromBaseline("biped-front", *image);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+TEST_CASE("Picture: trail, skeleton and ghosts from three quarters") {
+  const Scene scene = bipedScene();
+  PictureOptions options = smallPicture(ViewDirection::threeQuarter);
+  options.skeleton = true;
+  const FrameState rest = frameOf(scene, restPose(scene), 0.0);
+  const PictureFrame picture{wavingFrame(scene), "", {{rest, rgba(okabe::skyBlue, 0.4F)}}, {handTrail()}, {}};
+  const auto image = renderFrame(scene, picture, options);
+  REQUIRE(image);
+  const std::string difference = differenceFromBaseline("biped-trail", *image);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+TEST_CASE("Picture: stretch as colour, wires and a light background from the side") {
+  const Scene scene = bipedScene();
+  PictureOptions options = smallPicture(ViewDirection::side);
+  options.style.shading = SurfaceShading::stretchHeat;
+  options.style.wireframe = true;
+  options.style.palette = lightPalette();
+  FrameState frame = wavingFrame(scene);
+  frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
+  frame.stretch[static_cast<std::size_t>(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
+  frame.stretch[static_cast<std::size_t>(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
+  const auto image = renderFrame(scene, {frame, "", {}, {}, {}}, options);
+  REQUIRE(image);
+  const std::string difference = differenceFromBaseline("biped-stretch", *image);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+TEST_CASE("Picture: the selected limb and its handles at twice the display scale") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = ViewportRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = bipedScene();
+  const FrameState frame = wavingFrame(scene);
+  renderer->setScene(scene);
+  SceneStyle style;
+  style.palette = highContrastPalette();
+  style.characterHeight = 1.8;
+  style.highlight.assign(scene.nodes.size(), 0.0F);
+  const BipedNodes nodes;
+  for (const int node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
+    style.highlight[static_cast<std::size_t>(node)] = 1.0F;
+  }
+  const Viewport viewport{320.0, 240.0, 2.0};
+  const View view = makeView(
+      fitted(lookFrom({}, ViewDirection::threeQuarter), viewport, BoundsSampler(scene).boxOf(scene, frame)),
+      viewport);
+  AxisHandles handles;
+  handles.origin = positionOf(frame.worlds[static_cast<std::size_t>(nodes.leftHand)]);
+  handles.lengthPoints = 36.0;
+  RenderTarget target;
+  REQUIRE(renderer->draw(target, view, {frame, {}, drawAxisHandles(view, handles, 1), style}).ok());
+  Image image = target.readPixels();
+  makeOpaque(image);
+  const std::string difference = differenceFromBaseline("biped-handles", image);
+  INFO(difference);
+  CHECK(difference.empty());
+}
+
+TEST_CASE("The same picture twice has the same bytes") {
+  const Scene scene = bipedScene();
+  const PictureFrame picture{wavingFrame(scene), "frame 7", {}, {handTrail()}, {}};
+  const auto first = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
+  const auto second = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
+  REQUIRE(first);
+  REQUIRE(second);
+  CHECK(*encodePng(*first) == *encodePng(*second));
+}
+
+TEST_CASE("A contact sheet holds every picture in its cell") {
+  const Scene scene = bipedScene();
+  PictureOptions options = smallPicture(ViewDirection::front);
+  options.widthPixels = 64;
+  options.heightPixels = 64;
+  std::vector<PictureFrame> pictures(5, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}});
+  const auto sheet = renderSheet(scene, pictures, options, 3);
+  REQUIRE(sheet);
+  CHECK(sheet->width == 3 * 64 + 2 * 2);
+  CHECK(sheet->height == 2 * 64 + 2);
+  const auto pixel = [&](int x, int y) {
+    return sheet->rgba[4 * static_cast<std::size_t>(y * sheet->width + x) + 1];
+  };
+  CHECK(static_cast<int>(pixel(32, 20)) > 60);
+  CHECK(pixel(66 + 32, 66 + 20) == pixel(32, 20));
+  CHECK(static_cast<int>(pixel(132 + 32, 66 + 20)) < 60); // the sixth cell stays empty
+}
+
+TEST_CASE("A contact sheet needs a picture and a size that fits") {
+  const Scene scene = triangleScene();
+  CHECK_FALSE(renderSheet(scene, {}, smallPicture(ViewDirection::front)));
+  PictureOptions huge = smallPicture(ViewDirection::front);
+  huge.widthPixels = 9000;
+  CHECK_FALSE(renderFrame(scene, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}}, huge));
+}
+
+TEST_CASE("A series stops when a picture cannot be kept") {
+  const Scene scene = triangleScene();
+  PictureOptions options = smallPicture(ViewDirection::front);
+  const std::vector<PictureFrame> pictures(3, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}});
+  std::size_t kept = 0;
+  const Status status = renderSeries(scene, pictures, options, [&](std::size_t index, const Image&) {
+    kept = index;
+    return index == 1 ? Status(Error{"the disk is full", "", ""}) : Status(Success{});
+  });
+  CHECK_FALSE(status);
+  CHECK(kept == 1);
+}
+
+TEST_CASE("Sheets come out about square, whatever the shape of their pictures") {
+  CHECK(layOutSheet(16, 100, 100, 0).columns == 4);
+  CHECK(layOutSheet(8, 100, 200, 0).columns == 4);
+  CHECK(layOutSheet(2, 100, 100, 7).columns == 2);
+  CHECK(layOutSheet(1, 100, 100, 0).widthPixels == 100);
+}
+
+TEST_CASE("Reducing a picture averages its blocks") {
+  Image image = filled(4, 2, glm::vec3(0.0F));
+  image.rgba[0] = 200;
+  const Image half = reduced(image, 2);
+  REQUIRE(half.width == 2);
+  REQUIRE(half.height == 1);
+  CHECK(half.rgba[0] == 50);
+  CHECK(half.rgba[4] == 0);
+}
+
+TEST_CASE("A picture that cannot be written leaves what was there") {
+  CHECK_FALSE(writePng("/nonexistent-folder/picture.png", filled(2, 2, glm::vec3(0.5F))));
+  CHECK_FALSE(encodePng(Image{}));
+}

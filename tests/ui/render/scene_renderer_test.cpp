@@ -1,0 +1,249 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "../../support/ui/render_scenes.h"
+#include "ui/render/bounds.h"
+#include "ui/render/offscreen_context.h"
+#include "ui/render/viewport_renderer.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+using namespace stretch::test;
+
+namespace {
+
+struct Posed {
+  Vec3 position{0.0};
+  Vec3 normal{0.0};
+};
+
+// The reference: linear blend skinning in double precision, written out.
+Posed posedOnCpu(const Primitive& primitive, const std::vector<Mat4>& matrices,
+                 const std::vector<float>& morphWeights, std::size_t vertex) {
+  Vec3 position(primitive.positions[vertex]);
+  Vec3 normal(primitive.normals[vertex]);
+  for (std::size_t target = 0; target < morphWeights.size(); ++target) {
+    const auto weight = static_cast<double>(morphWeights[target]);
+    position += weight * Vec3(primitive.morphTargets[target].positions[vertex]);
+    normal += weight * Vec3(primitive.morphTargets[target].normals[vertex]);
+  }
+  Mat4 blended(0.0);
+  for (std::size_t k = 0; k < VertexInfluences::capacity; ++k) {
+    const VertexInfluences& influences = primitive.influences[vertex];
+    blended += static_cast<double>(influences.weights[k]) * matrices[influences.joints[k]];
+  }
+  return {Vec3(blended * Vec4(position, 1.0)),
+          glm::normalize(glm::transpose(glm::inverse(Mat3(blended))) * normal)};
+}
+
+SceneStyle plainStyle() {
+  SceneStyle style;
+  style.quality = qualityOf(0);
+  style.floor = false;
+  return style;
+}
+
+glm::ivec3 colorAt(const Image& image, int x, int y) {
+  const auto index =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgba[index], image.rgba[index + 1], image.rgba[index + 2]};
+}
+
+Image pictureOf(const Scene& scene, const FrameState& frame, const View& view, const SceneStyle& style) {
+  auto renderer = ViewportRenderer::create();
+  REQUIRE(renderer);
+  renderer->setScene(scene);
+  RenderTarget target;
+  REQUIRE(renderer->draw(target, view, {frame, {}, Overlay{}, style}).ok());
+  return target.readPixels();
+}
+
+} // namespace
+
+TEST_CASE("A triangle covers just the pixels that it covers") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  const Scene scene = triangleScene();
+  Camera camera = lookFrom({}, ViewDirection::front);
+  camera.target = {0.0, 1.0, 0.0};
+  camera.distance = 5.0;
+  const View view = makeView(camera, {200.0, 200.0, 1.0});
+  const Image image = pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle());
+  for (const Vec3& inside : {Vec3(0, 0.1, 0), Vec3(0, 1.9, 0), Vec3(-0.9, 0.05, 0), Vec3(0.4, 1.1, 0)}) {
+    const Vec2 pixels = projectToPixels(view, inside)->pixels;
+    CHECK(colorAt(image, static_cast<int>(pixels.x), static_cast<int>(pixels.y)) == glm::ivec3(255));
+  }
+  for (const Vec3& outside : {Vec3(0, -0.1, 0), Vec3(0, 2.1, 0), Vec3(-0.9, 0.4, 0), Vec3(0.6, 1.1, 0)}) {
+    const Vec2 pixels = projectToPixels(view, outside)->pixels;
+    CHECK(colorAt(image, static_cast<int>(pixels.x), static_cast<int>(pixels.y)).r < 80);
+  }
+}
+
+TEST_CASE("A single-sided surface is not seen from behind, a double-sided one is") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  const bool doubleSided = GENERATE(false, true);
+  scene.materials[0].doubleSided = doubleSided;
+  Camera camera = lookFrom({}, ViewDirection::back);
+  const View view = makeView(camera, {64.0, 64.0, 1.0});
+  const Image image = pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle());
+  CHECK((colorAt(image, 32, 32).r > 200) == doubleSided);
+}
+
+TEST_CASE("A mirrored surface still shows its front") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.nodes[0].rest.scale.x = -1.0;
+  const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
+  const Image image = pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle());
+  CHECK(colorAt(image, 32, 32).r > 200);
+}
+
+TEST_CASE("Masked pixels below the cutoff are left out") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.materials[0].alphaMode = AlphaMode::mask;
+  const float alpha = GENERATE(0.4F, 0.6F);
+  scene.materials[0].baseColor.a = alpha;
+  const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
+  const Image image = pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle());
+  CHECK((colorAt(image, 32, 32).r > 200) == (alpha > 0.5F));
+}
+
+TEST_CASE("A texture's pixels arrive as the sRGB values that they are") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.meshes[0].primitives[0].texCoords.assign(3, {0.5F, 0.5F});
+  scene.materials[0].baseColorImage = 0;
+  scene.images.push_back({1, 1, {188, 96, 40, 255}});
+  const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
+  const glm::ivec3 color =
+      colorAt(pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle()), 32, 32);
+  CHECK(std::abs(color.r - 188) <= 1);
+  CHECK(std::abs(color.g - 96) <= 1);
+  CHECK(std::abs(color.b - 40) <= 1);
+}
+
+TEST_CASE("The graphics card poses a skin as the CPU formula does") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = SceneRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = manyJointsScene();
+  const FrameState frame = twistedFrame(scene);
+  renderer->setScene(scene);
+  const std::vector<glm::vec3> positions = renderer->posedPositions(frame, 0);
+  const std::vector<glm::vec3> normals = renderer->posedNormals(frame, 0);
+
+  const Primitive& primitive = scene.meshes[0].primitives[0];
+  const std::vector<Mat4> matrices = skinMatrices(scene.skins[0], frame);
+  REQUIRE(positions.size() == primitive.positions.size());
+  double farthest = 0.0;
+  double mostTurned = 0.0;
+  Box box;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Posed expected = posedOnCpu(primitive, matrices, frame.pose.weights.back(), i);
+    box.add(expected.position);
+    farthest = std::max(farthest, glm::length(Vec3(positions[i]) - expected.position));
+    mostTurned = std::max(mostTurned, glm::length(Vec3(normals[i]) - expected.normal));
+  }
+  const double size = glm::length(box.size());
+  REQUIRE(size > 1.0);
+  CHECK(farthest <= 1e-5 * size);
+  CHECK(mostTurned <= 2e-3);
+}
+
+TEST_CASE("Morph weights of one frame do not linger in the next") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = SceneRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = manyJointsScene();
+  const FrameState rest = frameOf(scene, restPose(scene), 0.0);
+  renderer->setScene(scene);
+  const auto before = renderer->posedPositions(rest, 0);
+  const auto twisted = renderer->posedPositions(twistedFrame(scene), 0);
+  CHECK(twisted != before);
+  CHECK(renderer->posedPositions(rest, 0) == before);
+}
+
+TEST_CASE("The sampled box holds the posed character closely") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = SceneRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = bipedScene();
+  const FrameState frame = wavingFrame(scene);
+  renderer->setScene(scene);
+  Box exact;
+  for (std::size_t primitive = 0; primitive < 3; ++primitive) {
+    for (const glm::vec3& position : renderer->posedPositions(frame, primitive)) {
+      exact.add(Vec3(position));
+    }
+  }
+  const Box sampled = BoundsSampler(scene).boxOf(scene, frame);
+  CHECK(glm::length(sampled.minimum - exact.minimum) < 1e-4);
+  CHECK(glm::length(sampled.maximum - exact.maximum) < 1e-4);
+}
+
+TEST_CASE("The character is the brightest thing in the dark viewport") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  const Scene scene = bipedScene();
+  const FrameState frame = frameOf(scene, restPose(scene), 0.0);
+  SceneStyle style;
+  style.quality = qualityOf(3);
+  style.characterHeight = 1.8;
+  Camera camera = lookFrom({}, ViewDirection::threeQuarter);
+  const View view = makeView(fitted(camera, {320.0, 240.0, 1.0}, BoundsSampler(scene).boxOf(scene, frame)),
+                             {320.0, 240.0, 1.0});
+  const Image with = pictureOf(scene, frame, view, style);
+  style.mesh = false;
+  const Image without = pictureOf(scene, frame, view, style);
+  int brightestGround = 0;
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      brightestGround = std::max(brightestGround, colorAt(without, x, y).g);
+    }
+  }
+  const Vec2 face = projectToPixels(view, {0.0, 1.66, 0.13})->pixels;
+  CHECK(colorAt(with, static_cast<int>(face.x), static_cast<int>(face.y)).g > 2 * brightestGround);
+}
+
+TEST_CASE("A frame is drawn into a target without touching the state around it") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  auto renderer = ViewportRenderer::create();
+  REQUIRE(renderer);
+  const Scene scene = bipedScene();
+  renderer->setScene(scene);
+  RenderTarget outer;
+  RenderTarget inner;
+  REQUIRE(outer.resize(32, 16, 1).ok());
+  outer.bind();
+  const View view = makeView(Camera{}, {64.0, 64.0, 1.0});
+  REQUIRE(renderer->draw(inner, view, {wavingFrame(scene), {}, Overlay{}, SceneStyle{}}).ok());
+  CHECK(inner.width() == 64);
+  CHECK(inner.textureId() != 0U);
+  RenderTarget other;
+  REQUIRE(other.resize(8, 8, 1).ok());
+  outer.resolve();
+  CHECK(outer.readPixels().width == 32);
+}
+
+TEST_CASE("A scene without anything to show is still drawn") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  const Scene empty;
+  const View view = makeView(Camera{}, {32.0, 32.0, 1.0});
+  const Image image = pictureOf(empty, frameOf(empty, restPose(empty), 0.0), view, SceneStyle{});
+  CHECK(colorAt(image, 16, 2).r < 80);
+}
