@@ -14,7 +14,7 @@ Quality qualityOf(int level) {
   case 1:
     return {1, 192, 1, 0};
   case 2:
-    return {4, 256, 2, 1024};
+    return {4, 256, 2, 0};
   default:
     return {};
   }

@@ -33,10 +33,11 @@ public:
 
 private:
   ViewportRenderer(SceneRenderer scene, OverlayRenderer overlay)
-      : scene_(std::move(scene)), overlay_(std::move(overlay)) {}
+      : scene_(std::move(scene)), overlay_(std::move(overlay)), inSoftware_(drawsInSoftware()) {}
 
   SceneRenderer scene_;
   OverlayRenderer overlay_;
+  bool inSoftware_ = false;
 };
 
 } // namespace stretch::ui
