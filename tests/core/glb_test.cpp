@@ -1,0 +1,91 @@
+#include <catch2/catch.hpp>
+
+#include "core/gltf/glb.h"
+#include "core/gltf/json_text.h"
+#include "core/gltf/uri.h"
+
+using namespace stretch;
+using namespace stretch::gltf;
+
+namespace {
+
+Glb sample() {
+  Glb glb;
+  glb.json = R"({"a":1})";
+  glb.hasBinary = true;
+  glb.binary = {1, 2, 3, 4, 5};
+  glb.others = {{0x12345678, {9, 9, 9, 9}}};
+  return glb;
+}
+
+Bytes sampleBytes() {
+  return writeGlb(sample()).value();
+}
+
+} // namespace
+
+TEST_CASE("Chunks of a GLB survive writing and reading") {
+  const Result<Glb> read = readGlb(sampleBytes());
+  REQUIRE(read.ok());
+  CHECK(read->json == R"({"a":1} )");
+  CHECK(read->binary == Bytes{1, 2, 3, 4, 5, 0, 0, 0});
+  CHECK(read->others == sample().others);
+  CHECK(read->warnings.empty());
+}
+
+TEST_CASE("Every truncation of a GLB is refused") {
+  const Bytes whole = sampleBytes();
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    CHECK_FALSE(readGlb(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))).ok());
+  }
+}
+
+TEST_CASE("Bytes after the end of a GLB are warned of") {
+  Bytes bytes = sampleBytes();
+  bytes.push_back(0);
+  CHECK(readGlb(bytes)->warnings.size() == 1);
+}
+
+TEST_CASE("JSON that is not allowed is refused, order of keys kept otherwise") {
+  CHECK_FALSE(parseJson("\xEF\xBB\xBF{}").ok());
+  CHECK_FALSE(parseJson("[]").ok());
+  CHECK_FALSE(parseJson("{").ok());
+  CHECK_FALSE(parseJson(R"({"a":1e999})").ok());
+  CHECK_FALSE(parseJson("{\"a\":\"\xFF\"}").ok());
+  CHECK_FALSE(parseJson(R"({"a":)" + std::string(300, '[') + std::string(300, ']') + "}").ok());
+  CHECK(parseJson(R"({"b":"[[{\"","a":12345678901})")->dump() == R"({"b":"[[{\"","a":12345678901})");
+}
+
+TEST_CASE("A deep nesting of a hundred thousand brackets is refused, not recursed into") {
+  CHECK_FALSE(parseJson(R"({"a":)" + std::string(100000, '[')).ok());
+}
+
+TEST_CASE("Base64 gives back what it took") {
+  Bytes bytes;
+  for (int length = 0; length < 9; ++length) {
+    const auto data = decodeDataUri("data:application/octet-stream;base64," + encodeBase64(bytes));
+    REQUIRE(data.has_value());
+    CHECK(data->bytes == bytes);
+    CHECK(data->mediaType == "application/octet-stream");
+    bytes.push_back(static_cast<std::uint8_t>(255 - 31 * length));
+  }
+}
+
+TEST_CASE("Malformed data URIs are refused") {
+  const char* const uri =
+      GENERATE("data:", "data:;base64", "data:text/plain,abc", "data:;base64,A", "data:;base64,A*==");
+  CHECK_FALSE(decodeDataUri(uri).has_value());
+}
+
+TEST_CASE("Relative URIs are paths, others are not") {
+  CHECK(relativePath("a%20b/c.bin") == std::filesystem::path("a b/c.bin"));
+  CHECK(relativePath("100%.bin") == std::filesystem::path("100%.bin"));
+  for (const char* const uri :
+       {"", "http://example.com/a.bin", "file:///etc/passwd", "/etc/passwd", "C:a.bin", "a%00b", "dir/"}) {
+    CHECK_FALSE(relativePath(uri).has_value());
+  }
+  CHECK(escapesFolder("../a.png"));
+  CHECK(escapesFolder("b/../../a.png"));
+  CHECK_FALSE(escapesFolder("b/../a.png"));
+  CHECK(relativePath(percentEncoded("ö #1%.bin")) == std::filesystem::path(u8"ö #1%.bin"));
+}

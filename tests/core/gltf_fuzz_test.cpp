@@ -1,0 +1,116 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <random>
+
+#include "core/gltf/report.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+
+namespace {
+
+// Spots of the file are overwritten, in its text as likely as in its data; sometimes its end is missing.
+gltf::Bytes mutated(gltf::Bytes bytes, std::mt19937& random) {
+  for (unsigned change = random() % 4 + 1; change > 0; --change) {
+    bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+  }
+  if (random() % 8 == 0) {
+    bytes.resize(random() % bytes.size());
+  }
+  return bytes;
+}
+
+// Numbers in the JSON become others that are just as good JSON: indices, counts and offsets out of range.
+gltf::Bytes withOtherNumber(const test::GlbBuilder& glb, std::mt19937& random) {
+  test::GlbBuilder changed = glb;
+  const gltf::Json flat = changed.json.flatten();
+  auto entry = flat.begin();
+  std::advance(entry, static_cast<std::ptrdiff_t>(random() % flat.size()));
+  const gltf::Json values = {-1,
+                             0,
+                             1,
+                             7,
+                             255,
+                             65536,
+                             4294967295U,
+                             9007199254740991U,
+                             0.5,
+                             1e300,
+                             "text",
+                             nullptr,
+                             gltf::Json::array(),
+                             gltf::Json::object()};
+  changed.json[gltf::Json::json_pointer(entry.key())] = values[random() % values.size()];
+  return changed.bytes();
+}
+
+// A file that opens has to be whole: what the rest of the program relies on.
+void checkSound(const gltf::Loaded& file) {
+  const int nodes = static_cast<int>(file.scene->nodes.size());
+  CHECK(parentsFirst(*file.scene).size() == file.scene->nodes.size());
+  for (const Clip& clip : file.clips) {
+    for (const CopyOnWrite<Track>& track : clip.tracks) {
+      const std::size_t perKey = track->interpolation == Interpolation::cubicSpline ? 3 : 1;
+      CHECK((track->node >= 0 && track->node < nodes));
+      CHECK(track->values.size() == track->times.size() * perKey * static_cast<std::size_t>(track->width));
+    }
+  }
+  for (const Mesh& mesh : file.scene->meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      CHECK(primitive.normals.size() == primitive.positions.size());
+      for (const std::uint32_t index : primitive.indices) {
+        CHECK(index < primitive.positions.size());
+      }
+    }
+  }
+}
+
+void openAnyhow(const gltf::Bytes& bytes) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder / "model.glb", bytes);
+  const Result<gltf::Loaded> result = gltf::load(folder / "model.glb");
+  if (result) {
+    checkSound(*result);
+  } else {
+    CHECK_FALSE(result.error().line().empty());
+  }
+  const std::vector<gltf::Problem> problems = gltf::diagnose(folder / "model.glb");
+  const bool hasError = std::any_of(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
+    return problem.severity == gltf::Severity::error;
+  });
+  CHECK(hasError == !result.ok());
+}
+
+} // namespace
+
+TEST_CASE("Damaged bytes never bring the reader down") {
+  std::mt19937 random(20240611);
+  const gltf::Bytes bytes = test::armBuilder().bytes();
+  for (int round = 0; round < 400; ++round) {
+    openAnyhow(mutated(bytes, random));
+  }
+}
+
+TEST_CASE("Wrong numbers never bring the reader down") {
+  std::mt19937 random(4711);
+  const test::GlbBuilder glb = test::armBuilder();
+  for (int round = 0; round < 600; ++round) {
+    openAnyhow(withOtherNumber(glb, random));
+  }
+}
+
+TEST_CASE("A small file that names the same bytes over and over is refused before it fills the memory") {
+  test::GlbBuilder glb = test::armBuilder();
+  const std::size_t vertices = 1U << 20U;
+  const int positions = glb.floats(std::vector<float>(vertices * 3, 1.0F), "VEC3", 3);
+  gltf::Json& primitives = glb.json["meshes"][1]["primitives"];
+  for (int i = 0; i < 1000; ++i) {
+    primitives.push_back({{"attributes", {{"POSITION", positions}, {"NORMAL", positions}}}});
+  }
+  glb.json["accessors"][static_cast<std::size_t>(positions)]["bufferView"] =
+      glb.json["bufferViews"].size() - 1;
+  const Result<gltf::Loaded> result = test::loadBytes(glb.bytes());
+  REQUIRE_FALSE(result.ok());
+  CHECK(result.error().what.find("memory") != std::string::npos);
+}

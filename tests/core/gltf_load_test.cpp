@@ -1,0 +1,329 @@
+#include <catch2/catch.hpp>
+
+#include <functional>
+#include <limits>
+
+#include "core/gltf/problems.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::armBuilder;
+using test::GlbBuilder;
+using test::loadBytes;
+
+namespace {
+
+gltf::Loaded loaded(const GlbBuilder& glb) {
+  Result<gltf::Loaded> result = loadBytes(glb.bytes());
+  if (!result) {
+    FAIL(result.error().line());
+  }
+  return std::move(result.value());
+}
+
+bool warnsOf(const gltf::Loaded& file, const std::string& text) {
+  for (const std::string& warning : file.warnings) {
+    if (warning.find(text) != std::string::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Json& primitive(GlbBuilder& glb) {
+  return glb.json["meshes"][0]["primitives"][0];
+}
+
+} // namespace
+
+TEST_CASE("A file's nodes, skin and clips arrive as the file says") {
+  const gltf::Loaded file = loaded(armBuilder());
+  const Scene& scene = *file.scene;
+  CHECK(file.warnings.empty());
+  REQUIRE(scene.nodes.size() == 6);
+  CHECK(scene.nodes[1].parent == 0);
+  CHECK(scene.nodes[1].rest.translation == Vec3(0, 1, 0));
+  REQUIRE(scene.nodes[5].matrix.has_value());
+  CHECK(glm::length(scene.nodes[5].rest.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)) < 1e-12);
+  CHECK(scene.roots == std::vector<int>{0, 5});
+  CHECK(scene.skins[0].inverseBind[2][3] == Vec4(0, -2, 0, 1));
+  REQUIRE(file.clips.size() == 2);
+  CHECK(file.clips[0].tracks.size() == 3);
+  CHECK(file.clips[0].tracks[1]->interpolation == Interpolation::cubicSpline);
+  CHECK(file.clips[0].tracks[1]->sourceChannel == 1);
+  CHECK(file.clips[0].endSeconds == 1.0);
+  CHECK(file.clips[1].endSeconds == 0.0);
+}
+
+TEST_CASE("A skin without inverse bind matrices has identities") {
+  GlbBuilder glb = armBuilder();
+  glb.json["skins"][0].erase("inverseBindMatrices");
+  CHECK(loaded(glb).scene->skins[0].inverseBind == std::vector<Mat4>(3, Mat4(1.0)));
+}
+
+TEST_CASE("Strips and fans become triangles that face the same way") {
+  GlbBuilder glb = armBuilder();
+  SECTION("strip") {
+    const gltf::Loaded file = loaded(glb);
+    const Primitive& made = file.scene->meshes[0].primitives[0];
+    CHECK(made.indices == std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4});
+    for (const glm::vec3& normal : made.normals) {
+      CHECK(glm::length(normal - glm::vec3(0, 0, 1)) < 1e-6F); // computed, since the file has none
+    }
+  }
+  SECTION("fan") {
+    primitive(glb)["mode"] = 6;
+    CHECK(loaded(glb).scene->meshes[0].primitives[0].indices ==
+          std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5});
+  }
+  SECTION("list without indices") {
+    primitive(glb).erase("indices");
+    primitive(glb).erase("mode");
+    CHECK(loaded(glb).scene->meshes[0].primitives[0].indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+  }
+}
+
+TEST_CASE("Weights are made to sum to one, with one warning") {
+  GlbBuilder glb = armBuilder();
+  const std::vector<float> weights{2, 0, 0, 0, 0,   0,   0, 0, .5F, .5F, 0, 0,
+                                   1, 3, 0, 0, .5F, .5F, 0, 0, 1,   0,   0, 0};
+  primitive(glb)["attributes"]["WEIGHTS_0"] = glb.floats(weights, "VEC4", 4);
+  const gltf::Loaded file = loaded(glb);
+  const std::vector<VertexInfluences>& influences = file.scene->meshes[0].primitives[0].influences;
+  CHECK(influences[0].weights[0] == 1.0F);
+  CHECK(influences[1].weights[0] == 1.0F); // no weight at all: the first joint
+  CHECK(influences[3].weights[1] == 0.75F);
+  CHECK(warnsOf(file, "do not sum to 1"));
+}
+
+TEST_CASE("A joint that the skin lacks is tolerated with weight 0 and refused with another") {
+  GlbBuilder glb = armBuilder();
+  std::vector<std::uint8_t> joints(24, 0);
+  joints[3] = 200;
+  SECTION("weight 0") {
+    primitive(glb)["attributes"]["JOINTS_0"] = glb.accessor(joints, 5121, "VEC4", 4);
+    CHECK(warnsOf(loaded(glb), "does not have, with weight 0"));
+  }
+  SECTION("weight 1") {
+    joints[0] = 200;
+    primitive(glb)["attributes"]["JOINTS_0"] = glb.accessor(joints, 5121, "VEC4", 4);
+    CHECK(loadBytes(glb.bytes()).error().where == "meshes[0].primitives[0].attributes.JOINTS_0");
+  }
+}
+
+TEST_CASE("Normalised integers stand for fractions") {
+  GlbBuilder glb = armBuilder();
+  const std::vector<std::int16_t> turns{0, 0, 0, 32767, 0, 0, 32767, 0, 0, 0, -32768, 0};
+  glb.json["animations"][0]["samplers"][0]["output"] = glb.accessor(turns, 5122, "VEC4", 4);
+  glb.json["accessors"].back()["normalized"] = true;
+  const gltf::Loaded file = loaded(glb);
+  const Track& track = *file.clips[0].tracks[0];
+  CHECK(track.values[3] == 1.0F);
+  CHECK(track.values[10] == -1.0F);
+}
+
+TEST_CASE("Sparse values replace those of the accessor") {
+  GlbBuilder glb = armBuilder();
+  glb.accessor(std::vector<std::uint16_t>{1, 5}, 5123, "SCALAR", 1);
+  const std::size_t indexView = glb.json["bufferViews"].size() - 1;
+  glb.floats({7, 8, 9, 4, 5, 6}, "VEC3", 3);
+  const std::size_t valueView = glb.json["bufferViews"].size() - 1;
+  Json& positions = glb.json["accessors"][0];
+  positions.erase("min");
+  positions.erase("max");
+  positions["sparse"] = {{"count", 2},
+                         {"indices", {{"bufferView", indexView}, {"componentType", 5123}}},
+                         {"values", {{"bufferView", valueView}}}};
+  const gltf::Loaded file = loaded(glb);
+  const std::vector<glm::vec3>& read = file.scene->meshes[0].primitives[0].positions;
+  CHECK(read[0] == glm::vec3(0, 0, 0));
+  CHECK(read[1] == glm::vec3(7, 8, 9));
+  CHECK(read[5] == glm::vec3(4, 5, 6));
+}
+
+TEST_CASE("Strided accessors are read with their stride") {
+  GlbBuilder glb = armBuilder();
+  const std::vector<float> interleaved{0, -1, .5F, -1, 1, -1};
+  glb.json["animations"][0]["samplers"][0]["input"] = glb.floats(interleaved, "SCALAR", 1);
+  glb.json["accessors"].back()["count"] = 3;
+  glb.json["bufferViews"].back()["byteStride"] = 8;
+  const gltf::Loaded file = loaded(glb);
+  CHECK(file.clips[0].tracks[0]->times == std::vector<float>{0, .5F, 1});
+  CHECK(warnsOf(file, "strided"));
+}
+
+TEST_CASE("Keys at one time are moved apart, keys that go back are refused") {
+  GlbBuilder glb = armBuilder();
+  SECTION("equal") {
+    glb.json["animations"][0]["samplers"][0]["input"] = glb.floats({0, .5F, .5F}, "SCALAR", 1);
+    const gltf::Loaded file = loaded(glb);
+    const std::vector<float>& times = file.clips[0].tracks[0]->times;
+    CHECK(times[1] < times[2]);
+    CHECK(times[2] == Approx(0.5));
+  }
+  SECTION("backwards") {
+    glb.json["animations"][0]["samplers"][0]["input"] = glb.floats({0, 1, .5F}, "SCALAR", 1);
+    CHECK(loadBytes(glb.bytes()).error().where == "animations[0].samplers[0].input");
+  }
+}
+
+TEST_CASE("Channels that drive nothing we know are left out, the others stay") {
+  GlbBuilder glb = armBuilder();
+  Json& channels = glb.json["animations"][0]["channels"];
+  channels[0]["target"] = {{"path", "pointer"},
+                           {"extensions", {{"KHR_animation_pointer", {{"pointer", "/x"}}}}}};
+  const gltf::Loaded file = loaded(glb);
+  REQUIRE(file.clips[0].tracks.size() == 2);
+  CHECK(file.clips[0].tracks[0]->sourceChannel == 1);
+}
+
+TEST_CASE("The humanoid table of VRM 0 is read with the names of VRM 1") {
+  GlbBuilder glb = armBuilder();
+  glb.json["extensions"]["VRM"] = Json::parse(
+      R"({"humanoid": {"humanBones": [{"bone": "leftUpperArm", "node": 1}, {"bone": "leftThumbProximal", "node": 2}]}})");
+  const std::map<std::string, int> expected{{"leftUpperArm", 1}, {"leftThumbMetacarpal", 2}};
+  CHECK(loaded(glb).scene->humanoid == expected);
+}
+
+TEST_CASE("The humanoid table of VRM 1 and its animations is read") {
+  const char* const extension = GENERATE("VRMC_vrm", "VRMC_vrm_animation");
+  GlbBuilder glb = armBuilder();
+  glb.json["extensions"][extension] =
+      Json::parse(R"({"humanoid": {"humanBones": {"hips": {"node": 0}, "spine": {"node": 99}}}})");
+  const gltf::Loaded file = loaded(glb);
+  CHECK(file.scene->humanoid == std::map<std::string, int>{{"hips", 0}});
+  CHECK(warnsOf(file, "'spine'"));
+}
+
+TEST_CASE("Required extensions that hide geometry are named, others are warned of") {
+  GlbBuilder glb = armBuilder();
+  glb.json["extensionsRequired"] = {"KHR_draco_mesh_compression", "EXT_texture_webp"};
+  CHECK(loadBytes(glb.bytes()).error().line().find("KHR_draco_mesh_compression") != std::string::npos);
+  glb.json["extensionsRequired"] = {"EXT_texture_webp"};
+  CHECK(warnsOf(loaded(glb), "EXT_texture_webp"));
+}
+
+namespace {
+
+struct Fault {
+  const char* name;
+  std::function<void(GlbBuilder&)> make;
+  const char* where;
+};
+
+// glTF files that no reading makes sense of, and the place that the error has to name.
+std::vector<Fault> faults() {
+  return {
+      {"no asset", [](GlbBuilder& g) { g.json.erase("asset"); }, "asset"},
+      {"version 1", [](GlbBuilder& g) { g.json["asset"]["version"] = "1.0"; }, "asset.version"},
+      {"child missing", [](GlbBuilder& g) { g.json["nodes"][0]["children"] = {77}; }, "nodes[0].children[0]"},
+      {"loop", [](GlbBuilder& g) { g.json["nodes"][3]["children"] = {1}; }, "nodes[1]"},
+      {"own child", [](GlbBuilder& g) { g.json["nodes"][5]["children"] = {5}; }, "nodes[5]"},
+      {"scene lists a child",
+       [](GlbBuilder& g) {
+         g.json["scenes"][0]["nodes"] = {0, 1};
+       },
+       "scenes[0]"},
+      {"matrix and parts",
+       [](GlbBuilder& g) {
+         g.json["nodes"][5]["scale"] = {1, 1, 1};
+       },
+       "nodes[5]"},
+      {"index is text", [](GlbBuilder& g) { g.json["nodes"][4]["skin"] = "0"; }, "nodes[4].skin"},
+      {"index is negative", [](GlbBuilder& g) { g.json["nodes"][4]["mesh"] = -1; }, "nodes[4].mesh"},
+      {"primitives are no array", [](GlbBuilder& g) { g.json["meshes"][0]["primitives"] = 3; },
+       "meshes[0].primitives"},
+      {"nodes are no objects", [](GlbBuilder& g) { g.json["nodes"][1] = 4; }, "nodes[1]"},
+      {"no joints", [](GlbBuilder& g) { g.json["skins"][0]["joints"] = Json::array(); }, "skins[0].joints"},
+      {"count is huge", [](GlbBuilder& g) { g.json["accessors"][0]["count"] = 4000000000U; }, "accessors[0]"},
+      {"count without data",
+       [](GlbBuilder& g) {
+         g.json["accessors"][0].erase("bufferView");
+         g.json["accessors"][0]["count"] = 4000000000U;
+       },
+       "accessors[0]"},
+      {"offset overflows", [](GlbBuilder& g) { g.json["accessors"][0]["byteOffset"] = 9007199254740992U; },
+       "accessors[0]"},
+      {"view too long", [](GlbBuilder& g) { g.json["bufferViews"][0]["byteLength"] = 1U << 30U; },
+       "bufferViews[0]"},
+      {"stride below the element", [](GlbBuilder& g) { g.json["bufferViews"][0]["byteStride"] = 4; },
+       "accessors[0]"},
+      {"vertex index too large",
+       [](GlbBuilder& g) {
+         primitive(g)["indices"] = g.accessor(std::vector<std::uint16_t>{0, 1, 6}, 5123, "SCALAR", 1);
+       },
+       "meshes[0].primitives[0].indices"},
+      {"indices are floats",
+       [](GlbBuilder& g) {
+         primitive(g)["indices"] = g.floats({0, 1, 2}, "SCALAR", 1);
+       },
+       "meshes[0].primitives[0].indices"},
+      {"attributes of different counts",
+       [](GlbBuilder& g) {
+         primitive(g)["attributes"]["NORMAL"] = g.floats({0, 0, 1}, "VEC3", 3);
+       },
+       "meshes[0].primitives[0].attributes.NORMAL"},
+      {"position is no number",
+       [](GlbBuilder& g) {
+         const float nan = std::numeric_limits<float>::quiet_NaN();
+         g.json["meshes"][1]["primitives"][0]["attributes"]["POSITION"] = g.floats({0, 0, nan}, "VEC3", 3);
+       },
+       "meshes[1].primitives[0].attributes.POSITION"},
+      {"inverse bind matrices too few",
+       [](GlbBuilder& g) {
+         g.json["skins"][0]["inverseBindMatrices"] = g.floats(std::vector<float>(16, 1), "MAT4", 16);
+       },
+       "skins[0].inverseBindMatrices"},
+      {"sampler missing", [](GlbBuilder& g) { g.json["animations"][0]["channels"][0]["sampler"] = 9; },
+       "animations[0].channels[0].sampler"},
+      {"values too few",
+       [](GlbBuilder& g) {
+         g.json["animations"][0]["samplers"][0]["output"] = g.floats({0, 0, 0, 1}, "VEC4", 4);
+       },
+       "animations[0].samplers[0].output"},
+      {"target twice",
+       [](GlbBuilder& g) {
+         Json& channels = g.json["animations"][0]["channels"];
+         channels.push_back(channels[0]);
+       },
+       "animations[0].channels[3]"},
+  };
+}
+
+} // namespace
+
+TEST_CASE("What breaks a file is refused with its place") {
+  const std::size_t index = GENERATE(range(std::size_t{0}, faults().size()));
+  const Fault fault = faults()[index];
+  INFO(fault.name);
+  GlbBuilder glb = armBuilder();
+  fault.make(glb);
+  const Result<gltf::Loaded> result = loadBytes(glb.bytes());
+  REQUIRE_FALSE(result.ok());
+  CHECK_THAT(result.error().where, Catch::StartsWith(fault.where));
+  CHECK(result.error().line().find('\n') == std::string::npos);
+}
+
+TEST_CASE("Warnings that differ only in their place share a line") {
+  gltf::Problems problems;
+  problems.warning("nodes[1]", "is odd");
+  problems.warning("nodes[4]", "is odd");
+  problems.warning("", "the file is odd");
+  CHECK(problems.warningLines() ==
+        std::vector<std::string>{"nodes[1] and 1 more: is odd", "the file is odd"});
+  CHECK_FALSE(problems.hasErrors());
+}
+
+TEST_CASE("A data file that the model needs is named when it is missing") {
+  const test::TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["buffers"] = {{{"uri", "gone%20away.bin"}, {"byteLength", glb.binary.size()}}};
+  const std::string text = glb.json.dump();
+  test::writeBytes(folder / "model.gltf", {text.begin(), text.end()});
+  const Result<gltf::Loaded> missing = gltf::load(folder / "model.gltf");
+  REQUIRE_FALSE(missing.ok());
+  CHECK(missing.error().line().find("gone%20away.bin") != std::string::npos);
+  test::writeBytes(folder / "gone away.bin", glb.binary);
+  CHECK(gltf::load(folder / "model.gltf").ok());
+}

@@ -1,0 +1,359 @@
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <random>
+
+#include "core/anim/frame_state.h"
+#include "core/gltf/edits.h"
+#include "core/gltf/uri.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::armBuilder;
+using test::GlbBuilder;
+using test::TemporaryFolder;
+
+namespace {
+
+constexpr int upper = 1;
+constexpr int lower = 2;
+constexpr int prop = 3;
+constexpr int firstAdded = 6;
+constexpr int wave = 0;
+
+gltf::Loaded opened(const std::filesystem::path& path) {
+  Result<gltf::Loaded> file = gltf::load(path);
+  if (!file) {
+    FAIL(file.error().line());
+  }
+  return std::move(file.value());
+}
+
+gltf::Loaded arm(const TemporaryFolder& folder, const GlbBuilder& glb = armBuilder()) {
+  glb.write(folder / "source.glb");
+  return opened(folder / "source.glb");
+}
+
+gltf::Source patchedOrFail(const gltf::Source& source, const gltf::Edits& edits) {
+  Result<gltf::Source> result = gltf::patched(source, edits);
+  if (!result) {
+    FAIL(result.error().line());
+  }
+  return std::move(result.value());
+}
+
+gltf::Loaded reopened(const TemporaryFolder& folder, const gltf::Source& source,
+                      const std::string& name = "out.glb") {
+  if (const Status saved = gltf::save(source, folder / name); !saved) {
+    FAIL(saved.error().line());
+  }
+  return opened(folder / name);
+}
+
+Track scaleTrack(int node, std::vector<float> times, std::vector<float> values) {
+  return {node, Channel::scale, Interpolation::linear, 3, std::move(times), std::move(values), -1};
+}
+
+Track turnTrack(int node) {
+  return {node, Channel::rotation, Interpolation::linear, 4, {0, 1}, {0, 0, 0, 1, 0, 0, 0.6F, 0.8F}, -1};
+}
+
+// What a stretched "upper" looks like: a leaf with the joint's place in the skin and a scale of its own.
+gltf::Edits stretchEdits(const gltf::Loaded& file) {
+  gltf::Edits edits;
+  edits.addedNodes = {{"upper_bind", upper, {{}, glm::angleAxis(0.3, Vec3(0, 0, 1)), Vec3(1.0)}, -1, true}};
+  const Mat4 aligned = glm::inverse(toMatrix(edits.addedNodes[0].rest)) * file.scene->skins[0].inverseBind[1];
+  edits.skinSlots = {{0, 1, firstAdded, aligned}};
+  edits.clips = {{wave, {scaleTrack(firstAdded, {0, 1}, {1, 1, 1, 3, 1, 1}), turnTrack(lower)}}};
+  return edits;
+}
+
+std::vector<Vec3> skinned(const gltf::Loaded& file, int clip, double timeSeconds) {
+  const FrameState frame =
+      frameOf(*file.scene, samplePose(*file.scene, file.clips[static_cast<std::size_t>(clip)], timeSeconds),
+              timeSeconds);
+  const std::vector<Mat4> matrices = skinMatrices(file.scene->skins[0], frame);
+  const Primitive& primitive = file.scene->meshes[0].primitives[0];
+  std::vector<Vec3> vertices;
+  for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+    Vec4 sum(0.0);
+    for (std::size_t k = 0; k < VertexInfluences::capacity; ++k) {
+      const VertexInfluences& influence = primitive.influences[i];
+      sum += static_cast<double>(influence.weights[k]) *
+             (matrices[influence.joints[k]] * Vec4(Vec3(primitive.positions[i]), 1.0));
+    }
+    vertices.emplace_back(sum);
+  }
+  return vertices;
+}
+
+} // namespace
+
+TEST_CASE("A patch without edits is the source") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  const gltf::Source same = patchedOrFail(*file.source, {});
+  CHECK(same.json.dump() == file.source->json.dump());
+  CHECK(same.buffers == file.source->buffers);
+}
+
+TEST_CASE("A bind leaf at scale one leaves the skinning as it was") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits = stretchEdits(file);
+  edits.clips.clear();
+  const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
+  CHECK(result.warnings.empty());
+  CHECK(result.scene->nodes[firstAdded].isBindLeaf);
+  CHECK_FALSE(result.scene->nodes[upper].isBindLeaf);
+  CHECK(result.scene->nodes[firstAdded].parent == upper);
+  CHECK(result.scene->skins[0].joints == std::vector<int>{0, firstAdded, 2});
+  for (const double time : {0.0, 0.3, 0.5, 1.0}) {
+    const std::vector<Vec3> before = skinned(file, wave, time);
+    const std::vector<Vec3> after = skinned(result, wave, time);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      CHECK(glm::length(before[i] - after[i]) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("Re-keyed tracks replace those of the clip, everything else stays where it was") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  const gltf::Source changed = patchedOrFail(*file.source, stretchEdits(file));
+  const gltf::Loaded result = reopened(folder, changed);
+  const Clip& clip = result.clips[wave];
+  REQUIRE(clip.tracks.size() == 4);
+  CHECK(clip.tracks[0]->times == std::vector<float>{0, 1});
+  CHECK(clip.tracks[0]->values.back() == 0.8F);
+  CHECK(clip.tracks[1]->values == file.clips[wave].tracks[1]->values);
+  CHECK(clip.tracks[3]->node == firstAdded);
+  CHECK(clip.tracks[3]->values[3] == 3.0F);
+  CHECK(result.clips[1] == file.clips[1]);
+  // The source's samplers and bytes are still there, at their places.
+  const Json& samplers = changed.json["animations"][0]["samplers"];
+  CHECK(samplers.size() == 5);
+  CHECK(samplers[0] == file.source->json["animations"][0]["samplers"][0]);
+  CHECK(samplers[3]["input"] == samplers[4]["input"]); // equal times are stored once
+  CHECK(
+      std::equal(file.source->buffers[0].begin(), file.source->buffers[0].end(), changed.buffers[0].begin()));
+}
+
+TEST_CASE("An animated node gives up its matrix for translation, rotation and scale") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  constexpr int camera = 5;
+  REQUIRE(file.scene->nodes[camera].matrix.has_value());
+  gltf::Edits edits;
+  edits.clips = {{wave, {turnTrack(camera)}}};
+  const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
+  CHECK_FALSE(result.scene->nodes[camera].matrix.has_value());
+  CHECK(glm::length(result.scene->nodes[camera].rest.translation - Vec3(0, 1, 0)) < 1e-12);
+  CHECK(glm::length(result.scene->nodes[camera].rest.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)) < 1e-9);
+}
+
+TEST_CASE("Accessors of animation inputs say their bounds, and no new view is strided or targeted") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  const Json changed = patchedOrFail(*file.source, stretchEdits(file)).json;
+  const Json& input =
+      changed["accessors"][changed["animations"][0]["samplers"][3]["input"].get<std::size_t>()];
+  CHECK(input["min"] == Json::array({0.0}));
+  CHECK(input["max"] == Json::array({1.0}));
+  for (std::size_t i = file.source->json["bufferViews"].size(); i < changed["bufferViews"].size(); ++i) {
+    CHECK_FALSE(changed["bufferViews"][i].contains("byteStride"));
+    CHECK_FALSE(changed["bufferViews"][i].contains("target"));
+    CHECK(changed["bufferViews"][i]["byteOffset"].get<std::size_t>() % 4 == 0);
+  }
+}
+
+TEST_CASE("A rigid mesh moves to its bind leaf") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits;
+  edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
+  const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
+  CHECK(result.scene->nodes[prop].mesh == -1);
+  CHECK(result.scene->nodes[firstAdded].mesh == 1);
+}
+
+TEST_CASE("Every skin gets inverse bind matrices of its own") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["skins"].push_back(glb.json["skins"][0]);
+  glb.json["skins"].push_back({{"joints", {1, 2}}});
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.addedNodes = {{"leaf", upper, {}, -1, true}};
+  const Mat4 matrix(2.0, 0, 0, 0, 0, 3.0, 0, 0, 0, 0, 4.0, 0, 5.0, 6.0, 7.0, 1.0);
+  edits.skinSlots = {{0, 1, firstAdded, matrix}, {2, 0, firstAdded, matrix}};
+  const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
+  CHECK(result.scene->skins[0].inverseBind[1] == matrix);
+  CHECK(result.scene->skins[0].inverseBind[2] == file.scene->skins[0].inverseBind[2]);
+  CHECK(result.scene->skins[1].inverseBind == file.scene->skins[1].inverseBind);
+  CHECK(result.scene->skins[2].inverseBind == std::vector<Mat4>{matrix, Mat4(1.0)});
+}
+
+TEST_CASE("Edits that do not fit the file are refused") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits;
+  SECTION("parent") {
+    edits.addedNodes = {{"leaf", 6, {}, -1, true}};
+  }
+  SECTION("slot") {
+    edits.skinSlots = {{0, 3, 1, Mat4(1.0)}};
+  }
+  SECTION("clip") {
+    edits.clips = {{2, {}}};
+  }
+  SECTION("node") {
+    edits.clips = {{wave, {turnTrack(6)}}};
+  }
+  SECTION("values") {
+    edits.clips = {{wave, {scaleTrack(1, {0, 1}, {1, 1, 1})}}};
+  }
+  SECTION("times") {
+    edits.clips = {{wave, {scaleTrack(1, {1, 0}, {1, 1, 1, 1, 1, 1})}}};
+  }
+  SECTION("not finite") {
+    edits.clips = {{wave, {scaleTrack(1, {0}, {1, std::numeric_limits<float>::infinity(), 1})}}};
+  }
+  CHECK_FALSE(gltf::patched(*file.source, edits).ok());
+}
+
+namespace {
+
+// Edits of every kind, as far as the file has what they change.
+gltf::Edits randomEdits(const gltf::Loaded& file, std::mt19937& random) {
+  gltf::Edits edits;
+  const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  const int nodes = static_cast<int>(file.scene->nodes.size());
+  const int added = number(4);
+  for (int i = 0; i < added; ++i) {
+    const bool takesMesh = number(3) == 0;
+    edits.addedNodes.push_back({"leaf",
+                                number(nodes + i + 1) - 1,
+                                {Vec3(number(5)), Quat(1, 0, 0, 0), Vec3(1)},
+                                takesMesh ? prop : -1,
+                                true});
+  }
+  if (added > 0 && number(2) == 0) {
+    edits.skinSlots = {{0, number(3), nodes + number(added), Mat4(1.0)}};
+  }
+  for (int i = number(4); i > 0; --i) {
+    edits.clips.push_back({number(2),
+                           {turnTrack(number(nodes + added)),
+                            scaleTrack(number(nodes + added), {0, .25F, 1}, {1, 1, 1, 2, 2, 2, 1, 1, 1})}});
+  }
+  edits.work = {{"seed", random()}, {"text", "ö"}, {"list", {1, 2.5, nullptr}}};
+  return edits;
+}
+
+void checkRestored(const gltf::Loaded& result, const gltf::Loaded& source, const Json& work) {
+  CHECK(result.warnings == source.warnings);
+  CHECK(result.savedWork == work);
+  CHECK(result.source->json.dump() == source.source->json.dump());
+  CHECK(result.source->buffers == source.source->buffers);
+  CHECK(result.source->hasBinaryChunk == source.source->hasBinaryChunk);
+  CHECK(result.scene->nodes.size() == source.scene->nodes.size());
+}
+
+} // namespace
+
+TEST_CASE("A saved file gives its source and the work back, whatever was edited") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  std::mt19937 random(7);
+  for (int round = 0; round < 40; ++round) {
+    const gltf::Edits edits = randomEdits(file, random);
+    const std::string name = round % 2 == 0 ? "out.glb" : "out.gltf";
+    const gltf::Source changed = patchedOrFail(*file.source, edits);
+    checkRestored(reopened(folder, changed, name), file, edits.work);
+  }
+}
+
+TEST_CASE("Work saved again and again does not pile up") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = {{"scale", 2}};
+  const gltf::Loaded once = reopened(folder, patchedOrFail(*file.source, edits), "out.glb");
+  const std::size_t size = test::readBytes(folder / "out.glb").size();
+  const gltf::Loaded twice = reopened(folder, patchedOrFail(*once.source, edits), "out.glb");
+  CHECK(test::readBytes(folder / "out.glb").size() == size);
+  checkRestored(twice, file, edits.work);
+}
+
+TEST_CASE("A .gltf with its data in a URI or beside it comes back through a GLB with work in it") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  SECTION("beside") {
+    glb.json["buffers"] = {{{"uri", "data.bin"}, {"name", "kept"}, {"byteLength", glb.binary.size()}}};
+    test::writeBytes(folder / "data.bin", glb.binary);
+  }
+  SECTION("in the URI") {
+    const std::string uri = "data:application/octet-stream;base64," + gltf::encodeBase64(glb.binary);
+    glb.json["buffers"] = {{{"uri", uri}, {"name", "kept"}, {"byteLength", glb.binary.size()}}};
+  }
+  const std::string text = glb.json.dump();
+  test::writeBytes(folder / "source.gltf", {text.begin(), text.end()});
+  const gltf::Loaded file = opened(folder / "source.gltf");
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = {{"scale", 2}};
+  const gltf::Source changed = patchedOrFail(*file.source, edits);
+  checkRestored(reopened(folder, changed, "out.glb"), file, edits.work);
+  checkRestored(reopened(folder, changed, "out.gltf"), file, edits.work);
+}
+
+TEST_CASE("Extras that are there already survive the work") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["extras"] = GENERATE(Json("a text"), Json({{"mine", 1}}), Json(nullptr));
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = {{"scale", 2}};
+  const gltf::Source changed = patchedOrFail(*file.source, edits);
+  if (glb.json["extras"].is_object()) {
+    CHECK(changed.json["extras"]["mine"] == 1);
+  } else {
+    CHECK(changed.json["extras"] == glb.json["extras"]);
+  }
+  checkRestored(reopened(folder, changed), file, edits.work);
+}
+
+TEST_CASE("A file that another program changed opens as an ordinary one, with a warning") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = {{"scale", 2}};
+  gltf::Source changed = patchedOrFail(*file.source, edits);
+  SECTION("JSON") {
+    changed.json["nodes"][0]["name"] = "renamed";
+  }
+  SECTION("bytes") {
+    changed.buffers[0][0] ^= 1U;
+  }
+  SECTION("undo broken") {
+    changed.json["extras"]["stretch_engine"]["restore"]["steps"][0] = {"cut", "/nowhere", 3};
+  }
+  const gltf::Loaded result = reopened(folder, changed);
+  CHECK(result.savedWork.is_null());
+  REQUIRE(result.warnings.size() == 1);
+  CHECK(result.warnings[0].find("another program") != std::string::npos);
+  CHECK(result.scene->nodes.size() == 7);
+  CHECK(result.scene->nodes[firstAdded].isBindLeaf);
+}
+
+TEST_CASE("A program that only reorders keys and respells numbers does not cost the work") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Edits edits = stretchEdits(file);
+  edits.work = {{"scale", 2}};
+  gltf::Source changed = patchedOrFail(*file.source, edits);
+  changed.json = Json::parse(nlohmann::json::parse(changed.json.dump()).dump()); // sorted keys
+  const gltf::Loaded result = reopened(folder, changed);
+  CHECK(result.savedWork == edits.work);
+  CHECK(result.source->json == Json::parse(nlohmann::json::parse(file.source->json.dump()).dump()));
+}

@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+
+#include "core/gltf/report.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using test::armBuilder;
+
+namespace {
+
+std::vector<gltf::Problem> problemsOf(const test::GlbBuilder& glb) {
+  const test::TemporaryFolder folder;
+  glb.write(folder / "model.glb");
+  return gltf::diagnose(folder / "model.glb");
+}
+
+// Two nodes, the lower turned by 45 degrees under a parent with this scale; the lower holds a mesh.
+Scene turnedUnder(const Vec3& scale) {
+  Scene scene;
+  scene.nodes.resize(2);
+  scene.nodes[0].children = {1};
+  scene.nodes[0].rest.scale = scale;
+  scene.nodes[1].parent = 0;
+  scene.nodes[1].mesh = 0;
+  scene.nodes[1].rest.rotation = glm::angleAxis(pi / 4, Vec3(0, 0, 1));
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("A sound file has no problems") {
+  CHECK(problemsOf(armBuilder()).empty());
+}
+
+TEST_CASE("Problems after the first error are reported too") {
+  test::GlbBuilder glb = armBuilder();
+  glb.json["nodes"][1].erase("name");
+  glb.json["nodes"][0]["children"] = {99};
+  glb.json["nodes"][4]["mesh"] = 12;
+  glb.json["skins"][0]["skeleton"] = 33;
+  const std::vector<gltf::Problem> problems = problemsOf(glb);
+  REQUIRE(problems.size() == 3);
+  CHECK(problems[0].where == "nodes[0].children[0]");
+  CHECK(problems[1].where == "nodes[4].mesh");
+  CHECK(problems[2].where == "skins[0].skeleton");
+}
+
+TEST_CASE("A file that is not there is one error") {
+  const std::vector<gltf::Problem> problems = gltf::diagnose("/nowhere/at/all.glb");
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].severity == gltf::Severity::error);
+}
+
+TEST_CASE("A rotation under an uneven scale shears, under an even one it does not") {
+  CHECK(gltf::residualShear(turnedUnder(Vec3(2.0)), {}).empty());
+  CHECK(gltf::residualShear(turnedUnder(Vec3(-2.0, 2.0, 2.0)), {}).empty());
+  const std::vector<gltf::Shear> shear = gltf::residualShear(turnedUnder(Vec3(2.0, 1.0, 1.0)), {});
+  REQUIRE(shear.size() == 1);
+  CHECK(shear[0].node == 1);
+  CHECK(shear[0].clip == -1);
+  CHECK(shear[0].cosine == Approx(0.6)); // columns (2, 1) and (-2, 1): 3 / 5
+}
+
+TEST_CASE("Shear is found at the key where it is largest") {
+  const Track scale{0, Channel::scale, Interpolation::linear, 3, {0, 1, 2}, {1, 1, 1, 2, 1, 1, 1, 1, 1}, -1};
+  Clip clip;
+  clip.tracks = {CopyOnWrite<Track>(scale)};
+  const std::vector<gltf::Shear> shear = gltf::residualShear(turnedUnder(Vec3(1.0)), {clip});
+  REQUIRE(shear.size() == 1);
+  CHECK(shear[0].clip == 0);
+  CHECK(shear[0].timeSeconds == 1.0);
+}
+
+TEST_CASE("Shear of a node that no mesh follows does not matter") {
+  Scene scene = turnedUnder(Vec3(2.0, 1.0, 1.0));
+  scene.nodes[1].mesh = -1;
+  CHECK(gltf::residualShear(scene, {}).empty());
+}

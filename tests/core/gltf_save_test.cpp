@@ -1,0 +1,153 @@
+#include <catch2/catch.hpp>
+
+#include "core/gltf/edits.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::armBuilder;
+using test::GlbBuilder;
+using test::TemporaryFolder;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::shared_ptr<const gltf::Source> sourceAt(const fs::path& path) {
+  const Result<gltf::Loaded> file = gltf::load(path);
+  if (!file) {
+    FAIL(file.error().line());
+  }
+  return file->source;
+}
+
+// The JSON but for the place of the first buffer, which differs between .glb and .gltf.
+std::string textWithoutPlace(Json json) {
+  json["buffers"][0].erase("uri");
+  return json.dump();
+}
+
+void saveOrFail(const gltf::Source& source, const fs::path& path) {
+  if (const Status saved = gltf::save(source, path); !saved) {
+    FAIL(saved.error().line());
+  }
+}
+
+// A .gltf with its .bin and an image beside.
+void writeSeparateFiles(const fs::path& folder) {
+  fs::create_directories(folder / "textures");
+  GlbBuilder glb = armBuilder();
+  glb.json["buffers"] = {{{"uri", "my%20data.bin"}, {"byteLength", glb.binary.size()}}};
+  glb.json["images"] = {{{"uri", "textures/skin.png"}}};
+  const std::string text = glb.json.dump();
+  test::writeBytes(folder / "model.gltf", {text.begin(), text.end()});
+  test::writeBytes(folder / "my data.bin", glb.binary);
+  test::writeBytes(folder / "textures" / "skin.png", {1, 2, 3});
+}
+
+} // namespace
+
+TEST_CASE("Saving without an edit keeps every property in its order and every byte") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "model.glb");
+  const auto source = sourceAt(folder / "model.glb");
+  saveOrFail(*source, folder / "again.glb");
+  const auto again = sourceAt(folder / "again.glb");
+  CHECK(again->json.dump() == source->json.dump());
+  CHECK(again->buffers == source->buffers);
+  CHECK(test::readBytes(folder / "again.glb") == test::readBytes(folder / "model.glb"));
+}
+
+TEST_CASE("Between .glb and .gltf only the place of the first buffer changes") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "model.glb");
+  const auto source = sourceAt(folder / "model.glb");
+  saveOrFail(*source, folder / "text.gltf");
+  CHECK(fs::is_regular_file(folder / "text.bin"));
+  const auto text = sourceAt(folder / "text.gltf");
+  CHECK(text->json["buffers"][0]["uri"] == "text.bin");
+  CHECK(textWithoutPlace(text->json) == textWithoutPlace(source->json));
+  CHECK(text->buffers == source->buffers);
+  saveOrFail(*text, folder / "back.glb");
+  CHECK(test::readBytes(folder / "back.glb") == test::readBytes(folder / "model.glb"));
+}
+
+TEST_CASE("Chunks that nobody knows stay in the GLB") {
+  const TemporaryFolder folder;
+  Result<gltf::Glb> glb = gltf::readGlb(armBuilder().bytes());
+  glb->others.push_back({0x58585858, {1, 2, 3, 4}});
+  test::writeBytes(folder / "model.glb", gltf::writeGlb(*glb).value());
+  saveOrFail(*sourceAt(folder / "model.glb"), folder / "again.glb");
+  CHECK(test::readBytes(folder / "again.glb") == test::readBytes(folder / "model.glb"));
+}
+
+TEST_CASE("Files beside a .gltf come along into another folder") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path() / "in");
+  saveOrFail(*sourceAt(folder / "in/model.gltf"), folder / "out/deep/copy.gltf");
+  CHECK(test::readBytes(folder / "out/deep/my data.bin") == armBuilder().binary);
+  CHECK(test::readBytes(folder / "out/deep/textures/skin.png") == gltf::Bytes{1, 2, 3});
+  CHECK(folder.fileCount() == 6);
+}
+
+TEST_CASE("Saving over the source leaves its files whole") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path());
+  const auto source = sourceAt(folder / "model.gltf");
+  saveOrFail(*source, folder / "model.gltf");
+  CHECK(folder.fileCount() == 3);
+  CHECK(sourceAt(folder / "model.gltf")->json.dump() == source->json.dump());
+}
+
+TEST_CASE("An image outside the folder is refused when it would have to be copied out of it") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["images"] = {{{"uri", "../skin.png"}}};
+  fs::create_directories(folder / "in");
+  glb.write(folder / "in/model.glb");
+  test::writeBytes(folder / "skin.png", {1, 2, 3});
+  const auto source = sourceAt(folder / "in/model.glb");
+  CHECK(gltf::save(*source, folder / "in/beside.glb").ok());
+  const Status refused = gltf::save(*source, folder / "elsewhere/deep/model.glb");
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().where == "images[0]");
+  CHECK_FALSE(fs::exists(folder / "elsewhere"));
+}
+
+TEST_CASE("A file of another model with the same name is not overwritten") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path() / "in");
+  fs::create_directories(folder / "out/textures");
+  test::writeBytes(folder / "out/textures/skin.png", {9});
+  const Status refused = gltf::save(*sourceAt(folder / "in/model.gltf"), folder / "out/model.gltf");
+  CHECK_FALSE(refused.ok());
+  CHECK(test::readBytes(folder / "out/textures/skin.png") == gltf::Bytes{9});
+  CHECK(folder.fileCount() == 4);
+}
+
+TEST_CASE("A save that fails leaves nothing behind and the old file as it was") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "model.glb");
+  const auto source = sourceAt(folder / "model.glb");
+  fs::create_directories(folder / "taken.gltf/inside");
+  CHECK_FALSE(gltf::save(*source, folder / "taken.gltf").ok());
+  CHECK_FALSE(gltf::save(*source, folder / "model.obj").ok());
+  CHECK_FALSE(gltf::save(*source, folder / "model.glb/below.glb").ok());
+  CHECK(folder.fileCount() == 1);
+  CHECK(test::readBytes(folder / "model.glb") == armBuilder().bytes());
+}
+
+TEST_CASE("A BIN chunk that no buffer refers to stays") {
+  const TemporaryFolder folder;
+  gltf::Glb glb;
+  glb.json =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"data:application/octet-stream;base64,AA=="}]})";
+  glb.hasBinary = true;
+  glb.binary = {4, 3, 2, 1};
+  test::writeBytes(folder / "model.glb", gltf::writeGlb(glb).value());
+  saveOrFail(*sourceAt(folder / "model.glb"), folder / "again.glb");
+  const Result<gltf::Glb> again = gltf::readGlb(test::readBytes(folder / "again.glb"));
+  REQUIRE(again.ok());
+  CHECK(again->binary == glb.binary);
+  CHECK(Json::parse(again->json) == Json::parse(glb.json));
+}
