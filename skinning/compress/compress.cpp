@@ -1,0 +1,158 @@
+#include "skinning/compress/compress.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "skinning/weights/geodesic_weights.h"
+
+namespace stretch::skinning {
+namespace {
+
+/// Columns: along the bone, against the load, and what is left.
+Quat frameAlong(const Vec3& along, const Vec3& across) {
+  const Vec3 x = glm::normalize(along);
+  const Vec3 y = glm::normalize(across - glm::dot(across, x) * x);
+  return glm::normalize(glm::quat_cast(Mat3(x, y, glm::cross(x, y))));
+}
+
+/// Bones of the centre line; poses follow the segments' own motion, without stretch.
+SkinnedSequence bonesOfBody(const MeshSequence& sequence, const BodyMotion& body, const BodyStretch& load) {
+  SkinnedSequence skinned;
+  const glm::vec3* bind = sequence.frame(0);
+  skinned.name = sequence.name;
+  skinned.bindPositions.assign(bind, bind + sequence.vertexCount);
+  skinned.triangles = sequence.triangles;
+  skinned.framesPerSecond = sequence.framesPerSecond;
+  for (std::size_t b = 0; b < body.segmentCount(); ++b) {
+    const Vec3& start = body.skeleton.joints[b];
+    const Vec3& end = body.skeleton.joints[b + 1];
+    skinned.bones.push_back({start, end, frameAlong(end - start, load.loadAxes[b])});
+  }
+  for (std::size_t k = 0; k < sequence.frameCount(); ++k) {
+    for (std::size_t b = 0; b < body.segmentCount(); ++b) {
+      skinned.poses.push_back(
+          {body.joints[k][b], body.motion(k, b).rotation, Vec3(1.0), skinned.bones[b].axes});
+    }
+  }
+  return skinned;
+}
+
+void applyModel(const BodyStretch& model, SkinnedSequence& skinned) {
+  for (std::size_t i = 0; i < skinned.poses.size(); ++i) {
+    const SkinBone& bone = skinned.bones[i % skinned.bones.size()];
+    const StretchFactors& factors = model.factors[i];
+    skinned.poses[i].scale = Vec3(factors.along, factors.withLoad, factors.sideways);
+    skinned.poses[i].stretchAxes =
+        model.loadTurns ? frameAlong(bone.end - bone.pivot, model.loadDirections[i]) : bone.axes;
+  }
+}
+
+Status addGeodesicWeights(const BodyMotion& body, SkinnedSequence& skinned) {
+  std::vector<BoneSegment> segments;
+  for (std::size_t b = 0; b < body.segmentCount(); ++b) {
+    segments.push_back({body.skeleton.joints[b], body.skeleton.joints[b + 1]});
+  }
+  auto weights = geodesicWeights(skinned.bindPositions.data(), skinned.bindPositions.size(),
+                                 skinned.triangles, segments);
+  if (!weights) {
+    return weights.error();
+  }
+  skinned.influences = std::move(weights.value());
+  return Success{};
+}
+
+FitSettings fitSettings(const CompressSettings& settings) {
+  FitSettings fit = settings.fit;
+  fit.fitWeights = settings.weights == WeightOption::fitted;
+  fit.fitStretch = settings.stretch == StretchOption::measured;
+  fit.firstWeightFrame = settings.body.firstFittedFrame;
+  return fit;
+}
+
+/// Fitted weights come from bones that move and stretch freely, whatever the option: the options then differ
+/// by how their bones stretch and by nothing else. (Fitted to a chain of fixed length, weights and bones
+/// learn to fold up instead.)
+void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, SkinnedSequence& skinned) {
+  FitSettings fit = fitSettings(settings);
+  if (fit.fitWeights && settings.stretch != StretchOption::measured) {
+    SkinnedSequence free = skinned;
+    fit.fitStretch = true;
+    fitFreeBones(sequence, free, fit);
+    skinned.influences = std::move(free.influences);
+    fit.fitWeights = false;
+    fit.fitStretch = false;
+  }
+  if (skinned.chained) {
+    fitChainedBones(sequence, skinned, fit);
+  } else {
+    fitFreeBones(sequence, skinned, fit);
+  }
+}
+
+Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const CompressSettings& settings,
+                    CompressedSequence& result) {
+  auto model = stretchOfBody(body, settings.body);
+  if (!model) {
+    return model.error();
+  }
+  result.skinned = bonesOfBody(sequence, body, *model);
+  result.skinned.chained =
+      settings.stretch != StretchOption::measured && !(settings.freeBones && !model->loadTurns);
+  result.segmentWidths = body.widths;
+  const auto weighted = addGeodesicWeights(body, result.skinned);
+  if (!weighted) {
+    return weighted.error();
+  }
+  if (settings.stretch == StretchOption::elastic) {
+    applyModel(*model, result.skinned);
+    result.warnings.insert(result.warnings.end(), model->warnings.begin(), model->warnings.end());
+  }
+  fitPoses(sequence, settings, result.skinned);
+  result.model = std::move(model.value());
+  return Success{};
+}
+
+/// Without a centre line: free parts, where the options allow it.
+Status compressParts(const MeshSequence& sequence, const CompressSettings& settings, const Error& reason,
+                     CompressedSequence& result) {
+  if (settings.stretch == StretchOption::elastic || settings.weights == WeightOption::geodesic) {
+    return reason;
+  }
+  result.warnings.push_back(reason.what + ": its bones are free parts instead");
+  result.skinned = partsOfMesh(sequence, settings.bones);
+  fitFreeBones(sequence, result.skinned, fitSettings(settings));
+  return Success{};
+}
+
+} // namespace
+
+Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings) {
+  constexpr int mostBones = 1000;
+  if (sequence.frameCount() == 0 || sequence.triangles.empty()) {
+    return Error{"the sequence has no frames or no triangles", sequence.name, "give a sequence with both"};
+  }
+  if (settings.bones < 1 || settings.bones > mostBones ||
+      static_cast<std::size_t>(settings.bones) * 4 > sequence.vertexCount) {
+    return Error{
+        fmt::format("{} bones for {} vertices", settings.bones, sequence.vertexCount), sequence.name,
+        fmt::format("ask for 1 to {} bones", std::min<std::size_t>(mostBones, sequence.vertexCount / 4))};
+  }
+  CompressedSequence result;
+  result.firstFittedFrame = std::min(settings.body.firstFittedFrame, sequence.frameCount() - 1);
+  const auto body = analyseBody(sequence, settings.bones);
+  const auto done = body ? compressBody(sequence, *body, settings, result)
+                         : compressParts(sequence, settings, body.error(), result);
+  if (!done) {
+    return done.error();
+  }
+  const auto metrics = compareSequences(sequence, skinAllFrames(result.skinned));
+  if (!metrics) {
+    return metrics.error();
+  }
+  result.metrics = *metrics;
+  return result;
+}
+
+} // namespace stretch::skinning

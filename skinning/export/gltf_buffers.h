@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/gltf/source.h"
+
+namespace stretch::skinning {
+
+/// Appends accessors to one binary buffer and describes them in the document.
+class GltfBuffers {
+public:
+  explicit GltfBuffers(gltf::Json& json) : json_(json) {}
+
+  enum class Target { none = 0, vertices = 34962, indices = 34963 };
+
+  /// Index of a new accessor. `width` numbers an element ("SCALAR" 1, "VEC3" 3, ...); `bounds` writes min and
+  /// max.
+  std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t width, Target target,
+                        bool bounds);
+  /// Signed numbers in -1..1, as normalised 16-bit integers.
+  std::size_t addNormalised(const std::vector<float>& values, const char* type, std::size_t width);
+  template <typename T>
+  std::size_t addIntegers(const std::vector<T>& values, const char* type, std::size_t width, Target target,
+                          bool normalised);
+
+  /// Bytes of the data of an accessor, its padding left out.
+  [[nodiscard]] std::size_t bytesOf(std::size_t accessor) const { return sizes_.at(accessor); }
+  [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+
+private:
+  std::size_t add(const void* data, std::size_t size, std::size_t elements, int componentType,
+                  const char* type, Target target, bool normalised);
+
+  gltf::Json& json_;
+  std::vector<std::uint8_t> bytes_;
+  std::map<std::size_t, std::size_t> sizes_;
+};
+
+} // namespace stretch::skinning

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/scene/mesh_sequence.h"
+#include "skinning/skinned_sequence.h"
+
+namespace stretch::skinning {
+
+/// How the fit goes about it; the defaults suit bodies of some thousand vertices and a hundred frames.
+struct FitSettings {
+  int rounds = 24;         ///< Of weights and bones in turn, at most.
+  double leastGain = 2e-3; ///< Stops early when a round lowers the error by less than this share.
+  int candidates = 8;      ///< Bones that are tried for a vertex.
+  bool fitWeights = true;  ///< False keeps the influences as they are.
+  bool fitStretch =
+      true; ///< Free bones only: fit scale factors along each bone's axes; false keeps them rigid.
+  std::size_t firstWeightFrame = 0;     ///< Frames before it do not count for the weights.
+  std::function<void(double)> progress; ///< Share done, 0..1. May be empty.
+};
+
+/// Lowers the squared distance between what `skinned` shows and the frames of `sequence`: influences by least
+/// squares (not negative, sum 1, at most 4) and poses of free bones in turn, as solvers of linear blend
+/// skinning do. `skinned` holds the start: bind positions, bones, influences; its poses are used as the start
+/// too where there are any.
+void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings);
+
+/// The same for bones that hang together (SkinnedSequence::chained): their stretches are given and stay,
+/// rotations and the place of the first bone are fitted.
+void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings);
+
+/// Parts of a mesh for bones without a skeleton: centres as far from each other as can be, every vertex with
+/// the nearest in the first frame. Bones have no direction: their axes are the mesh's.
+[[nodiscard]] SkinnedSequence partsOfMesh(const MeshSequence& sequence, int boneCount);
+
+} // namespace stretch::skinning

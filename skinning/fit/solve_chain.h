@@ -1,0 +1,21 @@
+#pragma once
+
+#include "skinning/fit/fit_state.h"
+
+namespace stretch::skinning::fit {
+
+/// Bones in a row: bone b turns and stretches about pivots[b], and pivots[b + 1] of the bind pose is carried
+/// by it, so that one position a frame and one rotation a bone say everything once the stretch is known.
+struct Chain {
+  std::vector<Eigen::Vector3d> pivots;    ///< One a bone and one for the end.
+  std::vector<Eigen::Matrix3d> stretches; ///< Symmetric, frame after frame, one a bone.
+  std::vector<Eigen::Matrix3d> rotations; ///< Frame after frame, one a bone: read as the start, written.
+  std::vector<Eigen::Vector3d> roots;     ///< Where pivots[0] is in each frame: read as the start, written.
+};
+
+/// Lowers the squared error over all vertices frame by frame, over the rotations and the root, by
+/// Gauss-Newton steps with damping; weights, bind pose and stretches are given. Writes the bone matrices of
+/// the state. Never raises the error.
+void fitChain(FitState& state, Chain& chain, int iterations);
+
+} // namespace stretch::skinning::fit
