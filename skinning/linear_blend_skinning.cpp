@@ -6,7 +6,9 @@ namespace stretch::skinning {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 const std::vector<float>& morphWeights(const Mesh& mesh, const FrameState& frame, int node) {
   const std::vector<float>& animated = frame.pose.weights[at(node)];
@@ -35,8 +37,8 @@ Mat4 blended(const VertexInfluences& influences, const std::vector<Mat4>& matric
   return sum;
 }
 
-void appendPrimitive(const Primitive& primitive, const std::vector<float>& weights, const std::vector<Mat4>& joints,
-                     const Mat4& rigid, std::vector<Vec3>& out) {
+void appendPrimitive(const Primitive& primitive, const std::vector<float>& weights,
+                     const std::vector<Mat4>& joints, const Mat4& rigid, std::vector<Vec3>& out) {
   const bool skinned = !joints.empty() && !primitive.influences.empty();
   for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
     const Vec3 position = morphedPosition(primitive, weights, vertex);
@@ -63,7 +65,8 @@ std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) 
   for (const int node : drawnMeshNodes(scene)) {
     const Node& holder = scene.nodes[at(node)];
     const Mesh& mesh = scene.meshes[at(holder.mesh)];
-    const std::vector<Mat4> joints = holder.skin >= 0 ? skinMatrices(scene.skins[at(holder.skin)], frame) : std::vector<Mat4>{};
+    const std::vector<Mat4> joints =
+        holder.skin >= 0 ? skinMatrices(scene.skins[at(holder.skin)], frame) : std::vector<Mat4>{};
     for (const Primitive& primitive : mesh.primitives) {
       appendPrimitive(primitive, morphWeights(mesh, frame, node), joints, meshMatrix(frame, node), positions);
     }

@@ -7,9 +7,9 @@
 
 namespace stretch::skinning {
 
-/// World positions of every vertex that is drawn, in the order of drawnMeshNodes and their primitives: linear blend
-/// skinning v' = sum_j w_j M_j v with the matrices of skinMatrices, rigid meshes by meshMatrix, morph targets before either.
-/// The reference that the graphics card's skinning is tested against.
+/// World positions of every vertex that is drawn, in the order of drawnMeshNodes and their primitives: linear
+/// blend skinning v' = sum_j w_j M_j v with the matrices of skinMatrices, rigid meshes by meshMatrix, morph
+/// targets before either. The reference that the graphics card's skinning is tested against.
 [[nodiscard]] std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame);
 
 /// Nodes that draw a mesh, in index order, those of the default scene only.

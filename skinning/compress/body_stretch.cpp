@@ -176,22 +176,40 @@ void measureLength(const BodyMotion& body, const BodyStretchSettings& settings, 
   }
 }
 
+/// q of every segment and frame. A load that hardly changes counts with its mean over the fitted frames: soft
+/// bodies do not follow each tremor, and what is constant need not be stored.
+std::vector<double> compressionsOf(const BodyMotion& body, const BodyStretchSettings& settings,
+                                   const BodyModel& model, double modulus, BodyStretch& result) {
+  constexpr double steadyWithin = 0.005;
+  const std::size_t frames = body.joints.size();
+  const std::size_t segments = body.segmentCount();
+  const std::size_t first = std::min(settings.firstFittedFrame, frames - 1);
+  std::vector<double> q(frames * segments);
+  result.compressions.assign(segments, 0.0);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double acceleration = glm::length(loadAcross(body, settings.gravity, i / segments, i % segments));
+    q[i] = std::min(model.loading(i % segments, acceleration, modulus), largestCompression);
+    result.compressions[i % segments] +=
+        i / segments >= first ? q[i] / static_cast<double>(frames - first) : 0.0;
+  }
+  double change = 0.0;
+  for (std::size_t i = first * segments; i < q.size(); ++i) {
+    change = std::max(change, std::abs(q[i] - result.compressions[i % segments]));
+  }
+  for (std::size_t i = 0; i < q.size() && change < steadyWithin && !result.loadTurns; ++i) {
+    q[i] = result.compressions[i % segments];
+  }
+  return q;
+}
+
 void applyGravity(const BodyMotion& body, const BodyStretchSettings& settings, const BodyModel& model,
                   const Parameters& p, BodyStretch& result) {
-  const std::size_t frames = body.joints.size();
-  const std::size_t first = std::min(settings.firstFittedFrame, frames - 1);
   const double modulus = p.compliance > 0.0 ? 1.0 / p.compliance : 0.0;
-  result.compressions.assign(body.segmentCount(), 0.0);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < result.factors.size(); ++i) {
-    const std::size_t frame = i / body.segmentCount();
-    const std::size_t segment = i % body.segmentCount();
-    const double acceleration = glm::length(loadAcross(body, settings.gravity, frame, segment));
-    const double q = std::min(model.loading(segment, acceleration, modulus), largestCompression);
-    largest = std::max(largest, q);
-    result.factors[i] = combine(q, result.factors[i].along, p.gravityVolume, p.muscleVolume);
-    result.compressions[segment] += frame >= first ? q / static_cast<double>(frames - first) : 0.0;
+  const std::vector<double> q = compressionsOf(body, settings, model, modulus, result);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    result.factors[i] = combine(q[i], result.factors[i].along, p.gravityVolume, p.muscleVolume);
   }
+  const double largest = *std::max_element(q.begin(), q.end());
   if (largest > largestSmallStrain) {
     result.warnings.push_back(
         fmt::format("gravity compresses a segment by {:.2f}: past {:.1f} the model's small "

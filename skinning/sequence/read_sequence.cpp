@@ -13,9 +13,21 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
     const bool simulated = std::filesystem::exists(path / "membranes_buffer.txt", problem);
     return simulated ? readSibernetic(path, progress) : readFrameFolder(path, progress);
   }
-  return Error{
-      "a single file is no mesh sequence", path.string(),
-      "give a folder of frames, a base mesh with its .pc2 cache, or a glTF with a morph-target clip"};
+  const std::string extension = path.extension().string();
+  if (extension != ".glb" && extension != ".gltf" && extension != ".vrm") {
+    return Error{
+        "a single file is no mesh sequence", path.string(),
+        "give a folder of frames, a base mesh with its .pc2 cache, or a glTF with a morph-target clip"};
+  }
+  auto sequence = readAnimatedGltf(path, {}, progress);
+  if (sequence) {
+    const std::size_t joined = joinDuplicates(sequence.value());
+    if (joined > 0) {
+      sequence.value().warnings.push_back(
+          std::to_string(joined) + " vertices that lie on another one in every frame were joined with it");
+    }
+  }
+  return sequence;
 }
 
 } // namespace

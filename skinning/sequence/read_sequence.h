@@ -32,6 +32,18 @@ using Progress = std::function<void(double)>;
 [[nodiscard]] Result<MeshSequence> readSibernetic(const std::filesystem::path& folder,
                                                   const Progress& progress = {});
 
+/// An animated glTF as it is seen, frame by frame: every mesh of the scene with its morph targets, its skin
+/// or its node, in world space, one vertex list after the other. `clip` is the name or "#index" of a clip;
+/// empty takes the first one. Frames are those of the clip's own rate. An error when the file has no clip or
+/// no mesh.
+[[nodiscard]] Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path,
+                                                    const std::string& clip = {},
+                                                    const Progress& progress = {});
+
+/// Joins vertices that lie at one place in every frame, as files that split vertices along seams have them.
+/// Returns the number of vertices that went.
+std::size_t joinDuplicates(MeshSequence& sequence);
+
 /// What the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a cache,
 /// or a glTF with a morph-target clip. The warnings of the result tell what is odd about the topology.
 [[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& paths,

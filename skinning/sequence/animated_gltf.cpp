@@ -1,0 +1,194 @@
+#include "skinning/sequence/read_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "core/anim/frame_state.h"
+#include "core/gltf/source.h"
+
+namespace stretch::skinning {
+namespace {
+
+/// A mesh under a node: where its vertices begin in the sequence's list.
+struct Shown {
+  int node = -1;
+  const Primitive* primitive = nullptr;
+  std::size_t mesh = 0;
+  std::size_t firstVertex = 0;
+};
+
+std::vector<int> shownNodes(const Scene& scene) {
+  std::vector<int> nodes = scene.roots;
+  for (std::size_t next = 0; next < nodes.size(); ++next) {
+    const Node& node = scene.nodes[static_cast<std::size_t>(nodes[next])];
+    nodes.insert(nodes.end(), node.children.begin(), node.children.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+std::vector<Shown> layOut(const Scene& scene, MeshSequence& sequence) {
+  std::vector<Shown> shown;
+  for (const int node : shownNodes(scene)) {
+    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+    if (mesh < 0) {
+      continue;
+    }
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
+      const auto first = static_cast<std::uint32_t>(sequence.vertexCount);
+      shown.push_back({node, &primitive, static_cast<std::size_t>(mesh), sequence.vertexCount});
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        sequence.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
+                                      first + primitive.indices[i + 2]});
+      }
+      sequence.vertexCount += primitive.positions.size();
+    }
+  }
+  return shown;
+}
+
+std::vector<Vec3> morphed(const Primitive& primitive, const std::vector<float>& weights) {
+  std::vector<Vec3> positions(primitive.positions.begin(), primitive.positions.end());
+  for (std::size_t t = 0; t < std::min(weights.size(), primitive.morphTargets.size()); ++t) {
+    const auto& offsets = primitive.morphTargets[t].positions;
+    for (std::size_t v = 0; v < std::min(offsets.size(), positions.size()) && weights[t] != 0.0F; ++v) {
+      positions[v] += static_cast<double>(weights[t]) * Vec3(offsets[v]);
+    }
+  }
+  return positions;
+}
+
+void showPrimitive(const Scene& scene, const FrameState& frame, const Shown& shown, glm::vec3* out) {
+  const auto node = static_cast<std::size_t>(shown.node);
+  const std::vector<float>& animated = frame.pose.weights[node];
+  const std::vector<Vec3> positions =
+      morphed(*shown.primitive, animated.empty() ? scene.meshes[shown.mesh].morphWeights : animated);
+  const int skin = scene.nodes[node].skin;
+  if (skin < 0 || shown.primitive->influences.empty()) {
+    const Mat4 matrix = meshMatrix(frame, shown.node);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      out[shown.firstVertex + v] = glm::vec3(transformPoint(matrix, positions[v]));
+    }
+    return;
+  }
+  const std::vector<Mat4> matrices = skinMatrices(scene.skins[static_cast<std::size_t>(skin)], frame);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const VertexInfluences& influences = shown.primitive->influences[v];
+    Vec3 sum(0.0);
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      if (influences.weights[i] != 0.0F && influences.joints[i] < matrices.size()) {
+        sum += static_cast<double>(influences.weights[i]) *
+               transformPoint(matrices[influences.joints[i]], positions[v]);
+      }
+    }
+    out[shown.firstVertex + v] = glm::vec3(sum);
+  }
+}
+
+const Clip* findClip(const std::vector<Clip>& clips, const std::string& name) {
+  const auto found = std::find_if(clips.begin(), clips.end(), [&](const Clip& clip) {
+    return name.empty() || clip.name == name || fmt::format("#{}", clip.sourceIndex) == name;
+  });
+  return found == clips.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const std::string& clipName,
+                                      const Progress& progress) {
+  const auto loaded = gltf::load(path);
+  if (!loaded) {
+    return loaded.error();
+  }
+  const Clip* clip = findClip(loaded->clips, clipName);
+  if (clip == nullptr) {
+    return Error{clipName.empty() ? "the file holds no clip" : fmt::format("there is no clip '{}'", clipName),
+                 path.string(), "give an animated file and one of its clips"};
+  }
+  const Scene& scene = *loaded->scene;
+  MeshSequence sequence;
+  sequence.name = path.stem().string();
+  sequence.framesPerSecond = clip->framesPerSecond;
+  const std::vector<Shown> shown = layOut(scene, sequence);
+  if (sequence.triangles.empty()) {
+    return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
+  }
+  const int last = std::max(frameCount(*clip), 1);
+  const int first =
+      std::clamp(static_cast<int>(std::lround(clip->startSeconds * clip->framesPerSecond)), 0, last - 1);
+  constexpr std::size_t mostPositions = 400'000'000; // Some 5 GB.
+  if (sequence.vertexCount > mostPositions / static_cast<std::size_t>(last - first)) {
+    return Error{fmt::format("{} vertices in {} frames are too many", sequence.vertexCount, last - first),
+                 path.string(), "give a shorter clip"};
+  }
+  sequence.positions.resize(sequence.vertexCount * static_cast<std::size_t>(last - first));
+  for (int frame = first; frame < last; ++frame) {
+    const double seconds = frame / clip->framesPerSecond;
+    const FrameState state = frameOf(scene, samplePose(scene, *clip, seconds), seconds);
+    for (const Shown& part : shown) {
+      showPrimitive(scene, state, part, sequence.frame(static_cast<std::size_t>(frame - first)));
+    }
+    sequence.frameNames.push_back(fmt::format("frame {}", frame));
+    if (progress) {
+      progress(static_cast<double>(frame - first + 1) / (last - first));
+    }
+  }
+  for (const glm::vec3& p : sequence.positions) {
+    if (!std::isfinite(p.x + p.y + p.z)) {
+      return Error{"the clip moves a vertex to no finite place", path.string(), "export the file again"};
+    }
+  }
+  return sequence;
+}
+
+std::size_t joinDuplicates(MeshSequence& sequence) {
+  const std::size_t count = sequence.vertexCount;
+  const std::size_t frames = sequence.frameCount();
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
+    for (std::size_t k = 0; k < frames; ++k) {
+      const glm::vec3& p = sequence.frame(k)[a];
+      const glm::vec3& q = sequence.frame(k)[b];
+      if (p != q) {
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) ? -1 : 1;
+      }
+    }
+    return 0;
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int sign = compare(a, b);
+    return sign < 0 || (sign == 0 && a < b);
+  });
+  std::vector<std::uint32_t> stays(count); // The first vertex at the same place.
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool same = i > 0 && compare(order[i - 1], order[i]) == 0;
+    stays[order[i]] = same ? stays[order[i - 1]] : order[i];
+  }
+  std::vector<std::uint32_t> renumbered(count);
+  std::uint32_t kept = 0;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    renumbered[v] = stays[v] == v ? kept++ : renumbered[stays[v]];
+  }
+  for (std::size_t k = 0; k < frames; ++k) {
+    for (std::uint32_t v = 0; v < count; ++v) {
+      if (stays[v] == v) {
+        sequence.positions[k * kept + renumbered[v]] = sequence.positions[k * count + v];
+      }
+    }
+  }
+  sequence.positions.resize(frames * kept);
+  sequence.vertexCount = kept;
+  for (Triangle& triangle : sequence.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      corner = renumbered[corner];
+    }
+  }
+  return count - kept;
+}
+
+} // namespace stretch::skinning
