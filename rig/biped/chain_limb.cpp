@@ -103,6 +103,9 @@ Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std:
   }
   Limb limb = biped::makeLimb(LimbKind::chain, jointsBetween(scene, *top, *bottom), {.node = *bottom},
                               bindPoseWorlds(scene));
+  if (!biped::isSound(limb)) {
+    return chainError(jointB, "the chain has no length in the bind pose", "choose joints that stand apart");
+  }
   limb.id = jointA + ".." + jointB;
   limb.reasons = {"chosen by hand"};
   return limb;

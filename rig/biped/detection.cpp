@@ -73,7 +73,8 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   Biped& result = finding.result;
   result.limbs = limbsOfPlan(scene, view, plan, sides, bindPose);
   std::ranges::move(limbsOfTrunk(scene, view, plan, trunk, bindPose), std::back_inserter(result.limbs));
-  std::erase_if(result.limbs, [](const Limb& limb) { return limb.confidence < leastConfidence; });
+  std::erase_if(result.limbs,
+                [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
   result.hips = trunk.hips < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.hips)];
   result.head = trunk.head < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.head)];
   // Limbs without an upright body between them are no biped's.

@@ -86,6 +86,7 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   if (neck.size() == 2) {
     table.limbs.push_back(tableLimb(LimbKind::neck, {neck[0]}, neck[1], bindPose));
   }
+  std::erase_if(table.limbs, [](const Limb& limb) { return !isSound(limb); });
   return table;
 }
 

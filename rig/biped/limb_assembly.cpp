@@ -212,6 +212,11 @@ Limb makeLimb(LimbKind kind, std::vector<int> joints, const LimbEnd& end,
   return limb;
 }
 
+bool isSound(const Limb& limb) {
+  const Vec3& offset = limb.endOffset;
+  return limb.restLength > 0.0 && std::isfinite(limb.restLength + offset.x + offset.y + offset.z);
+}
+
 std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const BodyPlan& plan,
                               const Sides& sides, const BindPose& bindPose) {
   std::vector<Limb> limbs;

@@ -20,6 +20,9 @@ struct LimbEnd {
 [[nodiscard]] Limb makeLimb(LimbKind kind, std::vector<int> joints, const LimbEnd& end,
                             const std::vector<Mat4>& bindWorlds);
 
+/// Whether a limb has a length and its numbers are finite; a file with degenerate transforms makes limbs that have not.
+[[nodiscard]] bool isSound(const Limb& limb);
+
 /// The four limbs of a body plan that were found, sides decided, with confidence and reasons.
 [[nodiscard]] std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const BodyPlan& plan,
                                             const Sides& sides, const BindPose& bindPose);

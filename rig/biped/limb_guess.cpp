@@ -15,6 +15,7 @@ namespace {
 constexpr int deepest = 6; // joints from base to middle and from middle to end, twist joints included
 constexpr std::size_t mostBelow = 160;     // joints looked at below one joint
 constexpr std::size_t mostGuesses = 60000; // of one region: a file with more is no character
+constexpr int mostForDetached = 800;       // joints of a tree in which ends are looked for elsewhere
 constexpr double shortestBone = 0.02;      // of the body's size
 
 // Joints up to `deepest` levels below, nearest first.
@@ -98,7 +99,8 @@ private:
     if (const std::optional<EstimatedEnd>& end = endOf(middle)) {
       keep({.base = base, .middle = middle, .endPosition = end->position});
     }
-    if (std::ranges::all_of(below, [&](int joint) { return view_.name(joint).twist; })) {
+    if (view_.count() <= mostForDetached &&
+        std::ranges::all_of(below, [&](int joint) { return view_.name(joint).twist; })) {
       guessDetached(base, middle);
     }
   }

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -57,4 +59,16 @@ TEST_CASE("among nodes of one name the joint is meant, not the mesh") {
   BuiltBiped built = unreal();
   built.scene.nodes.back().name = "hand_l";
   CHECK(chainLimb(built.scene, "upperarm_l", "hand_l").ok());
+}
+
+TEST_CASE("a chain without a length is refused") {
+  Scene scene;
+  scene.nodes.resize(2);
+  scene.nodes[0].children = {1};
+  scene.nodes[1].parent = 0;
+  const double along = GENERATE(0.0, 1e308, std::numeric_limits<double>::quiet_NaN());
+  scene.nodes[1].rest.translation = Vec3(along, along, 0.0);
+  const Result<Limb> limb = chainLimb(scene, "#0", "#1");
+  REQUIRE_FALSE(limb.ok());
+  CHECK(limb.error().line().find("no length") != std::string::npos);
 }
