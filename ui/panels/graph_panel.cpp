@@ -39,7 +39,7 @@ void channelChooser(PanelContext& context) {
       {"Rotation", {"Rotation", "Local rotation of the joint as angles, in degrees.", {}}},
       {"Scale", {"Scale", "Local scale of the joint.", {}}},
       {"Length", {"Length", "Length of the limb, straight from its base to its end.", {}}}};
-  ImGui::BeginChild("graph/channels", {context.theme.px(300.0F), context.theme.rowHeight()});
+  ImGui::BeginChild("graph/channels", {context.theme.px(344.0F), context.theme.rowHeight()});
   const int chosen = segmented(widgets, "graph/channel", choices, static_cast<int>(graph.channels));
   ImGui::EndChild();
   if (chosen >= 0) {

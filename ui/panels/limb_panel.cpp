@@ -107,7 +107,7 @@ void drawLimbPanel(PanelContext& context) {
     parts[part] = stateOf(context, part);
   }
   const float width = ImGui::GetContentRegionAvail().x;
-  const float height = std::min(width * 1.22F, context.theme.px(280.0F));
+  const float height = std::min(width * 1.22F, context.theme.px(248.0F));
   if (const std::optional<BodyPart> clicked = limbDiagram(widgets, "limb", parts, height)) {
     const auto part = static_cast<std::size_t>(*clicked);
     if (parts[part].found) {

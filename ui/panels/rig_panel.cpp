@@ -44,12 +44,11 @@ void fileSummary(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::Document& document = context.session->document();
   const Scene& scene = *document.scene;
+  valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices");
   const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
-  valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices, " + joints);
-  valueRow(
-      widgets, "Height",
-      shortNumber(document.biped.height) + (document.biped.isBiped ? " m, biped" : " m, no biped found"),
-      {.title = "Height of the character in its bind pose", .text = "Tolerances are measured against it."});
+  valueRow(widgets, "Rig", joints + ", " + shortNumber(document.biped.height) + " m tall",
+           {.title = document.biped.isBiped ? "A biped" : "No biped was recognised",
+            .text = "The height in the bind pose is what tolerances are measured against."});
 }
 
 std::string clipName(const Clip& clip, std::size_t index) {

@@ -177,7 +177,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
 }
 
 void tabs(PanelContext& context) {
-  ImGui::BeginChild("bottom/tabs", {context.theme.px(258.0F), context.theme.rowHeight()});
+  ImGui::BeginChild("bottom/tabs", {context.theme.px(288.0F), context.theme.rowHeight()});
   const std::vector<Choice> choices{
       {"Timeline", {"Timeline", "Keys of the selection and trails over time.", {}}},
       {"Graph", {"Graph", "Curves of the selected limb's joints.", {}}},

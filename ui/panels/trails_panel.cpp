@@ -199,26 +199,37 @@ void trailRow(PanelContext& context, const rig::Trail& trail) {
   ImGui::SetCursorScreenPos({corner.x, corner.y + height});
 }
 
-void clipboardRow(PanelContext& context) {
-  const float width = columnWidth(3);
-  commandButton(context, {.command = command::copyTrail, .icon = icon::copy, .text = "Copy", .width = width});
+/// Copy, paste and mirror at the right end of the title's row.
+void clipboardButtons(PanelContext& context) {
+  const float side = context.theme.px(28.0F);
+  const float gap = context.theme.px(2.0F);
   ImGui::SameLine();
-  commandButton(context,
-                {.command = command::pasteTrail, .icon = icon::paste, .text = "Paste", .width = width});
-  ImGui::SameLine();
-  commandButton(context,
-                {.command = command::mirrorTrail, .icon = icon::mirror, .text = "Mirror", .width = width});
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side * 3.0F - gap * 2.0F);
+  const auto add = [&](const char* id, const char* iconText, const char* fallback) {
+    commandButton(context, {.command = id,
+                            .icon = iconText,
+                            .text = " ",
+                            .emphasis = Emphasis::quiet,
+                            .width = side,
+                            .fallback = fallback});
+  };
+  add(command::copyTrail, icon::copy, "C");
+  ImGui::SameLine(0.0F, gap);
+  add(command::pasteTrail, icon::paste, "P");
+  ImGui::SameLine(0.0F, gap);
+  add(command::mirrorTrail, icon::mirror, "M");
 }
 
 } // namespace
 
 void drawTrailsPanel(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  panelTitle(widgets, icon::bolt, "Trails");
+  panelTitle(widgets, icon::bolt, "Trails", hasViewedClip(context) ? context.theme.px(96.0F) : 0.0F);
   if (!hasViewedClip(context)) {
     note(widgets, "Motion trails appear here once a character with a clip is open.");
     return;
   }
+  clipboardButtons(context);
   actions(context);
   verticalSpace(widgets, 4.0F);
   const app::Session& session = *context.session;
@@ -233,8 +244,6 @@ void drawTrailsPanel(PanelContext& context) {
   }
   ImGui::PopStyleVar();
   if (any) {
-    verticalSpace(widgets, 4.0F);
-    clipboardRow(context);
     return;
   }
   const bool limbChosen = !session.view().selectedLimbs.empty();

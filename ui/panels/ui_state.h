@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -87,23 +88,33 @@ struct JointPick {
 
 enum class FilePurpose { openModel, saveModel, exportClean, openRecipe, saveRecipe, saveFrames };
 
+/// One row of a folder's listing.
+struct FileEntry {
+  std::string name;
+  bool isFolder = false;
+  std::uintmax_t bytes = 0;
+};
+
+/// To open: set `open`, `purpose`, and, where known, `folder` and `typed` (the proposed name); the rest as it
+/// is here.
 struct FileDialogState {
   bool open = false;
-  bool justOpened = false;
   FilePurpose purpose = FilePurpose::openModel;
   std::filesystem::path folder;
-  std::string typed; ///< Name or path as typed.
-  std::string filter;
-  int highlighted = 0; ///< Row that the keys are on.
+  std::string typed;    ///< Name, path, or part of a name, as typed.
+  int highlighted = -1; ///< Row that the keys are on; -1 none.
   std::string message;
-  bool confirmOverwrite = false;
+  bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
+  std::filesystem::path listedFolder; ///< What `entries` lists.
+  std::vector<FileEntry> entries;
+  bool wasOpen = false; ///< In the frame before.
 };
 
 struct PaletteState {
   bool open = false;
-  bool justOpened = false;
   std::string typed;
   int highlighted = 0;
+  bool wasOpen = false; ///< In the frame before.
 };
 
 struct KeysOverviewState {

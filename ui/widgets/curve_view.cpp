@@ -36,7 +36,7 @@ Plot plotOf(const Theme& theme, const Rect& box, const CurveViewModel& model) {
 void drawValueGrid(const WidgetContext& context, const Rect& box, const Plot& plot) {
   const Theme& theme = context.theme;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const double step = markStep(plot.values, theme.px(30.0F), false);
+  const double step = markStep(plot.values, theme.px(24.0F), false);
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 5);
   for (const double value : marks(plot.values, step)) {
     const float y = plot.values.toPixel(value);

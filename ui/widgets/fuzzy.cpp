@@ -26,7 +26,7 @@ std::optional<int> fuzzyScore(std::string_view typed, std::string_view text) {
   while (!typed.empty() && typed.back() == ' ') {
     typed.remove_suffix(1);
   }
-  constexpr int besideBonus = 5;
+  constexpr int besideBonus = 10;
   // scores[at]: the best match of the letters from the current one on, the current one at `at`; from the last
   // letter back.
   std::vector<std::optional<int>> scores(text.size() + 1);

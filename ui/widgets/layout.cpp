@@ -9,7 +9,10 @@ namespace stretch::ui {
 
 namespace {
 
-constexpr float labelColumn = 88.0F; ///< Design pixels.
+/// Width of the labels of rows: a third of the panel, within limits.
+float labelColumn(const Theme& theme) {
+  return std::clamp(std::floor(ImGui::GetContentRegionAvail().x * 0.33F), theme.px(56.0F), theme.px(96.0F));
+}
 
 ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
   switch (kind) {
@@ -30,7 +33,7 @@ ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
 void labelledRow(const WidgetContext& context, const std::string& label, const Help& help) {
   const Theme& theme = context.theme;
   const Control control =
-      takePlace(context, "label:" + label, {theme.px(labelColumn), theme.rowHeight()}, false);
+      takePlace(context, "label:" + label, {labelColumn(theme), theme.rowHeight()}, false);
   drawText(context, theme.fonts.label, control.box, theme.colours.quietText, label);
   tooltip(context, help);
   ImGui::SameLine(0.0F, theme.unit());
@@ -43,7 +46,7 @@ void valueRow(const WidgetContext& context, const std::string& label, const std:
   const Control control =
       takePlace(context, "row:" + label, {ImGui::GetContentRegionAvail().x, height}, false);
   if (control.visible) {
-    const float split = control.box.min.x + theme.px(labelColumn) + theme.unit();
+    const float split = control.box.min.x + labelColumn(theme) + theme.unit();
     drawText(context, theme.fonts.label, {control.box.min, {split - theme.unit(), control.box.max.y}},
              theme.colours.quietText, label);
     drawText(context, theme.fonts.label, {{split, control.box.min.y}, control.box.max}, theme.colours.text,
@@ -88,12 +91,13 @@ bool section(const WidgetContext& context, const std::string& id, const std::str
   return open;
 }
 
-void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title) {
+void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title,
+                float reserved) {
   const Theme& theme = context.theme;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::Dummy({width, theme.px(24.0F)});
-  const Rect box{corner, {corner.x + width, corner.y + theme.px(24.0F)}};
+  const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x - reserved);
+  ImGui::Dummy({width, theme.rowHeight()});
+  const Rect box{corner, {corner.x + width, corner.y + theme.rowHeight()}};
   const std::string text = theme.fonts.hasIcons ? std::string(iconText) + "  " + title : title;
   drawText(context, theme.fonts.strong, box, theme.colours.text, text);
 }

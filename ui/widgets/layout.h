@@ -20,8 +20,9 @@ void valueRow(const WidgetContext& context, const std::string& label, const std:
 bool section(const WidgetContext& context, const std::string& id, const std::string& title,
              std::vector<std::string>& closedSections);
 
-/// A panel's title row.
-void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title);
+/// A panel's title row; `reserved` pixels at its right end stay free for buttons.
+void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title,
+                float reserved = 0.0F);
 
 /// Wrapped quiet text in the label font.
 void note(const WidgetContext& context, const std::string& text);

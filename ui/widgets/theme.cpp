@@ -80,6 +80,8 @@ ThemeColours highContrastColours() {
   return c;
 }
 
+constexpr float lineHeightOfEm = 1.21F; ///< Of Inter: ascent and descent over the em.
+
 struct FontFiles {
   std::string regular;
   std::string semiBold;
@@ -111,7 +113,7 @@ void textRanges(ImFontAtlas& atlas, ImVector<ImWchar>& ranges) {
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(atlas.GetGlyphRangesDefault());
   builder.AddRanges(atlas.GetGlyphRangesCyrillic());
-  const ImWchar more[] = {0x0100, 0x017F, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2190, 0x2199, 0x2212, 0x2212, 0};
+  const ImWchar more[] = {0x0100, 0x017F, 0x0370, 0x03FF, 0x2000, 0x2044, 0x2190, 0x2199, 0x2212, 0x2212, 0};
   builder.AddRanges(more);
   builder.BuildRanges(&ranges);
 }
@@ -130,7 +132,8 @@ ThemeFonts loadFonts(float scale) {
   builder.BuildRanges(&icons);
   const auto load = [&](const std::string& file, float designPixels) {
     const float pixels = std::round(designPixels * scale);
-    ImFont* font = loadFont(atlas, file, pixels, text.Data);
+    // The atlas counts the height of a line, people count the em.
+    ImFont* font = loadFont(atlas, file, std::round(pixels * lineHeightOfEm), text.Data);
     if (!files.icons.empty()) {
       mergeIcons(atlas, files.icons, pixels, icons.Data);
     }

@@ -1,0 +1,123 @@
+#include "ui/panels/file_listing.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <system_error>
+
+#include "ui/panels/panel_support.h"
+
+namespace stretch::ui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool hasExtension(const fs::path& path, const std::vector<std::string>& extensions) {
+  const std::string extension = lowered(path.extension().string());
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+bool comesBefore(const FileEntry& a, const FileEntry& b) {
+  return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
+}
+
+} // namespace
+
+std::vector<std::string> extensionsOf(FilePurpose purpose) {
+  switch (purpose) {
+  case FilePurpose::openModel:
+    return {".glb", ".gltf", ".vrm"};
+  case FilePurpose::saveModel:
+  case FilePurpose::exportClean:
+    return {".glb", ".gltf"};
+  case FilePurpose::openRecipe:
+  case FilePurpose::saveRecipe:
+    return {".json"};
+  case FilePurpose::saveFrames:
+    break;
+  }
+  return {};
+}
+
+bool isSaving(FilePurpose purpose) {
+  return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe;
+}
+
+const char* titleOf(FilePurpose purpose) {
+  switch (purpose) {
+  case FilePurpose::openModel:
+    return "Open a character";
+  case FilePurpose::saveModel:
+    return "Save as";
+  case FilePurpose::exportClean:
+    return "Export clean";
+  case FilePurpose::openRecipe:
+    return "Load a recipe";
+  case FilePurpose::saveRecipe:
+    return "Save the recipe";
+  case FilePurpose::saveFrames:
+    break;
+  }
+  return "Save pictures";
+}
+
+Result<std::vector<FileEntry>> listFolder(const fs::path& folder, FilePurpose purpose) {
+  std::error_code problem;
+  fs::directory_iterator iterator(folder, fs::directory_options::skip_permission_denied, problem);
+  if (problem) {
+    return Error{"the folder cannot be read (" + problem.message() + ")", folder.string(),
+                 "choose another folder"};
+  }
+  const std::vector<std::string> extensions = extensionsOf(purpose);
+  std::vector<FileEntry> entries;
+  for (const fs::directory_iterator end; iterator != end && !problem; iterator.increment(problem)) {
+    const fs::directory_entry& entry = *iterator;
+    const std::string name = entry.path().filename().string();
+    std::error_code ignored;
+    const bool isFolder = entry.is_directory(ignored);
+    if (name.empty() || name.front() == '.' || (!isFolder && !hasExtension(entry.path(), extensions))) {
+      continue;
+    }
+    const std::uintmax_t bytes = isFolder ? 0 : entry.file_size(ignored);
+    entries.push_back({name, isFolder, ignored ? 0 : bytes});
+  }
+  std::sort(entries.begin(), entries.end(), comesBefore);
+  return entries;
+}
+
+fs::path typedPath(const fs::path& folder, const std::string& typed) {
+  if (typed == "~" || typed.rfind("~/", 0) == 0) {
+    return homeFolder() / fs::path(typed.size() > 2 ? typed.substr(2) : std::string());
+  }
+  return (folder / fs::path(typed)).lexically_normal();
+}
+
+fs::path homeFolder() {
+  const char* home = std::getenv("HOME");
+  return home != nullptr && home[0] != '\0' ? fs::path(home) : fs::path("/");
+}
+
+std::string sizeText(std::uintmax_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size >= 1e6) {
+    return shortNumber(size / 1e6, 1) + " MB";
+  }
+  return size >= 1e3 ? shortNumber(size / 1e3, 0) + " kB" : shortNumber(size, 0) + " B";
+}
+
+fs::path withExtension(fs::path path, FilePurpose purpose) {
+  const std::vector<std::string> extensions = extensionsOf(purpose);
+  if (!extensions.empty() && !hasExtension(path, extensions)) {
+    path += extensions.front();
+  }
+  return path;
+}
+
+} // namespace stretch::ui

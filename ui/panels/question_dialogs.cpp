@@ -1,0 +1,149 @@
+#include "ui/panels/dialog_frame.h"
+#include "ui/panels/panel_support.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+
+namespace stretch::ui {
+
+namespace {
+
+void paragraph(const std::string& text) {
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void drawUnsavedQuestion(PanelContext& context) {
+  UiState& ui = context.ui;
+  const bool wasOpen = ui.unsavedOpen;
+  if (!beginDialog(context,
+                   {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},
+                   ui.unsavedOpen)) {
+    return;
+  }
+  paragraph("There are changes that are not saved. They are lost if you go on without saving.");
+  const int clicked = dialogButtons(context, "unsaved",
+                                    {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
+                                     {.id = "", .text = "Cancel"},
+                                     {.id = "", .text = "Save"}});
+  constexpr UnsavedChoice choices[] = {UnsavedChoice::discard, UnsavedChoice::cancel, UnsavedChoice::save};
+  if (clicked >= 0) {
+    ui.answers.unsaved = choices[clicked];
+    ui.unsavedOpen = false;
+    ImGui::CloseCurrentPopup();
+  } else if (wasOpen && !ui.unsavedOpen) {
+    ui.answers.unsaved = UnsavedChoice::cancel; // closed by Esc or the cross
+  }
+  endDialog();
+}
+
+/// A large button with a title and what it means; true when it was clicked.
+bool card(PanelContext& context, const std::string& id, const std::string& title,
+          const std::vector<std::string>& lines, float width) {
+  const Theme& theme = context.theme;
+  const WidgetContext widgets = widgetsOf(context);
+  const float line = theme.px(20.0F);
+  const float height = theme.px(52.0F) + line * static_cast<float>(lines.size());
+  const Control place = takePlace(widgets, id, {width, height});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(place.box.min, place.box.max,
+                      place.hovered ? theme.colours.hovered : theme.colours.raised, theme.px(6.0F));
+  list->AddRect(place.box.min, place.box.max, place.hovered ? theme.colours.accent : theme.colours.border,
+                theme.px(6.0F));
+  float y = place.box.min.y + theme.px(12.0F);
+  const float left = place.box.min.x + theme.px(14.0F);
+  drawText(widgets, theme.fonts.strong, {{left, y}, {place.box.max.x, y + theme.px(22.0F)}},
+           theme.colours.text, title);
+  y += theme.px(28.0F);
+  for (const std::string& text : lines) {
+    drawText(widgets, theme.fonts.label, {{left, y}, {place.box.max.x, y + line}}, theme.colours.quietText,
+             text);
+    y += line;
+  }
+  tooltip(widgets, {title, "It can be changed in the settings.", {}});
+  return place.clicked;
+}
+
+void drawNavigationQuestion(PanelContext& context) {
+  UiState& ui = context.ui;
+  if (!beginDialog(context,
+                   {.id = "navigation",
+                    .icon = icon::person,
+                    .title = "Welcome to Stretch-Engine",
+                    .width = 560.0F,
+                    .closable = false},
+                   ui.navigationChoiceOpen)) {
+    return;
+  }
+  paragraph("How does your hand turn the view?");
+  verticalSpace(widgetsOf(context), 8.0F);
+  const float width = columnWidth(2);
+  const bool maya = card(context, "navigation/maya", "As in Maya",
+                         {"Alt + left: orbit", "Alt + middle: pan", "Alt + right, wheel: zoom"}, width);
+  ImGui::SameLine();
+  const bool blender = card(context, "navigation/blender", "As in Blender",
+                            {"Middle: orbit", "Shift + middle: pan", "Wheel: zoom"}, width);
+  verticalSpace(widgetsOf(context), 8.0F);
+  note(widgetsOf(context), "Settings change it at any time.");
+  if (maya || blender) {
+    ui.navigation = maya ? NavigationStyle::maya : NavigationStyle::blender;
+    ui.answers.navigation = ui.navigation;
+    ui.navigationChoiceOpen = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+void drawRestoreQuestion(PanelContext& context) {
+  UiState& ui = context.ui;
+  bool open = !ui.restoreOffer.empty();
+  if (!beginDialog(context,
+                   {.id = "restore",
+                    .icon = icon::clock,
+                    .title = "Restore your work?",
+                    .width = 460.0F,
+                    .closable = false},
+                   open)) {
+    return;
+  }
+  paragraph("The program ended before the last changes to " + ui.restoreOffer +
+            " were saved. They were kept to the side.");
+  const int clicked = dialogButtons(
+      context, "restore",
+      {{.id = "", .text = "Discard", .emphasis = Emphasis::danger}, {.id = "", .text = "Restore"}});
+  if (clicked >= 0) {
+    ui.answers.restoreAutosave = clicked == 1;
+    ui.restoreOffer.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+void drawAbout(PanelContext& context) {
+  UiState& ui = context.ui;
+  if (!beginDialog(context, {.id = "about", .icon = icon::info, .title = "Stretch-Engine", .width = 480.0F},
+                   ui.aboutOpen)) {
+    return;
+  }
+  paragraph("Exaggerates the motion of a rigged biped: pick a limb, make its path bigger, and the limb "
+            "squashes and stretches to follow, as in the cartoons of the 1940s.");
+  verticalSpace(widgetsOf(context), 8.0F);
+  note(widgetsOf(context),
+       "Opens and saves glTF 2.0 (.glb, .gltf, .vrm). What it does not edit comes back as it was.");
+  if (dialogButtons(context, "about", {{.id = "", .text = "Close"}}) == 0) {
+    ui.aboutOpen = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
+} // namespace
+
+void drawQuestions(PanelContext& context) {
+  drawUnsavedQuestion(context);
+  drawRestoreQuestion(context);
+  drawNavigationQuestion(context);
+  drawAbout(context);
+}
+
+} // namespace stretch::ui
