@@ -126,6 +126,24 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
   return Success{};
 }
 
+Status addMetrics(const MeshSequence& sequence, CompressedSequence& result) {
+  const MeshSequence shown = skinAllFrames(result.skinned);
+  const auto all = compareSequences(sequence, shown);
+  if (!all) {
+    return all.error();
+  }
+  result.metrics = *all;
+  if (result.firstFittedFrame > 0) {
+    const auto fitted = compareSequences(withoutFirstFrames(sequence, result.firstFittedFrame),
+                                         withoutFirstFrames(shown, result.firstFittedFrame));
+    if (!fitted) {
+      return fitted.error();
+    }
+    result.fittedMetrics = *fitted;
+  }
+  return Success{};
+}
+
 } // namespace
 
 Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings) {
@@ -147,11 +165,10 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
   if (!done) {
     return done.error();
   }
-  const auto metrics = compareSequences(sequence, skinAllFrames(result.skinned));
-  if (!metrics) {
-    return metrics.error();
+  const auto measured = addMetrics(sequence, result);
+  if (!measured) {
+    return measured.error();
   }
-  result.metrics = *metrics;
   return result;
 }
 

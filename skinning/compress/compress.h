@@ -40,6 +40,8 @@ struct CompressSettings {
 struct CompressedSequence {
   SkinnedSequence skinned;
   SequenceMetrics metrics; ///< Against the source, all frames.
+  std::optional<SequenceMetrics>
+      fittedMetrics; ///< The frames from firstFittedFrame on; set when that is not all.
   std::optional<BodyStretch>
       model; ///< The fitted physics; for every body without branches, whatever the option.
   std::vector<double> segmentWidths; ///< Mean shape diameter along the body; empty without a skeleton.

@@ -1,0 +1,247 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "skinning/sequence/mesh_file.h"
+#include "skinning/sequence/read_sequence.h"
+#include "skinning/sequence/topology.h"
+#include "tests/support/skinning/shapes.h"
+#include "tests/support/skinning/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::skinning;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// A tetrahedron lifted by `height`.
+std::string tetrahedron(double height) {
+  const std::string y = std::to_string(height);
+  return "# a comment\nv 0 " + y + " 0\nv 1 " + y + " 0\nv 0 " + y + " 1\nv 0 " +
+         std::to_string(height + 1.0) + " 0\nf 1/1/1 2/1/1 3\r\nf -4 -1 -3\nf 1 3 4\nf 2 4 3\n";
+}
+
+std::string errorOf(const std::filesystem::path& folder) {
+  const auto sequence = readSequence({folder});
+  REQUIRE_FALSE(sequence);
+  CHECK(sequence.error().line().find('\n') == std::string::npos);
+  return sequence.error().line();
+}
+
+template <typename T>
+void put(std::string& bytes, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+std::string pointCache(std::int32_t points, std::int32_t samples, std::size_t numbers, float value = 0.5F) {
+  std::string bytes("POINTCACHE2\0", 12);
+  put<std::int32_t>(bytes, 1);
+  put(bytes, points);
+  put(bytes, 0.0F);
+  put(bytes, 1.0F);
+  put(bytes, samples);
+  for (std::size_t i = 0; i < numbers; ++i) {
+    put(bytes, value + static_cast<float>(i));
+  }
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("a folder of frames is read in the order of its numbers, with or without zeros") {
+  const test::TemporaryFolder folder;
+  for (const int frame : {1, 2, 9, 10, 11, 100}) {
+    folder.write("wolf-" + std::to_string(frame) + ".obj", tetrahedron(frame));
+  }
+  folder.write("wolf-0003.OBJ", tetrahedron(3.0));
+  folder.write("notes.txt", "not a frame");
+  const auto sequence = readSequence({folder.path()});
+  REQUIRE(sequence);
+  REQUIRE(sequence->frameCount() == 7);
+  const double heights[] = {1, 2, 3, 9, 10, 11, 100};
+  for (std::size_t k = 0; k < 7; ++k) {
+    CHECK(static_cast<double>(sequence->frame(k)[0].y) == heights[k]);
+  }
+  CHECK(sequence->vertexCount == 4);
+  CHECK(sequence->triangles.size() == 4);
+  CHECK(sequence->warnings.empty());
+}
+
+TEST_CASE("negative indices, slashes and polygons of an OBJ are understood") {
+  const auto mesh =
+      parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n", "quad.obj");
+  REQUIRE(mesh);
+  CHECK(mesh->triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
+}
+
+TEST_CASE("PLY frames: ascii and both byte orders give the same mesh") {
+  const std::string ascii =
+      "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 3\nproperty uchar red\n"
+      "property float x\nproperty float y\nproperty double z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "255 0 0 0.5\n0 1 0 0.5\n0 0 1 0.5\n3 0 1 2\n";
+  const auto text = parsePly(ascii, "a.ply");
+  REQUIRE(text);
+  for (const bool big : {false, true}) {
+    std::string bytes = ascii.substr(0, ascii.find("255"));
+    bytes.replace(bytes.find("ascii"), 5, big ? "binary_big_endian" : "binary_little_endian");
+    const auto add = [&](const auto& value) {
+      std::string raw;
+      put(raw, value);
+      bytes.append(big ? std::string(raw.rbegin(), raw.rend()) : raw);
+    };
+    for (const auto& p : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}) {
+      add(std::uint8_t{7});
+      add(p.x);
+      add(p.y);
+      add(0.5);
+    }
+    add(std::uint8_t{3});
+    for (const std::int32_t corner : {0, 1, 2}) {
+      add(corner);
+    }
+    const auto binary = parsePly(bytes, "b.ply");
+    REQUIRE(binary);
+    CHECK(binary->positions == text->positions);
+    CHECK(binary->triangles == text->triangles);
+    CHECK_FALSE(parsePly(bytes.substr(0, bytes.size() - 1), "b.ply"));
+  }
+}
+
+TEST_CASE("PLY files that promise more than they hold are refused at once") {
+  const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n";
+  CHECK_THAT(parsePly(head + "property float x\nproperty float y\nproperty float z\nend_header\n", "x.ply")
+                 .error()
+                 .line(),
+             Contains("x.ply"));
+  CHECK_THAT(parsePly(head + "end_header\n", "x.ply").error().line(), Contains("no properties"));
+  CHECK_THAT(parsePly("ply\nformat ascii 2\n", "x.ply").error().line(), Contains("header"));
+}
+
+TEST_CASE("bad folders are refused with one clear line") {
+  const test::TemporaryFolder folder;
+  CHECK_THAT(errorOf(folder.path()), Contains("no .obj or .ply"));
+  folder.write("a1.obj", tetrahedron(0.0));
+  folder.write("a2.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("a2.obj") && Contains("3 vertices") && Contains("4"));
+  folder.write("a2.obj", tetrahedron(0.0) + "f 1 2 4\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("a2.obj") && Contains("faces differ"));
+  folder.write("a2.obj", "v 0 nan 0\n" + tetrahedron(0.0));
+  CHECK_THAT(errorOf(folder.path()), Contains("a2.obj:1") && Contains("finite"));
+  folder.write("a2.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 9\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("a2.obj") && Contains("vertex 9"));
+  folder.write("a2.obj", "");
+  CHECK_THAT(errorOf(folder.path()), Contains("a2.obj") && Contains("no faces"));
+  folder.write("a2.ply", "ply\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("OBJ and PLY"));
+  CHECK_THAT(errorOf(folder.path() / "none"), Contains("none"));
+}
+
+TEST_CASE("a point cache moves the vertices of its base mesh") {
+  const test::TemporaryFolder folder;
+  const auto base = folder.write("base.obj", tetrahedron(0.0));
+  const auto sequence = readSequence({base, folder.write("run.pc2", pointCache(4, 3, 36))});
+  REQUIRE(sequence);
+  CHECK(sequence->frameCount() == 3);
+  CHECK(sequence->frame(1)[0].x == 12.5F);
+  CHECK(sequence->frame(2)[3].z == 35.5F);
+}
+
+TEST_CASE("bad point caches are refused with one clear line") {
+  const test::TemporaryFolder folder;
+  const auto base = folder.write("base.obj", tetrahedron(0.0));
+  const auto refuse = [&](const std::string& bytes) {
+    const auto sequence = readSequence({base, folder.write("run.pc2", bytes)});
+    REQUIRE_FALSE(sequence);
+    return sequence.error().line();
+  };
+  CHECK_THAT(refuse("POINTCACHE2"), Contains("no PC2"));
+  CHECK_THAT(refuse(pointCache(4, 3, 35)), Contains("cut short"));
+  CHECK_THAT(refuse(pointCache(5, 3, 45)), Contains("5 points") && Contains("4 vertices"));
+  CHECK_THAT(refuse(pointCache(4, 0, 0)), Contains("0 samples"));
+  CHECK_THAT(refuse(pointCache(4, 2000000000, 12)), Contains("cut short"));
+  CHECK_THAT(refuse(pointCache(4, 1, 12, std::nanf(""))), Contains("vertex 0") && Contains("sample 0"));
+}
+
+TEST_CASE("a particle log becomes the mesh of its membranes, wound outwards") {
+  const test::TemporaryFolder folder;
+  // Five elastic particles, of which 1..4 carry membranes, and one liquid particle a frame.
+  std::string log;
+  for (const char* number : {"0", "100", "0", "100", "0", "100", "5", "1"}) {
+    log += std::string(number) + "\n";
+  }
+  for (int frame = 0; frame < 2; ++frame) {
+    const std::string y = std::to_string(frame);
+    log += "9\t9\t9\t2.1\n0\t" + y + "\t0\t2.1\n1\t" + y + "\t0\t2.1\n0\t" + y + "\t1\t2.1\n0\t" +
+           std::to_string(frame + 1) + "\t0\t2.1\n5\t5\t5\t1.1\n";
+  }
+  folder.write("position_buffer.txt", log);
+  folder.write("membranes_buffer.txt", "4\n1\t2\t3\n1\t4\t2\n1\t4\t3\n2\t3\t4\n");
+  const auto sequence = readSequence({folder.path()});
+  REQUIRE(sequence);
+  CHECK(sequence->vertexCount == 4);
+  CHECK(sequence->frameCount() == 2);
+  CHECK(sequence->frame(1)[0] == glm::vec3(0, 1, 0));
+  CHECK(enclosedVolume(sequence->frame(0), sequence->triangles) == Approx(1.0 / 6.0));
+  REQUIRE(sequence->warnings.size() == 1);
+  CHECK_THAT(sequence->warnings[0], Contains("membranes were wound inwards"));
+
+  folder.write("position_buffer.txt", log.substr(0, log.size() - 20));
+  CHECK_THAT(errorOf(folder.path()), Contains("ends within a frame"));
+  folder.write("position_buffer.txt", log + "1 2 x 4\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("position_buffer.txt:21"));
+  folder.write("position_buffer.txt", log);
+  folder.write("membranes_buffer.txt", "1\n1 2 9\n");
+  CHECK_THAT(errorOf(folder.path()), Contains("membranes"));
+}
+
+TEST_CASE("the topology report counts what is odd") {
+  test::Shape shape = test::tube(4.0, 0.5, 8, 8);
+  const auto report = [&] {
+    return inspectTopology(shape.positions.data(), shape.positions.size(), shape.triangles);
+  };
+  CHECK(report().warnings().empty());
+  CHECK(report().components == 1);
+  shape.triangles.pop_back();
+  CHECK(report().boundaryEdges == 3);
+  shape.triangles.push_back({0, 1, 40});
+  CHECK(report().crowdedEdges == 1);
+  shape.triangles.push_back({2, 2, 3});
+  CHECK(report().degenerateTriangles == 1);
+  shape.positions.push_back(shape.positions[0]);
+  CHECK(report().duplicatePositions == 1);
+  CHECK(report().looseVertices == 1);
+}
+
+TEST_CASE("triangles wound at random are all turned outwards") {
+  test::Shape shape = test::torus(2.0, 0.5, 24, 12);
+  const double volume = enclosedVolume(shape.positions.data(), shape.triangles);
+  CHECK(volume > 0.0);
+  std::size_t turned = 0;
+  for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+    if ((t * 2654435761U >> 7U) % 2 == 0) {
+      std::swap(shape.triangles[t][0], shape.triangles[t][1]);
+      ++turned;
+    }
+  }
+  CHECK(orientOutwards(shape.positions.data(), shape.triangles) == turned);
+  CHECK(enclosedVolume(shape.positions.data(), shape.triangles) == Approx(volume));
+  CHECK(orientOutwards(shape.positions.data(), shape.triangles) == 0);
+}
+
+TEST_CASE("vertices that lie on another in every frame are joined, others are not") {
+  MeshSequence sequence;
+  sequence.vertexCount = 4;
+  sequence.triangles = {{0, 1, 2}, {3, 2, 1}};
+  sequence.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0},
+                        {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  CHECK(joinDuplicates(sequence) == 1);
+  CHECK(sequence.vertexCount == 3);
+  CHECK(sequence.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}});
+  CHECK(sequence.frame(1)[2] == glm::vec3(1, 0, 0));
+}
