@@ -47,24 +47,22 @@ async function selfContained(file) {
   return json;
 }
 
-function nodeOf(object, associations) {
-  for (let at = object; at; at = at.parent) if (associations.get(at)?.nodes !== undefined) return associations.get(at).nodes;
-  return -1;
+// The primitives of a node: the node itself, or its children that are no nodes.
+function primitivesOf(object, nodes) {
+  return object.isMesh ? [object] : object.children.filter((child) => child.isMesh && !nodes.includes(child));
 }
 
 /// { scene, clips, nodes: [object by node index], meshes: [{ mesh, primitive, node, object }] by mesh, primitive, node }
 export async function read(file) {
   const json = await selfContained(file);
   const gltf = await new GLTFLoader().parseAsync(JSON.stringify(json), '');
-  const nodes = [];
-  const meshes = [];
-  gltf.scene.traverse((object) => {
-    const place = gltf.parser.associations.get(object);
-    if (place?.nodes !== undefined) nodes[place.nodes] = object;
-    if (object.isMesh && place?.meshes !== undefined) {
-      meshes.push({ mesh: place.meshes, primitive: place.primitives ?? 0, node: nodeOf(object, gltf.parser.associations), object });
-    }
-  });
+  // Asked for by index: three.js mixes up the indices of nodes that share a mesh.
+  const nodes = await Promise.all((json.nodes ?? []).map((_, index) => gltf.parser.getDependency('node', index)));
+  const meshes = nodes.flatMap((nodeObject, node) =>
+    json.nodes[node].mesh === undefined
+      ? []
+      : primitivesOf(nodeObject, nodes).map((object, primitive) => ({ mesh: json.nodes[node].mesh, primitive, node, object })),
+  );
   meshes.sort((a, b) => a.mesh - b.mesh || a.primitive - b.primitive || a.node - b.node);
   const names = (json.nodes ?? []).map((node) => node.name ?? '');
   return { scene: gltf.scene, clips: gltf.animations, clipNames: (json.animations ?? []).map((clip) => clip.name ?? ''), names, nodes, meshes };
