@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 #include <stb/stb_image.h>
+#include <tbb/parallel_for.h>
 
 #include "core/gltf/fields.h"
 #include "core/gltf/files.h"
@@ -50,29 +51,39 @@ std::optional<Bytes> encodedBytes(const Source& source, const Json& image) {
   return find(image, "uri") != nullptr ? bytesOfUri(source, textOr(image, "uri")) : std::nullopt;
 }
 
+// A picture that waits to be decoded.
+struct Encoded {
+  Bytes bytes;
+  std::size_t pixels = 0; ///< As it says itself; 0 when it is none that can be decoded.
+};
+
 // Size is asked for before anything is allocated: a small file can claim to be a huge picture.
-std::optional<Image> decode(const Bytes& bytes, std::size_t& pixelsLeft) {
-  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    return std::nullopt;
-  }
-  const int length = static_cast<int>(bytes.size());
-  Image image;
+std::size_t claimedPixels(const Bytes& bytes) {
+  int width = 0;
+  int height = 0;
   int channels = 0;
-  if (stbi_info_from_memory(bytes.data(), length, &image.width, &image.height, &channels) == 0) {
-    return std::nullopt;
+  const bool isPicture =
+      bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
+      stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels) != 0;
+  const std::size_t pixels =
+      isPicture ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
+  return pixels <= mostPixelsAnImage ? pixels : 0;
+}
+
+Image decode(const Encoded& encoded) {
+  Image image;
+  if (encoded.pixels == 0) {
+    return image;
   }
-  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (pixels > mostPixelsAnImage || pixels > pixelsLeft) {
-    return std::nullopt;
-  }
+  int channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(bytes.data(), length, &image.width, &image.height, &channels, STBI_rgb_alpha),
+      stbi_load_from_memory(encoded.bytes.data(), static_cast<int>(encoded.bytes.size()), &image.width,
+                            &image.height, &channels, STBI_rgb_alpha),
       stbi_image_free);
   if (decoded == nullptr) {
-    return std::nullopt;
+    return {};
   }
-  pixelsLeft -= pixels;
-  const std::span<const stbi_uc> rgba(decoded.get(), pixels * 4);
+  const std::span<const stbi_uc> rgba(decoded.get(), encoded.pixels * 4);
   image.rgba.assign(rgba.begin(), rgba.end());
   return image;
 }
@@ -87,27 +98,34 @@ std::vector<bool> shownImages(std::size_t count, const std::vector<Material>& ma
   return shown;
 }
 
+std::vector<Encoded> readEncoded(const Source& source, const std::vector<bool>& shown, Problems& problems) {
+  std::vector<Encoded> encoded(shown.size());
+  std::size_t pixelsLeft = mostPixelsAFile;
+  for (std::size_t i = 0; i < encoded.size(); ++i) {
+    const Json& json = element(source.json, "images", i);
+    std::optional<Bytes> bytes = shown[i] ? encodedBytes(source, json) : Bytes();
+    if (!bytes) {
+      const std::string uri = textOr(json, "uri").substr(0, 200);
+      problems.warning(at("images", i), fmt::format("'{}' cannot be read; its texture is not shown", uri));
+      continue;
+    }
+    const std::size_t pixels = claimedPixels(*bytes);
+    encoded[i] = {*std::move(bytes), pixels <= pixelsLeft ? pixels : 0};
+    pixelsLeft -= encoded[i].pixels;
+  }
+  return encoded;
+}
+
 } // namespace
 
 std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
                                 Problems& problems) {
-  std::vector<Image> images(sizeOf(source.json, "images"));
-  const std::vector<bool> shown = shownImages(images.size(), materials);
-  std::size_t pixelsLeft = mostPixelsAFile;
+  const std::vector<Encoded> encoded =
+      readEncoded(source, shownImages(sizeOf(source.json, "images"), materials), problems);
+  std::vector<Image> images(encoded.size());
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) { images[i] = decode(encoded[i]); });
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const Json& json = element(source.json, "images", i);
-    if (!shown[i]) {
-      continue;
-    }
-    const std::optional<Bytes> bytes = encodedBytes(source, json);
-    if (!bytes) {
-      problems.warning(at("images", i), fmt::format("'{}' cannot be read; its texture is not shown",
-                                                    textOr(json, "uri").substr(0, 200)));
-      continue;
-    }
-    if (std::optional<Image> image = decode(*bytes, pixelsLeft)) {
-      images[i] = *std::move(image);
-    } else {
+    if (images[i].rgba.empty() && !encoded[i].bytes.empty()) {
       problems.warning(at("images", i),
                        "is no picture that can be shown (PNG or JPEG); its texture is not shown");
     }

@@ -42,6 +42,32 @@ void moveWeightChannels(std::size_t from, std::size_t to, Journal& journal) {
   }
 }
 
+// VRM 1.0 refers to the nodes of meshes: where they are visible in first person, and the morph targets of
+// expressions.
+void moveVrmReferences(const Pointer& list, std::size_t from, std::size_t to, Journal& journal) {
+  const std::size_t count = journal.json().contains(list) ? journal.json().at(list).size() : 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (indexOr(journal.json().at(list / i), "node") == static_cast<int>(from)) {
+      journal.set(list / i / "node", to);
+    }
+  }
+}
+
+void moveVrmMesh(std::size_t from, std::size_t to, Journal& journal) {
+  const Pointer vrm("/extensions/VRMC_vrm");
+  moveVrmReferences(vrm / "firstPerson" / "meshAnnotations", from, to, journal);
+  for (const char* group : {"preset", "custom"}) {
+    const Json* found = findPath(journal.json(), {"extensions", "VRMC_vrm", "expressions", group});
+    if (found == nullptr || !found->is_object()) {
+      continue;
+    }
+    const Json expressions = *found; // a copy: the journal changes what it came from
+    for (const auto& [name, expression] : expressions.items()) {
+      moveVrmReferences(vrm / "expressions" / group / name / "morphTargetBinds", from, to, journal);
+    }
+  }
+}
+
 void moveMesh(std::size_t from, std::size_t to, Journal& journal) {
   const Pointer source = Pointer("/nodes") / from;
   const Pointer target = Pointer("/nodes") / to;
@@ -52,6 +78,7 @@ void moveMesh(std::size_t from, std::size_t to, Journal& journal) {
     }
   }
   moveWeightChannels(from, to, journal);
+  moveVrmMesh(from, to, journal);
 }
 
 void attach(int parent, std::size_t child, Journal& journal) {

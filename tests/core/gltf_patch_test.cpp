@@ -178,6 +178,24 @@ TEST_CASE("A rigid mesh moves to its bind leaf") {
   CHECK(result.scene->nodes[firstAdded].mesh == 1);
 }
 
+TEST_CASE("What VRM says of a mesh's node follows the mesh") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["extensions"]["VRMC_vrm"] = Json::parse(R"({
+    "firstPerson": {"meshAnnotations": [{"node": 4, "type": "both"}, {"node": 3, "type": "auto"}]},
+    "expressions": {"preset": {"happy": {"morphTargetBinds": [{"node": 3, "index": 0, "weight": 1}]}}}})");
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
+  edits.work = {{"scale", 2}};
+  const gltf::Source changed = patchedOrFail(*file.source, edits);
+  const Json& vrm = changed.json["extensions"]["VRMC_vrm"];
+  CHECK(vrm["firstPerson"]["meshAnnotations"][0]["node"] == 4);
+  CHECK(vrm["firstPerson"]["meshAnnotations"][1]["node"] == firstAdded);
+  CHECK(vrm["expressions"]["preset"]["happy"]["morphTargetBinds"][0]["node"] == firstAdded);
+  CHECK(reopened(folder, changed).source->json.dump() == file.source->json.dump());
+}
+
 TEST_CASE("Every skin gets inverse bind matrices of its own") {
   const TemporaryFolder folder;
   GlbBuilder glb = armBuilder();
