@@ -80,15 +80,22 @@ std::vector<double> arcLengths(const std::vector<Vec3>& line) {
   return lengths;
 }
 
-/// Arc length of the point of the line nearest to `point`; beyond the ends the line goes on straight.
-double projectOn(const std::vector<Vec3>& line, const std::vector<double>& lengths, const Vec3& point) {
-  double best = 0.0;
+/// Arc length of the point of the line nearest to `point`, looked for around the share `u` of the whole
+/// length; beyond the ends the line goes on straight for a tenth of it.
+double projectOn(const std::vector<Vec3>& line, const std::vector<double>& lengths, const Vec3& point,
+                 double u) {
+  constexpr double window = 0.15;
+  constexpr double beyond = 0.1 * curveSamples;
+  double best = std::clamp(u, 0.0, 1.0) * lengths.back();
   double bestSquare = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < line.size(); ++i) {
+    if (std::abs(lengths[i] - u * lengths.back()) > window * lengths.back()) {
+      continue;
+    }
     const Vec3 along = line[i] - line[i - 1];
     const double square = glm::dot(along, along);
     double t = square > 0.0 ? glm::dot(point - line[i - 1], along) / square : 0.0;
-    t = std::clamp(t, i == 1 ? -1e3 : 0.0, i + 1 == line.size() ? 1e3 : 1.0);
+    t = std::clamp(t, i == 1 ? -beyond : 0.0, i + 1 == line.size() ? beyond : 1.0);
     const Vec3 away = point - line[i - 1] - t * along;
     if (glm::dot(away, away) < bestSquare) {
       bestSquare = glm::dot(away, away);
@@ -146,7 +153,7 @@ std::vector<double> equalStations(const std::vector<Vec3>& line, const std::vect
 
 /// Largest number of pieces, each a fair share of its slice, that slices across the body fall into for most
 /// of the length.
-bool isBranched(const std::vector<double>& along, double length, const std::vector<Triangle>& triangles) {
+bool isBranched(const std::vector<double>& along, const std::vector<Triangle>& triangles) {
   constexpr int slices = 40;
   std::vector<std::uint32_t> parents(along.size());
   std::iota(parents.begin(), parents.end(), 0U);
@@ -158,7 +165,7 @@ bool isBranched(const std::vector<double>& along, double length, const std::vect
     return v;
   };
   const auto sliceOf = [&](std::uint32_t v) {
-    return std::clamp(static_cast<int>(along[v] / length * slices), 0, slices - 1);
+    return std::clamp(static_cast<int>(along[v] * slices), 0, slices - 1);
   };
   for (const Triangle& triangle : triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -199,11 +206,16 @@ std::vector<Vec3> movedInwards(const glm::vec3* positions, std::size_t vertexCou
       normals[corner] += normal;
     }
   }
-  std::vector<Vec3> moved(vertexCount);
+  // Flat ends look all the way along the body: no vertex moves deeper than most of the body is thick.
+  std::vector<double> sorted = vertexDiameters;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(vertexCount / 2),
+                   sorted.end());
+  const double deepest = 1.5 * sorted[vertexCount / 2];
+  std::vector<Vec3> moved(vertexCount, Vec3(0.0));
   for (std::size_t v = 0; v < vertexCount; ++v) {
     const double length = glm::length(normals[v]);
     const Vec3 inwards = length > 0.0 ? normals[v] * ((volume > 0.0 ? -1.0 : 1.0) / length) : Vec3(0.0);
-    moved[v] = Vec3(positions[v]) + 0.5 * vertexDiameters[v] * inwards;
+    moved[v] = Vec3(positions[v]) + 0.5 * std::min(vertexDiameters[v], deepest) * inwards;
   }
   return moved;
 }
@@ -218,15 +230,9 @@ std::uint32_t farthest(const std::vector<double>& distances) {
   return best;
 }
 
-} // namespace
-
-Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vertexCount,
-                                    const std::vector<Triangle>& triangles,
-                                    const std::vector<double>& vertexDiameters, int segmentCount) {
-  if (segmentCount < 1 || vertexCount < 4 * static_cast<std::size_t>(std::max(segmentCount, 1))) {
-    return Error{std::to_string(segmentCount) + " bones for " + std::to_string(vertexCount) + " vertices", "",
-                 "ask for at least one bone, and for at most a quarter of the vertices"};
-  }
+/// Share of the body's length that each vertex lies at, by distance over the surface from one end.
+Result<std::vector<double>> orderAlong(const glm::vec3* positions, std::size_t vertexCount,
+                                       const std::vector<Triangle>& triangles) {
   const GeodesicSolver solver(positions, vertexCount, triangles);
   const std::uint32_t anyVertex = triangles.empty() ? 0 : triangles.front()[0];
   const std::uint32_t tip = farthest(solver.distances({farthest(solver.distances({anyVertex}))}));
@@ -237,39 +243,74 @@ Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vert
     return Error{"the mesh is in several parts, so it has no single centre line", "",
                  "give a body in one piece"};
   }
-  if (isBranched(u, reach, triangles)) {
-    return Error{"the body branches: it has no linear skeleton", "",
-                 "use --stretch measured --weights fitted, which needs none, or give a body without limbs"};
-  }
-  const std::vector<Vec3> inner = movedInwards(positions, vertexCount, triangles, vertexDiameters);
   for (double& value : u) {
     value = std::isfinite(value) ? value / reach : 0.5;
   }
-  const auto controls = static_cast<Eigen::Index>(std::clamp(segmentCount / 2 + 4, 8, 40));
-  std::vector<Vec3> curve;
-  std::vector<double> lengths;
+  if (isBranched(u, triangles)) {
+    return Error{"the body branches: it has no linear skeleton", "",
+                 "use --stretch measured --weights fitted, which needs none, or give a body without limbs"};
+  }
+  return u;
+}
+
+struct CentreLine {
+  std::vector<Vec3> points;
+  std::vector<double> lengths; ///< From the first point to each.
+  std::vector<double> along;   ///< Where each vertex lies.
+};
+
+/// Fits the curve and the order of the vertices along it in turn. It starts with few controls: distances from
+/// one end are skewed where the end is broad, and a curve that could would follow them into a hook.
+CentreLine fitCentreLine(const glm::vec3* positions, const std::vector<Vec3>& inner, std::vector<double> u,
+                         Eigen::Index controls) {
+  constexpr int rounds = 5;
+  constexpr Eigen::Index fewestControls = 6;
+  CentreLine line;
+  line.along.assign(inner.size(), 0.0);
+  for (int round = 0; round <= rounds; ++round) {
+    line.points = fitCurve(inner, u,
+                           round < 2    ? fewestControls
+                           : round == 2 ? (controls + fewestControls) / 2
+                                        : controls);
+    line.lengths = arcLengths(line.points);
+    for (std::size_t v = 0; v < inner.size(); ++v) {
+      line.along[v] =
+          projectOn(line.points, line.lengths, round == rounds ? Vec3(positions[v]) : inner[v], u[v]);
+    }
+    const auto [low, high] = std::minmax_element(line.along.begin(), line.along.end());
+    for (std::size_t v = 0; v < inner.size() && *high > *low && round < rounds; ++v) {
+      u[v] = (line.along[v] - *low) / (*high - *low);
+    }
+  }
+  return line;
+}
+
+} // namespace
+
+Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vertexCount,
+                                    const std::vector<Triangle>& triangles,
+                                    const std::vector<double>& vertexDiameters, int segmentCount) {
+  if (segmentCount < 1 || vertexCount < 4 * static_cast<std::size_t>(std::max(segmentCount, 1))) {
+    return Error{std::to_string(segmentCount) + " bones for " + std::to_string(vertexCount) + " vertices", "",
+                 "ask for at least one bone, and for at most a quarter of the vertices"};
+  }
+  const auto order = orderAlong(positions, vertexCount, triangles);
+  if (!order) {
+    return order.error();
+  }
+  const std::vector<Vec3> inner = movedInwards(positions, vertexCount, triangles, vertexDiameters);
+  CentreLine line = fitCentreLine(positions, inner, *order, std::clamp(segmentCount / 2 + 4, 8, 40));
+  const auto [low, high] = std::minmax_element(line.along.begin(), line.along.end());
   BodySkeleton skeleton;
-  skeleton.along.resize(vertexCount);
-  for (int round = 0; round < 4; ++round) {
-    curve = fitCurve(inner, u, controls);
-    lengths = arcLengths(curve);
-    for (std::size_t v = 0; v < vertexCount; ++v) {
-      skeleton.along[v] = projectOn(curve, lengths, inner[v]);
-    }
-    const auto [low, high] = std::minmax_element(skeleton.along.begin(), skeleton.along.end());
-    for (std::size_t v = 0; v < vertexCount; ++v) {
-      u[v] = (skeleton.along[v] - *low) / (*high - *low);
-    }
-  }
-  for (std::size_t v = 0; v < vertexCount; ++v) {
-    skeleton.along[v] = projectOn(curve, lengths, Vec3(positions[v]));
-  }
-  const auto [low, high] = std::minmax_element(skeleton.along.begin(), skeleton.along.end());
-  skeleton.stations = equalStations(curve, lengths, *low, *high, segmentCount);
+  skeleton.stations = equalStations(line.points, line.lengths, *low, *high, segmentCount);
   for (const double station : skeleton.stations) {
-    skeleton.joints.push_back(pointAt(curve, lengths, station));
+    skeleton.joints.push_back(pointAt(line.points, line.lengths, station));
   }
+  skeleton.along = std::move(line.along);
   skeleton.length = polylineLength(skeleton.joints);
+  if (!(skeleton.length > 0.0)) {
+    return Error{"the body has no length", "", "give a body with some extent"};
+  }
   return skeleton;
 }
 

@@ -92,20 +92,45 @@ SegmentMotion measure(const glm::vec3* from, const glm::vec3* to, const std::vec
   return motion;
 }
 
-/// Volume of each segment as a cylinder of its mean width, scaled so that they sum to what the surface
-/// encloses.
-std::vector<double> segmentVolumes(const MeshSequence& sequence, const BodySkeleton& skeleton,
-                                   const std::vector<double>& widths) {
-  std::vector<double> volumes(skeleton.segmentCount());
-  double sum = 0.0;
-  for (std::size_t s = 0; s < volumes.size(); ++s) {
-    const double length = glm::length(skeleton.joints[s + 1] - skeleton.joints[s]);
-    volumes[s] = 0.25 * pi * widths[s] * widths[s] * length;
-    sum += volumes[s];
+/// Hands the value of a triangle to the segments that it reaches over, in proportion to how far.
+void spread(const BodySkeleton& skeleton, const Triangle& triangle, double value, std::vector<double>& sums) {
+  const auto [low, high] =
+      std::minmax({skeleton.along[triangle[0]], skeleton.along[triangle[1]], skeleton.along[triangle[2]]});
+  const std::size_t first = segmentAt(skeleton, low);
+  const std::size_t last = segmentAt(skeleton, high);
+  for (std::size_t s = first; s <= last; ++s) {
+    const double from = s == first ? low : skeleton.stations[s];
+    const double to = s == last ? high : skeleton.stations[s + 1];
+    sums[s] += first == last ? value : value * (to - from) / (high - low);
   }
-  const double whole = std::abs(enclosedVolume(sequence.frame(0), sequence.triangles));
+}
+
+/// Volume of each segment: the flow of half the distance from the axis through the surface around it (its
+/// divergence is 1; flat ends add nothing). Scaled so that the segments sum to what the whole surface
+/// encloses.
+std::vector<double> segmentVolumes(const MeshSequence& sequence, const BodySkeleton& skeleton) {
+  std::vector<double> volumes(skeleton.segmentCount(), 0.0);
+  const glm::vec3* positions = sequence.frame(0);
+  const std::vector<int> segments = segmentsOfTriangles(skeleton, sequence.triangles);
+  for (std::size_t t = 0; t < sequence.triangles.size(); ++t) {
+    const Triangle& triangle = sequence.triangles[t];
+    const auto segment = static_cast<std::size_t>(segments[t]);
+    const Vec3 a(positions[triangle[0]]);
+    const Vec3 b(positions[triangle[1]]);
+    const Vec3 c(positions[triangle[2]]);
+    const Vec3 axis = glm::normalize(skeleton.joints[segment + 1] - skeleton.joints[segment]);
+    const Vec3 out = (a + b + c) / 3.0 - skeleton.joints[segment];
+    const double flow = 0.25 * glm::dot(out - glm::dot(out, axis) * axis, glm::cross(b - a, c - a));
+    spread(skeleton, triangle, flow, volumes);
+  }
+  const double whole = enclosedVolume(positions, sequence.triangles);
+  double sum = 0.0;
   for (double& volume : volumes) {
-    volume *= sum > 0.0 && whole > 0.0 ? whole / sum : 1.0;
+    volume = std::max(0.0, whole < 0.0 ? -volume : volume);
+    sum += volume;
+  }
+  for (double& volume : volumes) {
+    volume *= sum > 0.0 ? std::abs(whole) / sum : 0.0;
   }
   return volumes;
 }
@@ -127,7 +152,7 @@ Result<BodyMotion> analyseBody(const MeshSequence& sequence, int segmentCount) {
   body.faceDiameters = diameters->faces;
   body.widths = meanByGroup(sequence.frame(0), sequence.triangles, diameters->faces,
                             segmentsOfTriangles(body.skeleton, sequence.triangles), body.segmentCount());
-  body.volumes = segmentVolumes(sequence, body.skeleton, body.widths);
+  body.volumes = segmentVolumes(sequence, body.skeleton);
   const JointTracker tracker(body.skeleton);
   const auto members = membersOf(body.skeleton);
   body.joints.resize(sequence.frameCount());

@@ -1,0 +1,191 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "skinning/compress/compress.h"
+#include "skinning/compress/flattening.h"
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/skinning/shapes.h"
+
+using namespace stretch;
+using namespace stretch::skinning;
+
+namespace {
+
+CompressedSequence compressed(const MeshSequence& sequence, int bones, StretchOption stretch, WeightOption weights) {
+  CompressSettings settings;
+  settings.bones = bones;
+  settings.stretch = stretch;
+  settings.weights = weights;
+  auto result = compress(sequence, settings);
+  REQUIRE(result);
+  return result.value();
+}
+
+} // namespace
+
+TEST_CASE("a tube that was skinned to rigid bones comes back") {
+  const MeshSequence sequence = skinAllFrames(test::wavingTube(8, 30));
+  CHECK(compressed(sequence, 8, StretchOption::none, WeightOption::fitted).metrics.rmsePercent < 0.5);
+  CHECK(compressed(sequence, 8, StretchOption::measured, WeightOption::fitted).metrics.rmsePercent < 0.1);
+  CHECK(compressed(sequence, 16, StretchOption::none, WeightOption::geodesic).metrics.rmsePercent < 1.0);
+}
+
+TEST_CASE("bones neither flip nor drift: a wave that comes back leaves every bone as it was") {
+  const auto result = compressed(skinAllFrames(test::wavingTube(8, 60)), 8, StretchOption::none, WeightOption::geodesic);
+  const SkinnedSequence& skinned = result.skinned;
+  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+    for (std::size_t k = 1; k < skinned.frameCount(); ++k) {
+      CHECK(glm::dot(skinned.pose(k, b).rotation, skinned.pose(k - 1, b).rotation) > 0.98);
+      // The tube bends around y only: no turn about its own axis.
+      CHECK(std::abs(skinned.pose(k, b).rotation.x) < 0.02);
+    }
+  }
+}
+
+TEST_CASE("bones in a row hang together in every frame") {
+  for (const StretchOption option : {StretchOption::none, StretchOption::elastic}) {
+    const auto result = compressed(test::shorteningTube(16, 2.0, 0.06, 0.1), 10, option, WeightOption::geodesic);
+    const SkinnedSequence& skinned = result.skinned;
+    REQUIRE(skinned.chained);
+    for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
+      for (std::size_t b = 0; b + 1 < skinned.bones.size(); ++b) {
+        const Vec3 end(skinMatrix(skinned.bones[b], skinned.pose(k, b)) * Vec4(skinned.bones[b].end, 1.0));
+        CHECK(glm::length(end - skinned.pose(k, b + 1).position) < 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("the elastic model finds how a body shortens and how gravity flattens it, and beats no stretch") {
+  const double shortening = 0.06;
+  const double flattening = 0.15;
+  const MeshSequence sequence = test::shorteningTube(24, 2.0, shortening, flattening);
+  CompressSettings settings;
+  settings.bones = 12;
+  settings.weights = WeightOption::geodesic;
+  settings.body.firstFittedFrame = 1;
+  const auto elastic = compress(sequence, settings);
+  REQUIRE(elastic);
+  REQUIRE(elastic->model);
+  const BodyStretch& model = *elastic->model;
+  CHECK(model.length.at(model.measured.back().curvatureRadians) == Approx(10.0 * (1.0 - 2.0 * shortening)).epsilon(0.01));
+  CHECK(model.length.line.slope < 0.0);
+  CHECK(model.length.line.rSquared > 0.99);
+  CHECK(model.compressions[6] == Approx(flattening).epsilon(0.1));
+  CHECK(model.modulusFitted);
+  settings.stretch = StretchOption::none;
+  const auto none = compress(sequence, settings);
+  settings.stretch = StretchOption::measured;
+  const auto measured = compress(sequence, settings);
+  REQUIRE(none);
+  REQUIRE(measured);
+  CHECK(elastic->metrics.mse < 0.25 * none->metrics.mse);
+  CHECK(measured->metrics.mse < elastic->metrics.mse);
+  REQUIRE(elastic->fittedMetrics);
+  CHECK(elastic->fittedMetrics->mse < elastic->metrics.mse * 1.1);
+}
+
+TEST_CASE("a modulus that is given is used; stiff segments are flattened less") {
+  const MeshSequence sequence = test::shorteningTube(8, 1.0, 0.05, 0.1);
+  CompressSettings settings;
+  settings.bones = 10;
+  settings.weights = WeightOption::geodesic;
+  settings.body.youngModulus = 1e5;
+  const auto soft = compress(sequence, settings);
+  settings.body.moduli.ranges.push_back({2, 5, 1e6});
+  const auto ribs = compress(sequence, settings);
+  REQUIRE(soft);
+  REQUIRE(ribs);
+  CHECK_FALSE(soft->model->modulusFitted);
+  CHECK(soft->model->youngModulus == Approx(1e5));
+  CHECK(ribs->model->compressions[3] == Approx(0.1 * soft->model->compressions[3]).epsilon(1e-6));
+  CHECK(ribs->model->compressions[7] == Approx(soft->model->compressions[7]).epsilon(1e-6));
+  const StretchFactors& factors = soft->model->factors.back();
+  CHECK(factors.along * factors.withLoad * factors.sideways == Approx(1.0));
+}
+
+TEST_CASE("fitted weights are not negative, at most four, and sum to 1") {
+  const auto result = compressed(test::shorteningTube(12, 2.0, 0.06, 0.1), 10, StretchOption::measured, WeightOption::fitted);
+  for (const Influences& influences : result.skinned.influences) {
+    float sum = 0.0F;
+    for (const float weight : influences.weights) {
+      CHECK(weight >= 0.0F);
+      sum += weight;
+    }
+    CHECK(sum == Approx(1.0F).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("the same input gives the same bytes, however many threads work") {
+  const MeshSequence sequence = test::shorteningTube(10, 2.0, 0.06, 0.1);
+  const auto first = compressed(sequence, 10, StretchOption::elastic, WeightOption::fitted);
+  const auto second = compressed(sequence, 10, StretchOption::elastic, WeightOption::fitted);
+  CHECK(first.skinned.influences == second.skinned.influences);
+  for (std::size_t i = 0; i < first.skinned.poses.size(); ++i) {
+    CHECK(first.skinned.poses[i].rotation == second.skinned.poses[i].rotation);
+    CHECK(first.skinned.poses[i].position == second.skinned.poses[i].position);
+  }
+}
+
+TEST_CASE("a body that branches (a ring) can be measured, but has no elastic model") {
+  MeshSequence ring = test::still(test::torus(2.0, 0.5, 48, 12));
+  const auto rest = ring.positions;
+  for (int k = 1; k < 6; ++k) {
+    for (const glm::vec3& p : rest) {
+      ring.positions.push_back(p * glm::vec3(1.0F + 0.02F * static_cast<float>(k), 1.0F, 1.0F));
+    }
+  }
+  CompressSettings settings;
+  settings.bones = 8;
+  const auto elastic = compress(ring, settings);
+  REQUIRE_FALSE(elastic);
+  CHECK(elastic.error().line().find("branches") != std::string::npos);
+  settings.stretch = StretchOption::measured;
+  const auto measured = compress(ring, settings);
+  REQUIRE(measured);
+  CHECK(measured->metrics.rmsePercent < 0.1);
+  CHECK_FALSE(measured->warnings.empty());
+}
+
+TEST_CASE("a mesh with open and crowded edges still compresses") {
+  MeshSequence sequence = test::shorteningTube(6, 1.0, 0.05, 0.1);
+  sequence.triangles.resize(sequence.triangles.size() - 3);
+  sequence.triangles.push_back({0, 1, 20});
+  CHECK(compressed(sequence, 8, StretchOption::elastic, WeightOption::geodesic).metrics.rmsePercent < 2.0);
+}
+
+TEST_CASE("what cannot be compressed is refused with one line") {
+  const MeshSequence tube = test::shorteningTube(3, 1.0, 0.05, 0.1);
+  CompressSettings settings;
+  for (const int bones : {0, -3, 5000}) {
+    settings.bones = bones;
+    CHECK(compress(tube, settings).error().line().find("bones") != std::string::npos);
+  }
+  settings.bones = 8;
+  CHECK_FALSE(compress(MeshSequence{}, settings));
+  settings.body.youngModulus = -1.0;
+  CHECK(compress(tube, settings).error().line().find("modulus") != std::string::npos);
+}
+
+TEST_CASE("one frame, or a body that never moves, is still a clip") {
+  MeshSequence still = test::still(test::tube(10.0, 0.5, 40, 10));
+  CHECK(compressed(still, 6, StretchOption::elastic, WeightOption::fitted).metrics.rmsePercent < 0.01);
+  still.positions.insert(still.positions.end(), still.positions.begin(), still.positions.end());
+  CHECK(compressed(still, 6, StretchOption::measured, WeightOption::fitted).metrics.rmsePercent < 0.01);
+}
+
+TEST_CASE("gravity's flattening gives back the modulus that it was made with") {
+  const MeshSequence with = test::shorteningTube(2, 0.0, 0.0, 0.12);
+  const MeshSequence without = test::shorteningTube(2, 0.0, 0.0, 0.0);
+  BodyStretchSettings settings;
+  const auto flattening = gravityFlattening(with, without, settings);
+  REQUIRE(flattening);
+  CHECK(flattening->height == Approx(0.88).epsilon(1e-3));
+  CHECK(flattening->width == Approx(1.0 / 0.88).epsilon(1e-3));
+  CHECK(flattening->compression == Approx(0.12).epsilon(0.01));
+  // Eq. 6 for a cylinder of water: q = m g pi / (2 E l w), m = density * w^2 pi / 4 * l.
+  CHECK(flattening->youngModulus == Approx(1000.0 * 9.81 * pi * pi * 1.0 / (8.0 * 0.12)).epsilon(0.1));
+}
