@@ -14,7 +14,8 @@ using namespace stretch::skinning;
 
 namespace {
 
-CompressedSequence compressed(const MeshSequence& sequence, int bones, StretchOption stretch, WeightOption weights) {
+CompressedSequence compressed(const MeshSequence& sequence, int bones, StretchOption stretch,
+                              WeightOption weights) {
   CompressSettings settings;
   settings.bones = bones;
   settings.stretch = stretch;
@@ -34,7 +35,8 @@ TEST_CASE("a tube that was skinned to rigid bones comes back") {
 }
 
 TEST_CASE("bones neither flip nor drift: a wave that comes back leaves every bone as it was") {
-  const auto result = compressed(skinAllFrames(test::wavingTube(8, 60)), 8, StretchOption::none, WeightOption::geodesic);
+  const auto result =
+      compressed(skinAllFrames(test::wavingTube(8, 60)), 8, StretchOption::none, WeightOption::geodesic);
   const SkinnedSequence& skinned = result.skinned;
   for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
     for (std::size_t k = 1; k < skinned.frameCount(); ++k) {
@@ -47,7 +49,8 @@ TEST_CASE("bones neither flip nor drift: a wave that comes back leaves every bon
 
 TEST_CASE("bones in a row hang together in every frame") {
   for (const StretchOption option : {StretchOption::none, StretchOption::elastic}) {
-    const auto result = compressed(test::shorteningTube(16, 2.0, 0.06, 0.1), 10, option, WeightOption::geodesic);
+    const auto result =
+        compressed(test::shorteningTube(16, 2.0, 0.06, 0.1), 10, option, WeightOption::geodesic);
     const SkinnedSequence& skinned = result.skinned;
     REQUIRE(skinned.chained);
     for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
@@ -71,7 +74,8 @@ TEST_CASE("the elastic model finds how a body shortens and how gravity flattens 
   REQUIRE(elastic);
   REQUIRE(elastic->model);
   const BodyStretch& model = *elastic->model;
-  CHECK(model.length.at(model.measured.back().curvatureRadians) == Approx(10.0 * (1.0 - 2.0 * shortening)).epsilon(0.01));
+  CHECK(model.length.at(model.measured.back().curvatureRadians) ==
+        Approx(10.0 * (1.0 - 2.0 * shortening)).epsilon(0.01));
   CHECK(model.length.line.slope < 0.0);
   CHECK(model.length.line.rSquared > 0.99);
   CHECK(model.compressions[6] == Approx(flattening).epsilon(0.1));
@@ -108,7 +112,8 @@ TEST_CASE("a modulus that is given is used; stiff segments are flattened less") 
 }
 
 TEST_CASE("fitted weights are not negative, at most four, and sum to 1") {
-  const auto result = compressed(test::shorteningTube(12, 2.0, 0.06, 0.1), 10, StretchOption::measured, WeightOption::fitted);
+  const auto result =
+      compressed(test::shorteningTube(12, 2.0, 0.06, 0.1), 10, StretchOption::measured, WeightOption::fitted);
   for (const Influences& influences : result.skinned.influences) {
     float sum = 0.0F;
     for (const float weight : influences.weights) {

@@ -56,7 +56,8 @@ TEST_CASE("a load that turns around the body is written with stretch axes of its
   CHECK(differenceAfterSaving(skinned, true) < 1e-4);
 }
 
-TEST_CASE("what is shared or constant is stored once: a chain costs its rotations, its root and one course of stretch") {
+TEST_CASE("what is shared or constant is stored once: a chain costs its rotations, its root and one course "
+          "of stretch") {
   const SkinnedSequence none = compressedTube(StretchOption::none);
   CHECK(encodeGltf(none, {true, 1e-6}).bytesPerFrame <= 4.0 + 12.0 + 10.0 * 8.0);
   CHECK(encodeGltf(none, {false, 1e-6}).bytesPerFrame <= 4.0 + 12.0 + 10.0 * 16.0);
@@ -69,7 +70,8 @@ TEST_CASE("what is shared or constant is stored once: a chain costs its rotation
 TEST_CASE("bytes per frame and bytes once are all the bytes of the file's binary part") {
   const SkinnedSequence skinned = compressedTube(StretchOption::elastic);
   const EncodedClip clip = encodeGltf(skinned, {true, 1e-6});
-  CHECK(clip.bytesPerFrame * static_cast<double>(skinned.frameCount()) + static_cast<double>(clip.bytesOnce) ==
+  CHECK(clip.bytesPerFrame * static_cast<double>(skinned.frameCount()) +
+            static_cast<double>(clip.bytesOnce) ==
         Approx(static_cast<double>(clip.source.buffers[0].size())));
 }
 

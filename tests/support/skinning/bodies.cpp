@@ -20,7 +20,8 @@ SkinnedSequence wavingTube(int bones, int frames) {
   skinned.chained = true;
   const double bone = length / bones;
   for (int b = 0; b < bones; ++b) {
-    skinned.bones.push_back({Vec3(b * bone, 0.0, 0.0), Vec3((b + 1) * bone, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)});
+    skinned.bones.push_back(
+        {Vec3(b * bone, 0.0, 0.0), Vec3((b + 1) * bone, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)});
   }
   for (const glm::vec3& p : shape.positions) {
     const double at = std::clamp(static_cast<double>(p.x) / bone - 0.5, 0.0, bones - 1.0);

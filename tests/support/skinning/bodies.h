@@ -5,12 +5,14 @@
 
 namespace stretch::test {
 
-/// A tube along x, 10 long and 1 thick, skinned to a chain of `bones` rigid bones that wave in the x-z plane (frame 0 is
-/// straight), with weights that blend over the joints.
+/// A tube along x, 10 long and 1 thick, skinned to a chain of `bones` rigid bones that wave in the x-z plane
+/// (frame 0 is straight), with weights that blend over the joints.
 [[nodiscard]] skinning::SkinnedSequence wavingTube(int bones, int frames);
 
-/// A tube along x, 10 long and 1 thick, at rest in frame 0, then bent to growing arcs in the x-z plane whose centre line is
-/// `1 - shortening * curvature` times as long and that are flattened along y by `flattening` (the volume across is kept).
-[[nodiscard]] MeshSequence shorteningTube(int frames, double largestCurvature, double shortening, double flattening);
+/// A tube along x, 10 long and 1 thick, at rest in frame 0, then bent to growing arcs in the x-z plane whose
+/// centre line is `1 - shortening * curvature` times as long and that are flattened along y by `flattening`
+/// (the volume across is kept).
+[[nodiscard]] MeshSequence shorteningTube(int frames, double largestCurvature, double shortening,
+                                          double flattening);
 
 } // namespace stretch::test
