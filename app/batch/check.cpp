@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "app/batch/verb.h"
+#include "core/gltf/report.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct CheckArguments {
+  std::string file;
+  bool json = false;
+};
+
+std::string_view severityName(gltf::Severity severity) { return severity == gltf::Severity::error ? "error" : "warning"; }
+
+void printJson(const std::vector<gltf::Problem>& problems) {
+  Json list = Json::array();
+  for (const gltf::Problem& problem : problems) {
+    list.push_back({{"severity", severityName(problem.severity)},
+                    {"where", problem.where},
+                    {"what", problem.what},
+                    {"remedy", problem.remedy}});
+  }
+  std::cout << Json{{"problems", list}}.dump(1) << '\n';
+}
+
+void printText(const std::vector<gltf::Problem>& problems) {
+  for (const gltf::Problem& problem : problems) {
+    fmt::print("{}: {}\n", severityName(problem.severity), Error{problem.what, problem.where, problem.remedy}.line());
+  }
+  fmt::print("{} problem{} found\n", problems.size(), problems.size() == 1 ? "" : "s");
+}
+
+Status runCheck(const CheckArguments& arguments) {
+  const std::vector<gltf::Problem> problems = gltf::diagnose(arguments.file);
+  arguments.json ? printJson(problems) : printText(problems);
+  const auto error = std::find_if(problems.begin(), problems.end(),
+                                  [](const gltf::Problem& problem) { return problem.severity == gltf::Severity::error; });
+  if (error == problems.end()) {
+    return Success{};
+  }
+  return Error{error->what, error->where, error->remedy};
+}
+
+} // namespace
+
+Verb checkVerb() {
+  return {"check", "Reports every problem of a file, residual shear of stretched files included.", [](CLI::App& app) {
+            const auto arguments = std::make_shared<CheckArguments>();
+            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments] { return runCheck(*arguments); };
+          }};
+}
+
+} // namespace stretch::app
