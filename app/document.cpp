@@ -11,7 +11,8 @@ namespace {
 
 template <typename Trails>
 auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
-  const auto found = std::find_if(trails.begin(), trails.end(), [&](const rig::Trail& trail) { return trail.id == trailId; });
+  const auto found = std::find_if(trails.begin(), trails.end(),
+                                  [&](const rig::Trail& trail) { return trail.id == trailId; });
   return found == trails.end() ? nullptr : &*found;
 }
 
@@ -30,7 +31,8 @@ Result<Document> openDocument(const std::filesystem::path& path) {
   document.biped = rig::detectBiped(*document.scene);
   if (!loaded->savedWork.is_null()) {
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
-      document.warnings.push_back("the work kept in the file could not be taken up: " + restored.error().line());
+      document.warnings.push_back("the work kept in the file could not be taken up: " +
+                                  restored.error().line());
     }
   }
   return document;
@@ -38,12 +40,14 @@ Result<Document> openDocument(const std::filesystem::path& path) {
 
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
-         a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains && a.trails == b.trails && a.loopingClips == b.loopingClips;
+         a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains &&
+         a.trails == b.trails && a.loopingClips == b.loopingClips;
 }
 
 const rig::Limb* findLimb(const Document& document, const std::string& limbId) {
   for (const std::vector<rig::Limb>* limbs : {&document.biped.limbs, &document.chains}) {
-    const auto found = std::find_if(limbs->begin(), limbs->end(), [&](const rig::Limb& limb) { return limb.id == limbId; });
+    const auto found =
+        std::find_if(limbs->begin(), limbs->end(), [&](const rig::Limb& limb) { return limb.id == limbId; });
     if (found != limbs->end()) {
       return &*found;
     }
@@ -51,11 +55,16 @@ const rig::Limb* findLimb(const Document& document, const std::string& limbId) {
   return nullptr;
 }
 
-const rig::Trail* findTrail(const Document& document, int trailId) { return findById(document.trails, trailId); }
-rig::Trail* findTrail(Document& document, int trailId) { return findById(document.trails, trailId); }
+const rig::Trail* findTrail(const Document& document, int trailId) {
+  return findById(document.trails, trailId);
+}
+rig::Trail* findTrail(Document& document, int trailId) {
+  return findById(document.trails, trailId);
+}
 
 const Clip& clipOf(const Document& document, int clip) {
-  check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(), "the clip is one of the document's");
+  check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(),
+        "the clip is one of the document's");
   return (*document.clips)[static_cast<std::size_t>(clip)];
 }
 
@@ -67,6 +76,8 @@ void setFramesPerSecond(Document& document, double framesPerSecond) {
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
 }
 
-bool isActive(const rig::Trail& trail) { return trail.connected || trail.applied.has_value(); }
+bool isActive(const rig::Trail& trail) {
+  return trail.connected || trail.applied.has_value();
+}
 
 } // namespace stretch::app

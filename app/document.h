@@ -15,9 +15,9 @@
 
 namespace stretch::app {
 
-/// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are shared and never
-/// change. Nothing derived is kept here. Clips are the source's: what the trails make of them is evaluated, so deleting a
-/// trail gives the source back by construction.
+/// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
+/// shared and never change. Nothing derived is kept here. Clips are the source's: what the trails make of
+/// them is evaluated, so deleting a trail gives the source back by construction.
 struct Document {
   std::shared_ptr<const gltf::Source> source;
   std::shared_ptr<const Scene> scene;

@@ -20,12 +20,14 @@ std::vector<rig::Trail> trailsOf(const Document& document, int clip) {
 }
 
 bool loops(const Document& document, int clip) {
-  return std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) != document.loopingClips.end();
+  return std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
+         document.loopingClips.end();
 }
 
 // A file without a clip shows the character at rest.
 const Clip& clipOrStill(const Document& document, int clip, const Clip& still) {
-  return clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size() ? clipOf(document, clip) : still;
+  return clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size() ? clipOf(document, clip)
+                                                                              : still;
 }
 
 } // namespace
@@ -50,12 +52,13 @@ FrameState evaluate(const Document& document, const rig::MotionState& motion, do
 
 FrameState evaluateOriginal(const Document& document, int clip, double timeSeconds) {
   const Clip still;
-  return frameOf(*document.scene, samplePose(*document.scene, clipOrStill(document, clip, still), timeSeconds), timeSeconds);
+  return frameOf(*document.scene,
+                 samplePose(*document.scene, clipOrStill(document, clip, still), timeSeconds), timeSeconds);
 }
 
 EvaluationCache::MotionKey EvaluationCache::keyOf(const Document& document, int clip) {
-  return {document.scene.get(), document.clips.get(), clip,
-          trailsOf(document, clip), allLimbs(document), document.loopingClips};
+  return {document.scene.get(),     document.clips.get(), clip,
+          trailsOf(document, clip), allLimbs(document),   document.loopingClips};
 }
 
 const rig::MotionState& EvaluationCache::motion(const Document& document, int clip) {

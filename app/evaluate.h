@@ -9,18 +9,20 @@
 
 namespace stretch::app {
 
-/// The trails of one clip, prepared for evaluation at any time. Active trails only move the character; the others are
-/// prepared too, so that their paths can be drawn.
+/// The trails of one clip, prepared for evaluation at any time. Active trails only move the character; the
+/// others are prepared too, so that their paths can be drawn.
 [[nodiscard]] rig::MotionState prepareMotion(const Document& document, int clip);
 
-/// The character at one time (seconds of the clip), trails included. The one function that renderer, panels, batch and
-/// tests read.
-[[nodiscard]] FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds);
+/// The character at one time (seconds of the clip), trails included. The one function that renderer, panels,
+/// batch and tests read.
+[[nodiscard]] FrameState evaluate(const Document& document, const rig::MotionState& motion,
+                                  double timeSeconds);
 
 /// The clip as the source has it.
 [[nodiscard]] FrameState evaluateOriginal(const Document& document, int clip, double timeSeconds);
 
-/// Remembers the last answers; keys on the identity and value of what they were made from, so nobody invalidates it.
+/// Remembers the last answers; keys on the identity and value of what they were made from, so nobody
+/// invalidates it.
 class EvaluationCache {
 public:
   [[nodiscard]] const rig::MotionState& motion(const Document& document, int clip);

@@ -4,7 +4,9 @@
 
 namespace stretch::app {
 
-History::History(Document start) { entries_.push_back({std::move(start), {}}); }
+History::History(Document start) {
+  entries_.push_back({std::move(start), {}});
+}
 
 bool History::push(Document document, std::string label) {
   if (sameDocument(document, current())) {
@@ -19,9 +21,13 @@ bool History::push(Document document, std::string label) {
   return true;
 }
 
-std::string History::undoLabel() const { return canUndo() ? entries_[index_].label : std::string(); }
+std::string History::undoLabel() const {
+  return canUndo() ? entries_[index_].label : std::string();
+}
 
-std::string History::redoLabel() const { return canRedo() ? entries_[index_ + 1].label : std::string(); }
+std::string History::redoLabel() const {
+  return canRedo() ? entries_[index_ + 1].label : std::string();
+}
 
 bool History::undo() {
   if (!canUndo()) {
@@ -39,6 +45,8 @@ bool History::redo() {
   return true;
 }
 
-void History::markSaved() { savedIndex_ = index_; }
+void History::markSaved() {
+  savedIndex_ = index_;
+}
 
 } // namespace stretch::app

@@ -7,13 +7,15 @@
 
 namespace stretch::app {
 
-/// Snapshots of the document with labels; undo and redo move an index. Without limit: a snapshot shares what did not change.
+/// Snapshots of the document with labels; undo and redo move an index. Without limit: a snapshot shares what
+/// did not change.
 class History {
 public:
   explicit History(Document start);
 
   [[nodiscard]] const Document& current() const { return entries_[index_].document; }
-  /// Pushes a new state and drops what was undone. A state equal to the current one pushes nothing and answers false.
+  /// Pushes a new state and drops what was undone. A state equal to the current one pushes nothing and
+  /// answers false.
   bool push(Document document, std::string label);
 
   [[nodiscard]] bool canUndo() const { return index_ > 0; }

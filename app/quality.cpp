@@ -56,19 +56,23 @@ struct Finding {
 
 } // namespace
 
-std::vector<std::string> motionWarnings(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail) {
+std::vector<std::string> motionWarnings(const Document& document, const rig::MotionState& motion,
+                                        const rig::SolvedTrail& trail) {
   // One trail at a time: what others do to the body is not this one's doing.
   rig::MotionState alone = motion;
-  std::erase_if(alone.trails, [&](const rig::SolvedTrail& other) { return other.trail.id != trail.trail.id; });
+  std::erase_if(alone.trails,
+                [&](const rig::SolvedTrail& other) { return other.trail.id != trail.trail.id; });
   const double fps = motion.framesPerSecond;
   const double scale = trail.settings.scale;
   const FrameState tipBefore = evaluateOriginal(document, motion.clip, trail.tipSeconds);
   const FrameState tipAfter = evaluate(document, alone, trail.tipSeconds);
-  const double tipDisplacement = glm::length(rig::endPosition(trail.limb, tipAfter.worlds) - rig::endPosition(trail.limb, tipBefore.worlds));
+  const double tipDisplacement = glm::length(rig::endPosition(trail.limb, tipAfter.worlds) -
+                                             rig::endPosition(trail.limb, tipBefore.worlds));
   Finding lengths;
   Finding vertices;
   const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);
-  for (double frame = std::max(0.0, std::ceil(trail.windowStartSeconds * fps - 1e-6)); frame <= last; frame += 1.0) {
+  for (double frame = std::max(0.0, std::ceil(trail.windowStartSeconds * fps - 1e-6)); frame <= last;
+       frame += 1.0) {
     const FrameState before = evaluateOriginal(document, motion.clip, frame / fps);
     const FrameState after = evaluate(document, alone, frame / fps);
     const double lengthBefore = limbLength(trail.limb, before);
@@ -85,12 +89,13 @@ std::vector<std::string> motionWarnings(const Document& document, const rig::Mot
   }
   std::vector<std::string> warnings;
   if (lengths.any()) {
-    warnings.push_back(fmt::format("{}: the limb is {:.3g} times its own length at {} (worst at frame {:g})", trail.limb.id,
-                                   lengths.worst, lengths.frames(), lengths.worstFrame));
+    warnings.push_back(fmt::format("{}: the limb is {:.3g} times its own length at {} (worst at frame {:g})",
+                                   trail.limb.id, lengths.worst, lengths.frames(), lengths.worstFrame));
   }
   if (vertices.any()) {
-    warnings.push_back(fmt::format("{}: a vertex is {:.3g} from its place at {} (worst at frame {:g}), the tip only {:.3g}",
-                                   trail.limb.id, vertices.worst, vertices.frames(), vertices.worstFrame, tipDisplacement));
+    warnings.push_back(
+        fmt::format("{}: a vertex is {:.3g} from its place at {} (worst at frame {:g}), the tip only {:.3g}",
+                    trail.limb.id, vertices.worst, vertices.frames(), vertices.worstFrame, tipDisplacement));
   }
   return warnings;
 }

@@ -17,7 +17,9 @@ using gltf::Json;
 
 constexpr int recipeVersion = 1;
 
-Error unknownKey(const std::string& key) { return {"is no key of a recipe", key, "remove it, or correct its name"}; }
+Error unknownKey(const std::string& key) {
+  return {"is no key of a recipe", key, "remove it, or correct its name"};
+}
 
 Status checkKeys(const Json& json) {
   const std::vector<std::string> known{"version", "clip", "units", "trails", "props", "elastic"};
@@ -30,7 +32,8 @@ Status checkKeys(const Json& json) {
     }
   }
   if (!json.contains("version") || json["version"] != recipeVersion) {
-    return Error{"the recipe is of a version that this program does not know", "version", fmt::format("give {}", recipeVersion)};
+    return Error{"the recipe is of a version that this program does not know", "version",
+                 fmt::format("give {}", recipeVersion)};
   }
   if (!json.contains("trails") || !json["trails"].is_array()) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
@@ -43,7 +46,8 @@ Status readFractions(const Json& json, const Clip& clip, rig::TrailSettings& set
                           json[0].get<double>() >= 0.0 && json[0].get<double>() <= json[1].get<double>() &&
                           json[1].get<double>() <= 1.0;
   if (!wellFormed) {
-    return Error{json.dump() + " is no part of a clip", "range_of_clip", "give two fractions in order, such as [0.2, 0.5]"};
+    return Error{json.dump() + " is no part of a clip", "range_of_clip",
+                 "give two fractions in order, such as [0.2, 0.5]"};
   }
   const double last = clip.endSeconds * clip.framesPerSecond;
   settings.startFrame = json[0].get<double>() * last;
@@ -69,12 +73,14 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   }
   if (json.contains("colour")) {
     if (!json["colour"].is_number_integer()) {
-      return Error{json["colour"].dump() + " is no colour", "colour", "give the number of a trail colour, from 0"};
+      return Error{json["colour"].dump() + " is no colour", "colour",
+                   "give the number of a trail colour, from 0"};
     }
     trail.colour = json["colour"].get<int>();
   }
   if (json.contains("range_of_clip")) {
-    if (const Status part = readFractions(json["range_of_clip"], clipOf(document, clip), trail.settings); !part) {
+    if (const Status part = readFractions(json["range_of_clip"], clipOf(document, clip), trail.settings);
+        !part) {
       return part.error();
     }
   } else if (!json.contains("range")) {

@@ -13,9 +13,9 @@ struct Recipe {
   std::vector<rig::Trail> trails; ///< Without ids; limbs exist in the document.
 };
 
-/// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns fractions of the clip
-/// into frames and offsets in lengths of the limb into world units. Ranges that are left out get the default range. An
-/// unknown key or a value of the wrong kind is an error that names it.
+/// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns
+/// fractions of the clip into frames and offsets in lengths of the limb into world units. Ranges that are
+/// left out get the default range. An unknown key or a value of the wrong kind is an error that names it.
 [[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document);
 [[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document);
 

@@ -42,7 +42,8 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   rekeyOptions.tolerance = 0.5 * toleranceOfHeight * document.biped.height;
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
   for (const int clip : clipsWithTrails(applied)) {
-    rig::RekeyedClip rekeyed = rig::rekey(*applied.scene, clipOf(applied, clip), prepareMotion(applied, clip), rekeyOptions);
+    rig::RekeyedClip rekeyed =
+        rig::rekey(*applied.scene, clipOf(applied, clip), prepareMotion(applied, clip), rekeyOptions);
     edits.clips.push_back({clip, std::move(rekeyed.tracks)});
     stretches.push_back({clip, std::move(rekeyed.stretches)});
   }

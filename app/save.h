@@ -15,10 +15,12 @@ struct SaveOptions {
   bool keepSkeleton = false;  ///< Stretch through translations only: the joint list stays as it is.
 };
 
-/// What saving changes in the file: the clips re-keyed with the applied trails, bind leaves, skin slots, and the work.
+/// What saving changes in the file: the clips re-keyed with the applied trails, bind leaves, skin slots, and
+/// the work.
 [[nodiscard]] Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.
-[[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path, const SaveOptions& options);
+[[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
+                                  const SaveOptions& options);
 
 } // namespace stretch::app

@@ -17,8 +17,9 @@ constexpr int workVersion = 1;
 constexpr double metres = 1.0;
 
 const std::vector<std::string>& keysBesideSettings() {
-  static const std::vector<std::string> keys{"id",     "limb",    "clip",   "exaggerated",    "connected", "applied",
-                                             "colour", "visible", "pinned", "control_frames", "follow"};
+  static const std::vector<std::string> keys{"id",        "limb",           "clip",   "exaggerated",
+                                             "connected", "applied",        "colour", "visible",
+                                             "pinned",    "control_frames", "follow"};
   return keys;
 }
 
@@ -56,7 +57,9 @@ Json limbsToJson(const std::vector<rig::Limb>& limbs) {
   return list;
 }
 
-Error malformed(const std::string& where) { return {"is not what this program writes", where, "open the file and set it up again"}; }
+Error malformed(const std::string& where) {
+  return {"is not what this program writes", where, "open the file and set it up again"};
+}
 
 Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
   rig::Trail trail;
@@ -95,7 +98,8 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   limb.confidence = json.at("confidence").get<double>();
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
   if (!offset || kind < 0 || kind > static_cast<int>(rig::LimbKind::chain) || limb.joints.empty() ||
-      !std::all_of(limb.joints.begin(), limb.joints.end(), exists) || (limb.endNode != -1 && !exists(limb.endNode))) {
+      !std::all_of(limb.joints.begin(), limb.joints.end(), exists) ||
+      (limb.endNode != -1 && !exists(limb.endNode))) {
     return malformed("limbs");
   }
   limb.kind = static_cast<rig::LimbKind>(kind);
@@ -105,7 +109,8 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
 }
 
 Status restoreParts(const Json& work, Document& document) {
-  for (const auto& [key, limbs] : {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
+  for (const auto& [key, limbs] :
+       {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
       continue;
     }
@@ -133,12 +138,14 @@ Status restoreParts(const Json& work, Document& document) {
 } // namespace
 
 Json workOf(const Document& document) {
-  if (document.trails.empty() && document.chains.empty() && document.loopingClips.empty() && !document.limbsCorrected) {
+  if (document.trails.empty() && document.chains.empty() && document.loopingClips.empty() &&
+      !document.limbsCorrected) {
     return nullptr;
   }
   Json work;
   work["version"] = workVersion;
-  // Limbs are kept even when they were found: a later version of the detection must not move the trails' limbs.
+  // Limbs are kept even when they were found: a later version of the detection must not move the trails'
+  // limbs.
   work["limbs"] = limbsToJson(document.biped.limbs);
   work["limbs_corrected"] = document.limbsCorrected;
   work["chains"] = limbsToJson(document.chains);

@@ -69,7 +69,9 @@ const FrameState& Session::originalAt(double frame) {
   return cache_.original(shown, view_.clip, frame / fps);
 }
 
-const rig::MotionState& Session::motion() { return cache_.motion(document(), view_.clip); }
+const rig::MotionState& Session::motion() {
+  return cache_.motion(document(), view_.clip);
+}
 
 std::filesystem::path Session::proposedSavePath() const {
   if (!savePath_.empty()) {
@@ -97,7 +99,8 @@ void Session::dropInvalidSelection() {
     view_.selectedTrail = 0;
     view_.selectedSpheres.clear();
   }
-  std::erase_if(view_.selectedLimbs, [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
+  std::erase_if(view_.selectedLimbs,
+                [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
 }
 
 } // namespace stretch::app

@@ -10,7 +10,8 @@
 
 namespace stretch::app {
 
-/// What is selected and where the playhead stands: not part of the document, not undone (except that undo keeps it valid).
+/// What is selected and where the playhead stands: not part of the document, not undone (except that undo
+/// keeps it valid).
 struct ViewState {
   int clip = 0;
   double frame = 0.0;                     ///< Playhead, in frames of the clip.
@@ -20,8 +21,8 @@ struct ViewState {
   double rangeStart = 0.0;                ///< The working range, for new trails.
   double rangeEnd = -1.0;                 ///< < rangeStart: the default range of section "Words".
   bool showOriginal = false;              ///< While held: the character as it was.
-  Mat3 cameraAxes{1.0};                   ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
-  std::optional<rig::Trail> copiedTrail;  ///< What Paste pastes.
+  Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
+  std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
 };
 
 /// One open file being edited: history, what is being dragged, and the caches. The one door for edits.
@@ -38,8 +39,8 @@ public:
   /// One finished edit, one undo step. Refused (false) while a drag is on.
   bool edit(Document changed, std::string label);
 
-  /// A drag or a modal: begin remembers the state; each preview is computed from the state AT BEGIN; commit pushes one
-  /// undo step (none when nothing changed), cancel restores.
+  /// A drag or a modal: begin remembers the state; each preview is computed from the state AT BEGIN; commit
+  /// pushes one undo step (none when nothing changed), cancel restores.
   void begin(std::string label);
   [[nodiscard]] bool isDragging() const { return preview_.has_value(); }
   [[nodiscard]] const Document& atBegin() const { return history_.current(); }
@@ -57,7 +58,8 @@ public:
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
 
-  /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the first save.
+  /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the
+  /// first save.
   [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);

@@ -12,7 +12,8 @@ namespace stretch::app {
 
 enum class SettingKind { number, optionalNumber, flag, choice, axes, ease };
 
-/// One setting of a trail, described once: recipes, saved work, the options of `exaggerate` and the tests read this table.
+/// One setting of a trail, described once: recipes, saved work, the options of `exaggerate` and the tests
+/// read this table.
 struct TrailSetting {
   std::string name;   ///< Key in recipes and saved work: "ease_in".
   std::string option; ///< Long option of `exaggerate`: "--ease-in"; empty for `pull`, which has --no-pull.
@@ -30,7 +31,8 @@ struct TrailSetting {
 [[nodiscard]] const std::vector<TrailSetting>& trailSettings();
 
 /// Checks and sets one setting; an error names the setting, what it got and what it takes.
-[[nodiscard]] Status setTrailSetting(const TrailSetting& setting, const gltf::Json& value, rig::TrailSettings& settings);
+[[nodiscard]] Status setTrailSetting(const TrailSetting& setting, const gltf::Json& value,
+                                     rig::TrailSettings& settings);
 
 /// The value that an option's text stands for: "2.5", "xz", "0.6,0.1", "straighten".
 [[nodiscard]] Result<gltf::Json> parseSettingText(const TrailSetting& setting, const std::string& text);

@@ -35,8 +35,10 @@ Status readSpheres(const Json& json, double lengthUnit, TrailSettings& settings)
   }
   std::vector<rig::SphereOffset> spheres;
   for (const Json& entry : json) {
-    if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() || !entry.contains("offset")) {
-      return Error{entry.dump() + " is no sphere", "spheres", "give {\"frame\": number, \"offset\": [x, y, z]}"};
+    if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() ||
+        !entry.contains("offset")) {
+      return Error{entry.dump() + " is no sphere", "spheres",
+                   "give {\"frame\": number, \"offset\": [x, y, z]}"};
     }
     const Result<Vec3> offset = vectorFromJson(entry["offset"], "spheres");
     if (!offset) {
@@ -55,7 +57,8 @@ Status readStopPlane(const Json& json, TrailSettings& settings) {
     return Success{};
   }
   if (!json.is_object() || !json.contains("point") || !json.contains("normal")) {
-    return Error{json.dump() + " is no plane", "stop_at", "give {\"point\": [x, y, z], \"normal\": [x, y, z]}"};
+    return Error{json.dump() + " is no plane", "stop_at",
+                 "give {\"point\": [x, y, z], \"normal\": [x, y, z]}"};
   }
   const Result<Vec3> point = vectorFromJson(json["point"], "stop_at.point");
   const Result<Vec3> normal = vectorFromJson(json["normal"], "stop_at.normal");
@@ -98,11 +101,14 @@ Status readOther(const std::string& key, const Json& value, double lengthUnit, T
 
 } // namespace
 
-Json vectorToJson(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json vectorToJson(const Vec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
 
 Result<Vec3> vectorFromJson(const Json& json, const std::string& where) {
-  const bool isVector = json.is_array() && json.size() == 3 &&
-                        std::all_of(json.begin(), json.end(), [](const Json& number) { return number.is_number(); });
+  const bool isVector =
+      json.is_array() && json.size() == 3 &&
+      std::all_of(json.begin(), json.end(), [](const Json& number) { return number.is_number(); });
   if (!isVector) {
     return Error{json.dump() + " is no vector", where, "give three numbers"};
   }
@@ -117,16 +123,18 @@ Json settingsToJson(const TrailSettings& settings, double lengthUnit) {
   }
   json["spheres"] = spheresToJson(settings.spheres, lengthUnit);
   if (settings.stopAt) {
-    json["stop_at"] = {{"point", vectorToJson(settings.stopAt->point)}, {"normal", vectorToJson(settings.stopAt->normal)}};
+    json["stop_at"] = {{"point", vectorToJson(settings.stopAt->point)},
+                       {"normal", vectorToJson(settings.stopAt->normal)}};
   }
   if (settings.space == rig::TrailSpace::view) {
-    json["view_axes"] = Json::array(
-        {vectorToJson(settings.viewAxes[0]), vectorToJson(settings.viewAxes[1]), vectorToJson(settings.viewAxes[2])});
+    json["view_axes"] = Json::array({vectorToJson(settings.viewAxes[0]), vectorToJson(settings.viewAxes[1]),
+                                     vectorToJson(settings.viewAxes[2])});
   }
   return json;
 }
 
-Status settingsFromJson(const Json& json, double lengthUnit, const std::vector<std::string>& allowed, TrailSettings& settings) {
+Status settingsFromJson(const Json& json, double lengthUnit, const std::vector<std::string>& allowed,
+                        TrailSettings& settings) {
   if (!json.is_object()) {
     return Error{json.dump() + " is no set of settings", "trails", "give an object"};
   }

@@ -33,8 +33,8 @@ Vec3 BendNormal::at(const std::vector<Vec3>& points, const Quat& baseRotation) c
   }
   const Vec3 average = glm::normalize(baseRotation * sum_);
   const Vec3 bend = bendOf(points);
-  // The pose decides where it is clearly bent, the average where it is nearly straight. A limb bent backwards keeps the
-  // average's side: the solver tells the side by the sign.
+  // The pose decides where it is clearly bent, the average where it is nearly straight. A limb bent backwards
+  // keeps the average's side: the solver tells the side by the sign.
   constexpr double averageShare = 0.1;
   const double side = glm::dot(bend, average) < 0.0 ? -1.0 : 1.0;
   return glm::normalize(side * bend + averageShare * average);

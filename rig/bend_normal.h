@@ -6,9 +6,9 @@
 
 namespace stretch::rig {
 
-/// The bend plane of a limb over a stretch of motion: the axis about which its elbow or knee bends, kept in the frame of the
-/// base joint, in which it hardly moves. It stands in for the pole: where the limb is nearly straight the pose itself no
-/// longer tells the plane, and the average decides, so that the bend never flips.
+/// The bend plane of a limb over a stretch of motion: the axis about which its elbow or knee bends, kept in
+/// the frame of the base joint, in which it hardly moves. It stands in for the pole: where the limb is nearly
+/// straight the pose itself no longer tells the plane, and the average decides, so that the bend never flips.
 class BendNormal {
 public:
   /// Takes in one pose: joints base first and the end, world space, and the base joint's world rotation.

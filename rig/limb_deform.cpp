@@ -14,7 +14,9 @@ namespace stretch::rig {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 // Writes local transforms of a frame while knowing the pose it started from.
 class PoseWriter {
@@ -35,7 +37,9 @@ public:
   }
 
   // Recomputes the node's own world matrix; its children follow when they are written or at the end.
-  void refresh(int node) { frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node); }
+  void refresh(int node) {
+    frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
+  }
 
   void refreshSubtree(int node) {
     refresh(node);
@@ -86,13 +90,15 @@ void moveByStretch(PoseWriter& writer, const BoneTopology& bone, const Mat3& str
   }
 }
 
-// Nested twist joints (children of twist joints) move by K as well; those that hang directly or lie on the path did already.
+// Nested twist joints (children of twist joints) move by K as well; those that hang directly or lie on the
+// path did already.
 void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Mat3& stretch) {
   for (const int node : bone.twistNodes) {
     const int parent = scene.nodes[at(node)].parent;
     const bool onPath = std::find(bone.pathNodes.begin(), bone.pathNodes.end(), node) != bone.pathNodes.end();
     if (parent != bone.joint && !onPath) {
-      writer.local(node).translation = inSpaceOf(writer, bone.joint, parent, stretch) * writer.local(node).translation;
+      writer.local(node).translation =
+          inSpaceOf(writer, bone.joint, parent, stretch) * writer.local(node).translation;
     }
     writer.addStretch(node, inSpaceOf(writer, bone.joint, node, stretch));
   }
@@ -103,7 +109,9 @@ struct KeptTransform {
   Mat4 world{1.0};
 };
 
-bool sameTurn(const Quat& a, const Quat& b) { return a == b; }
+bool sameTurn(const Quat& a, const Quat& b) {
+  return a == b;
+}
 
 } // namespace
 
@@ -127,7 +135,8 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldRotation(bone.joint, shape.turns[i] * rotationOf(writer.worldBefore(bone.joint)));
     }
     writer.refresh(bone.joint);
-    const Vec3 offset = transformVector(glm::inverse(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
+    const Vec3 offset =
+        transformVector(glm::inverse(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
     if (glm::length(offset) > 0.0) {
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
       moveByStretch(writer, bone, stretch);

@@ -12,14 +12,14 @@ namespace stretch::rig {
 [[nodiscard]] Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume);
 
 struct DeformOptions {
-  double volume = 1.0;   ///< 0..1: volume preservation.
-  bool turnEnd = false;  ///< The end joint turns with the limb instead of keeping its world orientation.
+  double volume = 1.0;  ///< 0..1: volume preservation.
+  bool turnEnd = false; ///< The end joint turns with the limb instead of keeping its world orientation.
 };
 
-/// Brings a solved shape onto the character: turns the limb's joints, moves what hangs on its bones by K, puts K into
-/// FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and leaves the subtrees that
-/// stay (LimbTopology::staying) where they are. `frame` is the pose that the shape was solved for; its worlds are kept up
-/// to date.
+/// Brings a solved shape onto the character: turns the limb's joints, moves what hangs on its bones by K,
+/// puts K into FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and
+/// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is the pose that the shape
+/// was solved for; its worlds are kept up to date.
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
                 const DeformOptions& options, FrameState& frame);
 

@@ -9,7 +9,9 @@ namespace stretch::rig {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 // Nodes from below `ancestor` down to `node`; empty when `node` is not below it.
 std::vector<int> pathDown(const Scene& scene, int ancestor, int node) {
@@ -37,7 +39,8 @@ std::set<int> skinJoints(const Scene& scene) {
 }
 
 bool subtreeHolds(const Scene& scene, int root, const std::set<int>& nodes) {
-  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return isAncestorOrSelf(scene, root, node); });
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](int node) { return isAncestorOrSelf(scene, root, node); });
 }
 
 // Joints of all limbs other than `limb`, ends included: what is theirs is no twist joint of ours.
@@ -67,7 +70,9 @@ struct BoneLine {
     const double squared = glm::dot(axis, axis);
     return squared > 0.0 ? glm::dot(p - start, axis) / squared : 0.0;
   }
-  [[nodiscard]] double distance(const Vec3& p) const { return glm::length(p - (start + (end - start) * fraction(p))); }
+  [[nodiscard]] double distance(const Vec3& p) const {
+    return glm::length(p - (start + (end - start) * fraction(p)));
+  }
 };
 
 // A twist, roll or split joint lies along the bone, off its ends' neighbours and close to its line.
@@ -79,7 +84,8 @@ bool liesAlong(const BoneLine& bone, const Vec3& point) {
 }
 
 void collectTwists(const Scene& scene, int node, const BoneLine& bone, const std::vector<Mat4>& bindWorlds,
-                   const std::set<int>& skinned, const std::set<int>& othersJoints, std::vector<int>& twists) {
+                   const std::set<int>& skinned, const std::set<int>& othersJoints,
+                   std::vector<int>& twists) {
   if (skinned.count(node) == 0 || subtreeHolds(scene, node, othersJoints) ||
       !liesAlong(bone, positionOf(bindWorlds[at(node)]))) {
     return;
@@ -90,7 +96,9 @@ void collectTwists(const Scene& scene, int node, const BoneLine& bone, const std
   }
 }
 
-bool isLeg(const Limb& limb) { return limb.kind == LimbKind::leftLeg || limb.kind == LimbKind::rightLeg; }
+bool isLeg(const Limb& limb) {
+  return limb.kind == LimbKind::leftLeg || limb.kind == LimbKind::rightLeg;
+}
 
 std::set<int> legJoints(const std::vector<Limb>& limbs) {
   std::set<int> joints;
@@ -146,7 +154,8 @@ LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vecto
         collectTwists(scene, child, line, bindWorlds, skinned, othersJoints, bone.twistNodes);
       }
     }
-    // Nodes between two limb joints that deform the mesh (split limbs) and what lies along the bone below them.
+    // Nodes between two limb joints that deform the mesh (split limbs) and what lies along the bone below
+    // them.
     for (std::size_t k = 0; k + 1 < bone.pathNodes.size(); ++k) {
       const int node = bone.pathNodes[k];
       if (skinned.count(node) != 0) {

@@ -18,7 +18,9 @@ namespace {
 
 constexpr double shortestReachOfRest = 1e-3;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 // From the root outwards: a limb must be solved after every limb that carries its base.
 int solveOrder(LimbKind kind) {
@@ -62,9 +64,11 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
-  for (const double time : sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
+  for (const double time :
+       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
     sampler.sample(time, worlds);
-    solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.biped->hips, worlds, time));
+    solved.path.samples.push_back(
+        limbSample(solved.limb, solved.settings.space, input.biped->hips, worlds, time));
     solved.bend.add(limbPoints(solved.limb, worlds), rotationOf(worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
     points.push_back(solved.path.toSpace(sample, sample.end));
@@ -73,7 +77,8 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
 }
 
-// The stop plane cuts the way from the original to the exaggerated point: the limb's end comes as far as the plane.
+// The stop plane cuts the way from the original to the exaggerated point: the limb's end comes as far as the
+// plane.
 Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target) {
   const double before = glm::dot(plane.normal, original - plane.point);
   const double after = glm::dot(plane.normal, target - plane.point);
@@ -103,26 +108,32 @@ void solveTipOf(SolvedTrail& solved) {
 void explainTip(SolvedTrail& solved, double framesPerSecond) {
   const TipSolution& tip = solved.tip;
   if (solved.trail.settings.scale < smallestScale) {
-    solved.warnings.push_back(fmt::format("scale {:g} is taken as {:g}", solved.trail.settings.scale, smallestScale));
+    solved.warnings.push_back(
+        fmt::format("scale {:g} is taken as {:g}", solved.trail.settings.scale, smallestScale));
   }
   if (tip.outcome == TipOutcome::nothingToScale) {
-    solved.warnings.emplace_back("nothing to scale: the limb's end does not move along the active axes in this range");
+    solved.warnings.emplace_back(
+        "nothing to scale: the limb's end does not move along the active axes in this range");
   } else if (!tip.reached()) {
-    solved.warnings.push_back(fmt::format("not reachable: the limb gets to {:.4g} of {:.4g}", tip.reachedLength, tip.wantedLength));
+    solved.warnings.push_back(
+        fmt::format("not reachable: the limb gets to {:.4g} of {:.4g}", tip.reachedLength, tip.wantedLength));
   }
   if (tip.moved) {
     const double frame = solved.path.samples[at(tip.farthestSample)].timeSeconds * framesPerSecond;
-    solved.warnings.push_back(fmt::format("the path comes back on itself and is moved as a whole; a range that ends at frame "
-                                          "{:g}, where the limb's end is farthest from the pivot, would be scaled",
-                                          frame));
+    solved.warnings.push_back(
+        fmt::format("the path comes back on itself and is moved as a whole; a range that ends at frame "
+                    "{:g}, where the limb's end is farthest from the pivot, would be scaled",
+                    frame));
   }
 }
 
-// Section 5: to the controller's next key on a sparsely keyed clip, else a third of the range; within the clip unless it loops.
+// Section 5: to the controller's next key on a sparsely keyed clip, else a third of the range; within the
+// clip unless it loops.
 double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved, const std::vector<int>& nodes) {
   const Clip& clip = *input.clip;
   const bool forwards = solved.settings.pivot == Pivot::start;
-  const double room = forwards ? clip.endSeconds - solved.endSeconds : solved.startSeconds - std::min(0.0, clip.startSeconds);
+  const double room =
+      forwards ? clip.endSeconds - solved.endSeconds : solved.startSeconds - std::min(0.0, clip.startSeconds);
   const double limit = input.loops ? clip.endSeconds - clip.startSeconds : room;
   if (solved.settings.releaseFrames) {
     return std::clamp(*solved.settings.releaseFrames / clip.framesPerSecond, 0.0, std::max(0.0, limit));
@@ -155,7 +166,8 @@ bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
   return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;
 }
 
-SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb& limb, const std::vector<Mat4>& bindWorlds) {
+SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb& limb,
+                       const std::vector<Mat4>& bindWorlds) {
   SolvedTrail solved;
   solved.trail = trail;
   solved.limb = limb;
@@ -176,9 +188,9 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   explainTip(solved, fps);
   solved.remap = Remap(solved.settings.remap, solved.settings.easeIn, solved.settings.easeOut);
   constexpr double controlTolerance = 0.01; // of the limb's rest length
-  solved.controlFrames = trail.controlFrames.empty()
-                             ? chooseControlFrames(solved.path, keyTimes, fps, controlTolerance * limb.restLength)
-                             : trail.controlFrames;
+  solved.controlFrames = trail.controlFrames.empty() ? chooseControlFrames(solved.path, keyTimes, fps,
+                                                                           controlTolerance * limb.restLength)
+                                                     : trail.controlFrames;
   solved.offsets = SphereOffsets(solved.controlFrames, solved.settings.spheres);
   const double release = releaseSecondsOf(input, solved, keyed);
   solved.release = Release(release, solved.settings.overshoot);
@@ -198,7 +210,8 @@ Vec3 rangeOffset(const SolvedTrail& solved, const LimbSample& sample, double fra
 
 bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
   constexpr double rounding = 1e-7;
-  return timeSeconds >= solved.windowStartSeconds - rounding && timeSeconds <= solved.windowEndSeconds + rounding;
+  return timeSeconds >= solved.windowStartSeconds - rounding &&
+         timeSeconds <= solved.windowEndSeconds + rounding;
 }
 
 // On a loop, the time one turn later or earlier where that is what falls into the trail's window.
@@ -244,7 +257,8 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
     return {1.0, decay, decay * rangeOffset(solved, tip, solved.tipSeconds * framesPerSecond, 1.0)};
   }
   if (outside.pastPivot > rounding) {
-    const double fade = solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
+    const double fade =
+        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
     return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
   }
   const double weight = solved.remap.at(solved.path.ratioAt(sample.timeSeconds));
@@ -256,7 +270,8 @@ Vec3 targetFrom(const SolvedTrail& solved, const LimbSample& sample, const Amoun
   return solved.settings.stopAt ? stoppedAt(*solved.settings.stopAt, sample.end, target) : target;
 }
 
-// Where a point beside the limb goes when inner trails carry its base: it moves and turns with the base's parent.
+// Where a point beside the limb goes when inner trails carry its base: it moves and turns with the base's
+// parent.
 Vec3 carriedPoint(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample, const Vec3& point,
                   const std::vector<Mat4>& sourceWorlds, const FrameState& frame) {
   const int base = solved.limb.joints.front();
@@ -264,14 +279,16 @@ Vec3 carriedPoint(const Scene& scene, const SolvedTrail& solved, const LimbSampl
   if (solved.settings.stayInWorld || frame.worlds[at(base)] == sourceWorlds[at(base)]) {
     return point;
   }
-  const Quat turn = parent < 0 ? Quat(1.0, 0.0, 0.0, 0.0)
-                               : rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(sourceWorlds[at(parent)]));
+  const Quat turn =
+      parent < 0 ? Quat(1.0, 0.0, 0.0, 0.0)
+                 : rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(sourceWorlds[at(parent)]));
   return positionOf(frame.worlds[at(base)]) + turn * (point - sample.base);
 }
 
-void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved, const std::vector<Mat4>& sourceWorlds,
-                FrameState& frame) {
-  const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, sourceWorlds, frame.timeSeconds);
+void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
+                const std::vector<Mat4>& sourceWorlds, FrameState& frame) {
+  const LimbSample sample =
+      limbSample(solved.limb, solved.settings.space, motion.hips, sourceWorlds, frame.timeSeconds);
   const bool inside = insideWindow(solved, wrapped(motion, solved, frame.timeSeconds));
   const Vec3 baseNow = positionOf(frame.worlds[at(solved.limb.joints.front())]);
   const bool ridesOn = !solved.settings.stayInWorld;
@@ -279,16 +296,19 @@ void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail
     return;
   }
   const Amount amount = inside ? amountAt(motion, solved, sample) : Amount{};
-  const Vec3 target = carriedPoint(scene, solved, sample, targetFrom(solved, sample, amount), sourceWorlds, frame);
+  const Vec3 target =
+      carriedPoint(scene, solved, sample, targetFrom(solved, sample, amount), sourceWorlds, frame);
   LimbShapeProblem problem;
   problem.points = limbPoints(solved.limb, frame.worlds);
   problem.target = target;
-  problem.bendNormal = solved.bend.at(problem.points, rotationOf(frame.worlds[at(solved.limb.joints.front())]));
+  problem.bendNormal =
+      solved.bend.at(problem.points, rotationOf(frame.worlds[at(solved.limb.joints.front())]));
   problem.shortestReach = shortestReachOfRest * solved.limb.restLength;
   problem.stretchSwitch = solved.settings.stretchSwitch;
   problem.bend = solved.settings.bend;
   problem.restLength = solved.limb.restLength;
-  problem.straightenAmount = solved.settings.stretchSwitch * amount.weight * amount.decay * 0.5 * solved.settings.blend;
+  problem.straightenAmount =
+      solved.settings.stretchSwitch * amount.weight * amount.decay * 0.5 * solved.settings.blend;
   problem.grows = solved.settings.scale >= 1.0;
   const bool still = glm::length(target - problem.points.back()) <= 0.0;
   if (still && (problem.bend == Bend::keep || problem.straightenAmount <= 0.0)) {
@@ -296,7 +316,8 @@ void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, shape, {solved.settings.volume, solved.settings.turnEnd}, frame);
+    deformLimb(scene, solved.limb, solved.topology, shape, {solved.settings.volume, solved.settings.turnEnd},
+               frame);
   }
 }
 
@@ -332,14 +353,16 @@ MotionState solveMotion(const MotionInput& input) {
   motion.loops = input.loops;
   const std::vector<Mat4> bindWorlds = bindPoseWorlds(*input.scene);
   for (const Trail& trail : input.trails) {
-    const auto limb = std::find_if(input.limbs.begin(), input.limbs.end(), [&](const Limb& l) { return l.id == trail.limb; });
+    const auto limb = std::find_if(input.limbs.begin(), input.limbs.end(),
+                                   [&](const Limb& l) { return l.id == trail.limb; });
     if (limb != input.limbs.end() && !limb->joints.empty()) {
       motion.trails.push_back(solveTrail(input, trail, *limb, bindWorlds));
     }
   }
-  std::stable_sort(motion.trails.begin(), motion.trails.end(), [](const SolvedTrail& a, const SolvedTrail& b) {
-    return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
-  });
+  std::stable_sort(motion.trails.begin(), motion.trails.end(),
+                   [](const SolvedTrail& a, const SolvedTrail& b) {
+                     return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
+                   });
   return motion;
 }
 
@@ -350,7 +373,8 @@ Vec3 targetAt(const MotionState& motion, const SolvedTrail& solved, const LimbSa
   return targetFrom(solved, sample, amountAt(motion, solved, sample));
 }
 
-FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion, double timeSeconds) {
+FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
+                          double timeSeconds) {
   FrameState frame = frameOf(scene, samplePose(scene, clip, timeSeconds), timeSeconds);
   const std::vector<Mat4> sourceWorlds = frame.worlds;
   for (const SolvedTrail& solved : motion.trails) {
@@ -390,8 +414,8 @@ DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& moti
   return drawn;
 }
 
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                      std::size_t samplesPerFrame) {
+DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
+                      const SolvedTrail& solved, std::size_t samplesPerFrame) {
   const double fps = motion.framesPerSecond;
   const double start = fps * std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
   const double end = std::max(start, fps * std::min(solved.windowEndSeconds, clip.endSeconds));

@@ -25,13 +25,13 @@ struct SolvedTrail {
   TrailSettings settings; ///< As used: range clamped to the clip, scale to its limits.
   Limb limb;
   LimbTopology topology;
-  LimbPath path;          ///< The original path over the range, in world space and in the trail's space.
-  TipSolution tip;        ///< In the trail's space.
+  LimbPath path;   ///< The original path over the range, in world space and in the trail's space.
+  TipSolution tip; ///< In the trail's space.
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
   BendNormal bend;
-  double startSeconds = 0.0;  ///< The range.
+  double startSeconds = 0.0; ///< The range.
   double endSeconds = 0.0;
   double tipSeconds = 0.0;
   double windowStartSeconds = 0.0; ///< Range, release and fade: outside nothing moves.
@@ -57,18 +57,20 @@ struct MotionInput {
   const Clip* clip = nullptr;
   int clipIndex = -1;
   const Biped* biped = nullptr;
-  std::vector<Limb> limbs;    ///< All limbs that trails may name, the user's chains included.
-  std::vector<Trail> trails;  ///< Of this clip. Those whose limb is missing are left out.
+  std::vector<Limb> limbs;   ///< All limbs that trails may name, the user's chains included.
+  std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
 };
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// F(t) of one trail in world space as the source clip stands (blend and release in it), before inner trails carry it.
+/// F(t) of one trail in world space as the source clip stands (blend and release in it), before inner trails
+/// carry it.
 [[nodiscard]] Vec3 targetAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample);
 
 /// The character at one time with every active trail applied.
-[[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion, double timeSeconds);
+[[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                        double timeSeconds);
 
 /// Points of a trail's paths, world space, one a frame asked for. Inner trails carry both paths.
 struct DrawnTrail {
@@ -78,15 +80,15 @@ struct DrawnTrail {
 };
 
 /// The paths at given frames, as at the control spheres (SolvedTrail::controlFrames).
-[[nodiscard]] DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                                 const std::vector<double>& frames);
+[[nodiscard]] DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                 const SolvedTrail& solved, const std::vector<double>& frames);
 
 /// The paths as they are drawn: evenly `samplesPerFrame` a frame over range and release. At least one sample.
-[[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                                    std::size_t samplesPerFrame);
+[[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                    const SolvedTrail& solved, std::size_t samplesPerFrame);
 
-/// The default range of a limb in a clip (section "Words"): first frame .. frame at which the end, seen from the base, is
-/// farthest from where it began. Frames.
+/// The default range of a limb in a clip (section "Words"): first frame .. frame at which the end, seen from
+/// the base, is farthest from where it began. Frames.
 [[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
 
 } // namespace stretch::rig

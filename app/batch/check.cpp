@@ -18,7 +18,9 @@ struct CheckArguments {
   bool json = false;
 };
 
-std::string_view severityName(gltf::Severity severity) { return severity == gltf::Severity::error ? "error" : "warning"; }
+std::string_view severityName(gltf::Severity severity) {
+  return severity == gltf::Severity::error ? "error" : "warning";
+}
 
 void printJson(const std::vector<gltf::Problem>& problems) {
   Json list = Json::array();
@@ -33,7 +35,8 @@ void printJson(const std::vector<gltf::Problem>& problems) {
 
 void printText(const std::vector<gltf::Problem>& problems) {
   for (const gltf::Problem& problem : problems) {
-    fmt::print("{}: {}\n", severityName(problem.severity), Error{problem.what, problem.where, problem.remedy}.line());
+    fmt::print("{}: {}\n", severityName(problem.severity),
+               Error{problem.what, problem.where, problem.remedy}.line());
   }
   fmt::print("{} problem{} found\n", problems.size(), problems.size() == 1 ? "" : "s");
 }
@@ -41,8 +44,9 @@ void printText(const std::vector<gltf::Problem>& problems) {
 Status runCheck(const CheckArguments& arguments) {
   const std::vector<gltf::Problem> problems = gltf::diagnose(arguments.file);
   arguments.json ? printJson(problems) : printText(problems);
-  const auto error = std::find_if(problems.begin(), problems.end(),
-                                  [](const gltf::Problem& problem) { return problem.severity == gltf::Severity::error; });
+  const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
+    return problem.severity == gltf::Severity::error;
+  });
   if (error == problems.end()) {
     return Success{};
   }
@@ -52,7 +56,8 @@ Status runCheck(const CheckArguments& arguments) {
 } // namespace
 
 Verb checkVerb() {
-  return {"check", "Reports every problem of a file, residual shear of stretched files included.", [](CLI::App& app) {
+  return {"check", "Reports every problem of a file, residual shear of stretched files included.",
+          [](CLI::App& app) {
             const auto arguments = std::make_shared<CheckArguments>();
             app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
             app.add_flag("--json", arguments->json, "Print one JSON document");

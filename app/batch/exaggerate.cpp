@@ -90,9 +90,9 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   rig::Trail trail;
   trail.limb = limb->id;
   trail.clip = clip;
-  const Result<Vec2> range = request.range.empty()
-                                 ? Result<Vec2>(rig::defaultRange(*document.scene, clipOf(document, clip), *limb))
-                                 : parseRange(request.range);
+  const Result<Vec2> range =
+      request.range.empty() ? Result<Vec2>(rig::defaultRange(*document.scene, clipOf(document, clip), *limb))
+                            : parseRange(request.range);
   if (!range) {
     return range.error();
   }
@@ -111,7 +111,8 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   return trail;
 }
 
-Result<Recipe> plannedTrails(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests, Document& document) {
+Result<Recipe> plannedTrails(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
+                             Document& document) {
   if (!arguments.recipe.empty()) {
     return loadRecipe(arguments.recipe, document);
   }
@@ -136,13 +137,15 @@ bool overlapInTime(const rig::Trail& a, const rig::Trail& b) {
          b.settings.startFrame < a.settings.endFrame;
 }
 
-// Puts the new trails in, applied. A trail that the file already carries on the same limb at the same time is replaced.
+// Puts the new trails in, applied. A trail that the file already carries on the same limb at the same time is
+// replaced.
 Result<std::vector<int>> applyTrails(const Recipe& plan, Document& document) {
   std::vector<int> ids;
   for (const rig::Trail& wanted : plan.trails) {
     const auto overlapsNew = [&](int id) { return overlapInTime(*findTrail(document, id), wanted); };
     if (std::any_of(ids.begin(), ids.end(), overlapsNew)) {
-      return Error{"two trails on " + wanted.limb + " overlap in time", "--limb", "give them ranges apart from each other"};
+      return Error{"two trails on " + wanted.limb + " overlap in time", "--limb",
+                   "give them ranges apart from each other"};
     }
     std::erase_if(document.trails, [&](const rig::Trail& old) { return overlapInTime(old, wanted); });
     rig::Trail trail = wanted;
@@ -169,17 +172,20 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
   }
   const double before = lengthAt(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
   const double after = lengthAt(solved.limb, evaluate(document, motion, tipSeconds));
-  const double reference = solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
+  const double reference =
+      solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
   const double wanted = solved.settings.scale * reference;
   constexpr double tolerance = 1e-4;
   return {{"limb", solved.limb.id},
           {"range", {solved.settings.startFrame, solved.settings.endFrame}},
-          {"tip", vectorToJson(solved.path.toWorld(
-                      solved.settings.pivot == rig::Pivot::start ? solved.path.samples.back() : solved.path.samples.front(),
-                      solved.tip.tip))},
+          {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
+                                                       ? solved.path.samples.back()
+                                                       : solved.path.samples.front(),
+                                                   solved.tip.tip))},
           {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
           {"moved", solved.tip.moved},
-          {"reached", solved.tip.outcome != rig::TipOutcome::nothingToScale && std::abs(after - wanted) <= tolerance * wanted},
+          {"reached", solved.tip.outcome != rig::TipOutcome::nothingToScale &&
+                          std::abs(after - wanted) <= tolerance * wanted},
           {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
           {"release", solved.release.seconds() * motion.framesPerSecond},
           {"limb_length_before", before},
@@ -206,8 +212,9 @@ Json reportOf(const Document& document, int clip, const std::vector<int>& ids) {
 void printText(const Json& report) {
   for (const Json& trail : report["trails"]) {
     fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}\n", trail["limb"].get<std::string>(),
-               trail["range"][0].get<double>(), trail["range"][1].get<double>(), trail["limb_length_before"].get<double>(),
-               trail["limb_length_after"].get<double>(), trail["pulled"].get<bool>() ? " (pulled)" : "");
+               trail["range"][0].get<double>(), trail["range"][1].get<double>(),
+               trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
+               trail["pulled"].get<bool>() ? " (pulled)" : "");
     for (const Json& warning : trail["warnings"]) {
       fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     }
@@ -250,7 +257,8 @@ std::string optionHelp(const TrailSetting& setting) {
   for (const std::string& choice : setting.choices) {
     choices += (choices.empty() ? " (" : ", ") + choice;
   }
-  return setting.help + (choices.empty() ? "" : choices + ")") + (setting.unit.empty() ? "" : " [" + setting.unit + "]");
+  return setting.help + (choices.empty() ? "" : choices + ")") +
+         (setting.unit.empty() ? "" : " [" + setting.unit + "]");
 }
 
 void addTrailOptions(CLI::App& app) {
@@ -259,7 +267,8 @@ void addTrailOptions(CLI::App& app) {
     return app.add_option(name)->description(help)->take_all()->expected(1)->group(group);
   };
   add("--limb", "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B");
-  add("--range", "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start");
+  add("--range",
+      "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start");
   for (const TrailSetting& setting : trailSettings()) {
     if (setting.kind == SettingKind::flag && !setting.option.empty()) {
       app.add_flag(setting.option)->description(optionHelp(setting))->group(group);
@@ -275,21 +284,24 @@ void addTrailOptions(CLI::App& app) {
 } // namespace
 
 Verb exaggerateVerb() {
-  return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
-            const auto arguments = std::make_shared<ExaggerateArguments>();
-            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
-            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
-            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
-                ->check(CLI::PositiveNumber);
-            app.add_option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
-            addTrailOptions(app);
-            app.add_flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame of range and release");
-            app.add_flag("--keep-skeleton", arguments->save.keepSkeleton, "Stretch through translations only: no bind joints");
-            app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-            app.add_flag("--json", arguments->json, "Print one JSON document");
-            return [arguments, &app] { return runExaggerate(*arguments, requestsOf(app)); };
-          }};
+  return {
+      "exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
+        const auto arguments = std::make_shared<ExaggerateArguments>();
+        app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+        app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+        app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+        app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+            ->check(CLI::PositiveNumber);
+        app.add_option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
+        addTrailOptions(app);
+        app.add_flag("--key-every-frame", arguments->save.keyEveryFrame,
+                     "A key on every frame of range and release");
+        app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
+                     "Stretch through translations only: no bind joints");
+        app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+        app.add_flag("--json", arguments->json, "Print one JSON document");
+        return [arguments, &app] { return runExaggerate(*arguments, requestsOf(app)); };
+      }};
 }
 
 } // namespace stretch::app

@@ -37,7 +37,8 @@ Json limbJson(const Scene& scene, const rig::Limb& limb) {
   if (limb.endNode >= 0) {
     joints.push_back(jointJson(scene, limb.endNode));
   }
-  const std::string end = limb.endNode >= 0 ? scene.nodes[static_cast<std::size_t>(limb.endNode)].name : "estimated";
+  const std::string end =
+      limb.endNode >= 0 ? scene.nodes[static_cast<std::size_t>(limb.endNode)].name : "estimated";
   return {{"limb", limb.id},
           {"joints", joints},
           {"end", end},
@@ -102,19 +103,20 @@ std::string jointNames(const Json& limb) {
 
 void printText(const Json& info) {
   for (const Json& mesh : info["meshes"]) {
-    fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(), mesh["vertices"].get<int>(),
-               mesh["triangles"].get<int>());
+    fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(),
+               mesh["vertices"].get<int>(), mesh["triangles"].get<int>());
   }
   for (std::size_t i = 0; i < info["joints"].size(); ++i) {
     fmt::print("skin   #{}: {} joints\n", i, info["joints"][i].size());
   }
   for (const Json& clip : info["clips"]) {
     fmt::print("clip   {}: {:.3f} s, {} frames at {:g} fps, {} keys\n", clip["name"].get<std::string>(),
-               clip["seconds"].get<double>(), clip["frames"].get<int>(), clip["fps"].get<double>(), clip["keys"].get<int>());
+               clip["seconds"].get<double>(), clip["frames"].get<int>(), clip["fps"].get<double>(),
+               clip["keys"].get<int>());
   }
   for (const Json& limb : info["limbs"]) {
-    fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(), jointNames(limb),
-               limb["rest_length"].get<double>(), limb["confidence"].get<double>());
+    fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(),
+               jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>());
   }
   for (const Json& warning : info["warnings"]) {
     fmt::print("warning: {}\n", warning.get<std::string>());
@@ -138,7 +140,8 @@ Status runInfo(const InfoArguments& arguments) {
 } // namespace
 
 Verb infoVerb() {
-  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.", [](CLI::App& app) {
+  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.",
+          [](CLI::App& app) {
             const auto arguments = std::make_shared<InfoArguments>();
             app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
             app.add_flag("--json", arguments->json, "Print one JSON document");

@@ -57,7 +57,8 @@ Result<int> findClip(const Document& document, const std::string& text) {
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (clips[i].name == text) {
       if (found >= 0) {
-        return Error{"two clips are named '" + text + "'", "--clip", fmt::format("name one by its number, such as #{}", found)};
+        return Error{"two clips are named '" + text + "'", "--clip",
+                     fmt::format("name one by its number, such as #{}", found)};
       }
       found = static_cast<int>(i);
     }

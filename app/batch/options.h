@@ -10,7 +10,8 @@ namespace stretch::app {
 /// "A:B": first and last frame, real numbers, A <= B.
 [[nodiscard]] Result<Vec2> parseRange(const std::string& text);
 
-/// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an index.
+/// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an
+/// index.
 [[nodiscard]] Result<int> findClip(const Document& document, const std::string& text);
 
 /// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.

@@ -21,7 +21,8 @@ Status runResave(const ResaveArguments& arguments) {
 } // namespace
 
 Verb resaveVerb() {
-  return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).", [](CLI::App& app) {
+  return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).",
+          [](CLI::App& app) {
             const auto arguments = std::make_shared<ResaveArguments>();
             app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
             app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();

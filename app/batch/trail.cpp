@@ -73,8 +73,8 @@ Status runTrail(const TrailArguments& arguments) {
   }
   for (std::size_t i = 0; i < json["frames"].size(); ++i) {
     const Json& point = json["points"][i];
-    fmt::print("frame {:8.3f}  {:10.5f} {:10.5f} {:10.5f}\n", json["frames"][i].get<double>(), point[0].get<double>(),
-               point[1].get<double>(), point[2].get<double>());
+    fmt::print("frame {:8.3f}  {:10.5f} {:10.5f} {:10.5f}\n", json["frames"][i].get<double>(),
+               point[0].get<double>(), point[1].get<double>(), point[2].get<double>());
   }
   return Success{};
 }
@@ -85,11 +85,13 @@ Verb trailVerb() {
   return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CLI::App& app) {
             const auto arguments = std::make_shared<TrailArguments>();
             app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
-            app.add_option("--limb", arguments->limb, "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
+            app.add_option("--limb", arguments->limb,
+                           "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
                 ->required();
             app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
             app.add_option("--range", arguments->range, "First and last frame, A:B");
-            app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+            app.add_option("--fps", arguments->framesPerSecond,
+                           "Frames a second; default: guessed from the keys")
                 ->check(CLI::PositiveNumber);
             app.add_flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runTrail(*arguments); };

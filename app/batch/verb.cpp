@@ -18,7 +18,9 @@ int report(const Error& error) {
 
 } // namespace
 
-std::vector<Verb> batchVerbs() { return {infoVerb(), trailVerb(), exaggerateVerb(), resaveVerb(), checkVerb()}; }
+std::vector<Verb> batchVerbs() {
+  return {infoVerb(), trailVerb(), exaggerateVerb(), resaveVerb(), checkVerb()};
+}
 
 int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {
   CLI::App program{"Makes a realistic clip of a biped hit like a cartoon: trails, stretch, re-keyed glTF.\n"

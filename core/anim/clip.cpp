@@ -56,7 +56,8 @@ double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     spacings.push_back(static_cast<double>(times[i]) - static_cast<double>(times[i - 1]));
   }
-  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2), spacings.end());
+  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2),
+                   spacings.end());
   const double rate = 1.0 / spacings[spacings.size() / 2];
   return rate > 1.0 && rate <= 240.0 && shareOnFrames(times, rate) >= mostKeys ? rate : fallback;
 }

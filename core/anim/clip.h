@@ -16,21 +16,23 @@ struct Track {
   int node = -1;
   Channel channel = Channel::translation;
   Interpolation interpolation = Interpolation::linear;
-  int width = 3;             ///< Numbers a value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
-  std::vector<float> times;  ///< Seconds, strictly increasing, at least one.
-  std::vector<float> values; ///< width a key; 3 x width for cubic splines: in-tangent, value, out-tangent (per second).
-  int sourceChannel = -1;    ///< Index into the file's animation.channels; -1 for a track that the file does not have.
+  int width = 3; ///< Numbers a value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
+  std::vector<float> times; ///< Seconds, strictly increasing, at least one.
+  std::vector<float>
+      values; ///< width a key; 3 x width for cubic splines: in-tangent, value, out-tangent (per second).
+  int sourceChannel =
+      -1; ///< Index into the file's animation.channels; -1 for a track that the file does not have.
 
   friend bool operator==(const Track&, const Track&) = default;
 };
 
 /// An animation of the file. Tracks target each (node, channel) at most once.
 struct Clip {
-  std::string name;       ///< May be empty or repeated: the index in the file is the identity.
-  int sourceIndex = -1;   ///< Index into the file's animations.
+  std::string name;     ///< May be empty or repeated: the index in the file is the identity.
+  int sourceIndex = -1; ///< Index into the file's animations.
   std::vector<CopyOnWrite<Track>> tracks;
-  double startSeconds = 0.0; ///< Earliest key of any track; 0 without keys.
-  double endSeconds = 0.0;   ///< Latest key of any track; 0 without keys.
+  double startSeconds = 0.0;     ///< Earliest key of any track; 0 without keys.
+  double endSeconds = 0.0;       ///< Latest key of any track; 0 without keys.
   double framesPerSecond = 30.0; ///< Guessed from the key times; a real number.
 
   friend bool operator==(const Clip&, const Clip&) = default;
@@ -39,8 +41,9 @@ struct Clip {
 /// Index of the track that animates (node, channel), or -1.
 [[nodiscard]] int findTrack(const Clip& clip, int node, Channel channel);
 
-/// The rate at which most keys fall on whole frames (within 2 % of a frame), from the usual rates first (24, 25, 30, 50,
-/// 60, 120, 12, 15, 8, 6...), then from the shortest common spacing of the keys. 30 when keys say nothing.
+/// The rate at which most keys fall on whole frames (within 2 % of a frame), from the usual rates first (24,
+/// 25, 30, 50, 60, 120, 12, 15, 8, 6...), then from the shortest common spacing of the keys. 30 when keys say
+/// nothing.
 [[nodiscard]] double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks);
 
 /// Number of frames of a clip: the last key's time in frames, rounded, plus 1 (`commands.md`, info).

@@ -12,7 +12,9 @@ namespace stretch {
 
 namespace {
 
-Quat quatFrom(const double* xyzw) { return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]}; }
+Quat quatFrom(const double* xyzw) {
+  return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]};
+}
 
 void store(const Quat& rotation, double* xyzw) {
   xyzw[0] = rotation.x;
@@ -71,13 +73,15 @@ void sampleCubic(const Track& track, std::size_t key, double fraction, double sp
     const auto outTangent = static_cast<double>(track.values[from + width + i]) * spanSeconds;
     const auto b = static_cast<double>(track.values[to + i]);
     const auto inTangent = static_cast<double>(track.values[to - width + i]) * spanSeconds;
-    out[i] = (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * outTangent + (3 * t2 - 2 * t3) * b + (t3 - t2) * inTangent;
+    out[i] = (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * outTangent + (3 * t2 - 2 * t3) * b +
+             (t3 - t2) * inTangent;
   }
 }
 
 void sampleRaw(const Track& track, double timeSeconds, double* out) {
-  const auto next = std::upper_bound(track.times.begin(), track.times.end(), timeSeconds,
-                                     [](double time, float keyTime) { return time < static_cast<double>(keyTime); });
+  const auto next =
+      std::upper_bound(track.times.begin(), track.times.end(), timeSeconds,
+                       [](double time, float keyTime) { return time < static_cast<double>(keyTime); });
   if (next == track.times.begin()) {
     copyKey(track, 0, out);
     return;

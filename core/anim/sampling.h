@@ -9,14 +9,16 @@ namespace stretch {
 
 /// Local transforms of every node at one time, and the morph weights that the clip drives.
 struct Pose {
-  std::vector<Transform> locals;          ///< One a node.
-  std::vector<bool> usesMatrix;           ///< Node keeps the file's matrix (not animated): locals[i] is only its nearest TRS.
-  std::vector<std::vector<float>> weights;///< One a node: morph weights; empty = the mesh's defaults.
+  std::vector<Transform> locals; ///< One a node.
+  std::vector<bool>
+      usesMatrix; ///< Node keeps the file's matrix (not animated): locals[i] is only its nearest TRS.
+  std::vector<std::vector<float>> weights; ///< One a node: morph weights; empty = the mesh's defaults.
 };
 
-/// Value of a track at a time, as the glTF 2.0 specification says (Appendix C): held before the first and after the last
-/// key; STEP holds; LINEAR lerps, rotations slerp along the shorter arc; CUBICSPLINE is the Hermite spline with tangents
-/// scaled by the key distance, rotations normalised. Writes track.width numbers to `out`.
+/// Value of a track at a time, as the glTF 2.0 specification says (Appendix C): held before the first and
+/// after the last key; STEP holds; LINEAR lerps, rotations slerp along the shorter arc; CUBICSPLINE is the
+/// Hermite spline with tangents scaled by the key distance, rotations normalised. Writes track.width numbers
+/// to `out`.
 void sampleTrack(const Track& track, double timeSeconds, double* out);
 
 /// Every node at rest.

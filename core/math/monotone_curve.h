@@ -6,9 +6,10 @@
 
 namespace stretch {
 
-/// A curve through points of increasing x that never overshoots: cubic Hermite pieces whose slopes are 0 at both ends and
-/// the Fritsch-Butland weighted harmonic mean of the neighbouring secants inside (F. N. Fritsch, J. Butland, "A method
-/// for constructing local monotone piecewise cubic interpolants", 1984). Monotone wherever the points are.
+/// A curve through points of increasing x that never overshoots: cubic Hermite pieces whose slopes are 0 at
+/// both ends and the Fritsch-Butland weighted harmonic mean of the neighbouring secants inside (F. N.
+/// Fritsch, J. Butland, "A method for constructing local monotone piecewise cubic interpolants", 1984).
+/// Monotone wherever the points are.
 class MonotoneCurve {
 public:
   /// At least two points, x strictly increasing.

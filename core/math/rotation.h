@@ -7,8 +7,8 @@ namespace stretch {
 /// Rotation by an angle in radians about a unit axis, right-handed.
 [[nodiscard]] Quat axisAngle(const Vec3& unitAxis, double angleRadians);
 
-/// Smallest rotation that turns the direction of `from` into that of `to`; exact at 0 degrees. For opposite directions any
-/// perpendicular axis; identity when either vector has no length.
+/// Smallest rotation that turns the direction of `from` into that of `to`; exact at 0 degrees. For opposite
+/// directions any perpendicular axis; identity when either vector has no length.
 [[nodiscard]] Quat shortestArc(const Vec3& from, const Vec3& to);
 
 /// A unit vector perpendicular to `direction`; the x axis for a vector without length.

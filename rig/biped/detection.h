@@ -15,24 +15,28 @@ struct Biped {
   std::vector<Limb> limbs; ///< In the order of LimbKind; a limb that was not found is missing.
   int hips = -1;           ///< Node that carries the body: space "root" is measured from it. -1: none found.
   int head = -1;
-  bool isBiped = false;    ///< Both legs, and arms or a spine, found with enough confidence.
-  double height = 1.0;     ///< Of the character in its bind pose, world units, > 0: what every tolerance is relative to.
+  bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
+  double height =
+      1.0; ///< Of the character in its bind pose, world units, > 0: what every tolerance is relative to.
   std::vector<std::string> warnings;
 };
 
-/// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (spec/rig.md, characters.md).
-/// Names are evidence, not truth: position in the chain and geometry decide. Never fails: a file without a biped gives an
-/// empty list with a warning; something with four legs gives limbs of confidence 0.3 at most, with a warning.
-/// Sides: where names and feet clearly disagree the feet win, with a warning; a VRM humanoid table is taken as it is.
-/// A spine of one joint ends at the neck or head; one without a joint above the hips starts at the hips.
+/// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (spec/rig.md,
+/// characters.md). Names are evidence, not truth: position in the chain and geometry decide. Never fails: a
+/// file without a biped gives an empty list with a warning; something with four legs gives limbs of
+/// confidence 0.3 at most, with a warning. Sides: where names and feet clearly disagree the feet win, with a
+/// warning; a VRM humanoid table is taken as it is. A spine of one joint ends at the neck or head; one
+/// without a joint above the hips starts at the hips.
 [[nodiscard]] Biped detectBiped(const Scene& scene);
 
-/// World matrices of all nodes in the bind pose: what the inverse bind matrices say, placed in the world as the topmost
-/// joint of each skin stands at rest; nodes that no skin binds follow their parents by their rest transforms.
+/// World matrices of all nodes in the bind pose: what the inverse bind matrices say, placed in the world as
+/// the topmost joint of each skin stands at rest; nodes that no skin binds follow their parents by their rest
+/// transforms.
 [[nodiscard]] std::vector<Mat4> bindPoseWorlds(const Scene& scene);
 
-/// Any chain from joint A down to joint B, both by name or as "#index". An error names what is missing, ambiguous or not
-/// above the other.
-[[nodiscard]] Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std::string& jointB);
+/// Any chain from joint A down to joint B, both by name or as "#index". An error names what is missing,
+/// ambiguous or not above the other.
+[[nodiscard]] Result<Limb> chainLimb(const Scene& scene, const std::string& jointA,
+                                     const std::string& jointB);
 
 } // namespace stretch::rig

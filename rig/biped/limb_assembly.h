@@ -20,7 +20,8 @@ struct LimbEnd {
 [[nodiscard]] Limb makeLimb(LimbKind kind, std::vector<int> joints, const LimbEnd& end,
                             const std::vector<Mat4>& bindWorlds);
 
-/// Whether a limb has a length and its numbers are finite; a file with degenerate transforms makes limbs that have not.
+/// Whether a limb has a length and its numbers are finite; a file with degenerate transforms makes limbs that
+/// have not.
 [[nodiscard]] bool isSound(const Limb& limb);
 
 /// The four limbs of a body plan that were found, sides decided, with confidence and reasons.

@@ -85,7 +85,9 @@ std::vector<Quat> uncurled(const Chain& chain, double amount, const Vec3& bendNo
 
 // Reach grows with the amount from fully curled to straight: bisection.
 std::vector<Quat> uncurlToReach(const Chain& chain, double stretch, double reach, const Vec3& bendNormal) {
-  const auto reachAt = [&](double amount) { return glm::length(endVector(chain, uncurled(chain, amount, bendNormal), stretch)); };
+  const auto reachAt = [&](double amount) {
+    return glm::length(endVector(chain, uncurled(chain, amount, bendNormal), stretch));
+  };
   if (std::abs(reachAt(0.0) - reach) <= 1e-12 * reach) {
     return uncurled(chain, 0.0, bendNormal);
   }
@@ -103,7 +105,8 @@ double baseAngle(double first, double second, double reach) {
   if (!(first > 0.0) || !(reach > 0.0)) {
     return 0.0;
   }
-  return std::acos(std::clamp((first * first + reach * reach - second * second) / (2.0 * first * reach), -1.0, 1.0));
+  return std::acos(
+      std::clamp((first * first + reach * reach - second * second) / (2.0 * first * reach), -1.0, 1.0));
 }
 
 // Law of cosines: both bones turn about the bend normal by as much as their angles to the chord change.
@@ -115,7 +118,8 @@ std::vector<Quat> twoBoneTurns(const Chain& chain, double stretch, double reach,
   const double baseAfter = baseAngle(first * stretch, second * stretch, reach);
   const double endAfter = baseAngle(second * stretch, first * stretch, reach);
   const double side = glm::dot(normal, glm::cross(chain.bones[0], chain.bones[1])) < 0.0 ? -1.0 : 1.0;
-  return {axisAngle(normal, -side * (baseAfter - baseBefore)), axisAngle(normal, side * (endAfter - endBefore))};
+  return {axisAngle(normal, -side * (baseAfter - baseBefore)),
+          axisAngle(normal, side * (endAfter - endBefore))};
 }
 
 void turnAll(std::vector<Quat>& turns, const Quat& turn) {
@@ -175,7 +179,8 @@ Quat steadyTurn(const Vec3& from, const Vec3& to, const Vec3& normal) {
   }
   const Quat inPlane = axisAngle(normal, angleInPlane(from, to, normal));
   const Quat planar = shortestArc(inPlane * from, to) * inPlane;
-  const Quat blended = glm::slerp(smallest, planar, smoothstep((angle - blendStart) / (blendEnd - blendStart)));
+  const Quat blended =
+      glm::slerp(smallest, planar, smoothstep((angle - blendStart) / (blendEnd - blendStart)));
   return glm::normalize(shortestArc(blended * from, to) * blended);
 }
 

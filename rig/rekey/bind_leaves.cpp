@@ -11,7 +11,9 @@ namespace stretch::rig {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 struct Leaf {
   int node = -1;
@@ -37,7 +39,8 @@ std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>&
         leaf.node = stretch.node;
         leaf.axis = stretch.axes.front();
       }
-      leaf.axisIsFixed = leaf.axisIsFixed && stretch.axisIsFixed() && sameAxis(leaf.axis, stretch.axes.front());
+      leaf.axisIsFixed =
+          leaf.axisIsFixed && stretch.axisIsFixed() && sameAxis(leaf.axis, stretch.axes.front());
     }
   }
   std::vector<Leaf> ordered;
@@ -51,7 +54,8 @@ std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>&
 
 bool deformsAnything(const Scene& scene, int node) {
   const Node& holder = scene.nodes[at(node)];
-  return (holder.mesh >= 0 && holder.skin < 0) || std::any_of(scene.skins.begin(), scene.skins.end(), [&](const Skin& skin) {
+  return (holder.mesh >= 0 && holder.skin < 0) ||
+         std::any_of(scene.skins.begin(), scene.skins.end(), [&](const Skin& skin) {
            return std::find(skin.joints.begin(), skin.joints.end(), node) != skin.joints.end();
          });
 }
@@ -82,8 +86,9 @@ void moveSkinSlots(const Scene& scene, const Leaf& leaf, gltf::Edits& edits) {
     const Skin& skin = scene.skins[s];
     for (std::size_t slot = 0; slot < skin.joints.size(); ++slot) {
       if (skin.joints[slot] == leaf.node) {
-        const Mat4 inverseBind =
-            leaf.turnsBack ? skin.inverseBind[slot] : glm::mat4_cast(glm::inverse(leaf.axis)) * skin.inverseBind[slot];
+        const Mat4 inverseBind = leaf.turnsBack
+                                     ? skin.inverseBind[slot]
+                                     : glm::mat4_cast(glm::inverse(leaf.axis)) * skin.inverseBind[slot];
         edits.skinSlots.push_back({static_cast<int>(s), static_cast<int>(slot), leaf.endNode, inverseBind});
       }
     }
@@ -110,7 +115,8 @@ Track rotationTrack(int node, const std::vector<float>& times, const std::vector
 
 std::vector<Quat> inverses(const std::vector<Quat>& turns) {
   std::vector<Quat> result;
-  std::transform(turns.begin(), turns.end(), std::back_inserter(result), [](const Quat& q) { return glm::inverse(q); });
+  std::transform(turns.begin(), turns.end(), std::back_inserter(result),
+                 [](const Quat& q) { return glm::inverse(q); });
   return result;
 }
 
@@ -132,7 +138,8 @@ void addTracks(const Leaf& leaf, const StretchKeys& stretch, std::vector<Track>&
 }
 
 std::vector<Track>& tracksOf(int clip, gltf::Edits& edits) {
-  const auto found = std::find_if(edits.clips.begin(), edits.clips.end(), [&](const gltf::ClipTracks& c) { return c.clip == clip; });
+  const auto found = std::find_if(edits.clips.begin(), edits.clips.end(),
+                                  [&](const gltf::ClipTracks& c) { return c.clip == clip; });
   if (found != edits.clips.end()) {
     return found->tracks;
   }

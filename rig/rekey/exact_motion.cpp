@@ -12,13 +12,17 @@ namespace stretch::rig {
 
 const FrameState& ExactMotion::at(double timeSeconds) {
   const auto found = frames_.find(timeSeconds);
-  return found != frames_.end() ? found->second
-                                : frames_.emplace(timeSeconds, evaluateMotion(scene_, clip_, motion_, timeSeconds)).first->second;
+  return found != frames_.end()
+             ? found->second
+             : frames_.emplace(timeSeconds, evaluateMotion(scene_, clip_, motion_, timeSeconds))
+                   .first->second;
 }
 
 const Pose& ExactMotion::sourceAt(double timeSeconds) {
   const auto found = sources_.find(timeSeconds);
-  return found != sources_.end() ? found->second : sources_.emplace(timeSeconds, samplePose(scene_, clip_, timeSeconds)).first->second;
+  return found != sources_.end()
+             ? found->second
+             : sources_.emplace(timeSeconds, samplePose(scene_, clip_, timeSeconds)).first->second;
 }
 
 Vec4 channelValue(const Pose& pose, int node, Channel channel) {

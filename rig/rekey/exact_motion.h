@@ -12,7 +12,8 @@ namespace stretch::rig {
 /// The motion that keys are made to follow, remembered per time.
 class ExactMotion {
 public:
-  ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion) : scene_(scene), clip_(clip), motion_(motion) {}
+  ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion)
+      : scene_(scene), clip_(clip), motion_(motion) {}
 
   [[nodiscard]] const FrameState& at(double timeSeconds);
   [[nodiscard]] const Pose& sourceAt(double timeSeconds);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double sameKey = 2e-5; // seconds: nearer than this to a key of the source is that key
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
 
 const Track* trackOf(const Clip& clip, int node, Channel channel) {
   const int index = findTrack(clip, node, channel);
@@ -26,7 +28,8 @@ Window windowOf(const MotionState& motion, double start, double end) {
 }
 
 void mergeOverlaps(std::vector<Window>& windows) {
-  std::sort(windows.begin(), windows.end(), [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
+  std::sort(windows.begin(), windows.end(),
+            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
   std::vector<Window> merged;
   for (const Window& window : windows) {
     if (!merged.empty() && window.startSeconds <= merged.back().endSeconds) {
@@ -88,7 +91,8 @@ std::vector<double> allTimes(ExactMotion& exact, const std::vector<Window>& wind
   for (const Window& window : windows) {
     times.push_back(window.startSeconds);
     times.push_back(window.endSeconds);
-    const std::vector<double> inside = checkTimes(exact.motion().framesPerSecond, window.startSeconds, window.endSeconds);
+    const std::vector<double> inside =
+        checkTimes(exact.motion().framesPerSecond, window.startSeconds, window.endSeconds);
     times.insert(times.end(), inside.begin(), inside.end());
   }
   return times;
@@ -104,7 +108,8 @@ bool differs(const Vec4& a, const Vec4& b, Channel channel) {
 
 bool isChanged(ExactMotion& exact, const std::vector<double>& times, int node, Channel channel) {
   return std::any_of(times.begin(), times.end(), [&](double time) {
-    return differs(channelValue(exact.at(time).pose, node, channel), channelValue(exact.sourceAt(time), node, channel), channel);
+    return differs(channelValue(exact.at(time).pose, node, channel),
+                   channelValue(exact.sourceAt(time), node, channel), channel);
   });
 }
 
@@ -135,7 +140,8 @@ void findChanges(ExactMotion& exact, TrailKeys& keys) {
 }
 
 // Key times of the source win over times of ours that are almost the same.
-std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, double framesPerSecond, bool everyFrame) {
+std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, double framesPerSecond,
+                               bool everyFrame) {
   std::vector<double> times{window.startSeconds, window.endSeconds};
   for (const ChangedChannel& channel : keys.channels) {
     if (channel.source == nullptr) {
@@ -151,8 +157,8 @@ std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, doub
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   std::vector<double> wanted{asKeyTime(keys.trail->startSeconds), asKeyTime(keys.trail->endSeconds)};
-  for (double frame = std::ceil(window.startSeconds * framesPerSecond); everyFrame && frame / framesPerSecond < window.endSeconds;
-       frame += 1.0) {
+  for (double frame = std::ceil(window.startSeconds * framesPerSecond);
+       everyFrame && frame / framesPerSecond < window.endSeconds; frame += 1.0) {
     wanted.push_back(asKeyTime(frame / framesPerSecond));
   }
   for (const double time : wanted) {
@@ -165,7 +171,9 @@ std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, doub
   return times;
 }
 
-Vec4 alongShorterArc(const Vec4& from, const Vec4& to) { return glm::dot(from, to) < 0.0 ? -to : to; }
+Vec4 alongShorterArc(const Vec4& from, const Vec4& to) {
+  return glm::dot(from, to) < 0.0 ? -to : to;
+}
 
 Vec4 between(ExactMotion& exact, const ChangedChannel& channel, double start, double end, double time) {
   const double t = (time - start) / (end - start);
@@ -178,8 +186,8 @@ Vec4 between(ExactMotion& exact, const ChangedChannel& channel, double start, do
     const double h = end - start;
     const double t2 = t * t;
     const double t3 = t2 * t;
-    return a * (2 * t3 - 3 * t2 + 1) + slopeOf(exact, channel, start, 1) * (h * (t3 - 2 * t2 + t)) + b * (3 * t2 - 2 * t3) +
-           slopeOf(exact, channel, end, -1) * (h * (t3 - t2));
+    return a * (2 * t3 - 3 * t2 + 1) + slopeOf(exact, channel, start, 1) * (h * (t3 - 2 * t2 + t)) +
+           b * (3 * t2 - 2 * t3) + slopeOf(exact, channel, end, -1) * (h * (t3 - t2));
   }
   if (channel.channel == Channel::rotation) {
     const Quat turn = glm::slerp(Quat(a.w, a.x, a.y, a.z), Quat(b.w, b.x, b.y, b.z), t);
@@ -217,7 +225,8 @@ double missAt(ExactMotion& exact, const TrailKeys& keys, double start, double en
 }
 
 // Adds keys where a span is missed by most until all of it is within the tolerance.
-void refine(ExactMotion& exact, const TrailKeys& keys, double tolerance, double start, double end, std::vector<double>& added) {
+void refine(ExactMotion& exact, const TrailKeys& keys, double tolerance, double start, double end,
+            std::vector<double>& added) {
   double worstMiss = tolerance;
   double worstTime = 0.0;
   for (const double time : checkTimes(exact.motion().framesPerSecond, start, end)) {
@@ -254,7 +263,8 @@ TrailKeys chooseKeys(ExactMotion& exact, const SolvedTrail& trail, const RekeyOp
   keys.windows = windowsOf(exact.motion(), trail);
   findChanges(exact, keys);
   for (const Window& window : keys.windows) {
-    const std::vector<double> first = firstTimes(window, keys, exact.motion().framesPerSecond, options.keyEveryFrame);
+    const std::vector<double> first =
+        firstTimes(window, keys, exact.motion().framesPerSecond, options.keyEveryFrame);
     std::vector<double> times{first.front()};
     for (std::size_t i = 1; i < first.size(); ++i) {
       refine(exact, keys, options.tolerance, first[i - 1], first[i], times);

@@ -7,11 +7,13 @@
 
 namespace stretch::rig {
 
-/// A stretch of time that a trail changes. Both ends are exactly representable in single precision, as keys are.
+/// A stretch of time that a trail changes. Both ends are exactly representable in single precision, as keys
+/// are.
 struct Window {
   double startSeconds = 0.0;
   double endSeconds = 0.0;
-  bool jumpsBefore = false; ///< The motion is not the source's right before the start: a release of no length (pivot at end).
+  bool jumpsBefore = false; ///< The motion is not the source's right before the start: a release of no length
+                            ///< (pivot at end).
   bool jumpsAfter = false;  ///< The same after the end.
 };
 
@@ -25,10 +27,10 @@ struct ChangedChannel {
 /// One trail's part in the new keys.
 struct TrailKeys {
   const SolvedTrail* trail = nullptr;
-  std::vector<Window> windows;             ///< Usually one; two where a loop wraps. Disjoint, ascending.
+  std::vector<Window> windows; ///< Usually one; two where a loop wraps. Disjoint, ascending.
   std::vector<ChangedChannel> channels;
   std::vector<int> stretchedNodes;
-  std::vector<std::vector<double>> times;  ///< Key times of each window, ascending, its ends included.
+  std::vector<std::vector<double>> times; ///< Key times of each window, ascending, its ends included.
 };
 
 /// Chooses where one trail's limb gets keys.
@@ -38,6 +40,8 @@ struct TrailKeys {
 [[nodiscard]] Vec4 slopeOf(ExactMotion& exact, const ChangedChannel& channel, double timeSeconds, int side);
 
 /// Time as a key stores it.
-[[nodiscard]] inline double asKeyTime(double timeSeconds) { return static_cast<double>(static_cast<float>(timeSeconds)); }
+[[nodiscard]] inline double asKeyTime(double timeSeconds) {
+  return static_cast<double>(static_cast<float>(timeSeconds));
+}
 
 } // namespace stretch::rig

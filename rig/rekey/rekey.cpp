@@ -18,7 +18,8 @@ struct Piece {
 
 // Windows of two trails that change the same property and overlap become one, with the keys of both.
 void mergePieces(std::vector<Piece>& pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.window.startSeconds < b.window.startSeconds; });
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& a, const Piece& b) { return a.window.startSeconds < b.window.startSeconds; });
   std::vector<Piece> merged;
   for (Piece& piece : pieces) {
     if (merged.empty() || piece.window.startSeconds > merged.back().window.endSeconds) {
@@ -40,9 +41,10 @@ void mergePieces(std::vector<Piece>& pieces) {
 ChannelKeys keysOfChannel(const ChangedChannel& channel, const std::vector<TrailKeys>& trails) {
   std::vector<Piece> pieces;
   for (const TrailKeys& trail : trails) {
-    const bool changes = std::any_of(trail.channels.begin(), trail.channels.end(), [&](const ChangedChannel& other) {
-      return other.node == channel.node && other.channel == channel.channel;
-    });
+    const bool changes =
+        std::any_of(trail.channels.begin(), trail.channels.end(), [&](const ChangedChannel& other) {
+          return other.node == channel.node && other.channel == channel.channel;
+        });
     for (std::size_t i = 0; changes && i < trail.windows.size(); ++i) {
       pieces.push_back({trail.windows[i], trail.times[i]});
     }
@@ -57,13 +59,15 @@ ChannelKeys keysOfChannel(const ChangedChannel& channel, const std::vector<Trail
 }
 
 bool hasTrack(const std::vector<Track>& tracks, const ChangedChannel& channel) {
-  return std::any_of(tracks.begin(), tracks.end(),
-                     [&](const Track& track) { return track.node == channel.node && track.channel == channel.channel; });
+  return std::any_of(tracks.begin(), tracks.end(), [&](const Track& track) {
+    return track.node == channel.node && track.channel == channel.channel;
+  });
 }
 
 // Two trails on one limb (at different times) stretch the same joints: their keys follow each other.
 void addStretch(StretchKeys stretch, std::vector<StretchKeys>& all) {
-  const auto same = std::find_if(all.begin(), all.end(), [&](const StretchKeys& other) { return other.node == stretch.node; });
+  const auto same = std::find_if(all.begin(), all.end(),
+                                 [&](const StretchKeys& other) { return other.node == stretch.node; });
   if (same == all.end()) {
     all.push_back(std::move(stretch));
     return;
@@ -92,7 +96,8 @@ void addStretch(StretchKeys stretch, std::vector<StretchKeys>& all) {
 
 } // namespace
 
-RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion, const RekeyOptions& options) {
+RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
+                  const RekeyOptions& options) {
   ExactMotion exact(scene, clip, motion);
   std::vector<TrailKeys> trails;
   for (const SolvedTrail& trail : motion.trails) {

@@ -57,7 +57,8 @@ void fillAxes(std::vector<StretchKey>& keys) {
   }
 }
 
-// The axis of the strongest stretch stands for all when turning it changes no point of the bone by more than 1e-5 of it.
+// The axis of the strongest stretch stands for all when turning it changes no point of the bone by more than
+// 1e-5 of it.
 bool axisStands(const std::vector<StretchKey>& keys, const Vec3& axis) {
   constexpr double negligible = 1e-5;
   return std::all_of(keys.begin(), keys.end(), [&](const StretchKey& key) {
@@ -70,9 +71,10 @@ bool axisStands(const std::vector<StretchKey>& keys, const Vec3& axis) {
 StretchKeys buildStretch(ExactMotion& exact, const TrailKeys& keys, int node) {
   std::vector<StretchKey> all = keysOf(exact, keys, node);
   fillAxes(all);
-  const auto strongest = std::max_element(all.begin(), all.end(), [](const StretchKey& a, const StretchKey& b) {
-    return std::abs(a.parts.along - a.parts.across) < std::abs(b.parts.along - b.parts.across);
-  });
+  const auto strongest =
+      std::max_element(all.begin(), all.end(), [](const StretchKey& a, const StretchKey& b) {
+        return std::abs(a.parts.along - a.parts.across) < std::abs(b.parts.along - b.parts.across);
+      });
   const Vec3 mainAxis = strongest->parts.axis;
   const Quat mainTurn = shortestArc(Vec3(1, 0, 0), mainAxis);
   StretchKeys stretch;

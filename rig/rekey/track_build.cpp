@@ -23,7 +23,9 @@ struct Key {
   std::optional<std::size_t> sourceKey; // written from the source's own numbers
 };
 
-std::size_t widthOf(Channel channel) { return channel == Channel::rotation ? 4 : 3; }
+std::size_t widthOf(Channel channel) {
+  return channel == Channel::rotation ? 4 : 3;
+}
 
 Vec4 numbersAt(const Track& track, std::size_t offset) {
   Vec4 value(0.0);
@@ -53,7 +55,9 @@ class SourceCurve {
 public:
   SourceCurve(ExactMotion& exact, const ChangedChannel& channel) : exact_(exact), channel_(channel) {}
 
-  [[nodiscard]] Vec4 value(double time) const { return channelValue(exact_.sourceAt(time), channel_.node, channel_.channel); }
+  [[nodiscard]] Vec4 value(double time) const {
+    return channelValue(exact_.sourceAt(time), channel_.node, channel_.channel);
+  }
 
   [[nodiscard]] Vec4 slope(double time, int side) const {
     const double step = 1e-4;
@@ -78,14 +82,19 @@ bool insideAny(const std::vector<Window>& windows, double time) {
   });
 }
 
-float justBefore(float time) { return std::nextafter(time, -std::numeric_limits<float>::infinity()); }
-float justAfter(float time) { return std::nextafter(time, std::numeric_limits<float>::infinity()); }
+float justBefore(float time) {
+  return std::nextafter(time, -std::numeric_limits<float>::infinity());
+}
+float justAfter(float time) {
+  return std::nextafter(time, std::numeric_limits<float>::infinity());
+}
 
 bool isCubic(const ChangedChannel& channel) {
   return channel.source != nullptr && channel.source->interpolation == Interpolation::cubicSpline;
 }
 
-// Keys of the source outside the windows. Where the source steps there, each step becomes a pair of neighbouring keys.
+// Keys of the source outside the windows. Where the source steps there, each step becomes a pair of
+// neighbouring keys.
 void addOutsideKeys(const ChannelKeys& keys, std::vector<Key>& out) {
   const Track* source = keys.channel.source;
   if (source == nullptr) {
@@ -119,7 +128,8 @@ Key exactKey(ExactMotion& exact, const ChangedChannel& channel, double time) {
   return key;
 }
 
-// At the border of a window the curve outside is the source's: its tangent there, and its own numbers where it has a key.
+// At the border of a window the curve outside is the source's: its tangent there, and its own numbers where
+// it has a key.
 void joinSource(const ChannelKeys& keys, const SourceCurve& curve, double time, int outside, Key& key) {
   const Track* source = keys.channel.source;
   if (isCubic(keys.channel)) {
@@ -178,8 +188,8 @@ void addWindowKeys(ExactMotion& exact, const ChannelKeys& keys, std::size_t inde
   }
 }
 
-// A cubic rotation cut in two is no longer the same curve once its new key is a unit quaternion: further keys between the
-// cut and the source's next key keep it within `tolerance`.
+// A cubic rotation cut in two is no longer the same curve once its new key is a unit quaternion: further keys
+// between the cut and the source's next key keep it within `tolerance`.
 void addCubicJoints(const SourceCurve& curve, double start, double end, int depth, std::vector<Key>& out) {
   const double h = end - start;
   const double middle = 0.5 * (start + end);
@@ -221,10 +231,13 @@ void joinCubicRotations(ExactMotion& exact, const ChannelKeys& keys, std::vector
 
 void sortUnique(std::vector<Key>& keys) {
   std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.time < b.time; });
-  keys.erase(std::unique(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.time == b.time; }), keys.end());
+  keys.erase(
+      std::unique(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.time == b.time; }),
+      keys.end());
 }
 
-// Readers that lerp quaternions without looking at signs get neighbouring ones; keys of the source keep theirs.
+// Readers that lerp quaternions without looking at signs get neighbouring ones; keys of the source keep
+// theirs.
 void alignHemispheres(std::vector<Key>& keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Key* neighbour = i > 0 ? &keys[i - 1] : (keys.size() > 1 ? &keys[1] : nullptr);

@@ -11,14 +11,15 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr double reachedTolerance = 1e-4;  // of the wanted length
-constexpr double stillness = 1e-6;         // of the limb's length: a path that moves less has nothing to scale
+constexpr double reachedTolerance = 1e-4; // of the wanted length
+constexpr double stillness = 1e-6;        // of the limb's length: a path that moves less has nothing to scale
 
 Vec3 masked(const std::array<bool, 3>& axes, const Vec3& v) {
   return {axes[0] ? v.x : 0.0, axes[1] ? v.y : 0.0, axes[2] ? v.z : 0.0};
 }
 
-// Where a walk from the tip along a line meets the sphere of the wanted radius around the base, or comes closest to it.
+// Where a walk from the tip along a line meets the sphere of the wanted radius around the base, or comes
+// closest to it.
 struct Walk {
   Vec3 end{0.0};
   double signedDistance = 0.0; // along the direction; negative towards the pivot
@@ -58,7 +59,8 @@ Walk walk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, dou
                       : walkInwards(tip, problem.basePosition, direction, radius, longestInwards);
 }
 
-// Section 1.3: what the line cannot reach is pulled straight to the wanted length, along the active axes only.
+// Section 1.3: what the line cannot reach is pulled straight to the wanted length, along the active axes
+// only.
 Vec3 pullFrom(const TipProblem& problem, const Vec3& closest, const Vec3& originalTip) {
   Vec3 direction = closest - problem.basePosition;
   if (glm::length(direction) < 1e-9 * problem.limbLength) {
@@ -83,7 +85,8 @@ void finish(const TipProblem& problem, const Walk& walked, TipSolution& solution
   solution.reachedLength = glm::length(solution.tip - problem.basePosition);
 }
 
-// Section 1.4: the tip is nearer to the pivot than half of the farthest point, so the path is carried as a whole.
+// Section 1.4: the tip is nearer to the pivot than half of the farthest point, so the path is carried as a
+// whole.
 void moveWhole(const TipProblem& problem, TipSolution& solution) {
   const Vec3 outwards = masked(problem.axes, solution.originalTip - problem.basePosition);
   const double length = glm::length(outwards);
@@ -106,9 +109,11 @@ void scaleAboutPivot(const TipProblem& problem, const Vec3& outwards, TipSolutio
 
 int farthestFrom(const TipProblem& problem, const Vec3& pivotPoint) {
   const auto farther = [&](const Vec3& a, const Vec3& b) {
-    return glm::length(masked(problem.axes, a - pivotPoint)) < glm::length(masked(problem.axes, b - pivotPoint));
+    return glm::length(masked(problem.axes, a - pivotPoint)) <
+           glm::length(masked(problem.axes, b - pivotPoint));
   };
-  return static_cast<int>(std::max_element(problem.points.begin(), problem.points.end(), farther) - problem.points.begin());
+  return static_cast<int>(std::max_element(problem.points.begin(), problem.points.end(), farther) -
+                          problem.points.begin());
 }
 
 } // namespace
@@ -154,7 +159,8 @@ Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
   return point + (*solution.trailScale - 1.0) * masked(solution.axes, point - solution.pivotPoint);
 }
 
-std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds, Pivot pivot) {
+std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds,
+                               Pivot pivot) {
   check(points.size() == timesSeconds.size() && !points.empty(), "a path has one time a point");
   std::vector<double> ratios(points.size(), 0.0);
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -12,10 +12,10 @@ namespace stretch::rig {
 
 /// What the tip is solved from: one path in the trail's space (spec/exaggeration.md, section 1).
 struct TipProblem {
-  std::vector<Vec3> points;  ///< The original path in time order; at least one.
-  Vec3 basePosition{0.0};    ///< P0: the limb's base at the tip's time.
-  double limbLength = 0.0;   ///< L: the length that `scale` multiplies (pose or rest), > 0.
-  double scale = 1.0;        ///< S.
+  std::vector<Vec3> points; ///< The original path in time order; at least one.
+  Vec3 basePosition{0.0};   ///< P0: the limb's base at the tip's time.
+  double limbLength = 0.0;  ///< L: the length that `scale` multiplies (pose or rest), > 0.
+  double scale = 1.0;       ///< S.
   std::array<bool, 3> axes{true, true, true};
   Pivot pivot = Pivot::start;
   bool pull = true;
@@ -29,7 +29,8 @@ enum class TipOutcome {
   nothingToScale ///< No active axis, or the path does not move.
 };
 
-/// The exaggeration of one path: E(c) = O + (I + (S' - 1) M)(c - O), or E(c) = c + shift where the path comes back on itself.
+/// The exaggeration of one path: E(c) = O + (I + (S' - 1) M)(c - O), or E(c) = c + shift where the path comes
+/// back on itself.
 struct TipSolution {
   Vec3 pivotPoint{0.0};             ///< O.
   Vec3 originalTip{0.0};            ///< P1.
@@ -40,9 +41,10 @@ struct TipSolution {
   std::array<bool, 3> axes{true, true, true};
   bool moved = false;
   TipOutcome outcome = TipOutcome::reached;
-  double wantedLength = 0.0;   ///< S L.
-  double reachedLength = 0.0;  ///< |tip - P0|.
-  int farthestSample = 0;      ///< Index of the point farthest from the pivot along the active axes: a better range end when moved.
+  double wantedLength = 0.0;  ///< S L.
+  double reachedLength = 0.0; ///< |tip - P0|.
+  int farthestSample =
+      0; ///< Index of the point farthest from the pivot along the active axes: a better range end when moved.
 
   /// Whether the limb comes to the wanted length within 1e-4 of it.
   [[nodiscard]] bool reached() const;
@@ -54,9 +56,11 @@ struct TipSolution {
 /// E(c), fully exaggerated, without pull.
 [[nodiscard]] Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point);
 
-/// Ratio of each sample (section 2): length of the path from the pivot's end over the whole, 0 at the pivot and 1 at the
-/// tip; the fraction of time for a path of no length. `timesSeconds` increases and has one entry a point.
-[[nodiscard]] std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds, Pivot pivot);
+/// Ratio of each sample (section 2): length of the path from the pivot's end over the whole, 0 at the pivot
+/// and 1 at the tip; the fraction of time for a path of no length. `timesSeconds` increases and has one entry
+/// a point.
+[[nodiscard]] std::vector<double> pathRatios(const std::vector<Vec3>& points,
+                                             const std::vector<double>& timesSeconds, Pivot pivot);
 
 /// The remap w(r) of section 2. Ease percents outside their range are clamped so that percent in + out < 1.
 class Remap {

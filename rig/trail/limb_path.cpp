@@ -20,7 +20,8 @@ constexpr double sameTime = 1e-6; // seconds
 std::vector<int> withAncestors(const Scene& scene, const std::vector<int>& nodes) {
   std::set<int> wanted;
   for (int node : nodes) {
-    for (; node >= 0 && wanted.insert(node).second; node = scene.nodes[static_cast<std::size_t>(node)].parent) {
+    for (; node >= 0 && wanted.insert(node).second;
+         node = scene.nodes[static_cast<std::size_t>(node)].parent) {
     }
   }
   std::vector<int> ordered;
@@ -34,11 +35,13 @@ std::vector<int> withAncestors(const Scene& scene, const std::vector<int>& nodes
 
 void mergeClose(std::vector<double>& times) {
   std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < sameTime; }), times.end());
+  times.erase(std::unique(times.begin(), times.end(), [](double a, double b) { return b - a < sameTime; }),
+              times.end());
 }
 
 // Cubic through control points of the path, tangents by three points: what an animator's few keys would give.
-Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls, std::size_t piece, double time) {
+Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls,
+                  std::size_t piece, double time) {
   const auto point = [&](std::size_t c) { return samples[controls[c]].end; };
   const auto seconds = [&](std::size_t c) { return samples[controls[c]].timeSeconds; };
   const auto slope = [&](std::size_t c) {
@@ -50,15 +53,17 @@ Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std:
   const double t = (time - seconds(piece)) / h;
   const double t2 = t * t;
   const double t3 = t2 * t;
-  return point(piece) * (2 * t3 - 3 * t2 + 1) + slope(piece) * (h * (t3 - 2 * t2 + t)) + point(piece + 1) * (3 * t2 - 2 * t3) +
-         slope(piece + 1) * (h * (t3 - t2));
+  return point(piece) * (2 * t3 - 3 * t2 + 1) + slope(piece) * (h * (t3 - 2 * t2 + t)) +
+         point(piece + 1) * (3 * t2 - 2 * t3) + slope(piece + 1) * (h * (t3 - t2));
 }
 
 // Index of the extreme of each coordinate, relative to the base, that turns inside the range.
 std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
   std::vector<std::size_t> found{0, samples.size() - 1};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto coordinate = [&](const LimbSample& sample) { return sample.end[static_cast<std::size_t>(axis)]; };
+    const auto coordinate = [&](const LimbSample& sample) {
+      return sample.end[static_cast<std::size_t>(axis)];
+    };
     const auto less = [&](const LimbSample& a, const LimbSample& b) { return coordinate(a) < coordinate(b); };
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), less);
     found.push_back(static_cast<std::size_t>(low - samples.begin()));
@@ -70,11 +75,13 @@ std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
 }
 
 // The sample that the cubic misses by most, and by how much.
-std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls) {
+std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& samples,
+                                           const std::vector<std::size_t>& controls) {
   std::pair<std::size_t, double> worst{0, 0.0};
   for (std::size_t piece = 0; piece + 1 < controls.size(); ++piece) {
     for (std::size_t i = controls[piece] + 1; i < controls[piece + 1]; ++i) {
-      const double miss = glm::length(samples[i].end - cubicThrough(samples, controls, piece, samples[i].timeSeconds));
+      const double miss =
+          glm::length(samples[i].end - cubicThrough(samples, controls, piece, samples[i].timeSeconds));
       if (miss > worst.second) {
         worst = {i, miss};
       }
@@ -85,7 +92,8 @@ std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& sample
 
 } // namespace
 
-NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes) : scene_(&scene) {
+NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes)
+    : scene_(&scene) {
   for (const int node : withAncestors(scene, nodes)) {
     Step step{node, {}};
     for (const CopyOnWrite<Track>& track : clip.tracks) {
@@ -117,7 +125,8 @@ void NodeSampler::sample(double timeSeconds, std::vector<Mat4>& worlds) const {
       }
       local = toMatrix(transform);
     }
-    worlds[static_cast<std::size_t>(step.node)] = node.parent < 0 ? local : worlds[static_cast<std::size_t>(node.parent)] * local;
+    worlds[static_cast<std::size_t>(step.node)] =
+        node.parent < 0 ? local : worlds[static_cast<std::size_t>(node.parent)] * local;
   }
 }
 
@@ -125,7 +134,9 @@ Vec3 LimbPath::toSpace(const LimbSample& sample, const Vec3& world) const {
   return glm::transpose(axes) * (world - sample.reference);
 }
 
-Vec3 LimbPath::toWorld(const LimbSample& sample, const Vec3& inSpace) const { return axes * inSpace + sample.reference; }
+Vec3 LimbPath::toWorld(const LimbSample& sample, const Vec3& inSpace) const {
+  return axes * inSpace + sample.reference;
+}
 
 double LimbPath::ratioAt(double timeSeconds) const {
   if (timeSeconds <= samples.front().timeSeconds) {
@@ -134,15 +145,17 @@ double LimbPath::ratioAt(double timeSeconds) const {
   if (timeSeconds >= samples.back().timeSeconds) {
     return ratios.back();
   }
-  const auto next = std::upper_bound(samples.begin(), samples.end(), timeSeconds,
-                                     [](double time, const LimbSample& sample) { return time < sample.timeSeconds; });
+  const auto next =
+      std::upper_bound(samples.begin(), samples.end(), timeSeconds,
+                       [](double time, const LimbSample& sample) { return time < sample.timeSeconds; });
   const auto i = static_cast<std::size_t>(next - samples.begin());
   const double span = samples[i].timeSeconds - samples[i - 1].timeSeconds;
   const double t = (timeSeconds - samples[i - 1].timeSeconds) / span;
   return ratios[i - 1] + t * (ratios[i] - ratios[i - 1]);
 }
 
-LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds, double timeSeconds) {
+LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds,
+                      double timeSeconds) {
   LimbSample sample;
   sample.timeSeconds = timeSeconds;
   sample.base = positionOf(worlds[static_cast<std::size_t>(limb.joints.front())]);
@@ -155,7 +168,8 @@ LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::v
   return sample;
 }
 
-std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond, const std::vector<double>& keyTimes) {
+std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond,
+                                const std::vector<double>& keyTimes) {
   std::vector<double> times{startSeconds, endSeconds};
   const double lastFrame = std::floor(endSeconds * framesPerSecond);
   for (double frame = std::ceil(startSeconds * framesPerSecond); frame <= lastFrame; frame += 1.0) {
@@ -172,10 +186,12 @@ std::vector<double> sampleTimes(double startSeconds, double endSeconds, double f
   return times;
 }
 
-std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds, double endSeconds) {
+std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds,
+                               double endSeconds) {
   std::vector<double> times;
   for (const CopyOnWrite<Track>& track : clip.tracks) {
-    if (track->channel == Channel::weights || std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
+    if (track->channel == Channel::weights ||
+        std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
       continue;
     }
     for (const float key : track->times) {
@@ -189,14 +205,15 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, 
   return times;
 }
 
-bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds, double framesPerSecond) {
+bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
+                    double framesPerSecond) {
   const double frames = std::max(1.0, (endSeconds - startSeconds) * framesPerSecond);
   constexpr double densest = 0.6; // keys a frame; hand-keyed clips stay below one key in two frames
   return static_cast<double>(keyTimes.size()) - 1.0 > densest * frames && keyTimes.size() > 4;
 }
 
-std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes, double framesPerSecond,
-                                        double tolerance) {
+std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
+                                        double framesPerSecond, double tolerance) {
   const std::vector<LimbSample>& samples = path.samples;
   const double start = samples.front().timeSeconds;
   const double end = samples.back().timeSeconds;
@@ -205,7 +222,8 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
     times.insert(times.end(), keyTimes.begin(), keyTimes.end());
   } else {
     std::vector<std::size_t> controls = extremes(samples);
-    for (auto worst = worstSample(samples, controls); worst.second > tolerance; worst = worstSample(samples, controls)) {
+    for (auto worst = worstSample(samples, controls); worst.second > tolerance;
+         worst = worstSample(samples, controls)) {
       controls.insert(std::lower_bound(controls.begin(), controls.end(), worst.first), worst.first);
     }
     for (const std::size_t control : controls) {
@@ -213,7 +231,8 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
     }
   }
   mergeClose(times);
-  std::transform(times.begin(), times.end(), times.begin(), [&](double time) { return time * framesPerSecond; });
+  std::transform(times.begin(), times.end(), times.begin(),
+                 [&](double time) { return time * framesPerSecond; });
   return times;
 }
 

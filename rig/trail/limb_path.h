@@ -10,13 +10,14 @@
 
 namespace stretch::rig {
 
-/// Samples only what a few nodes need: their own tracks and those of their ancestors. Answers what samplePose and
-/// worldMatrices answer for these nodes, faster on clips with many tracks.
+/// Samples only what a few nodes need: their own tracks and those of their ancestors. Answers what samplePose
+/// and worldMatrices answer for these nodes, faster on clips with many tracks.
 class NodeSampler {
 public:
   NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes);
 
-  /// World matrices at a time; only the asked nodes and their ancestors are filled in, the others are the identity.
+  /// World matrices at a time; only the asked nodes and their ancestors are filled in, the others are the
+  /// identity.
   void sample(double timeSeconds, std::vector<Mat4>& worlds) const;
 
 private:
@@ -31,9 +32,10 @@ private:
 /// The limb at one time of the source clip, world space.
 struct LimbSample {
   double timeSeconds = 0.0;
-  Vec3 base{0.0};     ///< P0.
-  Vec3 end{0.0};      ///< c.
-  Vec3 reference{0.0};///< What the trail's space is measured from: the hips (root), the base (base), 0 (world, view).
+  Vec3 base{0.0}; ///< P0.
+  Vec3 end{0.0};  ///< c.
+  Vec3 reference{
+      0.0}; ///< What the trail's space is measured from: the hips (root), the base (base), 0 (world, view).
 };
 
 /// A limb's original path over the range.
@@ -49,21 +51,27 @@ struct LimbPath {
 };
 
 /// The limb at one time, from world matrices of the source clip.
-[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds, double timeSeconds);
+[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips,
+                                    const std::vector<Mat4>& worlds, double timeSeconds);
 
-/// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends, ascending.
+/// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends,
+/// ascending.
 [[nodiscard]] std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond,
                                               const std::vector<double>& keyTimes);
 
-/// Key times of the limb's joints (end and twist nodes of `nodes` included) within [start, end], ascending, without repeats.
-[[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds, double endSeconds);
+/// Key times of the limb's joints (end and twist nodes of `nodes` included) within [start, end], ascending,
+/// without repeats.
+[[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes,
+                                             double startSeconds, double endSeconds);
 
-/// Frames of the control spheres (section 3): the keys of a sparsely keyed limb; else the ends, the extremes and as few in
-/// between as keep a cubic through them within `tolerance` (world units) of the path.
-[[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<double>& keyTimes,
+/// Frames of the control spheres (section 3): the keys of a sparsely keyed limb; else the ends, the extremes
+/// and as few in between as keep a cubic through them within `tolerance` (world units) of the path.
+[[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path,
+                                                      const std::vector<double>& keyTimes,
                                                       double framesPerSecond, double tolerance);
 
 /// Whether the limb is keyed so densely (about a key a frame) that its keys say nothing about its poses.
-[[nodiscard]] bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds, double framesPerSecond);
+[[nodiscard]] bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
+                                  double framesPerSecond);
 
 } // namespace stretch::rig

@@ -4,14 +4,16 @@
 
 namespace stretch::rig {
 
-/// How the tip's offset decays back to the original motion (section 5): 1 at the tip, 0 at the end of the release.
+/// How the tip's offset decays back to the original motion (section 5): 1 at the tip, 0 at the end of the
+/// release.
 class Release {
 public:
   Release() = default;
   /// `seconds` >= 0. `overshoot` in [0, 1]: the decay swings to -overshoot before it settles.
   Release(double seconds, double overshoot);
 
-  /// `secondsPastTip` >= 0. 1 at 0; 0 past the end (and for every positive time when the release has no length).
+  /// `secondsPastTip` >= 0. 1 at 0; 0 past the end (and for every positive time when the release has no
+  /// length).
   [[nodiscard]] double at(double secondsPastTip) const;
   [[nodiscard]] double seconds() const { return seconds_; }
 

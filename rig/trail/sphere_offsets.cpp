@@ -23,19 +23,23 @@ Vec3 slopeAt(const std::vector<double>& x, const std::vector<Vec3>& y, std::size
   return ((y[i] - y[i - 1]) / h0 * h1 + (y[i + 1] - y[i]) / h1 * h0) / (h0 + h1);
 }
 
-std::vector<double> mergedFrames(const std::vector<double>& controlFrames, const std::vector<SphereOffset>& pulled) {
+std::vector<double> mergedFrames(const std::vector<double>& controlFrames,
+                                 const std::vector<SphereOffset>& pulled) {
   std::vector<double> frames = controlFrames;
   for (const SphereOffset& sphere : pulled) {
     frames.push_back(sphere.frame);
   }
   std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end(), [](double a, double b) { return b - a < sameFrame; }), frames.end());
+  frames.erase(
+      std::unique(frames.begin(), frames.end(), [](double a, double b) { return b - a < sameFrame; }),
+      frames.end());
   return frames;
 }
 
 } // namespace
 
-SphereOffsets::SphereOffsets(const std::vector<double>& controlFrames, const std::vector<SphereOffset>& pulled) {
+SphereOffsets::SphereOffsets(const std::vector<double>& controlFrames,
+                             const std::vector<SphereOffset>& pulled) {
   if (pulled.empty()) {
     return;
   }
@@ -70,8 +74,8 @@ Vec3 SphereOffsets::at(double frame) const {
   const double t = (frame - frames_[i]) / h;
   const double t2 = t * t;
   const double t3 = t2 * t;
-  return values_[i] * (2 * t3 - 3 * t2 + 1) + slopes_[i] * (h * (t3 - 2 * t2 + t)) + values_[i + 1] * (3 * t2 - 2 * t3) +
-         slopes_[i + 1] * (h * (t3 - t2));
+  return values_[i] * (2 * t3 - 3 * t2 + 1) + slopes_[i] * (h * (t3 - 2 * t2 + t)) +
+         values_[i + 1] * (3 * t2 - 2 * t3) + slopes_[i + 1] * (h * (t3 - t2));
 }
 
 } // namespace stretch::rig

@@ -6,13 +6,14 @@
 
 namespace stretch::rig {
 
-/// The offset o(t) that pulled control spheres add to a path (section 3): cubic Hermite in time through one offset a control
-/// sphere, with three-point tangents: C1, equal steps give a straight ramp, nothing moves beyond the second neighbours.
+/// The offset o(t) that pulled control spheres add to a path (section 3): cubic Hermite in time through one
+/// offset a control sphere, with three-point tangents: C1, equal steps give a straight ramp, nothing moves
+/// beyond the second neighbours.
 class SphereOffsets {
 public:
   SphereOffsets() = default;
-  /// `controlFrames`: all spheres of the trail, ascending; those not named in `pulled` have offset 0. Pulled spheres at
-  /// frames that are no control frame become control frames.
+  /// `controlFrames`: all spheres of the trail, ascending; those not named in `pulled` have offset 0. Pulled
+  /// spheres at frames that are no control frame become control frames.
   SphereOffsets(const std::vector<double>& controlFrames, const std::vector<SphereOffset>& pulled);
 
   /// Held before the first and after the last sphere.

@@ -50,42 +50,43 @@ inline constexpr double largestScale = 5.0;   ///< What the interface offers; ba
 struct TrailSettings {
   double startFrame = 0.0;
   double endFrame = 0.0;
-  double scale = 1.0;                           ///< S: length of the limb at the tip over its reference length.
-  std::array<bool, 3> axes{true, true, true};   ///< Active axes x, y, z of the trail's space.
+  double scale = 1.0;                         ///< S: length of the limb at the tip over its reference length.
+  std::array<bool, 3> axes{true, true, true}; ///< Active axes x, y, z of the trail's space.
   Pivot pivot = Pivot::start;
   TrailSpace space = TrailSpace::world;
-  Mat3 viewAxes{1.0};                           ///< Columns: right, up, towards the viewer, in world space; for `view`.
+  Mat3 viewAxes{1.0}; ///< Columns: right, up, towards the viewer, in world space; for `view`.
   Reference reference = Reference::pose;
   Bend bend = Bend::keep;
   RemapKind remap = RemapKind::spline;
   Ease easeIn{0.0, 0.1};
   Ease easeOut{0.0, 0.9};
-  double stretchSwitch = 1.0;                   ///< 0..1: how much of the wanted length the limb takes on.
-  double volume = 1.0;                          ///< 0..1: volume preservation.
-  std::optional<double> releaseFrames;          ///< Empty: the default of section 5.
-  double overshoot = 0.0;                       ///< 0..1: how far past the original the release swings, part of the tip's offset.
-  bool pull = true;                             ///< Section 1.3.
-  double blend = 2.0;                           ///< 0 original, 1 half-way, 2 exaggerated.
-  bool stayInWorld = false;                     ///< Does not ride along with an inner trail.
-  bool turnEnd = false;                         ///< The hand or foot turns with the limb instead of keeping its orientation.
+  double stretchSwitch = 1.0;          ///< 0..1: how much of the wanted length the limb takes on.
+  double volume = 1.0;                 ///< 0..1: volume preservation.
+  std::optional<double> releaseFrames; ///< Empty: the default of section 5.
+  double overshoot = 0.0;   ///< 0..1: how far past the original the release swings, part of the tip's offset.
+  bool pull = true;         ///< Section 1.3.
+  double blend = 2.0;       ///< 0 original, 1 half-way, 2 exaggerated.
+  bool stayInWorld = false; ///< Does not ride along with an inner trail.
+  bool turnEnd = false;     ///< The hand or foot turns with the limb instead of keeping its orientation.
   std::optional<StopPlane> stopAt;
-  std::vector<SphereOffset> spheres;            ///< Ordered by frame, at most one a frame.
+  std::vector<SphereOffset> spheres; ///< Ordered by frame, at most one a frame.
 
   friend bool operator==(const TrailSettings&, const TrailSettings&) = default;
 };
 
 /// A limb's trail in one clip, as the user made it.
 struct Trail {
-  int id = 0;         ///< Stable within a document.
-  std::string limb;   ///< Limb::id.
-  int clip = 0;       ///< Index into the file's animations.
+  int id = 0;       ///< Stable within a document.
+  std::string limb; ///< Limb::id.
+  int clip = 0;     ///< Index into the file's animations.
   TrailSettings settings;
   bool exaggerated = false; ///< An exaggerated copy exists beside the original path.
   bool connected = false;   ///< The character follows the exaggerated copy.
-  std::optional<TrailSettings> applied; ///< What the clip was re-keyed with; the trail is quiet while it equals `settings`.
-  int colour = 0;           ///< Index into the palette of trails.
+  std::optional<TrailSettings>
+      applied;    ///< What the clip was re-keyed with; the trail is quiet while it equals `settings`.
+  int colour = 0; ///< Index into the palette of trails.
   bool visible = true;
-  bool pinned = false;      ///< Drawn even when its limb is not selected.
+  bool pinned = false; ///< Drawn even when its limb is not selected.
   /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (section 3).
   std::vector<double> controlFrames;
   bool follow = true; ///< The character follows while a sphere is dragged.

@@ -40,7 +40,8 @@ struct PixelSize {
 
 Result<PixelSize> parseSize(const std::string& text) {
   const std::size_t times = text.find('x');
-  const Error wrong{"'" + text + "' is no size", "--size", "give width and height in pixels from 16 to 8192, such as 1280x720"};
+  const Error wrong{"'" + text + "' is no size", "--size",
+                    "give width and height in pixels from 16 to 8192, such as 1280x720"};
   if (times == std::string::npos) {
     return wrong;
   }
@@ -54,8 +55,9 @@ Result<PixelSize> parseSize(const std::string& text) {
 }
 
 Result<ViewDirection> parseView(const std::string& text) {
-  for (const auto& [name, view] : {std::pair{"front", ViewDirection::front}, std::pair{"side", ViewDirection::side},
-                                   std::pair{"top", ViewDirection::top}, std::pair{"three-quarter", ViewDirection::threeQuarter}}) {
+  for (const auto& [name, view] :
+       {std::pair{"front", ViewDirection::front}, std::pair{"side", ViewDirection::side},
+        std::pair{"top", ViewDirection::top}, std::pair{"three-quarter", ViewDirection::threeQuarter}}) {
     if (text == name) {
       return view;
     }
@@ -71,7 +73,9 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
   if (!range) {
     return Error{range.error().what, "--frames", range.error().remedy};
   }
-  const Result<double> step = second == std::string::npos ? Result<double>(1.0) : app::parseNumber(text.substr(second + 1), "--frames");
+  const Result<double> step = second == std::string::npos
+                                  ? Result<double>(1.0)
+                                  : app::parseNumber(text.substr(second + 1), "--frames");
   if (!step || *step <= 0.0) {
     return Error{"the step is no positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
   }
@@ -87,13 +91,15 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
   return frames;
 }
 
-Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app::Document& document, int clip) {
+Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app::Document& document,
+                                     int clip) {
   if (!arguments.frames.empty()) {
     return parseFrames(arguments.frames);
   }
   if (!arguments.frame.empty()) {
     const Result<double> frame = app::parseNumber(arguments.frame, "--frame");
-    return frame ? Result<std::vector<double>>(std::vector<double>{*frame}) : Result<std::vector<double>>(frame.error());
+    return frame ? Result<std::vector<double>>(std::vector<double>{*frame})
+                 : Result<std::vector<double>>(frame.error());
   }
   if (!arguments.sheet || clip < 0) {
     return std::vector<double>{0.0};
@@ -108,7 +114,8 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app
   return frames;
 }
 
-TrailPicture pictureOf(const app::Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved, double frame) {
+TrailPicture pictureOf(const app::Document& document, const rig::MotionState& motion,
+                       const rig::SolvedTrail& solved, double frame) {
   constexpr std::size_t samplesPerFrame = 2;
   const Scene& scene = *document.scene;
   const Clip& clip = app::clipOf(document, motion.clip);
@@ -128,7 +135,8 @@ TrailPicture pictureOf(const app::Document& document, const rig::MotionState& mo
   return picture;
 }
 
-std::vector<Ghost> ghostsAround(const app::Document& document, const rig::MotionState& motion, double frame, int count) {
+std::vector<Ghost> ghostsAround(const app::Document& document, const rig::MotionState& motion, double frame,
+                                int count) {
   std::vector<Ghost> ghosts;
   for (int i = 1; i <= count; ++i) {
     const float opacity = 0.35F * (1.0F - static_cast<float>(i - 1) / static_cast<float>(count));
@@ -144,13 +152,15 @@ std::vector<Ghost> ghostsAround(const app::Document& document, const rig::Motion
   return ghosts;
 }
 
-std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::MotionState& motion, const std::vector<double>& frames,
-                                     const RenderArguments& arguments) {
+std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::MotionState& motion,
+                                     const std::vector<double>& frames, const RenderArguments& arguments) {
   std::vector<PictureFrame> pictures;
   for (const double frame : frames) {
     PictureFrame picture;
     picture.frame = app::evaluate(document, motion, frame / motion.framesPerSecond);
-    picture.label = motion.clip >= 0 && (frames.size() > 1 || arguments.sheet) ? fmt::format("frame {:g}", frame) : std::string();
+    picture.label = motion.clip >= 0 && (frames.size() > 1 || arguments.sheet)
+                        ? fmt::format("frame {:g}", frame)
+                        : std::string();
     picture.ghosts = ghostsAround(document, motion, frame, arguments.ghosts);
     for (const rig::SolvedTrail& solved : motion.trails) {
       if (solved.trail.visible) {
@@ -183,7 +193,8 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
 
 std::filesystem::path numbered(const std::filesystem::path& path, double frame) {
   std::filesystem::path name = path;
-  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame)) : fmt::format("{:08.3f}", frame);
+  const std::string number = frame == std::round(frame) ? fmt::format("{:04d}", static_cast<int>(frame))
+                                                        : fmt::format("{:08.3f}", frame);
   name.replace_filename(path.stem().string() + "-" + number + path.extension().string());
   return name;
 }
@@ -234,26 +245,35 @@ Status runRender(const RenderArguments& arguments) {
   options.view = *view;
   options.skeleton = arguments.skeleton;
   const rig::MotionState motion = app::prepareMotion(*document, clip);
-  return draw(arguments, *document->scene, *frames, picturesOf(*document, motion, *frames, arguments), options);
+  return draw(arguments, *document->scene, *frames, picturesOf(*document, motion, *frames, arguments),
+              options);
 }
 
 } // namespace
 
 app::Verb renderVerb() {
-  return {"render", "Draws a file without a display: a frame, a numbered series, a contact sheet.", [](CLI::App& program) {
+  return {"render", "Draws a file without a display: a frame, a numbered series, a contact sheet.",
+          [](CLI::App& program) {
             const auto arguments = std::make_shared<RenderArguments>();
             program.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
-            program.add_option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN")->required();
+            program.add_option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN")
+                ->required();
             program.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            CLI::Option* const frame = program.add_option("--frame", arguments->frame, "One frame; default: 0");
-            program.add_option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP")->excludes(frame);
+            CLI::Option* const frame =
+                program.add_option("--frame", arguments->frame, "One frame; default: 0");
+            program.add_option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP")
+                ->excludes(frame);
             program.add_flag("--sheet", arguments->sheet, "All frames on one contact sheet");
             program.add_option("--size", arguments->size, "Pixels of a picture, WxH")->capture_default_str();
-            program.add_option("--view", arguments->view, "front, side, top or three-quarter")->capture_default_str();
-            program.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+            program.add_option("--view", arguments->view, "front, side, top or three-quarter")
+                ->capture_default_str();
+            program
+                .add_option("--fps", arguments->framesPerSecond,
+                            "Frames a second; default: guessed from the keys")
                 ->check(CLI::PositiveNumber);
             program.add_option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
-            program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")->check(CLI::Range(0, 20));
+            program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
+                ->check(CLI::Range(0, 20));
             program.add_flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
             return [arguments] { return runRender(*arguments); };
           }};

@@ -11,7 +11,9 @@ namespace {
 using namespace stretch;
 using namespace stretch::rig;
 
-Vec3 point(const nlohmann::json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+Vec3 point(const nlohmann::json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
 
 nlohmann::json workedCases() {
   std::ifstream file(STRETCH_SOURCE_DIR "/tests/rig/trail/exaggeration_vectors.json");
@@ -20,7 +22,8 @@ nlohmann::json workedCases() {
 }
 
 Ease easeOf(const nlohmann::json& input, const char* key, double defaultValue) {
-  return input.contains(key) ? Ease{input[key][0].get<double>(), input[key][1].get<double>()} : Ease{0.0, defaultValue};
+  return input.contains(key) ? Ease{input[key][0].get<double>(), input[key][1].get<double>()}
+                             : Ease{0.0, defaultValue};
 }
 
 TipProblem problemOf(const nlohmann::json& input) {
@@ -39,7 +42,8 @@ TipProblem problemOf(const nlohmann::json& input) {
     }
   }
   const Vec3 tip = problem.pivot == Pivot::start ? problem.points.back() : problem.points.front();
-  problem.limbLength = input.contains("length") ? input["length"].get<double>() : glm::length(tip - problem.basePosition);
+  problem.limbLength =
+      input.contains("length") ? input["length"].get<double>() : glm::length(tip - problem.basePosition);
   return problem;
 }
 
@@ -67,7 +71,8 @@ TEST_CASE("the specification's worked cases come out to 1e-6") {
     if (solution.trailScale) {
       CHECK(*solution.trailScale == Approx(expect["trail_scale"].get<double>()).margin(1e-6));
     }
-    const std::vector<double> ratios = pathRatios(problem.points, evenTimes(problem.points.size()), problem.pivot);
+    const std::vector<double> ratios =
+        pathRatios(problem.points, evenTimes(problem.points.size()), problem.pivot);
     const Remap remap(input.value("remap", "spline") == "linear" ? RemapKind::linear : RemapKind::spline,
                       easeOf(input, "ease_in", 0.1), easeOf(input, "ease_out", 0.9));
     for (std::size_t i = 0; i < problem.points.size(); ++i) {
@@ -77,7 +82,8 @@ TEST_CASE("the specification's worked cases come out to 1e-6") {
       CHECK(weight == Approx(expect["weights"][i].get<double>()).margin(1e-6));
       const double blend = input.value("blend", 2.0);
       const Vec3 original = problem.points[i];
-      const Vec3 followed = original + 0.5 * blend * weight * (exaggeratePoint(solution, original) - original);
+      const Vec3 followed =
+          original + 0.5 * blend * weight * (exaggeratePoint(solution, original) - original);
       CHECK(glm::length(followed - point(expect["points"][i])) < 1e-6);
     }
   }

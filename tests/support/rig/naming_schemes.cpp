@@ -342,7 +342,9 @@ const std::vector<NamingScheme> schemes{
 
 } // namespace
 
-const std::vector<NamingScheme>& namingSchemes() { return schemes; }
+const std::vector<NamingScheme>& namingSchemes() {
+  return schemes;
+}
 
 const NamingScheme& namingScheme(const std::string& title) {
   return *std::ranges::find(schemes, title, &NamingScheme::title);

@@ -1,4 +1,5 @@
-// Prints where the program itself puts the vertices of a file, trails included, in the shape that measure.mjs prints:
+// Prints where the program itself puts the vertices of a file, trails included, in the shape that measure.mjs
+// prints:
 //   dump-vertices FILE CLIP STEP TIME...
 // {"vertices": {"#node mesh/primitive": [[x, y, z, ...] a time]}}
 #include <cstdlib>
@@ -50,7 +51,8 @@ int main(int argumentCount, char** arguments) {
   const rig::MotionState motion = app::prepareMotion(*document, clip);
   nlohmann::json out;
   for (int i = 4; i < argumentCount; ++i) {
-    addFrame(*document->scene, app::evaluate(*document, motion, std::strtod(arguments[i], nullptr)), step, out);
+    addFrame(*document->scene, app::evaluate(*document, motion, std::strtod(arguments[i], nullptr)), step,
+             out);
   }
   std::cout << nlohmann::json{{"vertices", out}}.dump() << '\n';
   return 0;
