@@ -115,6 +115,10 @@ void drawGraphPanel(PanelContext& context) {
                "Open a character with an animation to see its curves here.");
     return;
   }
+  if (context.ui.bottomTab == BottomTab::dopeSheet) {
+    drawDopeSheet(context);
+    return;
+  }
   const std::vector<std::string>& limbs = context.session->view().selectedLimbs;
   const rig::Limb* selected =
       limbs.empty() ? nullptr : app::findLimb(context.session->document(), limbs.front());

@@ -78,11 +78,10 @@ void clipChooser(PanelContext& context) {
     context.ui.graph.fitPending = true;
   }
   const Clip& clip = app::clipOf(session.document(), session.view().clip);
-  valueRow(
-      widgets, "Length",
-      std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.endSeconds) + " s, " +
-          shortNumber(clip.framesPerSecond) + " fps",
-      {.title = "Frames and rate", .text = "Frame 0 is the time 0. The rate is guessed from the key times."});
+  valueRow(widgets, "Length",
+           std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.framesPerSecond) + " fps",
+           {.title = shortNumber(clip.endSeconds) + " seconds",
+            .text = "Frame 0 is the time 0. The rate is guessed from the key times."});
 }
 
 std::string jointsText(const Scene& scene, const rig::Limb& limb) {
@@ -116,9 +115,12 @@ void drawLimbRow(const PanelContext& context, const Control& row, const rig::Lim
   drawText(widgets, theme.fonts.body, {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}},
            selected ? colours.accent : colours.text, limbHeading(context.session->document(), limb.id));
   const float numberLeft = row.box.max.x - theme.px(40.0F);
-  drawText(widgets, theme.fonts.label,
-           {{split + theme.unit(), row.box.min.y}, {numberLeft - theme.px(4.0F), row.box.max.y}},
-           colours.quietText, jointsText(*context.session->document().scene, limb));
+  const std::string joints = jointsText(*context.session->document().scene, limb);
+  const Rect jointsBox{{split + theme.unit(), row.box.min.y}, {numberLeft - theme.px(4.0F), row.box.max.y}};
+  if (textSize(theme.fonts.label, joints).x <=
+      jointsBox.width()) { // cut names would only be noise: the reasons have them
+    drawText(widgets, theme.fonts.label, jointsBox, colours.quietText, joints);
+  }
   drawText(widgets, theme.fonts.label,
            {{numberLeft, row.box.min.y}, {row.box.max.x - theme.px(4.0F), row.box.max.y}},
            confidenceColour(colours, limb.confidence), shortNumber(limb.confidence * 100.0, 0) + " %", 1.0F);

@@ -198,22 +198,17 @@ void drawBottomPanel(PanelContext& context) {
   }
   tabs(context);
   ImGui::SameLine(0.0F, context.theme.px(16.0F));
-  transport(context);
-  switch (context.ui.bottomTab) {
-  case BottomTab::timeline:
+  if (context.ui.bottomTab == BottomTab::timeline) {
     drawTimelinePanel(context);
-    break;
-  case BottomTab::graph:
+  } else {
+    transport(context);
     drawGraphPanel(context);
-    break;
-  case BottomTab::dopeSheet:
-    drawDopeSheet(context);
-    break;
   }
 }
 
 void drawTimelinePanel(PanelContext& context) {
   if (hasViewedClip(context)) {
+    transport(context);
     timeRows(context, "timeline", RowDetail::selection);
   }
 }

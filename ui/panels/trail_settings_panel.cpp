@@ -290,16 +290,15 @@ void sphereRows(PanelContext& context, const rig::Trail& trail, const rig::Solve
   labelledRow(widgets, "Spheres",
               {"Control spheres", "Points of the path that can be pulled, at the keys of the limb.", {}});
   const float width = columnWidth(2);
-  commandButton(
-      context,
-      {.command = command::spherePrevious, .icon = icon::stepBack, .text = "Previous", .width = width});
+  commandButton(context,
+                {.command = command::spherePrevious, .icon = icon::stepBack, .text = "Back", .width = width});
   ImGui::SameLine();
   commandButton(context,
                 {.command = command::sphereNext, .icon = icon::stepForward, .text = "Next", .width = width});
   const std::vector<double>& selected = session.view().selectedSpheres;
-  valueRow(widgets, "",
-           std::to_string(count) + " spheres, " + std::to_string(trail.settings.spheres.size()) +
-               " pulled, " + std::to_string(selected.size()) + " selected");
+  const std::string state = selected.empty() ? std::to_string(trail.settings.spheres.size()) + " pulled"
+                                             : std::to_string(selected.size()) + " selected";
+  valueRow(widgets, "", std::to_string(count) + " spheres, " + state);
   if (selected.size() == 1) {
     sphereOffsetRow(context, trail, selected.front());
   }
@@ -346,6 +345,8 @@ void drawTrailSettingsPanel(PanelContext& context) {
   if (!hasViewedClip(context)) {
     return;
   }
+  verticalSpace(widgets, 8.0F);
+  separator(widgets);
   app::Session& session = *context.session;
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {

@@ -40,7 +40,6 @@ void numberRow(PanelContext& context, const OverlayNumber& row, Number& value) {
                   .step = row.step,
                   .decimals = row.step < 1.0 ? 1 : 0,
                   .suffix = row.suffix,
-                  .width = context.theme.px(150.0F),
                   .help = help};
   auto number = static_cast<double>(value);
   if (slider(widgets, spec, number).changed) {
@@ -59,6 +58,7 @@ void flagRow(PanelContext& context, const char* id, const char* label, const cha
 void displayPopup(PanelContext& context) {
   ViewportOverlays& overlays = context.ui.overlays;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.px(12.0F), context.theme.px(12.0F)));
+  ImGui::SetNextWindowSize({context.theme.px(320.0F), 0.0F});
   if (ImGui::BeginPopup("overlay/popup")) {
     panelTitle(widgetsOf(context), icon::sliders, "Trails and ghosts");
     numberRow(context,

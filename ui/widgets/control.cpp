@@ -66,6 +66,8 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.px(10.0F), context.theme.px(8.0F)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8.0F), context.theme.px(4.0F)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(6.0F));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::BeginTooltip();
   ImGui::PushFont(context.theme.fonts.label);
   tooltipHeader(context, help);
@@ -78,7 +80,7 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
   }
   ImGui::PopFont();
   ImGui::EndTooltip();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(4);
 }
 
 void tooltip(const WidgetContext& context, const Help& help) {

@@ -28,6 +28,29 @@ ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
   return colours.quietText;
 }
 
+/// Draws quiet text from the box's top on, wrapped at its width, each line in the middle; answers where it
+/// ends.
+float centredParagraph(const WidgetContext& context, const Rect& box, const std::string& text) {
+  const Theme& theme = context.theme;
+  ImFont* font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  const float line = font->FontSize + theme.px(2.0F);
+  float y = box.min.y;
+  const char* start = text.c_str();
+  const char* const end = start + text.size();
+  while (start < end) {
+    const char* stop =
+        std::max(start + 1, font->CalcWordWrapPositionA(1.0F, start, end, std::max(1.0F, box.width())));
+    drawText(context, font, {{box.min.x, y}, {box.max.x, y + line}}, theme.colours.quietText,
+             {start, static_cast<std::size_t>(stop - start)}, 0.5F);
+    y += line;
+    start = stop;
+    while (start < end && *start == ' ') {
+      ++start;
+    }
+  }
+  return y;
+}
+
 } // namespace
 
 void labelledRow(const WidgetContext& context, const std::string& label, const Help& help) {
@@ -151,14 +174,9 @@ void emptyState(const WidgetContext& context, const char* iconText, const std::s
   drawText(context, theme.fonts.body, {{corner.x, y}, {corner.x + width, y + theme.px(20.0F)}},
            theme.colours.text, title, 0.5F);
   y += theme.px(24.0F);
-  ImGui::SetCursorScreenPos({corner.x + theme.unit(), y});
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - theme.unit() * 2.0F);
-  ImGui::PushFont(theme.fonts.label);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme.colours.quietText);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
-  ImGui::PopTextWrapPos();
+  y = centredParagraph(context, {{corner.x + theme.unit(), y}, {corner.x + width - theme.unit(), y}}, text);
+  ImGui::SetCursorScreenPos({corner.x, y});
+  ImGui::Dummy({width, theme.px(1.0F)});
   verticalSpace(context, 8.0F);
 }
 

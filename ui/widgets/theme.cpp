@@ -242,7 +242,7 @@ void applyStyle(const Theme& theme) {
   style.ScrollbarRounding = 5.0F;
   style.GrabRounding = 4.0F;
   style.TabRounding = 4.0F;
-  style.WindowBorderSize = 0.0F;
+  style.WindowBorderSize = theme.kind == ThemeKind::highContrast ? 1.0F : 0.0F;
   style.ChildBorderSize = 1.0F;
   style.PopupBorderSize = 1.0F;
   style.FrameBorderSize = theme.kind == ThemeKind::highContrast ? 1.0F : 0.0F;

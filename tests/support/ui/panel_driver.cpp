@@ -1,0 +1,178 @@
+#include "panel_driver.h"
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/document_commands.h"
+#include "ui/panels/command_ids.h"
+
+namespace stretch::test {
+
+namespace {
+
+constexpr float width = 1280.0F;
+constexpr float height = 2400.0F; // tall enough for every panel to be drawn whole
+
+std::vector<ui::CommandInfo> allCommands(const app::Session* session) {
+  std::vector<ui::CommandInfo> infos;
+  for (const app::Command<app::Session>& command : app::documentCommands()) {
+    const bool enabled = session != nullptr && command.enabled(*session);
+    infos.push_back({command.id, command.label, command.help,
+                     command.keys.empty() ? "" : command.keys.front(), enabled, false});
+  }
+  for (const char* id :
+       {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate, ui::command::pickChain}) {
+    infos.push_back({id, id, "Of the editor.", "", true, false});
+  }
+  return infos;
+}
+
+bool beginPane(const char* name, float x, float y, float w, float h) {
+  ImGui::SetNextWindowPos({x, y});
+  ImGui::SetNextWindowSize({w, h});
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+} // namespace
+
+PanelDriver::PanelDriver(std::optional<app::Document> document) : gui_(ImGui::CreateContext()) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.DisplaySize = {width, height};
+  io.DeltaTime = 1.0F / 60.0F;
+  io.MousePos = {1.0F, 1.0F};
+  for (const int key : {ImGuiKey_Enter, ImGuiKey_Escape, ImGuiKey_DownArrow, ImGuiKey_UpArrow,
+                        ImGuiKey_Backspace, ImGuiKey_A}) {
+    io.KeyMap[key] = key + 1;
+  }
+  theme = ui::makeTheme(ui::ThemeKind::dark, 1.0F);
+  ui::applyStyle(theme);
+  unsigned char* pixels = nullptr;
+  int atlasWidth = 0;
+  int atlasHeight = 0;
+  io.Fonts->GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
+  if (document) {
+    session.emplace(std::move(*document));
+  }
+  frames(2);
+}
+
+PanelDriver::~PanelDriver() {
+  ImGui::DestroyContext(gui_);
+}
+
+app::Document PanelDriver::bundledCharacter() {
+  const Result<app::Document> document = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(document.ok());
+  return *document;
+}
+
+void PanelDriver::drawPanes(ui::PanelContext& context) const {
+  if (ImGui::BeginMainMenuBar()) {
+    ui::drawMenuBar(context);
+    ImGui::EndMainMenuBar();
+  }
+  beginPane("left", 0.0F, 40.0F, 264.0F, 1400.0F);
+  ui::drawLimbPanel(context);
+  ui::drawRigPanel(context);
+  ImGui::End();
+  beginPane("right", 976.0F, 40.0F, 304.0F, 1400.0F);
+  ui::drawTrailsPanel(context);
+  ui::drawTrailSettingsPanel(context);
+  ImGui::End();
+  beginPane("bottom", 0.0F, 1440.0F, width, 400.0F);
+  ui::drawBottomPanel(context);
+  ImGui::End();
+  beginPane("status", 0.0F, 1840.0F, width, 40.0F);
+  ui::drawStatusBar(context);
+  ImGui::End();
+  beginPane("bar", 264.0F, 40.0F, 712.0F, 60.0F);
+  ui::drawViewportBar(context);
+  ImGui::End();
+  ui::drawDialogs(context);
+}
+
+void PanelDriver::frame() {
+  ImGui::GetIO().KeyShift = shift;
+  commands = allCommands(session ? &*session : nullptr);
+  ImGui::NewFrame();
+  ui::PanelContext context{session ? &*session : nullptr, ui, theme, commands, requested, items};
+  ui::beginPanels(context);
+  drawPanes(context);
+  ImGui::Render();
+}
+
+void PanelDriver::frames(int count) {
+  for (int i = 0; i < count; ++i) {
+    frame();
+  }
+}
+
+ImVec2 PanelDriver::centreOf(const std::string& id) {
+  const ui::Item* item = find(id);
+  INFO("widget " << id);
+  REQUIRE(item != nullptr);
+  return item->centre();
+}
+
+void PanelDriver::moveTo(const std::string& id) {
+  ImGui::GetIO().MousePos = centreOf(id);
+  frame();
+}
+
+void PanelDriver::pressMouse() {
+  ImGui::GetIO().MouseDown[0] = true;
+  frame();
+}
+
+void PanelDriver::moveBy(float dx, float dy) {
+  ImVec2& mouse = ImGui::GetIO().MousePos;
+  mouse = {mouse.x + dx, mouse.y + dy};
+  frame();
+}
+
+void PanelDriver::releaseMouse() {
+  ImGui::GetIO().MouseDown[0] = false;
+  frames(2);
+}
+
+void PanelDriver::click(const std::string& id) {
+  moveTo(id);
+  pressMouse();
+  releaseMouse();
+  frames(40); // so that the next click is no double click
+}
+
+void PanelDriver::doubleClick(const std::string& id) {
+  moveTo(id);
+  pressMouse();
+  releaseMouse();
+  pressMouse();
+  releaseMouse();
+}
+
+void PanelDriver::drag(const std::string& id, float dx, float dy) {
+  moveTo(id);
+  pressMouse();
+  constexpr int steps = 4;
+  for (int i = 0; i < steps; ++i) {
+    moveBy(dx / steps, dy / steps);
+  }
+  releaseMouse();
+  frames(40);
+}
+
+void PanelDriver::pressKey(int imguiKey) {
+  ImGui::GetIO().KeysDown[imguiKey + 1] = true;
+  frame();
+  ImGui::GetIO().KeysDown[imguiKey + 1] = false;
+  frame();
+}
+
+void PanelDriver::type(const std::string& text) {
+  ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+  frame();
+}
+
+} // namespace stretch::test

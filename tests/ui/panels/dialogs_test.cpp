@@ -1,0 +1,195 @@
+#include <filesystem>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/selection.h"
+#include "panel_driver.h"
+#include "ui/panels/file_listing.h"
+#include "ui/panels/graph_model.h"
+
+using namespace stretch;
+using test::PanelDriver;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own with a few files; removed at the end.
+struct Folder {
+  Folder() : path(fs::temp_directory_path() / "stretch-engine-file-dialog") {
+    fs::remove_all(path);
+    fs::create_directories(path / "clips");
+    for (const char* name : {"Punch.glb", "walk.gltf", "avatar.vrm", "notes.txt", ".hidden.glb"}) {
+      std::ofstream(path / name) << "x";
+    }
+    std::ofstream(path / "clips" / "run.glb") << "x";
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path path;
+};
+
+void openFiles(PanelDriver& driver, const Folder& folder, ui::FilePurpose purpose) {
+  driver.ui.fileDialog = {};
+  driver.ui.fileDialog.open = true;
+  driver.ui.fileDialog.purpose = purpose;
+  driver.ui.fileDialog.folder = folder.path;
+  driver.frames(3);
+}
+
+} // namespace
+
+TEST_CASE("A folder lists folders first, then the files that can be opened") {
+  const Folder folder;
+  const Result<std::vector<ui::FileEntry>> entries = ui::listFolder(folder.path, ui::FilePurpose::openModel);
+  REQUIRE(entries.ok());
+  std::vector<std::string> names;
+  for (const ui::FileEntry& entry : *entries) {
+    names.push_back(entry.name);
+  }
+  CHECK(names == std::vector<std::string>{"clips", "avatar.vrm", "Punch.glb", "walk.gltf"});
+  CHECK_FALSE(ui::listFolder(folder.path / "missing", ui::FilePurpose::openModel).ok());
+}
+
+TEST_CASE("A file is chosen by click, by folder, and by its typed name") {
+  const Folder folder;
+  PanelDriver driver(std::nullopt);
+  openFiles(driver, folder, ui::FilePurpose::openModel);
+  SECTION("click") {
+    driver.click("files/entry/Punch.glb");
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
+    CHECK_FALSE(driver.ui.fileDialog.open);
+  }
+  SECTION("folder, then click") {
+    driver.click("files/entry/clips");
+    driver.click("files/entry/run.glb");
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "clips" / "run.glb");
+  }
+  SECTION("typed") {
+    driver.type("punc");
+    driver.pressKey(ImGuiKey_Enter);
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
+  }
+  SECTION("Esc closes without an answer") {
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frames(2);
+    CHECK_FALSE(driver.ui.fileDialog.open);
+    CHECK_FALSE(driver.ui.answers.file);
+  }
+}
+
+TEST_CASE("Saving over a file asks first, and a missing extension is added") {
+  const Folder folder;
+  PanelDriver driver(std::nullopt);
+  openFiles(driver, folder, ui::FilePurpose::saveModel);
+  driver.type("Punch");
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK_FALSE(driver.ui.answers.file);
+  CHECK(driver.ui.fileDialog.confirmOverwrite);
+  driver.frames(2);
+  driver.click("files/Replace");
+  REQUIRE(driver.ui.answers.file);
+  CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
+}
+
+TEST_CASE("The palette runs what was typed with Enter") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.ui.palette.open = true;
+  driver.frames(3);
+  driver.type("left arm");
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(driver.requested == std::vector<std::string>{"limb.left-arm"});
+  CHECK_FALSE(driver.ui.palette.open);
+}
+
+TEST_CASE("Unsaved changes: every way out gives an answer") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.ui.unsavedOpen = true;
+  driver.frames(3);
+  SECTION("save") {
+    driver.click("unsaved/Save");
+    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::save);
+  }
+  SECTION("discard") {
+    driver.click("unsaved/Don't save");
+    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::discard);
+  }
+  SECTION("Esc") {
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frames(2);
+    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::cancel);
+  }
+  CHECK_FALSE(driver.ui.unsavedOpen);
+}
+
+TEST_CASE("The first start asks how the view is turned") {
+  PanelDriver driver(std::nullopt);
+  driver.ui.navigationChoiceOpen = true;
+  driver.frames(3);
+  driver.click("navigation/blender");
+  CHECK(driver.ui.answers.navigation == ui::NavigationStyle::blender);
+  CHECK(driver.ui.navigation == ui::NavigationStyle::blender);
+}
+
+TEST_CASE("A key is changed in the keys overview, and the one that loses it is told") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.ui.keys.open = true;
+  driver.ui.keys.filter = "apply";
+  driver.frames(3);
+  driver.click("keys/trail.apply");
+  CHECK(driver.ui.keys.waitingFor == "trail.apply");
+  driver.ui.pressedKey = "T";
+  driver.frame();
+  REQUIRE(driver.ui.answers.keyChange);
+  CHECK(driver.ui.answers.keyChange->commandId == "trail.apply");
+  CHECK(driver.ui.answers.keyChange->keyText == "T");
+  CHECK(driver.ui.keys.clash.find("Motion trail") != std::string::npos);
+}
+
+TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the found ones back") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  const rig::Limb before = *app::findLimb(driver.session->document(), "left-arm");
+  const int forearm = before.joints.back();
+  driver.ui.jointPick.open = true;
+  driver.ui.jointPick.limbId = "left-arm";
+  driver.frames(3);
+  driver.click("joints/" + std::to_string(forearm));
+  driver.click("joints/" + std::to_string(before.endNode));
+  driver.click("joints/Use them");
+  const rig::Limb* after = app::findLimb(driver.session->document(), "left-arm");
+  REQUIRE(after != nullptr);
+  CHECK(after->joints.front() == forearm);
+  CHECK(after->endNode == before.endNode);
+  CHECK(driver.session->undo());
+  CHECK(*app::findLimb(driver.session->document(), "left-arm") == before);
+}
+
+TEST_CASE("A chain of two joints that do not belong together is refused with a reason") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  const app::Document& document = driver.session->document();
+  driver.ui.jointPick.open = true;
+  driver.ui.jointPick.baseNode = app::findLimb(document, "left-arm")->joints.front();
+  driver.ui.jointPick.endNode = app::findLimb(document, "right-leg")->endNode;
+  driver.frames(3);
+  driver.click("joints/Use them");
+  CHECK_FALSE(driver.ui.jointPick.message.empty());
+  CHECK(driver.session->document().chains.empty());
+}
+
+TEST_CASE("Angles of a turning joint do not jump") {
+  Vec3 previous(0.0);
+  for (int i = 0; i <= 360; ++i) {
+    const double angle = static_cast<double>(i) * pi / 60.0; // three turns
+    const Quat rotation = glm::angleAxis(angle, glm::normalize(Vec3(0.3, 1.0, 0.2)));
+    const Vec3 angles = ui::eulerNear(rotation, previous);
+    const Quat again(angles);
+    CHECK(std::abs(glm::dot(again, rotation)) == Approx(1.0).margin(1e-9));
+    CHECK(glm::length(angles - previous) < 1.0);
+    previous = angles;
+  }
+}

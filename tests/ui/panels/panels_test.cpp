@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
+#include "panel_driver.h"
+#include "ui/panels/command_ids.h"
+
+using namespace stretch;
+using test::PanelDriver;
+
+namespace {
+
+/// The bundled character with an exaggerated, connected trail of the left arm over frames 4 to 24, selected.
+app::Document withTrail() {
+  app::NewTrail wanted;
+  wanted.limb = "left-arm";
+  wanted.settings.startFrame = 4.0;
+  wanted.settings.endFrame = 24.0;
+  wanted.settings.scale = 2.0;
+  wanted.exaggerated = true;
+  wanted.connected = true;
+  const Result<app::CreatedTrail> created = app::createTrail(PanelDriver::bundledCharacter(), wanted);
+  REQUIRE(created.ok());
+  return created->document;
+}
+
+struct TrailPanels {
+  TrailPanels() : driver(withTrail()) {
+    app::selectTrail(*driver.session, trailId());
+    driver.frames(2);
+  }
+  [[nodiscard]] int trailId() const { return driver.session->document().trails.front().id; }
+  [[nodiscard]] const rig::TrailSettings& settings() const {
+    return driver.session->document().trails.front().settings;
+  }
+
+  PanelDriver driver;
+};
+
+} // namespace
+
+TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.click("limb/left-arm");
+  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"left-arm"});
+  driver.shift = true;
+  driver.click("limb/right-leg");
+  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"left-arm", "right-leg"});
+  driver.shift = false;
+  driver.click("limb/spine");
+  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"spine"});
+}
+
+TEST_CASE("A click on a limb that was not found asks for its joints") {
+  app::Document document = PanelDriver::bundledCharacter();
+  std::erase_if(document.biped.limbs, [](const rig::Limb& limb) { return limb.id == "neck"; });
+  PanelDriver driver(document);
+  driver.click("limb/neck");
+  CHECK(driver.session->view().selectedLimbs.empty());
+  CHECK(driver.ui.jointPick.open);
+  CHECK(driver.ui.jointPick.limbId == "neck");
+}
+
+TEST_CASE("Dragging the scale is one undo step, however many frames it takes") {
+  TrailPanels panels;
+  panels.driver.drag("trail/scale", 40.0F, 0.0F);
+  CHECK(panels.settings().scale > 2.2);
+  CHECK_FALSE(panels.driver.session->isDragging());
+  REQUIRE(panels.driver.session->undo());
+  CHECK(panels.settings().scale == 2.0);
+  CHECK_FALSE(panels.driver.session->history().canUndo());
+}
+
+TEST_CASE("Esc during a drag gives the value back and leaves no undo step") {
+  TrailPanels panels;
+  panels.driver.moveTo("trail/scale");
+  panels.driver.pressMouse();
+  panels.driver.moveBy(30.0F, 0.0F);
+  CHECK(panels.settings().scale > 2.0);
+  panels.driver.pressKey(ImGuiKey_Escape);
+  CHECK(panels.settings().scale == 2.0);
+  panels.driver.releaseMouse();
+  CHECK(panels.settings().scale == 2.0);
+  CHECK_FALSE(panels.driver.session->history().canUndo());
+}
+
+TEST_CASE("A scale is typed after a double click, with a comma as well") {
+  TrailPanels panels;
+  panels.driver.doubleClick("trail/scale");
+  panels.driver.type("3,25");
+  panels.driver.pressKey(ImGuiKey_Enter);
+  panels.driver.frames(3);
+  CHECK(panels.settings().scale == Approx(3.25));
+  CHECK_FALSE(panels.driver.session->isDragging());
+  CHECK(panels.driver.session->undo());
+  CHECK(panels.settings().scale == 2.0);
+}
+
+TEST_CASE("A click that does not move changes nothing") {
+  TrailPanels panels;
+  panels.driver.click("trail/scale");
+  CHECK(panels.settings().scale == 2.0);
+  CHECK_FALSE(panels.driver.session->history().canUndo());
+}
+
+TEST_CASE("Axes are switched one by one, or Shift leaves only one on") {
+  TrailPanels panels;
+  panels.driver.click("trail/axes/Y");
+  CHECK(panels.settings().axes == std::array<bool, 3>{true, false, true});
+  panels.driver.shift = true;
+  panels.driver.click("trail/axes/Y");
+  CHECK(panels.settings().axes == std::array<bool, 3>{false, true, false});
+}
+
+TEST_CASE("Choices and switches of the trail settings reach the document") {
+  TrailPanels panels;
+  panels.driver.click("trail/pivot/End");
+  CHECK(panels.settings().pivot == rig::Pivot::end);
+  panels.driver.click("trail/space/Root");
+  CHECK(panels.settings().space == rig::TrailSpace::root);
+  panels.driver.click("trail/reference/Rest");
+  CHECK(panels.settings().reference == rig::Reference::rest);
+  panels.driver.click("trail/bend/Straighten");
+  CHECK(panels.settings().bend == rig::Bend::straighten);
+  panels.driver.click("trail/remap/Linear");
+  CHECK(panels.settings().remap == rig::RemapKind::linear);
+  panels.driver.click("trail/pull");
+  CHECK_FALSE(panels.settings().pull);
+  panels.driver.click("trail/stay_in_world");
+  CHECK(panels.settings().stayInWorld);
+}
+
+TEST_CASE("The space of the view takes the camera's axes") {
+  TrailPanels panels;
+  panels.driver.ui.cameraAxes = Mat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
+  panels.driver.click("trail/space/View");
+  CHECK(panels.settings().space == rig::TrailSpace::view);
+  CHECK(panels.settings().viewAxes == panels.driver.ui.cameraAxes);
+}
+
+TEST_CASE("An ease point is dragged out of its corner") {
+  TrailPanels panels;
+  panels.driver.drag("trail/remap-curve/ease-in", 60.0F, -30.0F);
+  CHECK(panels.settings().easeIn.percent > 0.1);
+  CHECK(panels.settings().easeIn.value > 0.05);
+  CHECK(panels.settings().easeOut.percent == 0.0);
+  CHECK(panels.driver.session->undo());
+  CHECK(panels.settings().easeIn.percent == 0.0);
+}
+
+TEST_CASE("The ends of a trail are dragged in the timeline") {
+  TrailPanels panels;
+  const std::string bar = "timeline/trail-" + std::to_string(panels.trailId());
+  const double pixelsPerFrame =
+      static_cast<double>(panels.driver.centreOf(bar + "/end").x - panels.driver.centreOf(bar + "/start").x) /
+      20.0;
+  panels.driver.drag(bar + "/end", static_cast<float>(pixelsPerFrame * 6.0), 0.0F);
+  CHECK(panels.settings().endFrame == 30.0);
+  CHECK(panels.settings().startFrame == 4.0);
+  panels.driver.drag(bar + "/body", static_cast<float>(pixelsPerFrame * 2.0), 0.0F);
+  CHECK(panels.settings().startFrame == 6.0);
+  CHECK(panels.settings().endFrame == 32.0);
+  CHECK(panels.driver.session->undo());
+  CHECK(panels.driver.session->undo());
+  CHECK(panels.settings().endFrame == 24.0);
+}
+
+TEST_CASE("The working range and the playhead are set in the ruler, outside of undo") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.click("limb/left-arm");
+  driver.drag("timeline/range-start", 100.0F, 0.0F);
+  CHECK(driver.session->view().rangeStart > 0.0);
+  CHECK(driver.session->view().rangeEnd > driver.session->view().rangeStart);
+  driver.click("timeline");
+  CHECK(driver.session->view().frame > 0.0);
+  CHECK(driver.session->view().frame == std::round(driver.session->view().frame));
+  CHECK_FALSE(driver.session->history().canUndo());
+}
+
+TEST_CASE("Buttons ask for commands and do not run them") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.click("limb/left-arm");
+  driver.click(ui::command::trailExaggerate);
+  CHECK(driver.requested == std::vector<std::string>{ui::command::trailExaggerate});
+  CHECK(driver.session->document().trails.empty());
+}
+
+TEST_CASE("A trail is hidden, pinned and deleted from its row") {
+  TrailPanels panels;
+  const std::string row = "trails/" + std::to_string(panels.trailId());
+  panels.driver.click(row + "/visible");
+  CHECK_FALSE(panels.driver.session->document().trails.front().visible);
+  panels.driver.click(row + "/pinned");
+  CHECK(panels.driver.session->document().trails.front().pinned);
+  panels.driver.click(row + "/delete");
+  CHECK(panels.driver.session->document().trails.empty());
+}
+
+TEST_CASE("While another part of the program drags, panels leave the document alone") {
+  TrailPanels panels;
+  panels.driver.session->begin("a tool of the viewport");
+  panels.driver.drag("trail/scale", 40.0F, 0.0F);
+  panels.driver.click("trail/pivot/End");
+  CHECK(panels.driver.session->isDragging());
+  CHECK(panels.settings().scale == 2.0);
+  CHECK(panels.settings().pivot == rig::Pivot::start);
+}
+
+TEST_CASE("No two widgets have the same id") {
+  TrailPanels panels;
+  for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph, ui::BottomTab::dopeSheet}) {
+    panels.driver.ui.bottomTab = tab;
+    panels.driver.frames(2);
+    std::set<std::string> seen;
+    for (const ui::Item& item : panels.driver.items.items) {
+      CAPTURE(item.id);
+      CHECK(seen.insert(item.id).second);
+    }
+  }
+}
+
+TEST_CASE("Without a file the panels say what to do") {
+  PanelDriver driver(std::nullopt);
+  driver.frames(2);
+  driver.click(ui::command::fileOpen);
+  CHECK(driver.requested == std::vector<std::string>{ui::command::fileOpen});
+}
+
+TEST_CASE("The graph shows the curves of the selected limb, with the source beside them where a trail acts") {
+  TrailPanels panels;
+  panels.driver.ui.bottomTab = ui::BottomTab::graph;
+  panels.driver.ui.graph.channels = ui::GraphChannels::stretch;
+  panels.driver.frames(2);
+  REQUIRE(panels.driver.ui.graph.curves.size() == 1);
+  const ui::Curve& length = panels.driver.ui.graph.curves.front();
+  CHECK(ui::curveValue(length.points, 24.0) ==
+        Approx(2.0 * ui::curveValue(length.before, 24.0)).epsilon(1e-3));
+  CHECK(ui::curveValue(length.points, 0.0) == Approx(ui::curveValue(length.before, 0.0)));
+}

@@ -1,0 +1,135 @@
+#include <array>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "ui/widgets/axis.h"
+#include "ui/widgets/curve_view.h"
+#include "ui/widgets/fuzzy.h"
+#include "ui/widgets/limb_diagram.h"
+#include "ui/widgets/remap_editor.h"
+#include "ui/widgets/slider.h"
+#include "ui/widgets/theme.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+/// Relative luminance and contrast as WCAG 2.1 defines them.
+double linear(double channel) {
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(ImU32 colour) {
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
+  return 0.2126 * linear(static_cast<double>(c.x)) + 0.7152 * linear(static_cast<double>(c.y)) +
+         0.0722 * linear(static_cast<double>(c.z));
+}
+
+double contrast(ImU32 a, ImU32 b) {
+  const double first = luminance(a) + 0.05;
+  const double second = luminance(b) + 0.05;
+  return std::max(first, second) / std::min(first, second);
+}
+
+} // namespace
+
+TEST_CASE("Text stands out from what it is drawn on in every theme") {
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light, ThemeKind::highContrast}) {
+    const ThemeColours c = coloursOf(kind);
+    CAPTURE(static_cast<int>(kind));
+    constexpr double readable = 4.5;
+    CHECK(contrast(c.text, c.panel) > 7.0);
+    CHECK(contrast(c.text, c.raised) > 7.0);
+    CHECK(contrast(c.quietText, c.panel) > readable);
+    CHECK(contrast(c.quietText, c.sunken) > readable);
+    CHECK(contrast(c.onAccent, c.accent) > readable);
+    CHECK(contrast(c.accent, c.accentQuiet) > readable);
+    CHECK(contrast(c.warning, c.panel) > readable);
+    CHECK(contrast(c.error, c.panel) > readable);
+  }
+}
+
+TEST_CASE("A font that is not installed is not found") {
+  CHECK(findFont("No Such Family At All", 80).empty());
+}
+
+TEST_CASE("Every part of the drawn body is hit at its own place") {
+  const Rect box{{100.0F, 50.0F}, {340.0F, 330.0F}};
+  for (int i = 0; i < bodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    CHECK(bodyPartAt(box, bodyPartCentre(box, part)) == part);
+  }
+  CHECK_FALSE(bodyPartAt(box, {101.0F, 51.0F}));
+  SECTION("The character's left is on the right, as it faces us") {
+    CHECK(bodyPartCentre(box, BodyPart::leftArm).x > bodyPartCentre(box, BodyPart::rightArm).x);
+  }
+}
+
+TEST_CASE("Commands are found by a few of their letters, the best match first") {
+  CHECK(fuzzyScore("", "anything"));
+  CHECK(fuzzyScore("mt", "Motion trail"));
+  CHECK_FALSE(fuzzyScore("xq", "Motion trail"));
+  CHECK_FALSE(fuzzyScore("liart", "trail"));
+  CHECK(*fuzzyScore("tra", "Motion trail") > *fuzzyScore("tra", "Forget the range"));
+  CHECK(*fuzzyScore("save", "Save") > *fuzzyScore("save", "Save as"));
+  CHECK(fuzzyScore(std::string(200, 'a'), std::string(2000, 'a')));
+}
+
+TEST_CASE("Numbers are read as people type them") {
+  CHECK(parseNumber("2.5") == 2.5);
+  CHECK(parseNumber("2,5") == 2.5);
+  CHECK(parseNumber(" x3 ") == 3.0);
+  CHECK(parseNumber("-12 %") == -12.0);
+  CHECK_FALSE(parseNumber(""));
+  CHECK_FALSE(parseNumber("two"));
+  CHECK_FALSE(parseNumber("1e999"));
+  CHECK_FALSE(parseNumber("nan"));
+}
+
+TEST_CASE("Marks of an axis are round numbers, far enough apart") {
+  const Axis axis{0.0, 60.0, 0.0F, 600.0F};
+  CHECK(markStep(axis, 50.0F, true) == Approx(5.0));
+  CHECK(markStep(axis, 51.0F, true) == Approx(10.0));
+  CHECK(markStep(axis, 1.0F, true) == Approx(1.0));
+  CHECK(markStep(axis, 1.0F, false) == Approx(0.1));
+  CHECK(marks(axis, 20.0) == std::vector<double>{0.0, 20.0, 40.0, 60.0});
+  CHECK(axis.toValue(axis.toPixel(17.0)) == Approx(17.0));
+}
+
+TEST_CASE("Zooming keeps what is under the mouse where it is") {
+  const Span span = zoomed({0.0, 100.0}, 25.0, 0.5, 4.0, 1000.0);
+  CHECK(span.end - span.start == Approx(50.0));
+  CHECK((25.0 - span.start) / (span.end - span.start) == Approx(0.25));
+  CHECK(zoomed({0.0, 10.0}, 5.0, 0.01, 4.0, 1000.0).end - zoomed({0.0, 10.0}, 5.0, 0.01, 4.0, 1000.0).start ==
+        Approx(4.0));
+}
+
+TEST_CASE("Ease points stay where the specification allows them") {
+  const RemapPoints clamped = clampedRemap({{0.8, 0.9}, {0.7, 0.1}});
+  CHECK(clamped.easeIn.x + clamped.easeOut.x < 1.0);
+  CHECK(clamped.easeIn.y == Approx(0.5));
+  CHECK(clamped.easeOut.y == Approx(0.5));
+  const RemapPoints off = clampedRemap({{-0.2, 0.1}, {0.0, 0.9}});
+  CHECK(off.easeIn.x == 0.0);
+}
+
+TEST_CASE("A curve is read between its points and held outside") {
+  const std::vector<Vec2> points{{0.0, 1.0}, {10.0, 3.0}};
+  CHECK(curveValue(points, -5.0) == 1.0);
+  CHECK(curveValue(points, 5.0) == Approx(2.0));
+  CHECK(curveValue(points, 50.0) == 3.0);
+  CHECK(curveValue({}, 1.0) == 0.0);
+}
+
+TEST_CASE("Fitting shows every visible value and leaves hidden curves out") {
+  Curve low{.label = "low", .points = {{0.0, -2.0}, {1.0, 0.0}}};
+  Curve high{.label = "high", .points = {{0.0, 50.0}}, .hidden = true};
+  const Span span = fittedValues({low, high});
+  CHECK(span.start < -2.0);
+  CHECK(span.end > 0.0);
+  CHECK(span.end < 50.0);
+  CHECK(fittedValues({}).end > fittedValues({}).start);
+  CHECK(fittedValues({Curve{.label = "flat", .points = {{0.0, 1.0}}}}).end > 1.0);
+}
