@@ -94,29 +94,42 @@ void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
   }
 }
 
+std::string tipProblem(const rig::SolvedTrail& solved) {
+  if (solved.tip.outcome == rig::TipOutcome::nothingToScale) {
+    return "Nothing to scale: the path does not move along the active axes. Turn on an axis, or choose "
+           "another range.";
+  }
+  if (solved.tip.moved) {
+    return "The path comes back on itself, so it is moved instead of scaled.";
+  }
+  if (solved.tip.outcome == rig::TipOutcome::pulled) {
+    return "The path's line does not reach that length: the tip is pulled the rest of the way.";
+  }
+  return {};
+}
+
 /// What became of the tip: its length, and why it is not what was asked for.
-void tipMessages(PanelContext& context, const rig::SolvedTrail& solved) {
+void tipMessages(PanelContext& context, int trailId) {
   const WidgetContext widgets = widgetsOf(context);
-  const TipLengths lengths = tipLengths(*context.session, solved);
+  const rig::SolvedTrail* solved = app::solvedTrail(*context.session, trailId);
+  if (solved == nullptr) {
+    return;
+  }
+  const TipLengths lengths = tipLengths(*context.session, *solved);
   valueRow(widgets, "Tip length", lengthsText(lengths),
            {.title = "Length of the limb at the tip",
             .text = "Straight from its base to its end: in the source clip, and as it is now."});
-  if (!solved.trail.exaggerated) {
+  if (!solved->trail.exaggerated) {
     return;
   }
-  if (solved.tip.outcome == rig::TipOutcome::nothingToScale) {
-    notice(widgets, NoticeKind::warning,
-           "Nothing to scale: the path does not move along the active axes. Turn on an axis, or choose "
-           "another range.");
-  } else if (solved.tip.moved) {
-    notice(widgets, NoticeKind::info, "The path comes back on itself, so it is moved instead of scaled.");
-    proposeRangeEnd(context, solved);
-  } else if (solved.tip.outcome == rig::TipOutcome::pulled) {
-    notice(widgets, NoticeKind::info,
-           "The path's line does not reach that length: the tip is pulled the rest of the way.");
+  if (const std::string problem = tipProblem(*solved); !problem.empty()) {
+    notice(widgets, NoticeKind::info, problem);
   }
-  for (const std::string& warning : solved.warnings) {
+  for (const std::string& warning : solved->warnings) {
     notice(widgets, NoticeKind::warning, warning);
+  }
+  if (solved->tip.moved) {
+    proposeRangeEnd(context, *solved);
   }
 }
 
@@ -214,14 +227,15 @@ double releaseFrames(const rig::SolvedTrail* solved, double framesPerSecond) {
   return solved == nullptr ? 0.0 : solved->release.seconds() * framesPerSecond;
 }
 
-void releaseRows(PanelContext& context, const rig::Trail& trail, const rig::SolvedTrail* solved) {
+void releaseRows(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
   const TrailSettings& settings = trail.settings;
   const double rate = app::clipOf(context.session->document(), trail.clip).framesPerSecond;
   const double last = std::max(1.0, app::lastFrame(context.session->document(), trail.clip));
   labelledRow(widgets, "Release", settingHelp("release", "Release"));
   const bool automatic = !settings.releaseFrames.has_value();
-  double frames = settings.releaseFrames.value_or(releaseFrames(solved, rate));
+  double frames =
+      settings.releaseFrames.value_or(releaseFrames(app::solvedTrail(*context.session, trail.id), rate));
   const float autoWidth = context.theme.px(52.0F);
   SliderSpec spec{.id = "trail/release", .maximum = last, .step = 1.0, .decimals = 0, .suffix = " frames"};
   spec.width = ImGui::GetContentRegionAvail().x - autoWidth - ImGui::GetStyle().ItemSpacing.x;
@@ -283,9 +297,10 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
   ImGui::PopStyleVar();
 }
 
-void sphereRows(PanelContext& context, const rig::Trail& trail, const rig::SolvedTrail* solved) {
+void sphereRows(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
   app::Session& session = *context.session;
+  const rig::SolvedTrail* solved = app::solvedTrail(session, trail.id);
   const std::size_t count = solved != nullptr ? solved->controlFrames.size() : 0;
   labelledRow(widgets, "Spheres",
               {"Control spheres", "Points of the path that can be pulled, at the keys of the limb.", {}});
@@ -312,14 +327,12 @@ void sphereRows(PanelContext& context, const rig::Trail& trail, const rig::Solve
   }
 }
 
-void settingSections(PanelContext& context, const rig::Trail& trail, const rig::SolvedTrail* solved) {
+void settingSections(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
   std::vector<std::string>& closed = context.ui.closedSections;
   rangeRow(context, trail);
   scaleRows(context, trail);
-  if (solved != nullptr) {
-    tipMessages(context, *solved);
-  }
+  tipMessages(context, trail.id);
   if (section(widgets, "trail/section-transition", "Transition", closed)) {
     remapRows(context, trail);
   }
@@ -327,10 +340,10 @@ void settingSections(PanelContext& context, const rig::Trail& trail, const rig::
     limbRows(context, trail);
   }
   if (section(widgets, "trail/section-release", "Back to the original motion", closed)) {
-    releaseRows(context, trail, solved);
+    releaseRows(context, trail);
   }
   if (section(widgets, "trail/section-spheres", "Control spheres", closed)) {
-    sphereRows(context, trail, solved);
+    sphereRows(context, trail);
   }
   if (section(widgets, "trail/section-space", "Space", closed)) {
     spaceRows(context, trail);
@@ -359,7 +372,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   panelTitle(widgets, icon::sliders,
              limbHeading(session.document(), trail.limb) +
                  (also > 0 ? " and " + std::to_string(also) + " more" : ""));
-  settingSections(context, trail, app::solvedTrail(session, trail.id));
+  settingSections(context, trail);
   verticalSpace(widgets, 8.0F);
   separator(widgets);
   commandButton(context, {.command = command::trailDelete,

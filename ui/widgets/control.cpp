@@ -38,10 +38,14 @@ void tooltipHeader(const WidgetContext& context, const Help& help) {
 
 } // namespace
 
+std::string hiddenLabel(std::string_view id) {
+  return "##" + std::string(id);
+}
+
 Control takePlace(const WidgetContext& context, std::string_view id, const ImVec2& size, bool enabled) {
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   Control control;
-  control.id = window->GetID(id.data(), id.data() + id.size());
+  control.id = window->GetID(hiddenLabel(id).c_str());
   const ImVec2 corner = window->DC.CursorPos;
   control.box = {corner, {corner.x + size.x, corner.y + size.y}};
   const ImRect box(control.box.min, control.box.max);

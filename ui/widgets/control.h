@@ -56,6 +56,9 @@ struct Control {
 [[nodiscard]] Control takePlace(const WidgetContext& context, std::string_view id, const ImVec2& size,
                                 bool enabled = true);
 
+/// The label that ImGui knows a widget by: not shown.
+[[nodiscard]] std::string hiddenLabel(std::string_view id);
+
 /// Shows a tooltip for the last widget once the mouse has rested on it.
 void tooltip(const WidgetContext& context, const Help& help);
 /// The same for anything that says itself that it is hovered; shown at once.

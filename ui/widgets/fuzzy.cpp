@@ -30,7 +30,7 @@ std::optional<int> fuzzyScore(std::string_view typed, std::string_view text) {
   // scores[at]: the best match of the letters from the current one on, the current one at `at`; from the last
   // letter back.
   std::vector<std::optional<int>> scores(text.size() + 1);
-  const int lengthPenalty = static_cast<int>(text.size() / 8);
+  const int lengthPenalty = static_cast<int>(text.size() / 3);
   if (typed.empty()) {
     return -lengthPenalty;
   }

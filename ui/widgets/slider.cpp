@@ -79,8 +79,8 @@ EditPhase typed(const SliderSpec& spec, const Control& control, double& value) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*f", spec.decimals, value * spec.displayFactor);
   const ImRect box(control.box.min, control.box.max);
-  if (ImGui::TempInputText(box, control.id, "##typed", buffer.data(), static_cast<int>(buffer.size()),
-                           ImGuiInputTextFlags_AutoSelectAll)) {
+  if (ImGui::TempInputText(box, control.id, hiddenLabel(spec.id).c_str(), buffer.data(),
+                           static_cast<int>(buffer.size()), ImGuiInputTextFlags_AutoSelectAll)) {
     if (const std::optional<double> number = parseNumber(buffer.data())) {
       const double next = hardClamped(spec, *number / spec.displayFactor);
       phase.changed = next != value;
@@ -127,21 +127,13 @@ std::string sliderText(const SliderSpec& spec, double value) {
 EditPhase slider(const WidgetContext& context, const SliderSpec& spec, double& value) {
   const Theme& theme = context.theme;
   const float width = spec.width > 0.0F ? spec.width : ImGui::GetContentRegionAvail().x;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImGuiID id = ImGui::GetCurrentWindow()->GetID(spec.id.c_str());
+  const bool typing =
+      ImGui::TempInputIsActive(ImGui::GetCurrentWindow()->GetID(hiddenLabel(spec.id).c_str()));
+  const Control control = takePlace(context, spec.id, {width, theme.rowHeight()}, spec.enabled && !typing);
   EditPhase phase;
-  if (ImGui::TempInputIsActive(id)) {
-    Control control{.id = id, .box = {corner, {corner.x + width, corner.y + theme.rowHeight()}}};
+  if (typing || (spec.enabled && wantsTyping(control))) {
     phase = typed(spec, control, value);
-    context.items.add(spec.id, control.box.min, control.box.max);
     phase.ended = ImGui::IsItemDeactivated();
-    return phase;
-  }
-  const Control control = takePlace(context, spec.id, {width, theme.rowHeight()}, spec.enabled);
-  if (spec.enabled && wantsTyping(control)) {
-    ImGui::SetCursorScreenPos(corner);
-    ImGui::SetActiveID(control.id, ImGui::GetCurrentWindow());
-    typed(spec, control, value);
     return phase;
   }
   phase = dragged(spec, control, value);

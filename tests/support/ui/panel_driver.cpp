@@ -1,4 +1,4 @@
-#include "panel_driver.h"
+#include "tests/support/ui/panel_driver.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ namespace stretch::test {
 namespace {
 
 constexpr float width = 1280.0F;
-constexpr float height = 2400.0F; // tall enough for every panel to be drawn whole
+constexpr float height = 3200.0F; // tall enough for every panel to be drawn whole
 
 std::vector<ui::CommandInfo> allCommands(const app::Session* session) {
   std::vector<ui::CommandInfo> infos;
@@ -73,18 +73,18 @@ void PanelDriver::drawPanes(ui::PanelContext& context) const {
     ui::drawMenuBar(context);
     ImGui::EndMainMenuBar();
   }
-  beginPane("left", 0.0F, 40.0F, 264.0F, 1400.0F);
+  beginPane("left", 0.0F, 40.0F, 264.0F, 2200.0F);
   ui::drawLimbPanel(context);
   ui::drawRigPanel(context);
   ImGui::End();
-  beginPane("right", 976.0F, 40.0F, 304.0F, 1400.0F);
+  beginPane("right", 976.0F, 40.0F, 304.0F, 2200.0F);
   ui::drawTrailsPanel(context);
   ui::drawTrailSettingsPanel(context);
   ImGui::End();
-  beginPane("bottom", 0.0F, 1440.0F, width, 400.0F);
+  beginPane("bottom", 0.0F, 2240.0F, width, 400.0F);
   ui::drawBottomPanel(context);
   ImGui::End();
-  beginPane("status", 0.0F, 1840.0F, width, 40.0F);
+  beginPane("status", 0.0F, 2640.0F, width, 40.0F);
   ui::drawStatusBar(context);
   ImGui::End();
   beginPane("bar", 264.0F, 40.0F, 712.0F, 60.0F);

@@ -2,9 +2,10 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/commands/selection.h"
-#include "panel_driver.h"
+#include "tests/support/ui/panel_driver.h"
 #include "ui/panels/file_listing.h"
 #include "ui/panels/graph_model.h"
 
@@ -101,7 +102,7 @@ TEST_CASE("The palette runs what was typed with Enter") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.ui.palette.open = true;
   driver.frames(3);
-  driver.type("left arm");
+  driver.type("select left arm");
   driver.pressKey(ImGuiKey_Enter);
   CHECK(driver.requested == std::vector<std::string>{"limb.left-arm"});
   CHECK_FALSE(driver.ui.palette.open);
@@ -143,7 +144,7 @@ TEST_CASE("A key is changed in the keys overview, and the one that loses it is t
   driver.frames(3);
   driver.click("keys/trail.apply");
   CHECK(driver.ui.keys.waitingFor == "trail.apply");
-  driver.ui.pressedKey = "T";
+  driver.ui.pressedKey.assign(1, 'T');
   driver.frame();
   REQUIRE(driver.ui.answers.keyChange);
   CHECK(driver.ui.answers.keyChange->commandId == "trail.apply");
@@ -158,8 +159,8 @@ TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the foun
   driver.ui.jointPick.open = true;
   driver.ui.jointPick.limbId = "left-arm";
   driver.frames(3);
-  driver.click("joints/" + std::to_string(forearm));
-  driver.click("joints/" + std::to_string(before.endNode));
+  driver.click(fmt::format("joints/{}", forearm));
+  driver.click(fmt::format("joints/{}", before.endNode));
   driver.click("joints/Use them");
   const rig::Limb* after = app::findLimb(driver.session->document(), "left-arm");
   REQUIRE(after != nullptr);

@@ -5,7 +5,7 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
-#include "panel_driver.h"
+#include "tests/support/ui/panel_driver.h"
 #include "ui/panels/command_ids.h"
 
 using namespace stretch;
