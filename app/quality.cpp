@@ -15,11 +15,6 @@ namespace {
 
 constexpr double room = 1.5;
 
-double limbLength(const rig::Limb& limb, const FrameState& frame) {
-  const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
-  return glm::length(points.back() - points.front());
-}
-
 double farthestVertex(const Scene& scene, const FrameState& before, const FrameState& after) {
   const std::vector<Vec3> from = skinning::skinnedPositions(scene, before);
   const std::vector<Vec3> to = skinning::skinnedPositions(scene, after);
@@ -66,8 +61,8 @@ std::vector<std::string> motionWarnings(const Document& document, const rig::Mot
   const double scale = trail.settings.scale;
   const FrameState tipBefore = evaluateOriginal(document, motion.clip, trail.tipSeconds);
   const FrameState tipAfter = evaluate(document, alone, trail.tipSeconds);
-  const double tipDisplacement = glm::length(rig::endPosition(trail.limb, tipAfter.worlds) -
-                                             rig::endPosition(trail.limb, tipBefore.worlds));
+  const double tipDisplacement =
+      glm::length(rig::endPosition(trail.limb, tipAfter) - rig::endPosition(trail.limb, tipBefore));
   Finding lengths;
   Finding vertices;
   const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);
@@ -75,8 +70,8 @@ std::vector<std::string> motionWarnings(const Document& document, const rig::Mot
        frame += 1.0) {
     const FrameState before = evaluateOriginal(document, motion.clip, frame / fps);
     const FrameState after = evaluate(document, alone, frame / fps);
-    const double lengthBefore = limbLength(trail.limb, before);
-    const double ratio = lengthBefore > 0.0 ? limbLength(trail.limb, after) / lengthBefore : 1.0;
+    const double lengthBefore = rig::limbLength(trail.limb, before);
+    const double ratio = lengthBefore > 0.0 ? rig::limbLength(trail.limb, after) / lengthBefore : 1.0;
     const double least = std::min(1.0, scale) / room;
     const double most = room * std::max(1.0, scale);
     if (ratio < least || ratio > most) {

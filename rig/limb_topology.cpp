@@ -127,6 +127,23 @@ std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) 
   return points;
 }
 
+Vec3 endPosition(const Limb& limb, const FrameState& frame) {
+  if (limb.endNode >= 0) {
+    return positionOf(frame.worlds[at(limb.endNode)]);
+  }
+  return transformPoint(meshMatrix(frame, limb.joints.back()), limb.endOffset);
+}
+
+std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame) {
+  std::vector<Vec3> points = limbPoints(limb, frame.worlds);
+  points.back() = endPosition(limb, frame);
+  return points;
+}
+
+double limbLength(const Limb& limb, const FrameState& frame) {
+  return glm::length(endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]));
+}
+
 LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
                           const std::vector<Mat4>& bindWorlds) {
   LimbTopology topology;

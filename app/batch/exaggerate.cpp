@@ -159,19 +159,14 @@ Result<std::vector<int>> applyTrails(const Recipe& plan, Document& document) {
   return ids;
 }
 
-double lengthAt(const rig::Limb& limb, const FrameState& frame) {
-  const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
-  return glm::length(points.back() - points.front());
-}
-
 Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
   const double tipSeconds = solved.tipSeconds;
   Json warnings = solved.warnings;
   for (const std::string& warning : motionWarnings(document, motion, solved)) {
     warnings.push_back(warning);
   }
-  const double before = lengthAt(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
-  const double after = lengthAt(solved.limb, evaluate(document, motion, tipSeconds));
+  const double before = rig::limbLength(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
+  const double after = rig::limbLength(solved.limb, evaluate(document, motion, tipSeconds));
   const double reference =
       solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
   const double wanted = solved.settings.scale * reference;

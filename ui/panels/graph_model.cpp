@@ -33,7 +33,7 @@ struct Sampler {
 
   Vec3 operator()(const FrameState& frame) {
     if (channels == GraphChannels::stretch) {
-      const std::vector<Vec3> points = rig::limbPoints(*limb, frame.worlds);
+      const std::vector<Vec3> points = rig::limbPoints(*limb, frame);
       return {points.size() < 2 ? 0.0 : distanceBetween(points.front(), points.back()), 0.0, 0.0};
     }
     const Transform& local = frame.pose.locals[static_cast<std::size_t>(node)];

@@ -200,7 +200,7 @@ TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved) {
   lengths.after = solved.tip.reachedLength;
   if (solved.active) {
     const FrameState frame = app::evaluate(session.document(), session.motion(), solved.tipSeconds);
-    const std::vector<Vec3> points = rig::limbPoints(solved.limb, frame.worlds);
+    const std::vector<Vec3> points = rig::limbPoints(solved.limb, frame);
     lengths.after = points.size() < 2 ? lengths.after : glm::length(points.back() - points.front());
   } else if (!solved.trail.exaggerated) {
     lengths.after = lengths.before;
