@@ -11,21 +11,26 @@ namespace stretch::rig {
 /// What hangs on one bone of a limb: the nodes that its stretch concerns (spec/rig.md, Parts and Length and
 /// stretch).
 struct BoneTopology {
-  int joint = -1;             ///< The joint that carries the bone.
-  std::vector<int> pathNodes; ///< From the joint's child down to the next limb joint or the end, both
-                              ///< included; empty where the end is estimated or not a descendant.
-  std::vector<int> twistNodes; ///< Joints that lie along the bone and deform with it; parents first. May
-                               ///< contain path nodes.
-  std::vector<int> hanging; ///< Children of the joint that are not on the path: moved by the bone's stretch.
+  /// The joint that carries the bone.
+  int joint = -1;
+  /// From the joint's child down to the next limb joint or the end, both included; empty where the end is
+  /// estimated or not a descendant.
+  std::vector<int> pathNodes;
+  /// Joints that lie along the bone and deform with it; parents first. May contain path nodes.
+  std::vector<int> twistNodes;
+  /// Children of the joint that are not on the path: moved by the bone's stretch.
+  std::vector<int> hanging;
 };
 
 /// The nodes of a limb, by bone.
 struct LimbTopology {
-  std::vector<BoneTopology> bones; ///< One a joint of the limb, base first.
-  std::vector<int> staying; ///< Children of the base joint that start another limb on the body's side (thighs
-                            ///< under a joint that also starts the spine): they stay where they are.
-  bool endIsDescendant =
-      true; ///< Of the last joint; false for a foot under the root. True when the end is estimated.
+  /// One a joint of the limb, base first.
+  std::vector<BoneTopology> bones;
+  /// Children of the base joint that start another limb on the body's side (thighs under a joint that also
+  /// starts the spine): they stay where they are.
+  std::vector<int> staying;
+  /// Of the last joint; false for a foot under the root. True when the end is estimated.
+  bool endIsDescendant = true;
 };
 
 /// `others`: all limbs of the character, so that a limb hanging on a bone is not taken for a twist joint.

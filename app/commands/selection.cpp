@@ -123,8 +123,8 @@ std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
     return {};
   }
   const Document& document = session.document();
-  const rig::DrawnTrail drawn = rig::pathsAt(*document.scene, clipOf(document, session.view().clip), session.motion(), *solved,
-                                             solved->controlFrames);
+  const rig::DrawnTrail drawn = rig::pathsAt(*document.scene, clipOf(document, session.view().clip),
+                                             session.motion(), *solved, solved->controlFrames);
   std::vector<PlacedSphere> spheres;
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
     spheres.push_back({drawn.frames[i], drawn.exaggerated[i]});

@@ -1,0 +1,90 @@
+"""Who may include whom: the arrows between the rooms, and where the libraries stay."""
+
+import re
+
+from findings import Finding
+from sources import code_files
+
+# A room and what it may include. The arrows of the house; everything not named here is refused.
+ARROWS = {
+    "core": {"core"},
+    "rig": {"core", "rig"},
+    "skinning": {"core", "skinning"},
+    "app": {"core", "rig", "skinning", "app"},
+    "ui": {"core", "rig", "skinning", "app", "ui"},
+    "assets": {"core", "assets"},
+}
+# The one file that joins the program without a screen with the editor.
+JOINING_FILE = "app/main.cpp"
+
+# A library, the includes that belong to it, and the files that may have them.
+LIBRARIES = [
+    ("OpenGL", r"(epoxy|GL|EGL|GLES\d?)/", r"(tests/)?(support/)?ui/(render|shell)/"),
+    ("GLFW", r"GLFW/", r"ui/shell/"),
+    ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"(tests/)?(support/)?ui/(widgets|panels|shell)/"),
+    ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
+    ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/)?(support/)?skinning/"),
+    ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
+    ("CLI11", r"CLI/", r"(tests/)?(app|ui)/batch/|tests/app/"),
+    ("Catch2", r"catch2/", r"tests/"),
+]
+# Heavy headers that no other room may meet, not even through a header of the room that owns them.
+HIDDEN = [("skinning", "OpenMesh, Embree and Eigen", re.compile(r"(OpenMesh|embree\d?|Eigen)/"))]
+
+
+def include_direction(root):
+    """Arrows between rooms that run the wrong way."""
+    findings = []
+    for file in code_files(root):
+        allowed = ARROWS.get(file.room)
+        if allowed is None:
+            continue
+        for include in file.includes():
+            target = include.target.split("/", 1)[0] if include.quoted and "/" in include.target else file.room
+            if file.name == JOINING_FILE and target == "ui":
+                continue
+            if target not in allowed:
+                message = f"{file.room}/ may not include {target}/: {include.target}"
+                findings.append(Finding(file.name, include.line, message))
+    return findings
+
+
+def library_place(root):
+    """Libraries outside the files that keep them from the rest of the house."""
+    findings = []
+    for file in code_files(root):
+        for include in file.includes():
+            for library, pattern, places in LIBRARIES:
+                if not include.quoted and re.match(pattern, include.target) and not re.match(places, file.name):
+                    findings.append(Finding(file.name, include.line, f"{library} may not be included here"))
+    return findings + hidden_libraries(root)
+
+
+def hidden_libraries(root):
+    files = {file.name: file for file in code_files(root)}
+    findings = []
+    for room, library, pattern in HIDDEN:
+        reaching = headers_that_reach(files, pattern)
+        for file in files.values():
+            if file.room not in ARROWS or file.room == room:
+                continue
+            for include in file.includes():
+                if include.quoted and include.target in reaching:
+                    findings.append(Finding(file.name, include.line, f"{include.target} draws in {library}"))
+    return findings
+
+
+def headers_that_reach(files, pattern):
+    """Names of the headers that include what `pattern` matches, directly or through others."""
+    includes = {name: file.includes() for name, file in files.items() if file.suffix == ".h"}
+    reaching = {name for name, lines in includes.items() if any(pattern.match(line.target) for line in lines)}
+    grown = True
+    while grown:
+        further = {
+            name
+            for name, lines in includes.items()
+            if name not in reaching and any(line.quoted and line.target in reaching for line in lines)
+        }
+        grown = bool(further)
+        reaching |= further
+    return reaching

@@ -1,0 +1,61 @@
+"""Rules about the text of single files."""
+
+import re
+
+from findings import Finding
+from sources import code_files, text_files
+
+LINES_AT_MOST = 600
+# Spelled apart, so that this file passes its own rule.
+OPEN_ENDS = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")
+MACHINE_PATH = re.compile(r"(?<![\w.])/(home|root|Users|work)/\w")
+
+# What makes two runs differ, refused where motion and files are made.
+UNREPEATABLE = re.compile(
+    r"\b(std::chrono|system_clock|steady_clock|high_resolution_clock|random_device|std::rand|srand|std::time|gettimeofday)\b"
+)
+REPEATABLE_ROOMS = ("core", "rig", "skinning")
+
+
+def file_size(root):
+    """Files longer than a reader keeps in mind."""
+    findings = []
+    for file in text_files(root):
+        count = len(file.lines())
+        if count > LINES_AT_MOST:
+            findings.append(Finding(file.name, 0, f"{count} lines; at most {LINES_AT_MOST}: split it"))
+    return findings
+
+
+def matching_lines(files, pattern, message):
+    return [
+        Finding(file.name, number, message)
+        for file in files
+        for number, text in enumerate(file.lines(), start=1)
+        if pattern.search(text)
+    ]
+
+
+def open_ends(root):
+    """Marks of unfinished work."""
+    return matching_lines(text_files(root), OPEN_ENDS, "unfinished: finish it or take it out")
+
+
+def machine_paths(root):
+    """Paths that only one machine has."""
+    return matching_lines(text_files(root), MACHINE_PATH, "names a folder of one machine")
+
+
+def pragma_once(root):
+    """Headers that can be included twice."""
+    return [
+        Finding(file.name, 0, "has no #pragma once")
+        for file in code_files(root)
+        if file.suffix == ".h" and "#pragma once" not in file.lines()
+    ]
+
+
+def clocks_and_chance(root):
+    """Clocks and random numbers below the interface, where two runs have to give the same bytes."""
+    files = [file for file in code_files(root) if file.room in REPEATABLE_ROOMS]
+    return matching_lines(files, UNREPEATABLE, "two runs would differ: take the time or the seed as an argument")
