@@ -47,7 +47,8 @@ struct LimbTopology {
 /// Positions of the limb's joints, base first, and of its end: one more than Limb::joints.
 [[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds);
 
-/// The same in a frame whose limbs may be stretched: an estimated end moves with the stretch of the bone that it ends.
+/// The same in a frame whose limbs may be stretched: an estimated end moves with the stretch of the bone that
+/// it ends.
 [[nodiscard]] Vec3 endPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame);
 

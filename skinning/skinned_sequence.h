@@ -34,8 +34,8 @@ struct BonePose {
   Vec3 position{0.0};                ///< Where the pivot is, in the space of the mesh.
   Quat rotation{1.0, 0.0, 0.0, 0.0}; ///< From the bind pose; unit; successive frames lie on one hemisphere.
   Vec3 scale{1.0};                   ///< Along the stretch axes, x, y, z.
-  Quat stretchAxes{1.0, 0.0, 0.0,
-                   0.0}; ///< Stretch axes to mesh space of the bind pose; usually SkinBone::axes.
+  Quat stretchAxes{1.0, 0.0, 0.0, 0.0}; ///< Stretch axes to mesh space of the bind pose; usually
+                                        ///< SkinBone::axes.
 };
 
 /// A bind mesh with bones and their motion: what a mesh sequence is compressed to.
@@ -47,8 +47,8 @@ struct SkinnedSequence {
   std::vector<SkinBone> bones;
   std::vector<BonePose> poses; ///< Frame after frame, one a bone.
   double framesPerSecond = 30.0;
-  bool chained =
-      false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be stored).
+  bool chained = false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be
+                        ///< stored).
 
   [[nodiscard]] std::size_t frameCount() const { return bones.empty() ? 0 : poses.size() / bones.size(); }
   [[nodiscard]] const BonePose& pose(std::size_t frame, std::size_t bone) const {

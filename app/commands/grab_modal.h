@@ -18,8 +18,8 @@ struct GrabModal {
   Vec3 arrowsWorld{0.0};   ///< Gathered by the arrow keys.
   std::optional<int> axis; ///< 0 x, 1 y, 2 z of the world.
   bool plane = false;      ///< `axis` is what is left out.
-  TypedNumber
-      typed; ///< Replaces mouse and arrows when it is not empty: along the axis, else along the view's right.
+  TypedNumber typed;       ///< Replaces mouse and arrows when it is not empty: along the axis, else along the
+                           ///< view's right.
 };
 
 [[nodiscard]] GrabModal beginGrab(const Mat3& viewAxes, double arrowUnits);

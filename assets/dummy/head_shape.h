@@ -4,8 +4,8 @@
 
 namespace stretch::assets {
 
-inline constexpr double headScale =
-    1.10; ///< The head is drawn at natural size and made larger, as in cartoons.
+inline constexpr double headScale = 1.10; ///< The head is drawn at natural size and made larger, as in
+                                          ///< cartoons.
 
 /// From the space in which the head is drawn to model space.
 [[nodiscard]] Vec3 headToModel(const Vec3& point);

@@ -10,8 +10,8 @@ namespace stretch {
 /// Local transforms of every node at one time, and the morph weights that the clip drives.
 struct Pose {
   std::vector<Transform> locals; ///< One a node.
-  std::vector<bool>
-      usesMatrix; ///< Node keeps the file's matrix (not animated): locals[i] is only its nearest TRS.
+  std::vector<bool> usesMatrix;  ///< Node keeps the file's matrix (not animated): locals[i] is only its
+                                 ///< nearest TRS.
   std::vector<std::vector<float>> weights; ///< One a node: morph weights; empty = the mesh's defaults.
 };
 

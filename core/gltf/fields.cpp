@@ -8,8 +8,8 @@ namespace stretch::gltf {
 
 namespace {
 
-constexpr double largestWhole =
-    9007199254740992.0; // 2^53: the largest that a JSON number holds exactly everywhere
+constexpr double largestWhole = 9007199254740992.0; // 2^53: the largest that a JSON number holds exactly
+                                                    // everywhere
 
 } // namespace
 

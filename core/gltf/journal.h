@@ -30,9 +30,9 @@ private:
   void remember(Json step) { steps_.push_back(std::move(step)); }
 
   Json json_;
-  std::vector<Json> steps_; ///< In the order of the changes.
-  std::map<std::string, bool>
-      rememberedLengths_; ///< Arrays whose length before the first append is remembered.
+  std::vector<Json> steps_;                       ///< In the order of the changes.
+  std::map<std::string, bool> rememberedLengths_; ///< Arrays whose length before the first append is
+                                                  ///< remembered.
 };
 
 /// Takes back all changes of a journal. False, and `json` in an undefined but valid state, when the steps do

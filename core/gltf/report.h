@@ -20,8 +20,8 @@ struct Shear {
   int node = -1;
   int clip = -1; ///< Index of the clip in which it is worst; -1: at rest.
   double timeSeconds = 0.0;
-  double cosine =
-      0.0; ///< Of the angle between two axes of the node, absolute, at its largest: 0 without shear.
+  double cosine = 0.0; ///< Of the angle between two axes of the node, absolute, at its largest: 0 without
+                       ///< shear.
 };
 
 /// Nodes whose composed matrices shear by more than `tolerance` (a cosine), at rest or at the keys of a clip;

@@ -32,8 +32,8 @@ struct Source {
 
 /// A file opened: the source and what was understood of it.
 struct Loaded {
-  std::shared_ptr<const Source>
-      source; ///< A file of ours is restored first: this is the source it was made from.
+  std::shared_ptr<const Source> source; ///< A file of ours is restored first: this is the source it was made
+                                        ///< from.
   std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;
   std::vector<std::string> warnings; ///< One line each: what in the file is odd and what was made of it.

@@ -21,21 +21,21 @@ struct Node {
   std::string name; ///< May be empty; not unique.
   int parent = -1;
   std::vector<int> children;
-  Transform rest; ///< Local, at rest. The nearest TRS where the file gives a matrix.
-  std::optional<Mat4>
-      matrix; ///< The file's matrix where it gives one: then it is what counts until the node is animated.
+  Transform rest;             ///< Local, at rest. The nearest TRS where the file gives a matrix.
+  std::optional<Mat4> matrix; ///< The file's matrix where it gives one: then it is what counts until the node
+                              ///< is animated.
   int mesh = -1;
   int skin = -1;
   std::vector<float> morphWeights; ///< Instead of the mesh's defaults; empty where the node gives none.
-  bool isBindLeaf =
-      false; ///< Made by this program to carry a stretch (marked in the file's extras): no joint of a limb.
+  bool isBindLeaf = false; ///< Made by this program to carry a stretch (marked in the file's extras): no
+                           ///< joint of a limb.
 };
 
 struct Skin {
   std::string name;
-  std::vector<int> joints; ///< Node indices.
-  std::vector<Mat4>
-      inverseBind; ///< One a joint: bind-pose model space to joint space. Identity where the file has none.
+  std::vector<int> joints;       ///< Node indices.
+  std::vector<Mat4> inverseBind; ///< One a joint: bind-pose model space to joint space. Identity where the
+                                 ///< file has none.
 };
 
 /// How a vertex follows the joints: up to 8 influences, as read (JOINTS_0, JOINTS_1), weights made to sum
@@ -55,9 +55,9 @@ struct MorphTarget {
 struct Primitive {
   std::vector<glm::vec3> positions; ///< Mesh space (bind-pose model space for skinned meshes).
   std::vector<glm::vec3> normals;   ///< One a vertex; computed where the file has none.
-  std::vector<glm::vec2>
-      texCoords;                 ///< Of the set that the base colour texture uses; empty when there is none.
-  std::vector<glm::vec4> colors; ///< COLOR_0, linear; empty when there is none.
+  std::vector<glm::vec2> texCoords; ///< Of the set that the base colour texture uses; empty when there is
+                                    ///< none.
+  std::vector<glm::vec4> colors;    ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
   std::vector<std::uint32_t> indices;       ///< Three a triangle.
   std::vector<MorphTarget> morphTargets;
@@ -83,9 +83,9 @@ enum class AlphaMode { opaque, mask, blend };
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0F};
-  int baseColorImage = -1; ///< Index into Scene::images.
-  std::array<float, 4> uvTransform{1.0F, 1.0F, 0.0F,
-                                   0.0F}; ///< uv * xy + zw (KHR_texture_transform without rotation).
+  int baseColorImage = -1;                                  ///< Index into Scene::images.
+  std::array<float, 4> uvTransform{1.0F, 1.0F, 0.0F, 0.0F}; ///< uv * xy + zw (KHR_texture_transform without
+                                                            ///< rotation).
   bool nearestFilter = false;
   glm::vec3 emissive{0.0F};
   AlphaMode alphaMode = AlphaMode::opaque;

@@ -10,8 +10,8 @@ namespace stretch::rig::biped {
 struct LimbPair {
   std::optional<LimbGuess> negative; ///< On the negative side of the mirror plane.
   std::optional<LimbGuess> positive;
-  double mirrorError =
-      0.0; ///< Mean distance of a joint from its counterpart's mirror image, in lengths of the limb.
+  double mirrorError = 0.0; ///< Mean distance of a joint from its counterpart's mirror image, in lengths of
+                            ///< the limb.
   double score = 0.0;
 };
 

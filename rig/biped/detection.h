@@ -16,8 +16,8 @@ struct Biped {
   int hips = -1;           ///< Node that carries the body: space "root" is measured from it. -1: none found.
   int head = -1;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
-  double height =
-      1.0; ///< Of the character in its bind pose, world units, > 0: what every tolerance is relative to.
+  double height = 1.0;  ///< Of the character in its bind pose, world units, > 0: what every tolerance is
+                        ///< relative to.
   std::vector<std::string> warnings;
 };
 

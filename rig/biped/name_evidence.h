@@ -36,8 +36,8 @@ struct NameEvidence {
   bool finger = false;
   bool palm = false;
   bool accessory = false;
-  std::string
-      key; ///< The name without its side and case: equal for the two of a mirrored pair. May be empty.
+  std::string key; ///< The name without its side and case: equal for the two of a mirrored pair. May be
+                   ///< empty.
 
   [[nodiscard]] double role(Role which) const { return roles[static_cast<std::size_t>(which)]; }
 };

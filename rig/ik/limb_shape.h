@@ -15,8 +15,8 @@ inline constexpr double largestStretch = 25.0;
 struct LimbShapeProblem {
   std::vector<Vec3> points; ///< Joints, base first, and the end: at least two.
   Vec3 target{0.0};         ///< F.
-  Vec3 bendNormal{
-      0.0}; ///< Unit normal of the bend plane: the axis of the elbow or knee. Zero: taken from the points.
+  Vec3 bendNormal{0.0}; ///< Unit normal of the bend plane: the axis of the elbow or knee. Zero: taken from
+                        ///< the points.
   double shortestReach = 0.0; ///< d0 is never taken shorter than this (1e-3 of the rest length).
   double stretchSwitch = 1.0; ///< 0..1.
   Bend bend = Bend::keep;

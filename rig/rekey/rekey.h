@@ -21,8 +21,8 @@ struct RekeyOptions {
 struct StretchKeys {
   int node = -1;
   std::vector<float> times; ///< Seconds, strictly increasing.
-  std::vector<Quat>
-      axes; ///< A: turns the x axis onto the stretch axis. One entry when the axis is fixed, else one a key.
+  std::vector<Quat> axes;   ///< A: turns the x axis onto the stretch axis. One entry when the axis is fixed,
+                            ///< else one a key.
   std::vector<Vec3> scales; ///< (s, q, q), one a key.
 
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }
@@ -30,8 +30,8 @@ struct StretchKeys {
 
 /// A clip with its active trails keyed in.
 struct RekeyedClip {
-  std::vector<Track>
-      tracks; ///< The tracks that change, whole: keys outside range and release are the source's bit for bit.
+  std::vector<Track> tracks; ///< The tracks that change, whole: keys outside range and release are the
+                             ///< source's bit for bit.
   std::vector<StretchKeys> stretches;
 };
 

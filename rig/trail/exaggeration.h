@@ -43,8 +43,8 @@ struct TipSolution {
   TipOutcome outcome = TipOutcome::reached;
   double wantedLength = 0.0;  ///< S L.
   double reachedLength = 0.0; ///< |tip - P0|.
-  int farthestSample =
-      0; ///< Index of the point farthest from the pivot along the active axes: a better range end when moved.
+  int farthestSample = 0;     ///< Index of the point farthest from the pivot along the active axes: a better
+                              ///< range end when moved.
 
   /// Whether the limb comes to the wanted length within 1e-4 of it.
   [[nodiscard]] bool reached() const;

@@ -12,8 +12,8 @@ namespace stretch::skinning {
 /// The centre line of a body without branches and how its surface lies along it; made from one pose, followed
 /// through others.
 struct BodySkeleton {
-  std::vector<Vec3>
-      joints; ///< segmentCount + 1 points of the pose it was made from; segments are equally long.
+  std::vector<Vec3> joints; ///< segmentCount + 1 points of the pose it was made from; segments are equally
+                            ///< long.
   std::vector<double> stations; ///< Where each joint lies along the centre line, mesh units, ascending.
   std::vector<double> along;    ///< Where each vertex lies along it.
   double length = 0.0;          ///< Sum of the segment lengths.

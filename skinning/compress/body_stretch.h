@@ -18,9 +18,9 @@ struct BodyStretchSettings {
   std::optional<double> mass;         ///< Of the whole body, kg; unset: that of water by the body's volume.
   std::optional<double> youngModulus; ///< Pa; unset: the one that explains the frames best.
   SegmentModuli moduli;               ///< Segments with a modulus of their own.
-  std::optional<double> gravityVolume =
-      1.0; ///< 1: flattening widens sideways so that the volume is kept; 0: not at all.
-  std::optional<double> muscleVolume = 1.0; ///< The same for the change of length. Unset: fitted, in [0, 1].
+  std::optional<double> gravityVolume = 1.0; ///< 1: flattening widens sideways so that the volume is kept; 0:
+                                             ///< not at all.
+  std::optional<double> muscleVolume = 1.0;  ///< The same for the change of length. Unset: fitted, in [0, 1].
   LengthModel lengthModel = LengthModel::line;
   std::size_t firstFittedFrame = 0; ///< Frames before it (settling) are left out of all fits.
 };

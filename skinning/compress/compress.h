@@ -39,11 +39,11 @@ struct CompressSettings {
 /// A sequence as a skinned clip, and what is known of how well it fits.
 struct CompressedSequence {
   SkinnedSequence skinned;
-  SequenceMetrics metrics; ///< Against the source, all frames.
-  std::optional<SequenceMetrics>
-      fittedMetrics; ///< The frames from firstFittedFrame on; set when that is not all.
-  std::optional<BodyStretch>
-      model; ///< The fitted physics; for every body without branches, whatever the option.
+  SequenceMetrics metrics;                      ///< Against the source, all frames.
+  std::optional<SequenceMetrics> fittedMetrics; ///< The frames from firstFittedFrame on; set when that is not
+                                                ///< all.
+  std::optional<BodyStretch> model;  ///< The fitted physics; for every body without branches, whatever the
+                                     ///< option.
   std::vector<double> segmentWidths; ///< Mean shape diameter along the body; empty without a skeleton.
   std::size_t firstFittedFrame = 0;  ///< Frames from this one on were used in fits.
   std::vector<std::string> warnings;

@@ -19,9 +19,9 @@ struct EncodeSettings {
 /// A glTF document ready to be saved, and what it costs to send.
 struct EncodedClip {
   gltf::Source source;
-  double bytesPerFrame =
-      0.0; ///< All that changes from frame to frame: every sampler's output once, and the time stamp.
-  std::size_t bytesOnce = 0; ///< The rest of the binary data: mesh, weights, bind matrices.
+  double bytesPerFrame = 0.0; ///< All that changes from frame to frame: every sampler's output once, and the
+                              ///< time stamp.
+  std::size_t bytesOnce = 0;  ///< The rest of the binary data: mesh, weights, bind matrices.
   std::size_t joints = 0;
   std::size_t samplers = 0;
 };

@@ -15,8 +15,8 @@ struct FitSettings {
   double leastGain = 2e-3; ///< Stops early when a round lowers the error by less than this share.
   int candidates = 8;      ///< Bones that are tried for a vertex.
   bool fitWeights = true;  ///< False keeps the influences as they are.
-  bool fitStretch =
-      true; ///< Free bones only: fit scale factors along each bone's axes; false keeps them rigid.
+  bool fitStretch = true;  ///< Free bones only: fit scale factors along each bone's axes; false keeps them
+                           ///< rigid.
   std::size_t firstWeightFrame = 0;     ///< Frames before it do not count for the weights.
   std::function<void(double)> progress; ///< Share done, 0..1. May be empty.
 };

@@ -94,8 +94,8 @@ std::size_t countDuplicates(const glm::vec3* positions, std::size_t vertexCount)
 
 struct Neighbour {
   std::uint32_t triangle = 0;
-  bool windsAlike =
-      false; ///< The two triangles run along their common edge in opposite directions, as they should.
+  bool windsAlike = false; ///< The two triangles run along their common edge in opposite directions, as they
+                           ///< should.
 };
 
 std::vector<std::vector<Neighbour>> neighboursOf(const std::vector<Triangle>& triangles) {

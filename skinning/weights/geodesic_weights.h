@@ -15,9 +15,9 @@ struct BoneSegment {
 };
 
 struct GeodesicWeightSettings {
-  double power = 4.0; ///< Sharpens the inverse distance; larger is more rigid.
-  double offset =
-      0.5; ///< Added to a distance, in lengths of the bone: how soft the border between two patches is.
+  double power = 4.0;  ///< Sharpens the inverse distance; larger is more rigid.
+  double offset = 0.5; ///< Added to a distance, in lengths of the bone: how soft the border between two
+                       ///< patches is.
 };
 
 /// Skin weights by inverse geodesic distance: every face seeds the patch of the bone segment that is nearest

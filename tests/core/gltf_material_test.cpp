@@ -54,8 +54,8 @@ TEST_CASE("A material arrives with its texture, transform and flags") {
   CHECK(material.alphaCutoff == 0.3F);
   CHECK(material.emissive == glm::vec3(1.0F, 0.0F, 0.5F));
   CHECK(material.unlit);
-  CHECK(file.scene->meshes[0].primitives[0].texCoords[3] ==
-        glm::vec2(1.0F, 1.0F)); // the set that the transform names
+  CHECK(file.scene->meshes[0].primitives[0].texCoords[3] == glm::vec2(1.0F, 1.0F)); // the set that the
+                                                                                    // transform names
 }
 
 TEST_CASE("Pixels are decoded row by row from the top") {

@@ -19,13 +19,13 @@ JOINING_FILE = "app/main.cpp"
 
 # A library, the includes that belong to it, and the files that may have them.
 LIBRARIES = [
-    ("OpenGL", r"(epoxy|GL|EGL|GLES\d?)/", r"(tests/)?(support/)?ui/(render|shell)/"),
+    ("OpenGL", r"(epoxy|GL|EGL|GLES\d?)/", r"ui/(render|shell)/|tests/(support/)?ui/"),
     ("GLFW", r"GLFW/", r"ui/shell/"),
-    ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"(tests/)?(support/)?ui/(widgets|panels|shell)/"),
+    ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|shell)/|tests/(support/)?ui/"),
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
-    ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/)?(support/)?skinning/"),
+    ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
     ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
-    ("CLI11", r"CLI/", r"(tests/)?(app|ui)/batch/|tests/app/"),
+    ("CLI11", r"CLI/", r"(app|ui)/batch/|tests/app/"),
     ("Catch2", r"catch2/", r"tests/"),
 ]
 # Heavy headers that no other room may meet, not even through a header of the room that owns them.

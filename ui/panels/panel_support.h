@@ -70,8 +70,8 @@ void toast(UiState& ui, ToastKind kind, const std::string& text);
 /// How long the limb is at the trail's tip: straight distance from its base to its end, world units.
 struct TipLengths {
   double before = 0.0; ///< In the source clip.
-  double after =
-      0.0; ///< Of the character as it moves where the trail is active, else of the exaggerated path.
+  double after = 0.0;  ///< Of the character as it moves where the trail is active, else of the exaggerated
+                       ///< path.
 };
 [[nodiscard]] TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved);
 

@@ -117,8 +117,8 @@ void drawLimbRow(const PanelContext& context, const Control& row, const rig::Lim
   const float numberLeft = row.box.max.x - theme.px(40.0F);
   const std::string joints = jointsText(*context.session->document().scene, limb);
   const Rect jointsBox{{split + theme.unit(), row.box.min.y}, {numberLeft - theme.px(4.0F), row.box.max.y}};
-  if (textSize(theme.fonts.label, joints).x <=
-      jointsBox.width()) { // cut names would only be noise: the reasons have them
+  if (textSize(theme.fonts.label, joints).x <= jointsBox.width()) { // cut names would only be noise: the
+                                                                    // reasons have them
     drawText(widgets, theme.fonts.label, jointsBox, colours.quietText, joints);
   }
   drawText(widgets, theme.fonts.label,

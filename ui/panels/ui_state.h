@@ -185,15 +185,15 @@ struct UiState {
   std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
 
   // Written by the shell, read by the panels.
-  Mat3 cameraAxes{
-      1.0}; ///< Columns: right, up, towards the viewer, in world space: what the space "view" takes.
+  Mat3 cameraAxes{1.0}; ///< Columns: right, up, towards the viewer, in world space: what the space "view"
+                        ///< takes.
   bool autoKey = false;
   std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
   std::vector<KeyHint> keyHints; ///< What the keys do right now.
   std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
   float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
-  std::string
-      pressedKey; ///< The key pressed in this frame as Command::keys spells it: for the keys overview.
+  std::string pressedKey;        ///< The key pressed in this frame as Command::keys spells it: for the keys
+                                 ///< overview.
 
   UiAnswers answers;
 

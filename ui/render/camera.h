@@ -23,8 +23,8 @@ struct Box {
 struct Viewport {
   double widthPixels = 1.0;
   double heightPixels = 1.0;
-  double pixelsPerPoint =
-      1.0; ///< 1 at 100 % display scale, 2 at 200 %: what is measured in points grows by it.
+  double pixelsPerPoint = 1.0; ///< 1 at 100 % display scale, 2 at 200 %: what is measured in points grows by
+                               ///< it.
 };
 
 enum class ProjectionKind { perspective, orthographic };
@@ -36,11 +36,11 @@ enum class ViewDirection { front, back, side, otherSide, top, threeQuarter };
 /// A camera that orbits a target. +Y is up.
 struct Camera {
   Vec3 target{0.0, 1.0, 0.0};
-  double distance = 5.0;     ///< Eye to target, world units, above 0.
-  double yawRadians = 0.0;   ///< 0 looks from +Z; a quarter turn looks from +X.
-  double pitchRadians = 0.0; ///< -pi/2..pi/2; positive looks from above.
-  double fieldOfViewRadians =
-      0.5236; ///< Vertical. An orthographic view shows what this angle shows at the target.
+  double distance = 5.0;              ///< Eye to target, world units, above 0.
+  double yawRadians = 0.0;            ///< 0 looks from +Z; a quarter turn looks from +X.
+  double pitchRadians = 0.0;          ///< -pi/2..pi/2; positive looks from above.
+  double fieldOfViewRadians = 0.5236; ///< Vertical. An orthographic view shows what this angle shows at the
+                                      ///< target.
   ProjectionKind projection = ProjectionKind::perspective;
 
   friend bool operator==(const Camera&, const Camera&) = default;

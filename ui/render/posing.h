@@ -31,8 +31,8 @@ private:
   ShaderProgram program_;
   GlBuffer matrices_;
   GlTexture matrixTexture_;
-  TextureTarget
-      unseen_; ///< Drivers without a window refuse to draw, even unseen, when no framebuffer is bound.
+  TextureTarget unseen_; ///< Drivers without a window refuse to draw, even unseen, when no framebuffer is
+                         ///< bound.
 };
 
 /// Posed world positions of an item as the graphics card computed them, read back; for comparing with the

@@ -44,9 +44,9 @@ struct DrawItem {
 /// A scene in the graphics card's memory.
 struct UploadedScene {
   std::vector<UploadedPart> parts;
-  std::vector<DrawItem> items; ///< Of nodes below the roots, in the file's order.
-  std::vector<GlTexture>
-      textures; ///< One an image; empty for images without pixels or beyond the driver's limit.
+  std::vector<DrawItem> items;     ///< Of nodes below the roots, in the file's order.
+  std::vector<GlTexture> textures; ///< One an image; empty for images without pixels or beyond the driver's
+                                   ///< limit.
 };
 
 /// Uploads what the default scene shows. Indices that point outside are a broken invariant of the reader;

@@ -16,8 +16,8 @@ namespace {
 struct Expectation {
   std::string file;
   bool isBiped;
-  std::vector<std::string>
-      limbs; // "left-arm: joint joint -> end", nodes by name; a wiped name makes no difference
+  std::vector<std::string> limbs; // "left-arm: joint joint -> end", nodes by name; a wiped name makes no
+                                  // difference
 };
 
 const std::vector<Expectation> expectations{
