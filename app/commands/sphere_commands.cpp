@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -53,7 +54,9 @@ Status stepSphere(Session& session, bool forward) {
     index = next == frames.rend() ? count - 1 : count - 1 - (next - frames.rbegin());
   }
   view.selectedSpheres = {frames[static_cast<std::size_t>(index)]};
-  view.frame = view.selectedSpheres.front();
+  // Key times are single precision: the playhead stands on the whole frame that they mean.
+  const double whole = std::round(view.selectedSpheres.front());
+  view.frame = sameFrame(whole, view.selectedSpheres.front()) ? whole : view.selectedSpheres.front();
   return Success{};
 }
 

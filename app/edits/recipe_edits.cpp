@@ -1,0 +1,23 @@
+#include "app/edits/recipe_edits.h"
+
+#include "app/edits/trail_edits.h"
+
+namespace stretch::app {
+
+Result<Document> withRecipe(const Document& document, const Recipe& recipe) {
+  Document changed = document;
+  for (const rig::Trail& wanted : recipe.trails) {
+    Result<CreatedTrail> created =
+        createTrail(changed, {wanted.limb, recipe.clip, wanted.settings, true, true});
+    if (!created) {
+      return created.error();
+    }
+    changed = std::move(created->document);
+    rig::Trail& trail = *findTrail(changed, created->trailId);
+    trail.colour = wanted.colour;
+    trail.controlFrames = wanted.controlFrames;
+  }
+  return changed;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,211 @@
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+#include "app/commands/exaggerate_modal.h"
+#include "app/commands/grab_modal.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+/// Presses keys as they would be written down: "3 Y Shift+Up Enter".
+template <typename Modal>
+ModalOutcome type(Modal& modal, const std::string& keys) {
+  std::istringstream words(keys);
+  ModalOutcome outcome = ModalOutcome::running;
+  for (std::string word; words >> word;) {
+    const auto chord = parseChord(word);
+    REQUIRE(chord);
+    outcome = pressKey(modal, KeyPress{*chord, 0});
+  }
+  return outcome;
+}
+
+ExaggerateModal punch() {
+  rig::TrailSettings settings;
+  settings.scale = 2.0;
+  settings.endFrame = 12.0;
+  return beginExaggerate(settings, 4.0);
+}
+
+} // namespace
+
+TEST_CASE("The refined punch: 3 Y Enter") {
+  ExaggerateModal modal = punch();
+  CHECK(type(modal, "3 Y Enter") == ModalOutcome::keep);
+  CHECK(modal.settings.scale == 3.0);
+  CHECK(modal.settings.axes == std::array{true, false, true});
+  CHECK(modalText(modal, "arm") == "arm x3.00, axes X Z");
+}
+
+TEST_CASE("A scale is typed with a period or a comma, corrected and limited") {
+  ExaggerateModal modal = punch();
+  SECTION("period") {
+    type(modal, "2 . 5");
+  }
+  SECTION("comma") {
+    type(modal, "2 , 5");
+  }
+  SECTION("numeric pad") {
+    type(modal, "Numpad2 Numpad. Numpad5");
+  }
+  SECTION("corrected") {
+    type(modal, "2 . 7 Backspace 5");
+  }
+  SECTION("a second separator is ignored") {
+    type(modal, "2 . . 5");
+  }
+  SECTION("a new number after another key") {
+    type(modal, "3 Y 2 . 5 Y");
+  }
+  CHECK(modal.settings.scale == Approx(2.5));
+}
+
+TEST_CASE("A scale beyond what is offered is limited, and one near nothing is told") {
+  ExaggerateModal modal = punch();
+  type(modal, "7");
+  CHECK(modal.settings.scale == 5.0);
+  type(modal, "Up 0");
+  CHECK(modal.settings.scale == 0.0);
+  CHECK(modalText(modal, "arm").find("taken as 0.05") != std::string::npos);
+}
+
+TEST_CASE("Erasing what was typed gives back the scale of the beginning") {
+  ExaggerateModal modal = punch();
+  type(modal, "4 Backspace");
+  CHECK(modal.settings.scale == 2.0);
+}
+
+TEST_CASE("Arrows step the scale: plain, fine with Shift, coarse with Ctrl") {
+  ExaggerateModal modal = punch();
+  type(modal, "Up");
+  CHECK(modal.settings.scale == Approx(2.05));
+  type(modal, "Shift+Up");
+  CHECK(modal.settings.scale == Approx(2.06));
+  type(modal, "Ctrl+Down");
+  CHECK(modal.settings.scale == Approx(1.81));
+  for (int i = 0; i < 100; ++i) {
+    type(modal, "Ctrl+Down");
+  }
+  CHECK(modal.settings.scale == 0.0);
+}
+
+TEST_CASE("Axes toggle, and with Shift one is left alone") {
+  ExaggerateModal modal = punch();
+  type(modal, "X");
+  CHECK(modal.settings.axes == std::array{false, true, true});
+  type(modal, "X Shift+Y");
+  CHECK(modal.settings.axes == std::array{false, true, false});
+  type(modal, "Y");
+  CHECK(modalText(modal, "arm") == "arm x2.00, no axis");
+}
+
+TEST_CASE("Axes are read by what the layout prints, not by position") {
+  ExaggerateModal modal = punch();
+  CHECK(pressKey(modal, KeyPress{{Key::z}, 'y'}) ==
+        ModalOutcome::running); // The key left of X on a German keyboard's bottom row.
+  CHECK(modal.settings.axes == std::array{true, false, true});
+}
+
+TEST_CASE("R turns the pivot round and back") {
+  ExaggerateModal modal = punch();
+  type(modal, "R");
+  CHECK(modal.settings.pivot == rig::Pivot::end);
+  type(modal, "R");
+  CHECK(modal.settings.pivot == rig::Pivot::start);
+}
+
+TEST_CASE("I and O take the arrows and digits for the ease") {
+  ExaggerateModal modal = punch();
+  type(modal, "I 6 0");
+  CHECK(modal.settings.easeIn.percent == Approx(0.6));
+  CHECK(modal.settings.scale == 2.0);
+  type(modal, "Right Shift+Left Up");
+  CHECK(modal.settings.easeIn.percent == Approx(0.64));
+  CHECK(modal.settings.easeIn.value == Approx(0.15));
+  type(modal, "O Right Down");
+  CHECK(modal.settings.easeOut.percent == Approx(0.05));
+  CHECK(modal.settings.easeOut.value == Approx(0.85));
+
+  SECTION("both percents together stay below the whole") {
+    type(modal, "9 0");
+    CHECK(modal.settings.easeIn.percent + modal.settings.easeOut.percent < 1.0);
+  }
+  SECTION("the same key again gives the digits back to the scale") {
+    type(modal, "O 4");
+    CHECK(modal.settings.scale == 4.0);
+  }
+}
+
+TEST_CASE("L takes digits and arrows for the release, starting from the default") {
+  ExaggerateModal modal = punch();
+  CHECK_FALSE(modal.settings.releaseFrames);
+  type(modal, "L Right");
+  CHECK(modal.settings.releaseFrames == 5.0);
+  type(modal, "1 2");
+  CHECK(modal.settings.releaseFrames == 12.0);
+  type(modal, "0");
+  CHECK(modal.settings.releaseFrames == 120.0);
+  CHECK(modalText(modal, "arm").find("release 120 frames") != std::string::npos);
+}
+
+TEST_CASE("V switches volume preservation and lets it be typed") {
+  ExaggerateModal modal = punch();
+  type(modal, "V");
+  CHECK(modal.settings.volume == 0.0);
+  type(modal, "5 0");
+  CHECK(modal.settings.volume == Approx(0.5));
+}
+
+TEST_CASE("Esc restores; keys that mean nothing here change nothing") {
+  ExaggerateModal modal = punch();
+  CHECK(type(modal, "Q F5 Ctrl+Z Home") == ModalOutcome::running);
+  CHECK(modal.settings == modal.start);
+  CHECK(type(modal, "3 Esc") == ModalOutcome::restore);
+}
+
+TEST_CASE("The modal's settings carry over to another limb without its range") {
+  ExaggerateModal modal = punch();
+  type(modal, "3 Y");
+  rig::TrailSettings other;
+  other.startFrame = 4.0;
+  other.endFrame = 9.0;
+  other.spheres = {{5.0, Vec3(1.0)}};
+  const rig::TrailSettings result = withModal(other, modal);
+  CHECK(result.scale == 3.0);
+  CHECK(result.startFrame == 4.0);
+  CHECK(result.spheres == other.spheres);
+}
+
+TEST_CASE("Grab: X 0.2 Enter") {
+  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
+  modal.mouseWorld = Vec3(5.0);
+  CHECK(type(modal, "X 0 . 2 Enter") == ModalOutcome::keep);
+  CHECK(grabDelta(modal).x == Approx(0.2));
+  CHECK(grabDelta(modal).y == 0.0);
+  CHECK(modalText(modal, 1) == "sphere along X 0.200");
+}
+
+TEST_CASE("Grab follows the mouse, locked to an axis or to a plane") {
+  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
+  modal.mouseWorld = Vec3(1.0, 2.0, 3.0);
+  CHECK(grabDelta(modal) == Vec3(1.0, 2.0, 3.0));
+  type(modal, "Y");
+  CHECK(grabDelta(modal) == Vec3(0.0, 2.0, 0.0));
+  type(modal, "Shift+Y");
+  CHECK(grabDelta(modal) == Vec3(1.0, 0.0, 3.0));
+  type(modal, "Shift+Y");
+  CHECK(grabDelta(modal) == Vec3(1.0, 2.0, 3.0));
+}
+
+TEST_CASE("Grab by arrows and with a minus") {
+  GrabModal modal = beginGrab(Mat3(1.0), 0.01);
+  type(modal, "Right Shift+Up Ctrl+Left");
+  CHECK(grabDelta(modal).x == Approx(0.009));
+  CHECK(grabDelta(modal).y == Approx(0.1));
+  type(modal, "Z 3 -");
+  CHECK(grabDelta(modal).z == Approx(-3.0));
+  CHECK(type(modal, "Esc") == ModalOutcome::restore);
+}

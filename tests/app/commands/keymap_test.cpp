@@ -1,0 +1,83 @@
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/keymap.h"
+
+using namespace stretch::app;
+
+TEST_CASE("Keys are read and written by the same names") {
+  for (const Key key : allKeys()) {
+    const Chord chord{key, true, true, false};
+    INFO(chordText(chord));
+    CHECK(parseChord(chordText(chord)) == chord);
+  }
+  CHECK(parseChord("ctrl+shift+z") == Chord{Key::z, true, true, false});
+  CHECK(parseChord("Alt+,") == Chord{Key::comma, false, false, true});
+  CHECK(parseChord("?") == Chord{Key::slash, false, true, false});
+  CHECK(chordText({Key::slash, false, true, false}) == "?");
+  CHECK_FALSE(parseChord(""));
+  CHECK_FALSE(parseChord("Ctrl+"));
+  CHECK_FALSE(parseChord("Hyper+X"));
+  CHECK_FALSE(parseChord("Banana"));
+}
+
+TEST_CASE("No key of a document command is bound twice, and every command has help") {
+  const auto commands = documentCommands();
+  CHECK(Keymap(keyedCommands(commands)).problems().empty());
+  std::set<std::string> ids;
+  for (const auto& command : commands) {
+    INFO(command.id);
+    CHECK(ids.insert(command.id).second);
+    CHECK_FALSE(command.label.empty());
+    CHECK(command.help.size() > 10);
+    CHECK(command.help.back() == '.');
+    CHECK(command.enabled);
+    CHECK(command.run);
+  }
+}
+
+TEST_CASE("A key bound twice is told with both names") {
+  const Keymap keymap({{"a", {"Ctrl+K"}}, {"b", {"ctrl+k"}}, {"c", {"Nonsense"}}});
+  REQUIRE(keymap.problems().size() == 2);
+  CHECK(keymap.problems()[0] == "Ctrl+K is bound to a and to b");
+}
+
+TEST_CASE("Changing a key takes it from the command that had it and tells which") {
+  Keymap keymap({{"a", {"K", "F5"}}, {"b", {"L"}}});
+  const auto loser = keymap.rebind("b", parseChord("K"));
+  REQUIRE(loser);
+  CHECK(*loser == "a");
+  CHECK(keymap.commandOf({Key::k}) == "b");
+  CHECK(keymap.commandOf({Key::l}).empty());
+  CHECK(keymap.commandOf({Key::f5}) == "a");
+  CHECK(keymap.problems().empty());
+  CHECK_FALSE(keymap.rebind("z", parseChord("K")));
+
+  SECTION("a command can be left without a key") {
+    REQUIRE(keymap.rebind("b", std::nullopt));
+    CHECK(keymap.chordsOf("b").empty());
+  }
+  SECTION("and everything put back") {
+    keymap.resetToDefaults();
+    CHECK(keymap.commandOf({Key::k}) == "a");
+  }
+  SECTION("changed keys survive the file") {
+    Keymap read({{"a", {"K", "F5"}}, {"b", {"L"}}});
+    REQUIRE(read.readJson(keymap.toJson()));
+    CHECK(read.commandOf({Key::k}) == "b");
+    CHECK(read.toJson() == keymap.toJson());
+  }
+}
+
+TEST_CASE("A bad key file is refused as a whole") {
+  Keymap keymap({{"a", {"K"}}, {"b", {"L"}}});
+  CHECK_FALSE(keymap.readJson("not json"));
+  CHECK_FALSE(keymap.readJson("[]"));
+  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": ["M"], "z": ["N"]}})"));
+  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": ["Banana"]}})"));
+  CHECK_FALSE(keymap.readJson(R"({"keys": {"a": "M"}})"));
+  CHECK(keymap.commandOf({Key::k}) == "a");
+  CHECK_FALSE(keymap.isChanged());
+}

@@ -1,0 +1,151 @@
+#include <catch2/catch.hpp>
+
+#include "app/edits/limb_edits.h"
+#include "app/edits/mirror_edits.h"
+#include "app/edits/sphere_edits.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr int trailId = 1;
+
+Document withTrail(rig::TrailSettings settings = {}) {
+  settings.startFrame = 0.0;
+  settings.endFrame = 10.0;
+  Result<CreatedTrail> created = createTrail(test::boxer(), {"left-arm", 0, settings, true, true});
+  REQUIRE(created);
+  return std::move(created->document);
+}
+
+const rig::TrailSettings& settingsOf(const Document& document) {
+  return findTrail(document, trailId)->settings;
+}
+
+Document moved(const Document& document, const std::vector<SphereMove>& moves) {
+  Result<Document> result = moveSpheres(document, trailId, moves);
+  REQUIRE(result);
+  return std::move(result).value();
+}
+
+} // namespace
+
+TEST_CASE("Pulls add up, stay in order of time, and vanish when they cancel out") {
+  const Document once = moved(withTrail(), {{5.0, Vec3(0.1, 0.0, 0.0)}, {2.0, Vec3(0.0, 1.0, 0.0)}});
+  REQUIRE(settingsOf(once).spheres.size() == 2);
+  CHECK(settingsOf(once).spheres[0].frame == 2.0);
+  const Document twice = moved(once, {{5.0, Vec3(0.25, 0.0, 0.0)}});
+  CHECK(settingsOf(twice).spheres[1].offset.x == Approx(0.35));
+  const Document back = moved(once, {{2.0, Vec3(0.0, -1.0, 0.0)}, {5.0, Vec3(-0.1, 0.0, 0.0)}});
+  CHECK(settingsOf(back) == settingsOf(withTrail()));
+}
+
+TEST_CASE("Spheres are put back one by one or set outright") {
+  const Document pulled = moved(withTrail(), {{2.0, Vec3(1.0)}, {5.0, Vec3(2.0)}});
+  const Result<Document> cleared = clearSpheres(pulled, trailId, std::vector<double>{5.0, 7.0});
+  REQUIRE(cleared);
+  REQUIRE(settingsOf(*cleared).spheres.size() == 1);
+  CHECK(settingsOf(*cleared).spheres[0].frame == 2.0);
+  const Result<Document> set = setSphereOffset(pulled, trailId, {5.0, Vec3(0.5)});
+  REQUIRE(set);
+  CHECK(settingsOf(*set).spheres[1].offset == Vec3(0.5));
+}
+
+TEST_CASE("With follow off a pull leaves the character alone until it is connected") {
+  const Result<Document> alone = setFollow(withTrail(), trailId, false);
+  REQUIRE(alone);
+  CHECK_FALSE(findTrail(moved(*alone, {{5.0, Vec3(1.0)}}), trailId)->connected);
+  CHECK(findTrail(moved(withTrail(), {{5.0, Vec3(1.0)}}), trailId)->connected);
+}
+
+TEST_CASE("Soft falloff moves the neighbours less, and nothing outside of its radius") {
+  const std::vector<PlacedSphere> spheres{{0, {0, 0, 0}}, {1, {1, 0, 0}}, {2, {2, 0, 0}}, {3, {4, 0, 0}}};
+  const std::vector<double> selected{1.0};
+  const auto moves = softMoves({}, spheres, selected, Vec3(0, 1, 0), 2.0);
+  REQUIRE(moves.size() == 3);
+  CHECK(moves[1].delta.y == Approx(1.0));
+  CHECK(moves[0].delta.y == Approx(0.5625)); // (1 - (1/2)^2)^2
+  CHECK(moves[2].delta.y == Approx(0.5625));
+  CHECK(softMoves({}, spheres, selected, Vec3(0, 1, 0), 0.0).size() == 1);
+}
+
+TEST_CASE("In view space pulls are stored along the view's axes") {
+  rig::TrailSettings settings;
+  settings.space = rig::TrailSpace::view;
+  settings.viewAxes = Mat3(Vec3(0, 0, -1), Vec3(0, 1, 0), Vec3(1, 0, 0)); // Seen from +X.
+  CHECK(toTrailAxes(settings, Vec3(0, 0, -2)).x == Approx(2.0));
+  CHECK(toTrailAxes(settings, Vec3(3, 0, 0)).z == Approx(3.0));
+  settings.space = rig::TrailSpace::world;
+  CHECK(toTrailAxes(settings, Vec3(3, 0, 0)).x == Approx(3.0));
+}
+
+TEST_CASE("A mirrored trail lies on the other limb, reflected across the body") {
+  const Document pulled = moved(withTrail(), {{5.0, Vec3(0.3, 0.2, 0.1)}});
+  const Result<CreatedTrail> mirrored = mirrorTrail(pulled, trailId);
+  REQUIRE(mirrored);
+  const rig::Trail& trail = *findTrail(mirrored->document, mirrored->trailId);
+  CHECK(trail.limb == "right-arm");
+  REQUIRE(trail.settings.spheres.size() == 1);
+  CHECK(trail.settings.spheres[0].offset.x == Approx(-0.3));
+  CHECK(trail.settings.spheres[0].offset.y == Approx(0.2));
+  CHECK(trail.settings.spheres[0].offset.z == Approx(0.1));
+
+  SECTION("twice gives the same settings back") {
+    const Result<CreatedTrail> back = mirrorTrail(mirrored->document, mirrored->trailId);
+    REQUIRE(back);
+    CHECK(back->trailId == trailId);
+    CHECK(settingsOf(back->document).spheres[0].offset.x == Approx(0.3));
+  }
+}
+
+TEST_CASE("Mirroring view axes keeps them an orientation and reflects what they carry") {
+  rig::TrailSettings settings;
+  settings.space = rig::TrailSpace::view;
+  settings.viewAxes = Mat3(Vec3(0.6, 0, -0.8), Vec3(0, 1, 0), Vec3(0.8, 0, 0.6));
+  settings.spheres = {{1.0, Vec3(0.5, 0.25, -1.0)}};
+  const Vec3 world = settings.viewAxes * settings.spheres[0].offset;
+  const rig::TrailSettings mirrored = mirroredSettings(settings, Vec3(1, 0, 0), Vec3(0.0));
+  const Vec3 mirroredWorld = mirrored.viewAxes * mirrored.spheres[0].offset;
+  CHECK(mirroredWorld.x == Approx(-world.x));
+  CHECK(mirroredWorld.y == Approx(world.y));
+  CHECK(mirroredWorld.z == Approx(world.z));
+  CHECK(glm::determinant(mirrored.viewAxes) == Approx(1.0));
+}
+
+TEST_CASE("The spine has no other side") {
+  CHECK_FALSE(otherSide(test::boxer(), "spine"));
+  CHECK_FALSE(otherSide(test::boxer(), "tail"));
+  CHECK(*otherSide(test::boxer(), "right-arm") == "left-arm");
+}
+
+TEST_CASE("A limb corrected by hand takes the place of the one that was found") {
+  const Document document = test::boxer();
+  rig::Limb corrected = *findLimb(document, "left-arm");
+  corrected.joints = {4};
+  const Result<Document> changed = correctLimb(document, corrected);
+  REQUIRE(changed);
+  CHECK(changed->biped.limbs.size() == document.biped.limbs.size());
+  CHECK(findLimb(*changed, "left-arm")->joints == std::vector<int>{4});
+
+  corrected.joints = {99};
+  CHECK_FALSE(correctLimb(document, corrected));
+  rig::Limb leg = *findLimb(document, "left-arm");
+  leg.kind = rig::LimbKind::leftLeg;
+  const Result<Document> added = correctLimb(document, leg);
+  REQUIRE(added);
+  REQUIRE(added->biped.limbs.size() == document.biped.limbs.size() + 1);
+  CHECK(added->biped.limbs[2].id == "left-leg"); // In the order of kinds, before the spine.
+}
+
+TEST_CASE("A chain is added once") {
+  rig::Limb chain;
+  chain.id = "LeftArm..LeftHand";
+  chain.joints = {3, 4};
+  chain.endNode = 5;
+  const Result<Document> once = addChain(test::boxer(), chain);
+  REQUIRE(once);
+  CHECK(findLimb(*once, chain.id) != nullptr);
+  CHECK_FALSE(addChain(*once, chain));
+}

@@ -1,0 +1,173 @@
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+#include "app/edits/trail_edits.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+NewTrail punchTrail(double start, double end) {
+  NewTrail wanted;
+  wanted.limb = "left-arm";
+  wanted.settings.startFrame = start;
+  wanted.settings.endFrame = end;
+  wanted.settings.scale = 2.0;
+  return wanted;
+}
+
+CreatedTrail made(const Document& document, const NewTrail& wanted) {
+  Result<CreatedTrail> created = createTrail(document, wanted);
+  REQUIRE(created);
+  return std::move(created).value();
+}
+
+} // namespace
+
+TEST_CASE("A new trail gets an id of its own and leaves the old document alone") {
+  const Document start = test::boxer();
+  const CreatedTrail first = made(start, punchTrail(0, 10));
+  const CreatedTrail second = made(first.document, punchTrail(12, 20));
+  CHECK(start.trails.empty());
+  REQUIRE(second.document.trails.size() == 2);
+  CHECK(first.trailId != second.trailId);
+  CHECK(findTrail(second.document, second.trailId)->settings.startFrame == 12);
+  CHECK(second.document.trails[0].colour != second.document.trails[1].colour);
+}
+
+TEST_CASE("An id is not given out again after its trail is deleted") {
+  const CreatedTrail first = made(test::boxer(), punchTrail(0, 10));
+  const Result<Document> without = deleteTrail(first.document, first.trailId);
+  REQUIRE(without);
+  CHECK(made(*without, punchTrail(0, 10)).trailId != first.trailId);
+}
+
+TEST_CASE("Two trails on one limb may not overlap in time") {
+  const CreatedTrail first = made(test::boxer(), punchTrail(4, 10));
+  CHECK_FALSE(createTrail(first.document, punchTrail(8, 12)));
+  CHECK_FALSE(createTrail(first.document, punchTrail(5, 6)));
+  CHECK_FALSE(createTrail(first.document, punchTrail(0, 20)));
+  CHECK(createTrail(first.document, punchTrail(8, 12)).error().line().find("overlap") != std::string::npos);
+
+  SECTION("but may touch") {
+    CHECK(createTrail(first.document, punchTrail(10, 14)));
+  }
+  SECTION("and other limbs are free") {
+    NewTrail other = punchTrail(4, 10);
+    other.limb = "right-arm";
+    CHECK(createTrail(first.document, other));
+  }
+  SECTION("also not by moving a range later") {
+    const CreatedTrail second = made(first.document, punchTrail(10, 14));
+    rig::TrailSettings settings = findTrail(second.document, second.trailId)->settings;
+    settings.startFrame = 9.5;
+    CHECK_FALSE(setTrailSettings(second.document, second.trailId, settings));
+    settings.startFrame = 10.5;
+    CHECK(setTrailSettings(second.document, second.trailId, settings));
+  }
+}
+
+TEST_CASE("A trail needs a limb, a clip, a range with a length and numbers that are numbers") {
+  const Document document = test::boxer();
+  NewTrail wanted = punchTrail(0, 10);
+  SECTION("limb") {
+    wanted.limb = "tail";
+  }
+  SECTION("clip") {
+    wanted.clip = 1;
+  }
+  SECTION("negative clip") {
+    wanted.clip = -1;
+  }
+  SECTION("no length") {
+    wanted.settings.endFrame = 0;
+  }
+  SECTION("turned round") {
+    wanted.settings.startFrame = 11;
+  }
+  SECTION("scale") {
+    wanted.settings.scale = std::numeric_limits<double>::quiet_NaN();
+  }
+  SECTION("sphere") {
+    wanted.settings.spheres = {{3.0, Vec3(0.0, std::numeric_limits<double>::infinity(), 0.0)}};
+  }
+  CHECK_FALSE(createTrail(document, wanted));
+}
+
+TEST_CASE("Connecting makes the exaggerated copy; dropping the copy disconnects") {
+  const CreatedTrail created = made(test::boxer(), punchTrail(0, 10));
+  const Result<Document> connected = setConnected(created.document, created.trailId, true);
+  REQUIRE(connected);
+  CHECK(findTrail(*connected, created.trailId)->exaggerated);
+  const Result<Document> dropped = setExaggerated(*connected, created.trailId, false);
+  REQUIRE(dropped);
+  CHECK_FALSE(findTrail(*dropped, created.trailId)->connected);
+}
+
+TEST_CASE("Apply remembers what the clip was re-keyed with") {
+  const CreatedTrail created = made(test::boxer(), punchTrail(0, 10));
+  const Result<Document> applied = applyTrail(created.document, created.trailId);
+  REQUIRE(applied);
+  const rig::Trail& trail = *findTrail(*applied, created.trailId);
+  CHECK(trail.connected);
+  CHECK(trail.applied == trail.settings);
+}
+
+TEST_CASE("Deleting the trails of a limb leaves those of other limbs and clips") {
+  const CreatedTrail first = made(test::boxer(), punchTrail(0, 5));
+  const CreatedTrail second = made(first.document, punchTrail(6, 10));
+  NewTrail other = punchTrail(0, 10);
+  other.limb = "right-arm";
+  const Document all = made(second.document, other).document;
+  const Document rest = deleteTrailsOfLimb(all, "left-arm", 0);
+  REQUIRE(rest.trails.size() == 1);
+  CHECK(rest.trails.front().limb == "right-arm");
+  CHECK(deleteTrailsOfLimb(all, "left-arm", 1).trails.size() == 3);
+}
+
+TEST_CASE("A pasted trail keeps its range on a free limb and takes the range of the trail that is there") {
+  NewTrail wanted = punchTrail(2, 8);
+  wanted.settings.spheres = {{4.0, Vec3(0.1, 0.0, 0.0)}, {8.0, Vec3(0.2, 0.0, 0.0)}};
+  const CreatedTrail source = made(test::boxer(), wanted);
+  const rig::Trail copied = *findTrail(source.document, source.trailId);
+
+  SECTION("free limb") {
+    const Result<CreatedTrail> pasted = pasteTrail(source.document, copied, "right-arm", 0);
+    REQUIRE(pasted);
+    CHECK(findTrail(pasted->document, pasted->trailId)->settings == copied.settings);
+  }
+  SECTION("taken limb") {
+    NewTrail there = punchTrail(5, 9);
+    there.limb = "right-arm";
+    there.settings.scale = 1.0;
+    const CreatedTrail both = made(source.document, there);
+    const Result<CreatedTrail> pasted = pasteTrail(both.document, copied, "right-arm", 0);
+    REQUIRE(pasted);
+    CHECK(pasted->trailId == both.trailId);
+    const rig::TrailSettings& settings = findTrail(pasted->document, both.trailId)->settings;
+    CHECK(settings.scale == 2.0);
+    CHECK(settings.startFrame == 5.0);
+    REQUIRE(settings.spheres.size() == 1); // The one that would lie past the end is left out.
+    CHECK(settings.spheres.front().frame == 7.0);
+  }
+}
+
+TEST_CASE("Edits of a trail that is not there are refused") {
+  const Document document = test::boxer();
+  CHECK_FALSE(setTrailSettings(document, 7, {}));
+  CHECK_FALSE(setExaggerated(document, 7, true));
+  CHECK_FALSE(setConnected(document, 7, true));
+  CHECK_FALSE(setFollow(document, 7, true));
+  CHECK_FALSE(setBlend(document, 7, 1.0));
+  CHECK_FALSE(applyTrail(document, 7));
+  CHECK_FALSE(deleteTrail(document, 7));
+}
+
+TEST_CASE("A clip is marked as a loop once and unmarked again") {
+  const Document once = setLooping(setLooping(test::boxer(), 0, true), 0, true);
+  CHECK(once.loopingClips == std::vector<int>{0});
+  CHECK(setLooping(once, 0, false).loopingClips.empty());
+}

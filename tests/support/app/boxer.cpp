@@ -1,0 +1,85 @@
+#include "tests/support/app/boxer.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace stretch::test {
+
+namespace {
+
+int addNode(Scene& scene, const char* name, int parent, const Vec3& offset) {
+  const int index = static_cast<int>(scene.nodes.size());
+  Node node;
+  node.name = name;
+  node.parent = parent;
+  node.rest.translation = offset;
+  scene.nodes.push_back(node);
+  if (parent >= 0) {
+    scene.nodes[static_cast<std::size_t>(parent)].children.push_back(index);
+  } else {
+    scene.roots.push_back(index);
+  }
+  return index;
+}
+
+rig::Limb makeLimb(rig::LimbKind kind, std::vector<int> joints, int end) {
+  rig::Limb limb;
+  limb.kind = kind;
+  limb.id = std::string(rig::limbName(kind));
+  limb.joints = std::move(joints);
+  limb.endNode = end;
+  limb.restLength = 0.6;
+  return limb;
+}
+
+void addKey(Track& track, double frame, double angleRadians) {
+  const Quat turn = glm::angleAxis(angleRadians, Vec3(0.0, -1.0, 0.0));
+  track.times.push_back(static_cast<float>(frame / 30.0));
+  for (const double value : {turn.x, turn.y, turn.z, turn.w}) {
+    track.values.push_back(static_cast<float>(value));
+  }
+}
+
+Clip punch(int upperArm) {
+  Track track;
+  track.node = upperArm;
+  track.channel = Channel::rotation;
+  track.width = 4;
+  addKey(track, 0.0, 0.0);
+  addKey(track, 5.0, 0.4);
+  addKey(track, 10.0, 1.4);
+  addKey(track, 20.0, 0.1);
+  Clip clip;
+  clip.name = "punch";
+  clip.sourceIndex = 0;
+  clip.endSeconds = static_cast<double>(track.times.back());
+  clip.tracks.emplace_back(std::move(track));
+  return clip;
+}
+
+} // namespace
+
+app::Document boxer() {
+  Scene scene;
+  const int hips = addNode(scene, "Hips", -1, {0.0, 1.0, 0.0});
+  const int spine = addNode(scene, "Spine", hips, {0.0, 0.2, 0.0});
+  const int chest = addNode(scene, "Chest", spine, {0.0, 0.2, 0.0});
+  const int leftArm = addNode(scene, "LeftArm", chest, {0.2, 0.1, 0.0});
+  const int leftElbow = addNode(scene, "LeftForeArm", leftArm, {0.3, 0.0, 0.0});
+  const int leftHand = addNode(scene, "LeftHand", leftElbow, {0.3, 0.0, 0.0});
+  const int rightArm = addNode(scene, "RightArm", chest, {-0.2, 0.1, 0.0});
+  const int rightElbow = addNode(scene, "RightForeArm", rightArm, {-0.3, 0.0, 0.0});
+  const int rightHand = addNode(scene, "RightHand", rightElbow, {-0.3, 0.0, 0.0});
+
+  app::Document document;
+  document.source = std::make_shared<const gltf::Source>();
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{punch(leftArm)});
+  document.biped.hips = hips;
+  document.biped.height = 1.8;
+  document.biped.limbs = {makeLimb(rig::LimbKind::leftArm, {leftArm, leftElbow}, leftHand),
+                          makeLimb(rig::LimbKind::rightArm, {rightArm, rightElbow}, rightHand),
+                          makeLimb(rig::LimbKind::spine, {spine}, chest)};
+  return document;
+}
+
+} // namespace stretch::test
