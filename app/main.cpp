@@ -1,12 +1,55 @@
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include "app/batch/verb.h"
 #include "ui/batch/render_verb.h"
+#include "ui/shell/editor.h"
+
+namespace {
+
+using stretch::app::Verb;
+
+/// What the editor is started with: `[--ui-scale FACTOR] [FILE]`.
+struct EditorStart {
+  std::filesystem::path file;
+  stretch::ui::EditorOptions options;
+};
+
+/// Everything that is no verb and no other option starts the editor.
+bool startsEditor(const std::vector<Verb>& verbs, const std::vector<std::string_view>& words) {
+  if (words.empty() || words.front() == "--ui-scale") {
+    return true;
+  }
+  const bool verb =
+      std::any_of(verbs.begin(), verbs.end(), [&](const Verb& known) { return known.name == words.front(); });
+  return !verb && words.front().substr(0, 1) != "-" && words.size() == 1;
+}
+
+EditorStart editorStart(const std::vector<std::string_view>& words) {
+  EditorStart start;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--ui-scale" && i + 1 < words.size()) {
+      start.options.scale = std::strtof(std::string(words[++i]).c_str(), nullptr);
+    } else {
+      start.file = words[i];
+    }
+  }
+  return start;
+}
+
+} // namespace
 
 int main(int argumentCount, char** arguments) {
-  std::vector<stretch::app::Verb> verbs = stretch::app::batchVerbs();
+  std::vector<Verb> verbs = stretch::app::batchVerbs();
   verbs.push_back(stretch::ui::renderVerb());
+  const std::vector<std::string_view> words(arguments + std::min(argumentCount, 1),
+                                            arguments + argumentCount);
+  if (startsEditor(verbs, words)) {
+    const EditorStart start = editorStart(words);
+    return stretch::ui::runEditor(start.file, start.options);
+  }
   return stretch::app::runVerbs(verbs, argumentCount, arguments);
 }

@@ -13,6 +13,12 @@ void paragraph(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
+/// Enter stands for the last button, the primary one.
+int orEnter(int clicked, int primary) {
+  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  return clicked < 0 && entered ? primary : clicked;
+}
+
 void drawUnsavedQuestion(PanelContext& context) {
   UiState& ui = context.ui;
   const bool wasOpen = ui.unsavedOpen;
@@ -22,10 +28,11 @@ void drawUnsavedQuestion(PanelContext& context) {
     return;
   }
   paragraph("There are changes that are not saved. They are lost if you go on without saving.");
-  const int clicked = dialogButtons(context, "unsaved",
-                                    {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
-                                     {.id = "", .text = "Cancel"},
-                                     {.id = "", .text = "Save"}});
+  const int clicked = orEnter(dialogButtons(context, "unsaved",
+                                            {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
+                                             {.id = "", .text = "Cancel"},
+                                             {.id = "", .text = "Save"}}),
+                              2);
   constexpr UnsavedChoice choices[] = {UnsavedChoice::discard, UnsavedChoice::cancel, UnsavedChoice::save};
   if (clicked >= 0) {
     ui.answers.unsaved = choices[clicked];
@@ -108,9 +115,10 @@ void drawRestoreQuestion(PanelContext& context) {
   }
   paragraph("The program ended before the last changes to " + ui.restoreOffer +
             " were saved. They were kept to the side.");
-  const int clicked = dialogButtons(
-      context, "restore",
-      {{.id = "", .text = "Discard", .emphasis = Emphasis::danger}, {.id = "", .text = "Restore"}});
+  const int clicked = orEnter(dialogButtons(context, "restore",
+                                            {{.id = "", .text = "Discard", .emphasis = Emphasis::danger},
+                                             {.id = "", .text = "Restore"}}),
+                              1);
   if (clicked >= 0) {
     ui.answers.restoreAutosave = clicked == 1;
     ui.restoreOffer.clear();

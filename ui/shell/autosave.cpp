@@ -1,0 +1,97 @@
+#include "ui/shell/autosave.h"
+
+#include <csignal>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "app/saved_work.h"
+#include "ui/shell/user_files.h"
+
+namespace stretch::ui {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path autosaveFolder() {
+  return stateFolder() / "autosave";
+}
+
+std::string absoluteText(const fs::path& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+/// The file's content; null when it is none of ours.
+Json readAutosave(const fs::path& file) {
+  const std::optional<std::string> text = readText(file);
+  const Json json = Json::parse(text.value_or(""), nullptr, false);
+  const bool ours = json.is_object() && json.contains("source") && json["source"].is_string() &&
+                    json.contains("process") && json["process"].is_number_integer() && json.contains("work");
+  return ours ? json : Json();
+}
+
+bool isAlive(long process) {
+  return process > 0 && process != static_cast<long>(getpid()) && kill(static_cast<pid_t>(process), 0) == 0;
+}
+
+} // namespace
+
+fs::path autosavePath(const fs::path& source) {
+  return autosaveFolder() / (nameFor(source) + ".json");
+}
+
+std::string autosaveText(const app::Document& document, const fs::path& source) {
+  return Json{{"version", 1},
+              {"source", absoluteText(source)},
+              {"process", static_cast<long>(getpid())},
+              {"work", app::workOf(document)}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<Autosave> findAutosave(const fs::path& source) {
+  std::error_code problem;
+  std::optional<Autosave> newest;
+  fs::file_time_type newestTime{};
+  for (const fs::directory_entry& entry : fs::directory_iterator(autosaveFolder(), problem)) {
+    const Json json = entry.path().extension() == ".json" ? readAutosave(entry.path()) : Json();
+    if (json.is_null() || isAlive(json["process"].get<long>())) {
+      continue;
+    }
+    const std::string edited = json["source"].get<std::string>();
+    const fs::file_time_type time = entry.last_write_time(problem);
+    const bool wanted = source.empty() ? fs::exists(edited, problem) : edited == absoluteText(source);
+    if (wanted && (!newest || time > newestTime)) {
+      newest = Autosave{entry.path(), edited};
+      newestTime = time;
+    }
+  }
+  return newest;
+}
+
+Result<app::Document> withAutosave(const app::Document& document, const fs::path& autosave) {
+  const Json json = readAutosave(autosave);
+  if (json.is_null()) {
+    return Error{"the unsaved work cannot be read", autosave.string(), "go on with the file as it was saved"};
+  }
+  app::Document restored = document;
+  restored.trails.clear();
+  restored.chains.clear();
+  restored.loopingClips.clear();
+  restored.biped = rig::detectBiped(*document.scene);
+  if (json["work"].is_null()) {
+    return restored;
+  }
+  const Status done = app::restoreWork(json["work"], restored);
+  return done ? Result<app::Document>(restored) : Result<app::Document>(done.error());
+}
+
+void removeAutosave(const fs::path& autosave) {
+  std::error_code ignored;
+  fs::remove(autosave, ignored);
+}
+
+} // namespace stretch::ui

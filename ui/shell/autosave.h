@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+
+namespace stretch::ui {
+
+/// Work that was not saved when the program went away. The work is small (trails and settings, not the
+/// character), so it is written to the side every few seconds.
+struct Autosave {
+  std::filesystem::path file;   ///< Of the autosave itself.
+  std::filesystem::path source; ///< What was being edited.
+};
+
+/// Where the unsaved work on a file is kept.
+[[nodiscard]] std::filesystem::path autosavePath(const std::filesystem::path& source);
+
+/// The autosave as text: what was edited, by which process, and the work.
+[[nodiscard]] std::string autosaveText(const app::Document& document, const std::filesystem::path& source);
+
+/// The newest autosave that no living process owns: of this file, or of any when `source` is empty.
+[[nodiscard]] std::optional<Autosave> findAutosave(const std::filesystem::path& source);
+
+/// The document with the autosaved work in place of its own.
+[[nodiscard]] Result<app::Document> withAutosave(const app::Document& document,
+                                                 const std::filesystem::path& autosave);
+
+/// Forgets it: the work was saved, or the user does not want it.
+void removeAutosave(const std::filesystem::path& autosave);
+
+} // namespace stretch::ui

@@ -1,0 +1,390 @@
+#include "ui/shell/editor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/panels/panels.h"
+#include "ui/shell/file_work.h"
+#include "ui/shell/gui.h"
+#include "ui/shell/playback.h"
+#include "ui/shell/questions.h"
+#include "ui/shell/script.h"
+#include "ui/shell/shell_commands.h"
+#include "ui/shell/viewport_pane.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr double liveSeconds =
+    0.8; ///< Drawn on for this long after the last event: tooltips come up meanwhile.
+
+/// The parts of a running editor, in the order in which they are made.
+struct Editor {
+  Window window;
+  Gui gui;
+  std::unique_ptr<ViewportGpu> gpu;
+  Shell shell;
+  std::optional<Script> script;
+  float scaleOption = 0.0F;
+  double liveUntil = 0.0;
+};
+
+int failWith(const Error& error) {
+  std::fprintf(stderr, "stretch-engine: %s\n", error.line().c_str());
+  return 1;
+}
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+EditorOptions withEnvironment(EditorOptions options) {
+  if (options.script.empty()) {
+    options.script = environment("STRETCH_UI_SCRIPT");
+  }
+  if (options.scale <= 0.0F) {
+    options.scale = std::strtof(environment("STRETCH_UI_SCALE").c_str(), nullptr);
+  }
+  const std::string size = environment("STRETCH_UI_SIZE");
+  if (options.width <= 0 && size.find('x') != std::string::npos) {
+    options.width = std::atoi(size.c_str());
+    options.height = std::atoi(size.c_str() + size.find('x') + 1);
+  }
+  return options;
+}
+
+void readUserFiles(Shell& shell) {
+  const auto settings = readText(settingsPath());
+  if (settings) {
+    readSettings(*settings, shell.ui, shell.panes, shell.window);
+  }
+  shell.ui.navigationChoiceOpen = !settings;
+  shell.commands = editorCommands();
+  shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  if (const auto keys = readText(keysPath())) {
+    tellProblem(shell, shell.keymap.readJson(*keys));
+  }
+}
+
+void rememberWindow(Editor& editor) {
+  Shell& shell = editor.shell;
+  const WindowSize size = editor.window.size();
+  const float scale = editor.window.contentScale();
+  shell.window.maximised = glfwGetWindowAttrib(editor.window.handle(), GLFW_MAXIMIZED) == GLFW_TRUE;
+  if (!shell.window.maximised) {
+    shell.window.width = static_cast<int>(static_cast<float>(size.width) / scale);
+    shell.window.height = static_cast<int>(static_cast<float>(size.height) / scale);
+  }
+}
+
+void saveUserFiles(Editor& editor) {
+  const Shell& shell = editor.shell;
+  const Status settings = writeText(settingsPath(), settingsText(shell.ui, shell.panes, shell.window));
+  if (!settings) {
+    std::fprintf(stderr, "stretch-engine: %s\n", settings.error().line().c_str());
+  }
+}
+
+void updateTheme(Editor& editor) {
+  Shell& shell = editor.shell;
+  const float wanted =
+      editor.scaleOption > 0.0F ? editor.scaleOption : editor.window.contentScale() * shell.ui.scale;
+  if (shell.themeDirty || shell.theme.scale != wanted || shell.theme.kind != shell.ui.theme) {
+    shell.theme = editor.gui.setTheme(shell.ui.theme, wanted);
+    shell.themeDirty = false;
+  }
+}
+
+void takeKeyAnswers(Shell& shell) {
+  UiAnswers& answers = shell.ui.answers;
+  if (answers.keyChange) {
+    const KeyChange change = *std::exchange(answers.keyChange, std::nullopt);
+    const Result<std::string> loser = shell.keymap.rebind(change.commandId, app::parseChord(change.keyText));
+    if (!loser) {
+      shell.ui.keys.clash = loser.error().line();
+    } else {
+      shell.ui.keys.clash = loser->empty() ? "" : change.keyText + " was taken from " + *loser;
+      tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
+    }
+  }
+  if (std::exchange(answers.resetKeys, false)) {
+    shell.keymap.resetToDefaults();
+    tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
+  }
+}
+
+void takeAnswers(Editor& editor) {
+  Shell& shell = editor.shell;
+  takeKeyAnswers(shell);
+  UiAnswers& answers = shell.ui.answers;
+  bool changed = std::exchange(answers.themeChanged, false);
+  if (answers.navigation) {
+    shell.ui.navigation = *std::exchange(answers.navigation, std::nullopt);
+    shell.ui.navigationChoiceOpen = false;
+    changed = true;
+  }
+  if (changed) {
+    saveUserFiles(editor);
+  }
+}
+
+void takeKeys(Editor& editor) {
+  Shell& shell = editor.shell;
+  shell.ui.pressedKey.clear();
+  for (const KeyInput& input : editor.window.input().keys) {
+    const bool owned =
+        widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty();
+    if (!owned || !input.down) {
+      dispatchKey(shell, input);
+    } else if (input.down) {
+      shell.ui.pressedKey = app::chordText(input.press.chord);
+    }
+  }
+}
+
+/// A press outside of the viewport keeps what a running tool made.
+void keepToolOnPress(Shell& shell) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool outside = !shell.viewport.box.contains(mouse);
+  if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    finishTool(*shell.session, shell.tool, true);
+    describeTool(shell.tool, shell.ui);
+  }
+}
+
+/// Begins a pane's window; the caller ends it.
+bool beginPane(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0) {
+  ImGui::SetNextWindowPos(rect.min);
+  ImGui::SetNextWindowSize({std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)});
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus | extra);
+}
+
+float drawMenu(PanelContext& context) {
+  float height = 0.0F;
+  if (ImGui::BeginMainMenuBar()) {
+    drawMenuBar(context);
+    height = ImGui::GetWindowSize().y;
+    ImGui::EndMainMenuBar();
+  }
+  return height;
+}
+
+void drawSidePanes(PanelContext& context, const Shell& shell, const PaneRects& rects) {
+  if (shell.panes.leftOpen) {
+    if (beginPane("left-pane", rects.left)) {
+      drawLimbPanel(context);
+      drawRigPanel(context);
+    }
+    ImGui::End();
+  }
+  if (shell.panes.rightOpen) {
+    if (beginPane("right-pane", rects.right)) {
+      drawTrailsPanel(context);
+      drawTrailSettingsPanel(context);
+    }
+    ImGui::End();
+  }
+}
+
+void drawBottomPanes(PanelContext& context, const Shell& shell, const PaneRects& rects) {
+  if (shell.panes.bottomOpen) {
+    if (beginPane("bottom-pane", rects.bottom,
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+      drawBottomPanel(context);
+    }
+    ImGui::End();
+  }
+  if (beginPane("status-pane", rects.status,
+                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    drawStatusBar(context);
+  }
+  ImGui::End();
+}
+
+/// The bar of switches over the viewport; answers what is left for the picture.
+Rect drawOverlayBar(PanelContext& context, const Rect& rect) {
+  const float height = context.theme.rowHeight() + context.theme.unit();
+  const Rect bar{rect.min, {rect.max.x, rect.min.y + height}};
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.theme.unit(), 0.5F * context.theme.unit()});
+  if (beginPane("viewport-bar", bar, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    drawViewportBar(context);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  return {{rect.min.x, rect.min.y + height}, rect.max};
+}
+
+void drawEverything(Editor& editor) {
+  Shell& shell = editor.shell;
+  const WindowSize size = editor.window.size();
+  PanelContext context{shell.session.get(), shell.ui,        shell.theme,
+                       shell.commandInfos,  shell.requested, shell.items};
+  beginPanels(context);
+  const float menuHeight = drawMenu(context);
+  const PaneRects rects =
+      dividePanes(shell.panes, static_cast<float>(size.width), static_cast<float>(size.height),
+                  shell.theme.scale, menuHeight, shell.theme.rowHeight() + shell.theme.px(6.0F));
+  drawSidePanes(context, shell, rects);
+  const double pixelsPerUnit = size.width > 0 ? static_cast<double>(size.framebufferWidth) / size.width : 1.0;
+  drawViewportPane(shell, context, *editor.gpu, drawOverlayBar(context, rects.viewport), pixelsPerUnit);
+  drawBottomPanes(context, shell, rects);
+  drawSplitters(context, rects, shell.panes);
+  drawDialogs(context);
+  drawOverwriteQuestion(shell, context);
+}
+
+void runRequested(Shell& shell) {
+  const std::vector<std::string> requested = std::exchange(shell.requested, {});
+  for (const std::string& id : requested) {
+    runCommand(shell, id);
+  }
+}
+
+/// What happens without a picture: files, keys, time. Answers whether something may look different.
+bool update(Editor& editor) {
+  Shell& shell = editor.shell;
+  InputQueue& input = editor.window.input();
+  const double now = clockSeconds();
+  const bool wasLoading = shell.files.loading.valid();
+  updateFileWork(shell, input, now);
+  takeAnswers(editor);
+  takeKeys(editor);
+  const bool happened = input.anything || wasLoading || shell.ui.timeline.playing ||
+                        !shell.ui.toasts.empty() || isRunning(shell.tool) || editor.script.has_value();
+  input.clear();
+  editor.liveUntil = happened ? now + liveSeconds : editor.liveUntil;
+  return now < editor.liveUntil;
+}
+
+void drawFrame(Editor& editor) {
+  Shell& shell = editor.shell;
+  const double began = clockSeconds();
+  updateTheme(editor);
+  describeTool(shell.tool, shell.ui);
+  describeCommands(shell);
+  editor.gui.beginFrame(editor.script ? &editor.script->mouse() : nullptr);
+  play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
+  keepToolOnPress(shell);
+  editor.gpu->drewPicture = false;
+  drawEverything(editor);
+  runRequested(shell);
+  editor.window.input().guiTakesKeys =
+      widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty();
+  editor.window.setTitle(windowTitle(shell));
+  editor.gui.endFrame(shell.theme, editor.window.size());
+  if (editor.script) {
+    editor.script->afterFrame(shell, editor.window.size());
+  }
+  editor.window.present();
+  if (editor.gpu->drewPicture && !editor.script) {
+    editor.gpu->governor.frameTook(clockSeconds() - began);
+  }
+}
+
+double waitingTime(const Editor& editor) {
+  if (editor.script || clockSeconds() < editor.liveUntil) {
+    return 0.0;
+  }
+  return editor.shell.files.loading.valid() ? 0.03 : 0.5;
+}
+
+int runLoop(Editor& editor) {
+  Shell& shell = editor.shell;
+  while (!shell.quit) {
+    waitForEvents(waitingTime(editor));
+    if (editor.script && !editor.script->beforeFrame(shell, editor.window)) {
+      break;
+    }
+    if (update(editor)) {
+      drawFrame(editor);
+    }
+  }
+  if (editor.script && editor.script->abandoned()) {
+    return 0;
+  }
+  rememberWindow(editor);
+  saveUserFiles(editor);
+  closeFile(shell);
+  if (editor.script && !editor.script->failure().empty()) {
+    return failWith({editor.script->failure(), "script", ""});
+  }
+  return 0;
+}
+
+Result<Editor> openEditor(const EditorOptions& options) {
+  Shell shell;
+  readUserFiles(shell);
+  const bool sized = options.width > 0 && options.height > 0;
+  Result<Window> window = Window::open({.width = sized ? options.width : shell.window.width,
+                                        .height = sized ? options.height : shell.window.height,
+                                        .maximised = shell.window.maximised && !sized});
+  if (!window) {
+    return window.error();
+  }
+  Result<Gui> gui = Gui::create(*window);
+  if (!gui) {
+    return gui.error();
+  }
+  Result<std::unique_ptr<ViewportGpu>> gpu = createViewportGpu();
+  if (!gpu) {
+    return gpu.error();
+  }
+  return Editor{std::move(window).value(),
+                std::move(gui).value(),
+                std::move(gpu).value(),
+                std::move(shell),
+                {},
+                options.scale,
+                0.0};
+}
+
+} // namespace
+
+void tell(Shell& shell, ToastKind kind, const std::string& text) {
+  const bool shown = std::any_of(shell.ui.toasts.begin(), shell.ui.toasts.end(),
+                                 [&](const Toast& toast) { return toast.text == text; });
+  if (!shown) {
+    shell.ui.toasts.push_back({kind, text, kind == ToastKind::error ? 8.0F : 4.0F});
+  }
+}
+
+void tellProblem(Shell& shell, const Status& status) {
+  if (!status) {
+    tell(shell, ToastKind::error, status.error().line());
+  }
+}
+
+int runEditor(const std::filesystem::path& file, const EditorOptions& given) {
+  const EditorOptions options = withEnvironment(given);
+  Result<Editor> editor = openEditor(options);
+  if (!editor) {
+    return failWith(editor.error());
+  }
+  if (!options.script.empty()) {
+    Result<Script> script = Script::read(options.script);
+    if (!script) {
+      return failWith(script.error());
+    }
+    editor->script = std::move(script).value();
+    editor->shell.ui.navigationChoiceOpen = false;
+  }
+  if (!file.empty()) {
+    openFile(editor->shell, file);
+  } else {
+    offerAutosave(editor->shell, {});
+  }
+  return runLoop(*editor);
+}
+
+} // namespace stretch::ui

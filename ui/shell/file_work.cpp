@@ -1,0 +1,382 @@
+#include "ui/shell/file_work.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "app/commands/selection.h"
+#include "ui/shell/autosave.h"
+#include "ui/shell/input.h"
+#include "ui/shell/recipe_work.h"
+#include "ui/shell/viewport_scene.h"
+
+namespace stretch::ui {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double autosaveAfterSeconds = 3.0;
+
+void stampFile(FileWork& files, const fs::path& path) {
+  files.stampedPath = path;
+  files.stamp = stampOf(path);
+  files.changeTold = false;
+}
+
+/// Whether another program changed a file since we last read or wrote it.
+bool changedByOthers(const FileWork& files, const fs::path& path) {
+  return path == files.stampedPath && files.stamp && stampOf(path) != files.stamp;
+}
+
+void startLoading(Shell& shell, const fs::path& path, std::optional<fs::path> restoreFrom) {
+  if (shell.files.loading.valid()) {
+    tell(shell, ToastKind::info, "Another file is being opened");
+    return;
+  }
+  shell.files.loadingPath = path;
+  shell.files.restoreFrom = std::move(restoreFrom);
+  shell.files.loading = std::async(std::launch::async, [path] { return app::openDocument(path); });
+  shell.ui.busyText = "Opening " + path.filename().string();
+  shell.ui.busyFraction = -1.0F;
+}
+
+void showNewFile(Shell& shell, const fs::path& path) {
+  ViewportState& viewport = shell.viewport;
+  const app::Document& document = shell.session->document();
+  viewport.shown = {};
+  viewport.facingYawRadians = facingYaw(document, 0);
+  viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
+  viewport.framePending = true;
+  if (const auto text = readText(viewPath(path))) {
+    readView(*text, document, shell.session->view(), viewport.camera);
+    viewport.framePending = false;
+  }
+}
+
+void takeRestored(Shell& shell, app::Document document) {
+  shell.session->edit(std::move(document), "Restore unsaved work");
+  tell(shell, ToastKind::success, "The unsaved work is back");
+}
+
+void takeLoaded(Shell& shell) {
+  FileWork& files = shell.files;
+  Result<app::Document> loaded = files.loading.get();
+  files.loading = {};
+  shell.ui.busyText.clear();
+  if (!loaded) {
+    tell(shell, ToastKind::error, loaded.error().line());
+    return;
+  }
+  const std::optional<fs::path> restoreFrom = std::exchange(files.restoreFrom, std::nullopt);
+  closeFile(shell);
+  const std::vector<std::string> warnings = loaded->warnings;
+  shell.session = std::make_unique<app::Session>(std::move(loaded).value());
+  files.path = files.loadingPath;
+  stampFile(files, files.path);
+  rememberRecent(shell.ui, files.path);
+  showNewFile(shell, files.path);
+  if (!warnings.empty()) {
+    tell(shell, ToastKind::warning,
+         warnings.size() == 1 ? warnings.front()
+                              : fmt::format("{} (and {} more)", warnings.front(), warnings.size() - 1));
+  }
+  if (restoreFrom) {
+    Result<app::Document> restored = withAutosave(shell.session->document(), *restoreFrom);
+    removeAutosave(*restoreFrom);
+    if (restored) {
+      takeRestored(shell, std::move(restored).value());
+    } else {
+      tell(shell, ToastKind::error, restored.error().line());
+    }
+  } else {
+    offerAutosave(shell, files.path);
+  }
+}
+
+void saved(Shell& shell, const fs::path& path, bool clean) {
+  tell(shell, ToastKind::success,
+       fmt::format("{} {}", clean ? "Exported" : "Saved", path.filename().string()));
+  if (clean) {
+    return;
+  }
+  stampFile(shell.files, path);
+  rememberRecent(shell.ui, path);
+  removeAutosave(autosavePath(shell.files.path));
+  shell.files.hasAutosave = false;
+}
+
+/// Goes on with what waited for the unsaved work to be settled.
+void goOn(Shell& shell) {
+  const AfterUnsaved after = std::exchange(shell.files.afterUnsaved, AfterUnsaved::nothing);
+  if (after == AfterUnsaved::quit) {
+    shell.quit = true;
+  } else if (after == AfterUnsaved::open) {
+    startLoading(shell, shell.files.pendingOpen, std::nullopt);
+  }
+}
+
+void askAboutUnsaved(Shell& shell, AfterUnsaved after) {
+  shell.files.afterUnsaved = after;
+  shell.ui.unsavedOpen = true;
+}
+
+void answerUnsaved(Shell& shell, UnsavedChoice choice) {
+  shell.ui.unsavedOpen = false;
+  if (choice == UnsavedChoice::cancel) {
+    shell.files.afterUnsaved = AfterUnsaved::nothing;
+  } else if (choice == UnsavedChoice::discard) {
+    goOn(shell);
+  } else {
+    saveFile(shell); // The rest follows once it is saved.
+  }
+}
+
+void answerFile(Shell& shell, const FileChoice& choice) {
+  if (shell.session == nullptr && choice.purpose != FilePurpose::openModel) {
+    return;
+  }
+  switch (choice.purpose) {
+  case FilePurpose::openModel:
+    openFile(shell, choice.path);
+    break;
+  case FilePurpose::saveModel:
+    saveFileAs(shell, choice.path, false);
+    break;
+  case FilePurpose::exportClean:
+    saveFileAs(shell, choice.path, true);
+    break;
+  case FilePurpose::openRecipe:
+    loadRecipeFile(shell, choice.path);
+    break;
+  case FilePurpose::saveRecipe:
+    saveRecipeFile(shell, choice.path);
+    break;
+  case FilePurpose::saveFrames:
+    break;
+  }
+}
+
+void answerRestore(Shell& shell, bool restore) {
+  const fs::path autosave = std::exchange(shell.files.offeredAutosave, {});
+  const fs::path source = std::exchange(shell.files.offeredSource, {});
+  shell.ui.restoreOffer.clear();
+  if (!restore) {
+    removeAutosave(autosave);
+  } else if (shell.session != nullptr && source == shell.files.path) {
+    Result<app::Document> restored = withAutosave(shell.session->document(), autosave);
+    removeAutosave(autosave);
+    if (restored) {
+      takeRestored(shell, std::move(restored).value());
+    } else {
+      tell(shell, ToastKind::error, restored.error().line());
+    }
+  } else {
+    startLoading(shell, source, autosave);
+  }
+}
+
+void takeAnswers(Shell& shell) {
+  UiAnswers& answers = shell.ui.answers;
+  if (answers.unsaved) {
+    answerUnsaved(shell, *std::exchange(answers.unsaved, std::nullopt));
+  }
+  if (answers.file) {
+    answerFile(shell, *std::exchange(answers.file, std::nullopt));
+  }
+  if (answers.restoreAutosave) {
+    answerRestore(shell, *std::exchange(answers.restoreAutosave, std::nullopt));
+  }
+}
+
+/// Writes unsaved work aside, a few seconds after the last change.
+void autosave(Shell& shell, double nowSeconds) {
+  FileWork& files = shell.files;
+  if (shell.session == nullptr || shell.session->isDragging()) {
+    return;
+  }
+  const app::Document& document = shell.session->document();
+  if (!hasUnsavedWork(shell)) {
+    if (files.hasAutosave) {
+      removeAutosave(autosavePath(files.path));
+      files.hasAutosave = false;
+    }
+    return;
+  }
+  const bool due = nowSeconds - files.lastAutosaveSeconds >= autosaveAfterSeconds;
+  if (!due || (files.hasAutosave && app::sameDocument(files.autosaved, document))) {
+    return;
+  }
+  files.lastAutosaveSeconds = nowSeconds;
+  const Status written = writeText(autosavePath(files.path), autosaveText(document, files.path));
+  if (!written && !files.hasAutosave) {
+    tell(shell, ToastKind::warning, "Unsaved work is not kept aside: " + written.error().line());
+  }
+  files.autosaved = document;
+  files.hasAutosave = true;
+}
+
+void tellForeignChange(Shell& shell) {
+  FileWork& files = shell.files;
+  if (!files.changeTold && changedByOthers(files, files.stampedPath)) {
+    files.changeTold = true;
+    tell(shell, ToastKind::warning,
+         files.stampedPath.filename().string() + " was changed by another program");
+  }
+}
+
+} // namespace
+
+bool hasUnsavedWork(const Shell& shell) {
+  return shell.session != nullptr && !shell.session->history().isSaved();
+}
+
+void openFile(Shell& shell, const fs::path& path) {
+  if (hasUnsavedWork(shell)) {
+    shell.files.pendingOpen = path;
+    askAboutUnsaved(shell, AfterUnsaved::open);
+    return;
+  }
+  startLoading(shell, path, std::nullopt);
+}
+
+void askForFile(Shell& shell, FilePurpose purpose) {
+  FileDialogState& dialog = shell.ui.fileDialog;
+  dialog = {};
+  dialog.open = true;
+  dialog.purpose = purpose;
+  const bool saving = purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe;
+  std::error_code ignored;
+  const fs::path near = shell.session != nullptr ? shell.session->proposedSavePath() : shell.files.path;
+  dialog.folder =
+      near.has_parent_path() ? fs::absolute(near.parent_path(), ignored) : fs::current_path(ignored);
+  if (saving && shell.session != nullptr) {
+    fs::path proposed = near.filename();
+    if (purpose == FilePurpose::exportClean) {
+      proposed = near.stem().string() + "-clean.glb";
+    } else if (purpose == FilePurpose::saveRecipe) {
+      proposed = near.stem().string() + "-recipe.json";
+    }
+    dialog.typed = proposed.string();
+  }
+}
+
+void saveFile(Shell& shell) {
+  if (shell.session == nullptr) {
+    return;
+  }
+  const fs::path path = shell.session->savePath();
+  if (path.empty()) {
+    askForFile(shell, FilePurpose::saveModel);
+  } else if (changedByOthers(shell.files, path) && shell.files.changedSavePath.empty()) {
+    shell.files.changedSavePath = path;
+  } else {
+    saveFileAs(shell, path, false);
+  }
+}
+
+void saveFileAs(Shell& shell, const fs::path& path, bool clean) {
+  if (shell.session == nullptr) {
+    return;
+  }
+  shell.files.changedSavePath.clear();
+  const Status done = shell.session->save(path, clean);
+  if (!done) {
+    tellProblem(shell, done);
+    shell.files.afterUnsaved = AfterUnsaved::nothing;
+    return;
+  }
+  saved(shell, path, clean);
+  if (!clean) {
+    goOn(shell);
+  }
+}
+
+fs::path nextIncrement(const fs::path& path) {
+  std::string stem = path.stem().string();
+  const std::size_t dash = stem.rfind('-');
+  const bool numbered = dash != std::string::npos && dash + 1 < stem.size() &&
+                        std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(dash) + 1, stem.end(),
+                                    [](unsigned char c) { return std::isdigit(c) != 0; });
+  stem = numbered ? stem.substr(0, dash) : stem;
+  fs::path next = path;
+  std::error_code ignored;
+  for (int number = 1; number < 100000; ++number) {
+    next.replace_filename(fmt::format("{}-{:03}{}", stem, number, path.extension().string()));
+    if (!fs::exists(next, ignored)) {
+      break;
+    }
+  }
+  return next;
+}
+
+void saveIncremental(Shell& shell) {
+  if (shell.session != nullptr) {
+    saveFileAs(shell, nextIncrement(shell.session->proposedSavePath()), false);
+  }
+}
+
+void askToQuit(Shell& shell) {
+  if (hasUnsavedWork(shell)) {
+    askAboutUnsaved(shell, AfterUnsaved::quit);
+  } else {
+    shell.quit = true;
+  }
+}
+
+void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
+  if (shell.files.loading.valid() &&
+      shell.files.loading.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    takeLoaded(shell);
+  }
+  takeAnswers(shell);
+  if (!input.drops.empty()) {
+    openFile(shell, input.drops.front());
+  }
+  if (input.closeAsked) {
+    askToQuit(shell);
+  }
+  if (input.focusGained) {
+    tellForeignChange(shell);
+  }
+  autosave(shell, nowSeconds);
+}
+
+void offerAutosave(Shell& shell, const fs::path& file) {
+  if (const auto found = findAutosave(file)) {
+    shell.files.offeredAutosave = found->file;
+    shell.files.offeredSource = file.empty() ? found->source : file;
+    shell.ui.restoreOffer = shell.files.offeredSource.string();
+  }
+}
+
+void closeFile(Shell& shell) {
+  FileWork& files = shell.files;
+  if (shell.session == nullptr) {
+    return;
+  }
+  finishTool(*shell.session, shell.tool, false);
+  const std::string view = viewText(shell.session->view(), shell.viewport.camera);
+  tellProblem(shell, writeText(viewPath(files.path), view));
+  if (!shell.session->savePath().empty() && shell.session->savePath() != files.path) {
+    tellProblem(shell, writeText(viewPath(shell.session->savePath()), view));
+  }
+  if (files.hasAutosave) {
+    removeAutosave(autosavePath(files.path));
+    files.hasAutosave = false;
+  }
+  files.autosaved = {};
+}
+
+std::string windowTitle(const Shell& shell) {
+  if (shell.session == nullptr) {
+    return "Stretch-Engine";
+  }
+  const fs::path& path = shell.session->savePath().empty() ? shell.files.path : shell.session->savePath();
+  return (hasUnsavedWork(shell) ? "\xE2\x97\x8F " : "") + path.filename().string() +
+         " \xE2\x80\x93 Stretch-Engine";
+}
+
+} // namespace stretch::ui

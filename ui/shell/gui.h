@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/shell/window.h"
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+/// Where the mouse is and what it holds, when a script moves it instead of a hand.
+struct ScriptedMouse {
+  float x = 0.0F; ///< Window units.
+  float y = 0.0F;
+  bool buttons[3] = {false, false, false}; ///< Left, right, middle.
+  float wheel = 0.0F;
+};
+
+/// Dear ImGui with its backends for one window.
+class Gui {
+public:
+  [[nodiscard]] static Result<Gui> create(Window& window);
+  Gui(Gui&&) noexcept;
+  Gui& operator=(Gui&&) = delete;
+  ~Gui();
+
+  /// Loads fonts and style anew.
+  [[nodiscard]] Theme setTheme(ThemeKind kind, float scale);
+
+  /// `mouse` replaces the window's mouse, and time then runs in steps of a sixtieth of a second; null for a
+  /// user.
+  void beginFrame(const ScriptedMouse* mouse);
+  /// Draws the widgets into the window.
+  void endFrame(const Theme& theme, const WindowSize& size);
+
+private:
+  Gui() = default;
+  bool alive_ = false;
+};
+
+} // namespace stretch::ui

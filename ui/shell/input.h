@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/key.h"
+
+struct GLFWwindow;
+
+namespace stretch::ui {
+
+/// A key going down, repeating or coming up.
+struct KeyInput {
+  app::KeyPress press;
+  bool down = true;
+  bool repeat = false;
+};
+
+/// What the window told since the last frame. Its callbacks and scripts fill it through the same functions.
+struct InputQueue {
+  std::vector<KeyInput> keys;
+  std::vector<std::filesystem::path> drops;
+  bool closeAsked = false;
+  bool focusGained = false;
+  bool anything = true;      ///< Something happened that may change the picture.
+  bool guiTakesKeys = false; ///< A text field or a dialog is open: keys go to the widgets as well.
+
+  void clear();
+};
+
+/// Lets the window's callbacks fill the queue, which must outlive the window, and feed the widgets.
+void installCallbacks(GLFWwindow* window, InputQueue& queue);
+
+/// A key as GLFW reports it (its key, scancode, action and mods).
+void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, int action, int mods);
+/// A typed character.
+void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepoint);
+
+/// Our key of one of GLFW's; none for keys that nothing is bound to. Modifier keys are none.
+[[nodiscard]] app::Key fromGlfwKey(int glfwKey);
+[[nodiscard]] std::optional<int> toGlfwKey(app::Key key);
+
+/// The chord as the user's keyboard layout labels it: "Ctrl+W" for the key in position Z of a French
+/// keyboard.
+[[nodiscard]] std::string shownChord(const app::Chord& chord);
+
+} // namespace stretch::ui

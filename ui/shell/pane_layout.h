@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/panels/panel_context.h"
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+/// Sizes of the panes in design pixels, and which are folded away: remembered between starts.
+struct PaneSizes {
+  float left = 264.0F;
+  float right = 320.0F;
+  float bottom = 192.0F;
+  bool leftOpen = true;
+  bool rightOpen = true;
+  bool bottomOpen = true;
+
+  friend bool operator==(const PaneSizes&, const PaneSizes&) = default;
+};
+
+/// Where everything lies, in window units.
+struct PaneRects {
+  Rect menu;
+  Rect left;
+  Rect viewport;
+  Rect right;
+  Rect bottom;
+  Rect status;
+};
+
+/// What a pane never falls below, design pixels.
+inline constexpr float smallestPane = 140.0F;
+inline constexpr float smallestViewport = 240.0F;
+
+/// Divides a window. Panes shrink before the viewport becomes too small for work; a folded pane has no size.
+[[nodiscard]] PaneRects dividePanes(const PaneSizes& sizes, float width, float height, float scale,
+                                    float menuHeight, float statusHeight);
+
+/// Handles between the panes: dragging changes `sizes`, a double click folds the pane. Call outside of any
+/// window.
+void drawSplitters(PanelContext& context, const PaneRects& rects, PaneSizes& sizes);
+
+} // namespace stretch::ui

@@ -1,0 +1,324 @@
+#include "ui/shell/script.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "ui/render/png.h"
+#include "ui/shell/script_state.h"
+#include "ui/shell/shell_commands.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr int dragSteps = 8;
+constexpr double untilSeconds = 30.0;
+
+int modsOf(const std::vector<std::string>& words) {
+  int mods = 0;
+  for (const std::string& word : words) {
+    mods |= word == "shift"  ? GLFW_MOD_SHIFT
+            : word == "ctrl" ? GLFW_MOD_CONTROL
+            : word == "alt"  ? GLFW_MOD_ALT
+                             : 0;
+  }
+  return mods;
+}
+
+int modsOf(const app::Chord& chord) {
+  return (chord.ctrl ? GLFW_MOD_CONTROL : 0) | (chord.shift ? GLFW_MOD_SHIFT : 0) |
+         (chord.alt ? GLFW_MOD_ALT : 0);
+}
+
+float shareOf(const std::vector<std::string>& words, std::size_t index) {
+  return index < words.size() ? std::strtof(words[index].c_str(), nullptr) : 0.5F;
+}
+
+int buttonOf(const std::string& name) {
+  return name == "right" ? 1 : name == "middle" ? 2 : 0;
+}
+
+std::string joined(const std::vector<std::string>& words, std::size_t from) {
+  std::string text;
+  for (std::size_t i = from; i < words.size(); ++i) {
+    text += (i > from ? " " : "") + words[i];
+  }
+  return text;
+}
+
+/// The window's pixels, rows from the top.
+Image readWindow(const WindowSize& size) {
+  Image image;
+  image.width = size.framebufferWidth;
+  image.height = size.framebufferHeight;
+  const auto row = static_cast<std::size_t>(image.width) * 4;
+  std::vector<std::uint8_t> pixels(row * static_cast<std::size_t>(image.height));
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  image.rgba.reserve(pixels.size());
+  for (std::size_t y = static_cast<std::size_t>(image.height); y-- > 0;) {
+    const auto from = pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
+    image.rgba.insert(image.rgba.end(), from, from + static_cast<std::ptrdiff_t>(row));
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    image.rgba[i] = 255;
+  }
+  return image;
+}
+
+} // namespace
+
+Result<Script> Script::read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) {
+    return Error{"cannot read the script", path.string(), "check the path"};
+  }
+  Script script;
+  script.folder_ = path.parent_path();
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    std::istringstream text(line.substr(0, line.find('#')));
+    Step step;
+    step.line = number;
+    if (!(text >> step.verb)) {
+      continue;
+    }
+    for (std::string word; text >> word;) {
+      step.words.push_back(word);
+    }
+    script.steps_.push_back(std::move(step));
+  }
+  return script;
+}
+
+void Script::fail(const std::string& why) {
+  if (failure_.empty()) {
+    failure_ = fmt::format("line {}: {}", line_, why);
+  }
+  over_ = true;
+}
+
+void Script::moveTo(float x, float y) {
+  actions_.push_back({Action::Kind::moveTo, x, y, 0, 0});
+}
+
+std::optional<ImVec2> Script::placeOf(const Shell& shell, const std::string& id, float x, float y) {
+  const Item* item = shell.items.find(id);
+  if (item == nullptr) {
+    fail("there is no widget " + id);
+    return std::nullopt;
+  }
+  return ImVec2(item->min.x + x * (item->max.x - item->min.x), item->min.y + y * (item->max.y - item->min.y));
+}
+
+void Script::beginMouse(const Step& step, const Shell& shell) {
+  const bool moves = step.verb == "move";
+  const auto place = placeOf(shell, step.words.empty() ? "" : step.words.front(),
+                             moves ? shareOf(step.words, 1) : 0.5F, moves ? shareOf(step.words, 2) : 0.5F);
+  if (!place) {
+    return;
+  }
+  const Item* item = shell.items.find(step.words.front());
+  if (!moves && item != nullptr && !item->enabled) {
+    fail("the widget " + step.words.front() + " is off");
+    return;
+  }
+  moveTo(place->x, place->y);
+  actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, 2, 0});
+  const int clicks = moves ? 0 : step.verb == "doubleclick" ? 2 : 1;
+  const int button = step.verb == "rightclick" ? 1 : 0;
+  for (int i = 0; i < clicks; ++i) {
+    actions_.push_back({Action::Kind::press, 0.0F, 0.0F, button, modsOf(step.words)});
+    actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, 1, 0});
+    actions_.push_back({Action::Kind::releaseButton, 0.0F, 0.0F, button, modsOf(step.words)});
+  }
+}
+
+void Script::beginDrag(const Step& step, const Shell& shell) {
+  if (step.words.size() < 6) {
+    fail("drag needs ID X Y ID X Y");
+    return;
+  }
+  const auto from = placeOf(shell, step.words[0], shareOf(step.words, 1), shareOf(step.words, 2));
+  const auto to = placeOf(shell, step.words[3], shareOf(step.words, 4), shareOf(step.words, 5));
+  if (!from || !to) {
+    return;
+  }
+  const int button = step.words.size() > 6 ? buttonOf(step.words[6]) : 0;
+  moveTo(from->x, from->y);
+  actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, 2, 0});
+  actions_.push_back({Action::Kind::press, 0.0F, 0.0F, button, modsOf(step.words)});
+  for (int i = 1; i <= dragSteps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(dragSteps);
+    moveTo(from->x + share * (to->x - from->x), from->y + share * (to->y - from->y));
+  }
+  actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, 1, 0});
+  actions_.push_back({Action::Kind::releaseButton, 0.0F, 0.0F, button, modsOf(step.words)});
+}
+
+void Script::beginKey(const Step& step) {
+  const auto chord = app::parseChord(joined(step.words, 0));
+  const auto key = chord ? toGlfwKey(chord->key) : std::nullopt;
+  if (!key) {
+    fail("there is no key " + joined(step.words, 0));
+    return;
+  }
+  if (step.verb != "release") {
+    actions_.push_back({Action::Kind::keyDown, 0.0F, 0.0F, *key, modsOf(*chord)});
+  }
+  if (step.verb != "hold") {
+    actions_.push_back({Action::Kind::keyUp, 0.0F, 0.0F, *key, modsOf(*chord)});
+  }
+}
+
+void Script::begin(const Step& step, Shell& shell) {
+  const std::string& verb = step.verb;
+  if (verb == "key" || verb == "hold" || verb == "release") {
+    beginKey(step);
+  } else if (verb == "click" || verb == "rightclick" || verb == "doubleclick" || verb == "move") {
+    beginMouse(step, shell);
+  } else if (verb == "drag") {
+    beginDrag(step, shell);
+  } else if (verb == "type") {
+    for (const char c : joined(step.words, 0)) {
+      actions_.push_back({Action::Kind::character, 0.0F, 0.0F, static_cast<unsigned char>(c), 0});
+    }
+  } else if (verb == "wheel") {
+    actions_.push_back({Action::Kind::wheel, shareOf(step.words, 0), 0.0F, 0, 0});
+  } else if (verb == "wait") {
+    actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, static_cast<int>(shareOf(step.words, 0)), 0});
+  } else if (verb == "command") {
+    shell.requested.push_back(joined(step.words, 0));
+  } else if (verb == "until") {
+    until_ = step;
+    untilSeconds_ = clockSeconds() + untilSeconds;
+  } else if (verb == "expect" || verb == "picture") {
+    check_ = step;
+  } else if (verb == "quit" || verb == "abandon") {
+    over_ = true;
+    abandoned_ = verb == "abandon";
+  } else if (verb == "touch") {
+    std::error_code problem;
+    std::filesystem::last_write_time(joined(step.words, 0), std::filesystem::file_time_type::clock::now(),
+                                     problem);
+    if (problem) {
+      fail("cannot touch " + joined(step.words, 0));
+    }
+  } else if (verb != "drop") {
+    fail("there is no step " + verb);
+  }
+}
+
+void Script::act(const Action& action, Window& window) {
+  InputQueue& input = window.input();
+  switch (action.kind) {
+  case Action::Kind::moveTo:
+    mouse_.x = action.x;
+    mouse_.y = action.y;
+    break;
+  case Action::Kind::press:
+  case Action::Kind::releaseButton: {
+    mouse_.buttons[action.value] = action.kind == Action::Kind::press;
+    const int direction = action.kind == Action::Kind::press ? GLFW_PRESS : GLFW_RELEASE;
+    const std::pair<int, int> modifiers[] = {{GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT},
+                                             {GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL},
+                                             {GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT}};
+    for (const auto& [bit, key] : modifiers) {
+      if ((action.mods & bit) != 0) {
+        receiveKey(input, window.handle(), key, 0, direction, 0);
+      }
+    }
+    break;
+  }
+  case Action::Kind::wheel:
+    mouse_.wheel = action.x;
+    break;
+  case Action::Kind::keyDown:
+    receiveKey(input, window.handle(), action.value, 0, GLFW_PRESS, action.mods);
+    break;
+  case Action::Kind::keyUp:
+    receiveKey(input, window.handle(), action.value, 0, GLFW_RELEASE, action.mods);
+    break;
+  case Action::Kind::character:
+    receiveCharacter(input, window.handle(), static_cast<unsigned int>(action.value));
+    break;
+  case Action::Kind::wait:
+    settleFrames_ = std::max(settleFrames_, action.value);
+    break;
+  }
+}
+
+bool Script::beforeFrame(Shell& shell, Window& window) {
+  mouse_.wheel = 0.0F;
+  if (over_) {
+    return false;
+  }
+  if (settleFrames_ > 0) {
+    --settleFrames_;
+    return true;
+  }
+  if (until_) {
+    return true;
+  }
+  if (!actions_.empty()) {
+    const Action action = actions_.front();
+    actions_.pop_front();
+    act(action, window);
+    settleFrames_ = std::max(settleFrames_, actions_.empty() ? 3 : 0);
+    return true;
+  }
+  if (steps_.empty()) {
+    return false;
+  }
+  const Step step = steps_.front();
+  steps_.pop_front();
+  line_ = step.line;
+  begin(step, shell);
+  if (step.verb == "drop") {
+    const std::filesystem::path file = joined(step.words, 0);
+    window.input().drops.push_back(file.is_absolute() ? file : folder_ / file);
+  }
+  return !over_ || failure_.empty();
+}
+
+void Script::afterFrame(Shell& shell, const WindowSize& size) {
+  if (until_) {
+    const std::string wanted = joined(until_->words, 1);
+    const auto state = stateOf(shell, until_->words.empty() ? "" : until_->words.front());
+    if (state && sameState(*state, wanted)) {
+      until_.reset();
+    } else if (clockSeconds() > untilSeconds_) {
+      fail(fmt::format("{} is \"{}\" and did not become \"{}\"", until_->words.front(),
+                       state.value_or("unknown"), wanted));
+    }
+  }
+  if (!check_) {
+    return;
+  }
+  const Step check = *std::exchange(check_, std::nullopt);
+  if (check.verb == "picture") {
+    const Status written = writePng(joined(check.words, 0), readWindow(size));
+    if (!written) {
+      fail(written.error().line());
+    }
+    return;
+  }
+  const std::string wanted = joined(check.words, 1);
+  const auto state = stateOf(shell, check.words.empty() ? "" : check.words.front());
+  if (!state || !sameState(*state, wanted)) {
+    fail(fmt::format("{} is \"{}\", expected \"{}\"", check.words.empty() ? "" : check.words.front(),
+                     state.value_or("unknown"), wanted));
+  }
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "ui/shell/gui.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+/// Drives the editor without a hand: feeds keys and mouse through the same callbacks as the window does,
+/// finds widgets by their ids, takes pictures and checks the document. One step a line, '#' begins a comment:
+///   key Ctrl+Z | 1 | Enter      press and release a key, as the US layout names it
+///   hold KEY, release KEY       of a key that acts while it is held
+///   type TEXT                   characters into a text field
+///   click ID [shift|ctrl|alt]   left button on a widget's centre; rightclick, doubleclick likewise
+///   move ID [X Y]               the mouse to a share of the widget's box, the centre if not given
+///   drag ID X Y ID X Y [BUTTON] from a place to a place, each a share of a widget's box
+///   wheel STEPS
+///   drop FILE                   as if the file was dropped on the window
+///   command ID                  as the palette would
+///   wait FRAMES
+///   until NAME VALUE            waits (at most half a minute) until a state is so
+///   expect NAME VALUE           fails unless the state is so; numbers agree within a thousandth
+///   picture FILE.png            what the window shows
+///   touch FILE                  as another program would change it
+///   quit                        ends the program without questions
+///   abandon                     ends it as a crash would: nothing is closed
+/// A relative FILE is taken from the script's folder for drop, from the working folder for picture. States:
+/// see ui/shell/script_state.h.
+class Script {
+public:
+  [[nodiscard]] static Result<Script> read(const std::filesystem::path& path);
+
+  /// Before a frame: feeds input. Answers false when the script is over.
+  bool beforeFrame(Shell& shell, Window& window);
+  /// After a frame was drawn and before it is shown: checks and pictures.
+  void afterFrame(Shell& shell, const WindowSize& size);
+
+  [[nodiscard]] const ScriptedMouse& mouse() const { return mouse_; }
+  /// The line that failed and why; empty while all is well.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+  /// The program is to end without closing anything.
+  [[nodiscard]] bool abandoned() const { return abandoned_; }
+
+private:
+  struct Step {
+    int line = 0;
+    std::string verb;
+    std::vector<std::string> words;
+  };
+  /// What one frame is told: at most one change of the mouse or the keys.
+  struct Action {
+    enum class Kind {
+      moveTo,
+      press,
+      releaseButton,
+      wheel,
+      keyDown,
+      keyUp,
+      character,
+      wait
+    } kind = Kind::wait;
+    float x = 0.0F;
+    float y = 0.0F;
+    int value = 0; ///< Button, key, codepoint, or frames.
+    int mods = 0;
+  };
+
+  void fail(const std::string& why);
+  void begin(const Step& step, Shell& shell);
+  void beginMouse(const Step& step, const Shell& shell);
+  void beginDrag(const Step& step, const Shell& shell);
+  void beginKey(const Step& step);
+  void act(const Action& action, Window& window);
+  void moveTo(float x, float y);
+  std::optional<ImVec2> placeOf(const Shell& shell, const std::string& id, float x, float y);
+
+  std::filesystem::path folder_;
+  std::deque<Step> steps_;
+  std::deque<Action> actions_;
+  std::optional<Step> check_; ///< Done after the frame.
+  std::optional<Step> until_;
+  double untilSeconds_ = 0.0; ///< Of the clock: when waiting ends.
+  int settleFrames_ = 3;      ///< Frames between steps: the widgets settle.
+  int line_ = 0;
+  bool over_ = false;
+  bool abandoned_ = false;
+  ScriptedMouse mouse_;
+  std::string failure_;
+};
+
+} // namespace stretch::ui

@@ -1,0 +1,159 @@
+#include "ui/shell/script_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "ui/shell/file_work.h"
+
+namespace stretch::ui {
+
+namespace {
+
+std::string yesNo(bool value) {
+  return value ? "yes" : "no";
+}
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string axesOf(const rig::TrailSettings& settings) {
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i) {
+    text += settings.axes[i] ? std::string(1, "xyz"[i]) : std::string();
+  }
+  return text;
+}
+
+std::optional<std::string> trailState(const rig::Trail& trail, std::string_view name) {
+  const rig::TrailSettings& settings = trail.settings;
+  const std::map<std::string_view, std::string> states{
+      {"trail.limb", trail.limb},
+      {"trail.scale", number(settings.scale)},
+      {"trail.axes", axesOf(settings)},
+      {"trail.start", number(settings.startFrame)},
+      {"trail.end", number(settings.endFrame)},
+      {"trail.pivot", settings.pivot == rig::Pivot::start ? "start" : "end"},
+      {"trail.blend", number(settings.blend)},
+      {"trail.volume", number(settings.volume)},
+      {"trail.release", settings.releaseFrames ? number(*settings.releaseFrames) : "default"},
+      {"trail.ease-in", number(settings.easeIn.percent)},
+      {"trail.ease-out", number(settings.easeOut.percent)},
+      {"trail.spheres", std::to_string(settings.spheres.size())},
+      {"trail.exaggerated", yesNo(trail.exaggerated)},
+      {"trail.connected", yesNo(trail.connected)},
+      {"trail.follow", yesNo(trail.follow)},
+      {"trail.visible", yesNo(trail.visible)},
+      {"trail.applied", yesNo(trail.applied == settings)},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
+double limbLength(const FrameState& frame, const rig::Limb& limb) {
+  const Vec3 base = positionOf(frame.worlds[static_cast<std::size_t>(limb.joints.front())]);
+  const Vec3 end =
+      limb.endNode >= 0
+          ? positionOf(frame.worlds[static_cast<std::size_t>(limb.endNode)])
+          : transformPoint(frame.worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
+  return glm::distance(base, end);
+}
+
+/// How many times as long as in the source the limb is at its trail's tip.
+std::string tipRatio(app::Session& session) {
+  const rig::Trail* trail = app::selectedTrail(session);
+  const rig::Limb* limb = trail == nullptr ? nullptr : app::findLimb(session.document(), trail->limb);
+  if (limb == nullptr) {
+    return "none";
+  }
+  const rig::TrailSettings& settings = trail->settings;
+  const double tip = settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
+  const double source = limbLength(session.originalAt(tip), *limb);
+  return fmt::format("{:.3f}", limbLength(session.frameAt(tip), *limb) / source);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
+  app::Session& session = *shell.session;
+  const app::ViewState& view = session.view();
+  const std::map<std::string_view, std::function<std::string()>> states{
+      {"trails", [&] { return std::to_string(session.document().trails.size()); }},
+      {"frame", [&] { return number(view.frame); }},
+      {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
+      {"limbs", [&] { return joined(view.selectedLimbs); }},
+      {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
+      {"range.start", [&] { return number(view.rangeStart); }},
+      {"range.end", [&] { return number(view.rangeEnd); }},
+      {"undo", [&] { return session.history().undoLabel(); }},
+      {"redo", [&] { return session.history().redoLabel(); }},
+      {"original", [&] { return yesNo(view.showOriginal); }},
+      {"saved-path", [&] { return session.savePath().filename().string(); }},
+      {"tip-ratio", [&] { return tipRatio(session); }},
+      {"trail", [&] { return std::to_string(view.selectedTrail); }},
+      {"autosaved",
+       [&] {
+         const FileWork& files = shell.files;
+         return yesNo(files.hasAutosave && app::sameDocument(files.autosaved, session.document()));
+       }},
+      {"chains", [&] { return std::to_string(session.document().chains.size()); }},
+  };
+  if (const auto found = states.find(name); found != states.end()) {
+    return found->second();
+  }
+  const rig::Trail* trail = app::selectedTrail(session);
+  return trail == nullptr ? std::nullopt : trailState(*trail, name);
+}
+
+} // namespace
+
+std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
+  const std::map<std::string_view, std::string> states{
+      {"file", shell.files.path.filename().string()},
+      {"unsaved", yesNo(hasUnsavedWork(shell))},
+      {"busy", yesNo(shell.files.loading.valid())},
+      {"modal", shell.ui.modalText},
+      {"playing", yesNo(shell.ui.timeline.playing)},
+      {"ghosts", yesNo(shell.ui.overlays.ghosts)},
+      {"navigation", shell.ui.navigation == NavigationStyle::maya ? "maya" : "blender"},
+      {"dialog", yesNo(shell.ui.fileDialog.open)},
+      {"palette", yesNo(shell.ui.palette.open)},
+      {"keys", yesNo(shell.ui.keys.open)},
+      {"asks-unsaved", yesNo(shell.ui.unsavedOpen)},
+      {"asks-overwrite", yesNo(!shell.files.changedSavePath.empty())},
+      {"offers-restore", yesNo(!shell.ui.restoreOffer.empty())},
+      {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
+      {"left-pane", yesNo(shell.panes.leftOpen)},
+      {"hovered-limb", shell.viewport.hoveredLimb},
+      {"camera.distance", number(shell.viewport.camera.distance)},
+      {"camera.yaw", number(shell.viewport.camera.yawRadians)},
+  };
+  if (const auto found = states.find(name); found != states.end()) {
+    return found->second;
+  }
+  return shell.session == nullptr ? std::nullopt : sessionState(shell, name);
+}
+
+bool sameState(const std::string& a, const std::string& b) {
+  char* endOfA = nullptr;
+  char* endOfB = nullptr;
+  const double first = std::strtod(a.c_str(), &endOfA);
+  const double second = std::strtod(b.c_str(), &endOfB);
+  const bool numbers = !a.empty() && !b.empty() && *endOfA == '\0' && *endOfB == '\0';
+  return numbers ? std::abs(first - second) < 1e-3 : a == b;
+}
+
+} // namespace stretch::ui

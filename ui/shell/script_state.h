@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+/// A state of the program by name, as text; nothing for a name that there is not:
+/// file, unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), trail (of the
+/// selected one: trail.scale, trail.axes "xz", trail.start, trail.end, trail.pivot, trail.exaggerated,
+/// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in),
+/// spheres (selected), modal, undo, redo, ghosts, navigation, original, tip-ratio (length of the limb at the
+/// tip over the source's), busy, toast.
+[[nodiscard]] std::optional<std::string> stateOf(Shell& shell, std::string_view name);
+
+/// Whether two states are the same: as numbers within a thousandth, else as text.
+[[nodiscard]] bool sameState(const std::string& a, const std::string& b);
+
+} // namespace stretch::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "ui/shell/input.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+/// Every command of the editor: those of the document and those of the shell, as menus, palette and keys know
+/// them.
+[[nodiscard]] std::vector<app::Command<Shell>> editorCommands();
+
+// The shell's own tables.
+[[nodiscard]] std::vector<app::Command<Shell>> fileCommands();
+[[nodiscard]] std::vector<app::Command<Shell>> viewCommands();
+[[nodiscard]] std::vector<app::Command<Shell>> toolCommands();
+[[nodiscard]] std::vector<app::Command<Shell>> helpCommands();
+
+/// Whether a switch is on; false for commands that are none.
+[[nodiscard]] bool isChecked(const Shell& shell, std::string_view commandId);
+
+/// Runs a command by its id; what went wrong is told in a toast.
+void runCommand(Shell& shell, std::string_view commandId);
+
+/// Makes `shell.commandInfos` for the panels.
+void describeCommands(Shell& shell);
+
+/// A key for whoever owns the keys right now: dialogs and text fields, a running tool, else the commands.
+void dispatchKey(Shell& shell, const KeyInput& input);
+
+/// Whether a dialog or text field takes the keys.
+[[nodiscard]] bool widgetsOwnKeys(const UiState& ui);
+
+} // namespace stretch::ui

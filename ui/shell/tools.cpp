@@ -1,0 +1,198 @@
+#include "ui/shell/tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/commands/selection.h"
+
+namespace stretch::ui {
+
+namespace {
+
+Vec3 axisVector(int axis) {
+  Vec3 vector(0.0);
+  vector[static_cast<std::size_t>(axis)] = 1.0;
+  return vector;
+}
+
+Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
+  Result<app::Document> changed = app::exaggeratedWith(tool.targets, tool.modal);
+  if (!changed) {
+    return changed.error();
+  }
+  session.preview(std::move(changed).value());
+  return Success{};
+}
+
+Status previewGrab(app::Session& session, const GrabTool& tool) {
+  const Vec3 delta = app::grabDelta(tool.modal);
+  if (delta == Vec3(0.0)) {
+    session.preview(session.atBegin());
+    return Success{};
+  }
+  const std::vector<app::SphereMove> moves =
+      app::softMoves(tool.settings, tool.spheres, tool.selected, delta, tool.falloffRadius);
+  Result<app::Document> changed = app::moveSpheres(session.atBegin(), tool.trailId, moves);
+  if (!changed) {
+    return changed.error();
+  }
+  session.preview(std::move(changed).value());
+  return Success{};
+}
+
+Status previewTool(app::Session& session, Tool& tool) {
+  if (const auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
+    return previewExaggerate(session, *exaggerate);
+  }
+  if (const auto* grab = std::get_if<GrabTool>(&tool)) {
+    return previewGrab(session, *grab);
+  }
+  return Success{};
+}
+
+double defaultRelease(app::Session& session, int trailId) {
+  const rig::SolvedTrail* solved = app::solvedTrail(session, trailId);
+  if (solved == nullptr) {
+    return 0.0;
+  }
+  const double frames = (solved->windowEndSeconds - solved->endSeconds) * session.motion().framesPerSecond;
+  return std::max(0.0, std::round(frames));
+}
+
+std::optional<Vec3> positionOfSphere(const std::vector<app::PlacedSphere>& spheres, double frame) {
+  const auto found = std::find_if(spheres.begin(), spheres.end(), [&](const app::PlacedSphere& sphere) {
+    return app::sameFrame(sphere.frame, frame);
+  });
+  return found == spheres.end() ? std::nullopt : std::optional(found->positionWorld);
+}
+
+} // namespace
+
+Status startExaggerate(app::Session& session, Tool& tool) {
+  Result<app::ExaggerateTargets> targets = app::exaggerateTargets(session);
+  if (!targets) {
+    return targets.error();
+  }
+  const int leading = targets->trailIds.front();
+  const rig::Trail trail = *app::findTrail(targets->document, leading);
+  ExaggerateTool started;
+  started.limbTitle = targets->trailIds.size() == 1 ? app::limbTitle(session.document(), trail.limb)
+                                                    : fmt::format("{} limbs", targets->trailIds.size());
+  session.begin("Exaggerate");
+  session.preview(targets->document);
+  session.view().selectedTrail = leading;
+  session.view().selectedSpheres.clear();
+  started.modal = app::beginExaggerate(trail.settings, defaultRelease(session, leading));
+  started.targets = std::move(targets).value();
+  tool = std::move(started);
+  return Success{};
+}
+
+Status startGrab(app::Session& session, Tool& tool, const GrabStart& start) {
+  const rig::Trail* trail = app::selectedTrail(session);
+  const std::vector<double>& selected = session.view().selectedSpheres;
+  if (trail == nullptr || selected.empty()) {
+    return Error{"no control sphere is selected", "", "press Tab to select one, or click it"};
+  }
+  GrabTool started;
+  started.trailId = trail->id;
+  started.settings = trail->settings;
+  started.selected = selected;
+  started.spheres = app::placedSpheres(session, trail->id);
+  const std::optional<Vec3> held =
+      positionOfSphere(started.spheres, start.heldFrame.value_or(selected.back()));
+  if (!held) {
+    return Error{"the sphere is not on this trail", "", "select it again"};
+  }
+  started.anchor = *held;
+  started.startPixels = start.startPixels;
+  started.byDrag = start.byDrag;
+  started.falloffRadius = start.falloffRadius;
+  started.modal = app::beginGrab(session.view().cameraAxes, app::nudgeUnits(session.document()));
+  started.modal.axis = start.axis;
+  session.begin(selected.size() == 1 ? "Move the sphere" : "Move the spheres");
+  tool = std::move(started);
+  return Success{};
+}
+
+Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press) {
+  app::ModalOutcome outcome = app::ModalOutcome::running;
+  if (auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
+    outcome = app::pressKey(exaggerate->modal, press);
+  } else if (auto* grab = std::get_if<GrabTool>(&tool)) {
+    outcome = app::pressKey(grab->modal, press);
+  }
+  if (outcome != app::ModalOutcome::running) {
+    finishTool(session, tool, outcome == app::ModalOutcome::keep);
+    return Success{};
+  }
+  return previewTool(session, tool);
+}
+
+Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels) {
+  auto* grab = std::get_if<GrabTool>(&tool);
+  if (grab == nullptr) {
+    return Success{};
+  }
+  if (!grab->moved && glm::distance(mousePixels, grab->startPixels) < 3.0 * view.viewport.pixelsPerPoint) {
+    return Success{};
+  }
+  grab->moved = true;
+  if (grab->modal.axis && !grab->modal.plane) {
+    const Vec3 axis = axisVector(*grab->modal.axis);
+    const double from = positionAlongAxis(view, grab->anchor, axis, grab->startPixels);
+    const double to = positionAlongAxis(view, grab->anchor, axis, mousePixels);
+    grab->modal.mouseWorld = (to - from) * axis;
+  } else {
+    grab->modal.mouseWorld = pointInViewPlane(view, grab->anchor, mousePixels) -
+                             pointInViewPlane(view, grab->anchor, grab->startPixels);
+  }
+  return previewGrab(session, *grab);
+}
+
+Status turnFalloff(app::Session& session, Tool& tool, double steps) {
+  auto* grab = std::get_if<GrabTool>(&tool);
+  if (grab == nullptr) {
+    return Success{};
+  }
+  const double smallest = 0.02 * session.document().biped.height;
+  const double radius = std::max(grab->falloffRadius, smallest) * std::pow(1.2, steps);
+  grab->falloffRadius = radius < smallest ? 0.0 : std::min(radius, 10.0 * session.document().biped.height);
+  return previewGrab(session, *grab);
+}
+
+void finishTool(app::Session& session, Tool& tool, bool keep) {
+  if (!isRunning(tool)) {
+    return;
+  }
+  tool = std::monostate{};
+  if (!session.isDragging()) {
+    return;
+  }
+  if (keep) {
+    session.commit();
+  } else {
+    session.cancel();
+  }
+}
+
+void describeTool(const Tool& tool, UiState& ui) {
+  std::vector<app::ModalHint> hints;
+  ui.modalText.clear();
+  ui.keyHints.clear();
+  if (const auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
+    ui.modalText = app::modalText(exaggerate->modal, exaggerate->limbTitle);
+    hints = app::modalHints(exaggerate->modal);
+  } else if (const auto* grab = std::get_if<GrabTool>(&tool)) {
+    ui.modalText = app::modalText(grab->modal, grab->selected.size());
+    ui.modalText += grab->falloffRadius > 0.0 ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
+    hints = app::modalHints(grab->modal);
+  }
+  for (app::ModalHint& hint : hints) {
+    ui.keyHints.push_back({std::move(hint.key), std::move(hint.does)});
+  }
+}
+
+} // namespace stretch::ui

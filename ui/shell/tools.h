@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/commands/exaggerate.h"
+#include "app/commands/grab_modal.h"
+#include "app/edits/sphere_edits.h"
+#include "app/session.h"
+#include "ui/panels/ui_state.h"
+#include "ui/render/camera.h"
+
+namespace stretch::ui {
+
+/// E: exaggerating trails, until Enter or Esc.
+struct ExaggerateTool {
+  app::ExaggerateTargets targets;
+  app::ExaggerateModal modal;
+  std::string limbTitle; ///< "left arm", "2 limbs".
+};
+
+/// Pulling spheres: by G until Enter or a click, or by a drag of the mouse until it lets go.
+struct GrabTool {
+  app::GrabModal modal;
+  int trailId = 0;
+  rig::TrailSettings settings;            ///< Of the trail at the beginning.
+  std::vector<app::PlacedSphere> spheres; ///< Where they stood.
+  std::vector<double> selected;           ///< Frames of those that are pulled in full.
+  double falloffRadius = 0.0;             ///< World units; 0: only the selected.
+  bool byDrag = false;                    ///< Letting the mouse button go keeps it.
+  Vec3 anchor{0.0};                       ///< The point that is held, world.
+  Vec2 startPixels{0.0};                  ///< Of the mouse, in the viewport.
+  bool moved = false;                     ///< The mouse left its place: a click is no drag.
+};
+
+/// What takes all keys until it ends; none most of the time.
+using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool>;
+
+[[nodiscard]] inline bool isRunning(const Tool& tool) {
+  return !std::holds_alternative<std::monostate>(tool);
+}
+
+/// Begins E: trails are made where there are none, and everything previews.
+Status startExaggerate(app::Session& session, Tool& tool);
+
+/// Begins pulling the selected spheres. `startPixels` and `anchor` say what the mouse holds.
+struct GrabStart {
+  Vec2 startPixels{0.0};
+  std::optional<double> heldFrame; ///< The sphere under the mouse; else the last selected one.
+  std::optional<int> axis;         ///< Locked from the beginning: an axis handle was taken.
+  bool byDrag = false;
+  double falloffRadius = 0.0;
+};
+Status startGrab(app::Session& session, Tool& tool, const GrabStart& start);
+
+/// A key for the running tool. An error tells why the preview could not follow.
+Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press);
+/// The mouse for a running grab; nothing for other tools.
+Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels);
+/// Widens (factor above 1) or narrows the soft falloff.
+Status turnFalloff(app::Session& session, Tool& tool, double steps);
+
+/// Ends the tool: kept as one undo step, or restored.
+void finishTool(app::Session& session, Tool& tool, bool keep);
+
+/// What the tool says: text for the status bar and what the keys do.
+void describeTool(const Tool& tool, UiState& ui);
+
+} // namespace stretch::ui

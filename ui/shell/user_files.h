@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace stretch::ui {
+
+/// Where a user's own files lie: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or their
+/// defaults below the home folder; below the temporary folder where there is no home.
+[[nodiscard]] std::filesystem::path configFolder();
+[[nodiscard]] std::filesystem::path stateFolder();
+
+/// A whole text file; nothing when it cannot be read.
+[[nodiscard]] std::optional<std::string> readText(const std::filesystem::path& path);
+
+/// Replaces a text file at once, making its folder; on an error the old one stays.
+Status writeText(const std::filesystem::path& path, const std::string& text);
+
+/// A short name for a path that is the same at every start: "punch-1f03a9c2".
+[[nodiscard]] std::string nameFor(const std::filesystem::path& path);
+
+/// What a file looked like, to tell later whether another program changed it.
+struct FileStamp {
+  std::filesystem::file_time_type time{};
+  std::uintmax_t bytes = 0;
+
+  friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+[[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& path);
+
+} // namespace stretch::ui

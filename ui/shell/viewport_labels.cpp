@@ -1,0 +1,250 @@
+#include "ui/shell/viewport_labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/commands/selection.h"
+#include "rig/trail/exaggeration.h"
+#include "ui/panels/command_ids.h"
+#include "ui/render/skeleton_drawing.h"
+#include "ui/shell/viewport_scene.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// A world point in window units; nothing behind the eye.
+std::optional<ImVec2> placeOf(const ViewportState& viewport, const Vec3& world) {
+  const auto point = projectToPixels(viewport.view, world);
+  if (!point) {
+    return std::nullopt;
+  }
+  return ImVec2(viewport.box.min.x + static_cast<float>(point->pixels.x / viewport.pixelsPerUnit),
+                viewport.box.min.y + static_cast<float>(point->pixels.y / viewport.pixelsPerUnit));
+}
+
+/// Text on a dark ground of its own, so that it reads over anything.
+void label(const PanelContext& context, const ImVec2& corner, const std::string& text, ImU32 colour) {
+  const Theme& theme = context.theme;
+  ImFont* font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text.c_str());
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({corner.x - theme.px(4.0F), corner.y - theme.px(1.0F)},
+                      {corner.x + size.x + theme.px(4.0F), corner.y + size.y + theme.px(1.0F)},
+                      faded(theme.colours.background, 0.72F), theme.corner());
+  draw->AddText(font, font->FontSize, corner, colour, text.c_str());
+}
+
+void recordSpheres(const Shell& shell, PanelContext& context) {
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  if (trail == nullptr) {
+    return;
+  }
+  const float reach = context.theme.px(20.0F);
+  for (const app::PlacedSphere& sphere : trail->spheres) {
+    if (const auto place = placeOf(shell.viewport, sphere.positionWorld)) {
+      context.items.add(fmt::format("viewport/sphere/{:.0f}", sphere.frame),
+                        {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
+    }
+  }
+}
+
+void recordHandles(const Shell& shell, PanelContext& context) {
+  const auto handles = handlesOf(*shell.session, shell.viewport.shown);
+  if (!handles) {
+    return;
+  }
+  const float reach = context.theme.px(6.0F);
+  const std::array<Vec3, 3> tips = handleTips(shell.viewport.view, *handles);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (const auto place = placeOf(shell.viewport, glm::mix(handles->origin, tips[axis], 0.8))) {
+      context.items.add(std::string("viewport/axis/") + "xyz" [axis], { place->x - reach, place->y - reach },
+                        {place->x + reach, place->y + reach});
+    }
+  }
+}
+
+void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& frame) {
+  const LimbBones bones = limbBones(shell.session->document(), frame);
+  const float reach = context.theme.px(6.0F);
+  for (const BoneSegment& bone : bones.bones) {
+    if (const auto place = placeOf(shell.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
+      context.items.add("viewport/limb/" + bones.limbIds[static_cast<std::size_t>(bone.node)],
+                        {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
+    }
+  }
+}
+
+void drawFrameNumbers(const Shell& shell, PanelContext& context) {
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  if (trail == nullptr || !shell.ui.overlays.trailFrameNumbers) {
+    return;
+  }
+  for (const app::PlacedSphere& sphere : trail->spheres) {
+    if (const auto place = placeOf(shell.viewport, sphere.positionWorld)) {
+      label(context, {place->x + context.theme.px(12.0F), place->y - context.theme.px(18.0F)},
+            fmt::format("{:.4g}", sphere.frame), context.theme.colours.text);
+    }
+  }
+}
+
+/// The number of the sphere under the mouse, and how far it was pulled.
+void drawHoverLabel(const Shell& shell, PanelContext& context) {
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  if (!shell.viewport.hoveredSphere || trail == nullptr) {
+    return;
+  }
+  for (const app::PlacedSphere& sphere : trail->spheres) {
+    const auto place = placeOf(shell.viewport, sphere.positionWorld);
+    if (place && app::sameFrame(sphere.frame, *shell.viewport.hoveredSphere)) {
+      label(context, {place->x + context.theme.px(16.0F), place->y + context.theme.px(10.0F)},
+            fmt::format("frame {:.4g}", sphere.frame), context.theme.colours.text);
+    }
+  }
+}
+
+void drawJointNames(const Shell& shell, PanelContext& context, const FrameState& frame) {
+  if (!shell.ui.overlays.jointNames) {
+    return;
+  }
+  const Scene& scene = *shell.session->document().scene;
+  for (const int joint : jointsOf(scene)) {
+    const auto index = static_cast<std::size_t>(joint);
+    if (const auto place = placeOf(shell.viewport, positionOf(frame.worlds[index]))) {
+      label(context, {place->x + context.theme.px(6.0F), place->y - context.theme.px(8.0F)},
+            scene.nodes[index].name, context.theme.colours.quietText);
+    }
+  }
+}
+
+void drawSelectionBox(const Shell& shell, PanelContext& context) {
+  const ViewportState& viewport = shell.viewport;
+  if (viewport.gesture != ViewportGesture::boxSelect) {
+    return;
+  }
+  const auto corner = [&](const Vec2& pixels) {
+    return ImVec2(viewport.box.min.x + static_cast<float>(pixels.x / viewport.pixelsPerUnit),
+                  viewport.box.min.y + static_cast<float>(pixels.y / viewport.pixelsPerUnit));
+  };
+  const ImVec2 low = corner(glm::min(viewport.pressPixels, viewport.mousePixels));
+  const ImVec2 high = corner(glm::max(viewport.pressPixels, viewport.mousePixels));
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(low, high, faded(context.theme.colours.accent, 0.15F));
+  draw->AddRect(low, high, context.theme.colours.accent);
+}
+
+/// The circle within which neighbours follow a pulled sphere.
+void drawFalloff(const Shell& shell, PanelContext& context) {
+  const auto* grab = std::get_if<GrabTool>(&shell.tool);
+  if (grab == nullptr || grab->falloffRadius <= 0.0) {
+    return;
+  }
+  const Vec3 centre = grab->anchor + app::grabDelta(grab->modal);
+  const double pixels = grab->falloffRadius / unitsPerPixel(shell.viewport.view, centre);
+  if (const auto place = placeOf(shell.viewport, centre)) {
+    ImGui::GetWindowDrawList()->AddCircle(*place, static_cast<float>(pixels / shell.viewport.pixelsPerUnit),
+                                          faded(context.theme.colours.accent, 0.7F), 64,
+                                          context.theme.px(1.5F));
+  }
+}
+
+/// The remap curve beside the trail while its ease is edited by keys.
+void drawEaseCurve(const Shell& shell, PanelContext& context) {
+  const auto* tool = std::get_if<ExaggerateTool>(&shell.tool);
+  const bool easing = tool != nullptr && (tool->modal.field == app::ExaggerateField::easeIn ||
+                                          tool->modal.field == app::ExaggerateField::easeOut);
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  if (!easing || trail == nullptr) {
+    return;
+  }
+  const Theme& theme = context.theme;
+  const float side = theme.px(112.0F);
+  const Rect& box = shell.viewport.box;
+  const ImVec2 tip =
+      placeOf(shell.viewport, pointOnTrail(*trail, trail->endFrame, true)).value_or(box.centre());
+  const ImVec2 corner{
+      std::clamp(tip.x + theme.px(24.0F), box.min.x + theme.unit(), box.max.x - side - theme.unit()),
+      std::clamp(tip.y - 0.5F * side, box.min.y + theme.unit(), box.max.y - side - theme.unit())};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + side, corner.y + side}, faded(theme.colours.sunken, 0.9F),
+                      theme.corner());
+  draw->AddRect(corner, {corner.x + side, corner.y + side}, theme.colours.border, theme.corner());
+  const rig::TrailSettings& settings = tool->modal.settings;
+  const rig::Remap remap(settings.remap, settings.easeIn, settings.easeOut);
+  const float inset = theme.unit();
+  const auto place = [&](double ratio, double weight) {
+    return ImVec2(corner.x + inset + static_cast<float>(ratio) * (side - 2.0F * inset),
+                  corner.y + side - inset - static_cast<float>(weight) * (side - 2.0F * inset));
+  };
+  constexpr int pieces = 48;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = static_cast<double>(i) / pieces;
+    const double to = static_cast<double>(i + 1) / pieces;
+    draw->AddLine(place(from, remap.at(from)), place(to, remap.at(to)), trailColour(trail->colour),
+                  theme.px(2.0F));
+  }
+  const bool in = tool->modal.field == app::ExaggerateField::easeIn;
+  const double ratio = in ? settings.easeIn.percent : 1.0 - settings.easeOut.percent;
+  draw->AddCircleFilled(place(ratio, remap.at(ratio)), theme.px(4.5F), theme.colours.text);
+}
+
+/// What the picture shows when it is not the plain result.
+void drawStateLabels(const Shell& shell, PanelContext& context) {
+  const Rect& box = shell.viewport.box;
+  const float inset = context.theme.unit() * 1.5F;
+  const ImVec2 corner{box.min.x + inset, box.max.y - inset - context.theme.px(16.0F)};
+  if (shell.ui.overlays.sideBySide) {
+    const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
+    label(context, {left + inset, corner.y}, "Original", originalTrailColour);
+    label(context, corner, "Exaggerated", context.theme.colours.text);
+  } else if (shell.session->view().showOriginal) {
+    label(context, corner, "Original", originalTrailColour);
+  }
+}
+
+} // namespace
+
+void drawViewportLabels(Shell& shell, PanelContext& context, const FrameState& frame) {
+  ImGui::PushClipRect(shell.viewport.box.min, shell.viewport.box.max, true);
+  recordLimbs(shell, context, frame);
+  recordSpheres(shell, context);
+  recordHandles(shell, context);
+  drawJointNames(shell, context, frame);
+  drawFrameNumbers(shell, context);
+  drawHoverLabel(shell, context);
+  drawFalloff(shell, context);
+  drawEaseCurve(shell, context);
+  drawSelectionBox(shell, context);
+  ImGui::PopClipRect();
+  drawStateLabels(shell, context);
+}
+
+void drawEmptyViewport(Shell& shell, PanelContext& context, const Rect& box) {
+  const Theme& theme = context.theme;
+  ImGui::GetWindowDrawList()->AddRectFilled(box.min, box.max, theme.colours.background);
+  const WidgetContext widgets{theme, context.items};
+  const float width = std::min(theme.px(320.0F), box.width() - 2.0F * theme.unit());
+  ImGui::SetCursorScreenPos({box.centre().x - 0.5F * width, box.centre().y - theme.px(90.0F)});
+  ImGui::BeginChild("viewport-empty", {width, theme.px(200.0F)}, false, ImGuiWindowFlags_NoBackground);
+  if (!shell.ui.busyText.empty()) {
+    emptyState(widgets, icon::clock, shell.ui.busyText, "The window stays alive meanwhile.");
+  } else {
+    emptyState(widgets, icon::cube, "Drop a character here",
+               "A rigged biped with a clip, as .glb or .gltf. Or open one from the disk.");
+    ButtonSpec open{.id = "viewport/open", .icon = icon::folderOpen, .text = "Open a file"};
+    open.emphasis = Emphasis::primary;
+    open.width = width;
+    if (button(widgets, open)) {
+      request(context, command::fileOpen);
+    }
+  }
+  ImGui::EndChild();
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,287 @@
+#include "ui/shell/viewport_mouse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/commands/selection.h"
+#include "ui/render/picking.h"
+#include "ui/shell/viewport_scene.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr double boxSelectStartPoints = 4.0;
+
+std::vector<Vec3> centresOf(const ShownTrail& trail) {
+  std::vector<Vec3> centres;
+  for (const app::PlacedSphere& sphere : trail.spheres) {
+    centres.push_back(sphere.positionWorld);
+  }
+  return centres;
+}
+
+/// The navigation that a press begins; none when it is for editing.
+ViewportGesture navigationGesture(NavigationStyle style, const ImGuiIO& io) {
+  const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  const bool middle = ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+  const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (style == NavigationStyle::blender && middle) {
+    return io.KeyShift ? ViewportGesture::pan : io.KeyCtrl ? ViewportGesture::zoom : ViewportGesture::orbit;
+  }
+  if (middle) {
+    return ViewportGesture::pan;
+  }
+  if (io.KeyAlt && left) {
+    return ViewportGesture::orbit;
+  }
+  return io.KeyAlt && right ? ViewportGesture::zoom : ViewportGesture::none;
+}
+
+void navigate(ViewportState& viewport) {
+  const Vec2 moved = viewport.mousePixels - viewport.lastPixels;
+  const Viewport& size = viewport.view.viewport;
+  switch (viewport.gesture) {
+  case ViewportGesture::orbit:
+    viewport.camera = orbited(viewport.camera, size, moved);
+    break;
+  case ViewportGesture::pan:
+    viewport.camera = panned(viewport.camera, size, moved);
+    break;
+  case ViewportGesture::zoom:
+    viewport.camera =
+        zoomed(viewport.camera, size, std::exp(-0.006 * (moved.x - moved.y) / size.pixelsPerPoint),
+               viewport.pressPixels);
+    break;
+  default:
+    break;
+  }
+}
+
+void selectSphere(app::Session& session, double frame, bool add) {
+  std::vector<double>& selected = session.view().selectedSpheres;
+  const auto found = std::find_if(selected.begin(), selected.end(),
+                                  [&](double other) { return app::sameFrame(other, frame); });
+  if (add && found != selected.end()) {
+    selected.erase(found);
+  } else if (add) {
+    selected.push_back(frame);
+  } else if (found == selected.end()) {
+    selected = {frame};
+  } else {
+    // Pressing one of several keeps them all, so that they can be dragged together; it becomes the one with
+    // the handles.
+    selected.erase(found);
+    selected.push_back(frame);
+  }
+}
+
+void grabFromPress(Shell& shell, const GrabStart& start) {
+  tellProblem(shell, startGrab(*shell.session, shell.tool, start));
+}
+
+/// A press with the left button: axis handle, sphere, trail, limb, or the beginning of a box.
+void pressLeft(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  app::Session& session = *shell.session;
+  const bool add = ImGui::GetIO().KeyShift;
+  if (viewport.hoveredAxis) {
+    grabFromPress(shell, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
+                          viewport.falloffRadius});
+  } else if (viewport.hoveredSphere) {
+    viewport.gesture = ViewportGesture::pressSphere;
+    viewport.pressedFrame = viewport.hoveredSphere;
+    selectSphere(session, *viewport.hoveredSphere, add);
+  } else if (viewport.hoveredTrail != 0) {
+    app::selectTrail(session, viewport.hoveredTrail);
+  } else if (!viewport.hoveredLimb.empty()) {
+    app::selectLimb(session, viewport.hoveredLimb, add);
+  } else {
+    viewport.gesture = ViewportGesture::boxSelect;
+  }
+}
+
+void beginGesture(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  viewport.pressPixels = viewport.mousePixels;
+  viewport.lastPixels = viewport.mousePixels;
+  viewport.gesture = navigationGesture(shell.ui.navigation, ImGui::GetIO());
+  if (viewport.gesture != ViewportGesture::none) {
+    return;
+  }
+  const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (isRunning(shell.tool) && (left || right)) {
+    finishTool(*shell.session, shell.tool, left);
+  } else if (left) {
+    pressLeft(shell);
+  }
+}
+
+void selectInBox(Shell& shell) {
+  const ViewportState& viewport = shell.viewport;
+  app::Session& session = *shell.session;
+  const Vec2 low = glm::min(viewport.pressPixels, viewport.mousePixels);
+  const Vec2 high = glm::max(viewport.pressPixels, viewport.mousePixels);
+  std::vector<double>& selected = session.view().selectedSpheres;
+  if (!ImGui::GetIO().KeyShift) {
+    selected.clear();
+  }
+  const ShownTrail* trail = findShown(viewport.shown, session.view().selectedTrail);
+  if (trail == nullptr ||
+      glm::distance(low, high) < boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint) {
+    return;
+  }
+  for (const app::PlacedSphere& sphere : trail->spheres) {
+    const auto place = projectToPixels(viewport.view, sphere.positionWorld);
+    const bool inside = place && place->pixels.x >= low.x && place->pixels.x <= high.x &&
+                        place->pixels.y >= low.y && place->pixels.y <= high.y;
+    const bool known = std::any_of(selected.begin(), selected.end(),
+                                   [&](double frame) { return app::sameFrame(frame, sphere.frame); });
+    if (inside && !known) {
+      selected.push_back(sphere.frame);
+    }
+  }
+}
+
+void continueGesture(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  navigate(viewport);
+  if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(shell.tool)) {
+    const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
+    if (glm::distance(viewport.mousePixels, viewport.pressPixels) > far &&
+        !shell.session->view().selectedSpheres.empty()) {
+      grabFromPress(
+          shell, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
+    }
+  }
+}
+
+void endGesture(Shell& shell) {
+  if (shell.viewport.gesture == ViewportGesture::boxSelect) {
+    selectInBox(shell);
+  }
+  shell.viewport.gesture = ViewportGesture::none;
+}
+
+/// The mouse for a running tool: it follows without a button under G, with the button held in a drag.
+void driveTool(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  auto* grab = std::get_if<GrabTool>(&shell.tool);
+  const bool navigating = viewport.gesture == ViewportGesture::orbit ||
+                          viewport.gesture == ViewportGesture::pan ||
+                          viewport.gesture == ViewportGesture::zoom;
+  if (grab == nullptr || navigating) {
+    return;
+  }
+  if (viewport.mousePixels != viewport.lastPixels) {
+    tellProblem(shell, moveToolMouse(*shell.session, shell.tool, viewport.view, viewport.mousePixels));
+  }
+  viewport.falloffRadius = grab->falloffRadius;
+  if (grab->byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    finishTool(*shell.session, shell.tool, true);
+    viewport.gesture = ViewportGesture::none;
+  }
+}
+
+void turnWheel(Shell& shell, double steps) {
+  if (std::holds_alternative<GrabTool>(shell.tool)) {
+    tellProblem(shell, turnFalloff(*shell.session, shell.tool, steps));
+    return;
+  }
+  ViewportState& viewport = shell.viewport;
+  viewport.camera =
+      zoomed(viewport.camera, viewport.view.viewport, std::pow(0.88, steps), viewport.mousePixels);
+}
+
+void hoverSphere(ViewportState& viewport, const ShownTrail& trail) {
+  if (const auto hit = pickSphere(viewport.view, centresOf(trail), viewport.mousePixels)) {
+    viewport.hoveredSphere = trail.spheres[*hit].frame;
+  }
+}
+
+void hoverTrails(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  double nearest = 1e300;
+  for (const ShownTrail& trail : viewport.shown.trails) {
+    const rig::Trail* source = app::findTrail(shell.session->document(), trail.id);
+    if (source == nullptr || !isDrawn(*shell.session, shell.ui.overlays, *source)) {
+      continue;
+    }
+    const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
+    const auto hit = pickPolyline(viewport.view, points, viewport.mousePixels);
+    if (hit && hit->distancePixels < nearest) {
+      nearest = hit->distancePixels;
+      viewport.hoveredTrail = trail.id;
+    }
+  }
+}
+
+void hoverLimbs(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  const LimbBones bones =
+      limbBones(shell.session->document(), shell.session->frameAt(shell.session->view().frame));
+  if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
+    viewport.hoveredLimb = bones.limbIds[static_cast<std::size_t>(*hit)];
+  }
+}
+
+} // namespace
+
+void updateHover(Shell& shell) {
+  ViewportState& viewport = shell.viewport;
+  if (viewport.gesture != ViewportGesture::none || isRunning(shell.tool)) {
+    return; // What was taken stays marked until it is let go.
+  }
+  viewport.hoveredSphere.reset();
+  viewport.hoveredAxis.reset();
+  viewport.hoveredTrail = 0;
+  viewport.hoveredLimb.clear();
+  if (!viewport.hovered || shell.session == nullptr) {
+    return;
+  }
+  if (const auto handles = handlesOf(*shell.session, viewport.shown)) {
+    viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
+  }
+  const ShownTrail* selected = findShown(viewport.shown, shell.session->view().selectedTrail);
+  if (!viewport.hoveredAxis && selected != nullptr) {
+    hoverSphere(viewport, *selected);
+  }
+  if (!viewport.hoveredAxis && !viewport.hoveredSphere) {
+    hoverTrails(shell);
+  }
+  if (!viewport.hoveredAxis && !viewport.hoveredSphere && viewport.hoveredTrail == 0) {
+    hoverLimbs(shell);
+  }
+}
+
+void handleViewportMouse(Shell& shell, bool hovered, bool held) {
+  ViewportState& viewport = shell.viewport;
+  const ImGuiIO& io = ImGui::GetIO();
+  viewport.hovered = hovered;
+  viewport.lastPixels = viewport.mousePixels;
+  viewport.mousePixels =
+      viewport.pixelsPerUnit * Vec2(io.MousePos.x - viewport.box.min.x, io.MousePos.y - viewport.box.min.y);
+  if (shell.session == nullptr) {
+    return;
+  }
+  updateHover(shell);
+  const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
+                                   ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
+                                   ImGui::IsMouseClicked(ImGuiMouseButton_Right));
+  if (pressed) {
+    beginGesture(shell);
+  } else if (held) {
+    continueGesture(shell);
+  } else if (viewport.gesture != ViewportGesture::none) {
+    endGesture(shell);
+  }
+  if (hovered && io.MouseWheel != 0.0F) {
+    turnWheel(shell, static_cast<double>(io.MouseWheel));
+  }
+  driveTool(shell);
+}
+
+} // namespace stretch::ui

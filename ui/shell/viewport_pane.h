@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "ui/render/bounds.h"
+#include "ui/render/quality.h"
+#include "ui/render/viewport_renderer.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+/// One picture of the viewport on the graphics card, and what it shows.
+struct DrawnPicture {
+  RenderTarget target;
+  std::uint64_t contentKey = 0; ///< Of what was drawn; it is not drawn again while this stays.
+};
+
+/// What the viewport keeps on the graphics card; must go before its context.
+struct ViewportGpu {
+  ViewportRenderer renderer;
+  DrawnPicture picture;
+  DrawnPicture originalPicture; ///< Beside it, while original and exaggerated are compared.
+  QualityGovernor governor;
+  std::shared_ptr<const Scene> uploaded;
+  std::optional<BoundsSampler> bounds;
+  double floorHeight = 0.0;
+  bool drewPicture = false; ///< In this frame: tells the governor whether the frame's time counts.
+};
+
+[[nodiscard]] Result<std::unique_ptr<ViewportGpu>> createViewportGpu();
+
+/// The viewport with its bar, mouse and overlays, in `rect` (window units).
+void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& rect,
+                      double pixelsPerUnit);
+
+/// Moves the camera so that the selection (or with `everything` the character) fills the viewport.
+void frameCamera(Shell& shell, ViewportGpu& gpu, bool everything);
+
+} // namespace stretch::ui

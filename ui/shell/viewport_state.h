@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/edits/sphere_edits.h"
+#include "rig/motion.h"
+#include "ui/render/camera.h"
+#include "ui/render/picking.h"
+#include "ui/widgets/control.h"
+
+namespace stretch::ui {
+
+/// What the mouse does in the viewport from press to release.
+enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, boxSelect };
+
+/// One trail as the viewport shows it.
+struct ShownTrail {
+  int id = 0;
+  rig::DrawnTrail drawn;
+  std::vector<app::PlacedSphere> spheres;
+  int colour = 0;
+  bool exaggerated = false;
+  double startFrame = 0.0;
+  double endFrame = 0.0;
+  rig::Pivot pivot = rig::Pivot::start;
+};
+
+/// The trails of the viewed clip that are visible, and what they were made from.
+struct ShownTrails {
+  std::vector<ShownTrail> trails;
+  // What they were made from: they are made again only when it changed.
+  const void* scene = nullptr;
+  const void* clips = nullptr;
+  int clip = -1;
+  std::vector<rig::Trail> madeFrom;
+  std::vector<rig::Limb> limbs;
+};
+
+/// What the viewport remembers between frames.
+struct ViewportState {
+  Camera camera;
+  View view;                  ///< As of this frame; pixels are the framebuffer's.
+  Rect box;                   ///< The picture's place, window units.
+  double pixelsPerUnit = 1.0; ///< Framebuffer pixels a window unit.
+  bool hovered = false;       ///< The mouse is over it and nothing lies above.
+  bool framePending = false;  ///< Show the whole character in the next frame.
+  bool frameSelectionPending = false;
+  double facingYawRadians = 0.0; ///< Where the character faces at the clip's start.
+  ShownTrails shown;
+
+  ViewportGesture gesture = ViewportGesture::none;
+  Vec2 pressPixels{0.0};
+  Vec2 lastPixels{0.0};
+  Vec2 mousePixels{0.0};
+  std::optional<double> pressedFrame; ///< Sphere that a press took.
+  double falloffRadius = 0.0;         ///< Kept from drag to drag, world units.
+
+  // Under the mouse.
+  std::optional<double> hoveredSphere; ///< Frame, of the selected trail.
+  std::optional<std::size_t> hoveredAxis;
+  int hoveredTrail = 0;
+  std::string hoveredLimb;
+};
+
+} // namespace stretch::ui
