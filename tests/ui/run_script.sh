@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Drives the real window through a script, on a screen of its own: run_script.sh PROGRAM SCRIPT
+# Lines of the script set it up: "#! file PATH" (from the root of the sources), "#! size 1280x720", "#! scale 2",
+# "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
+set -u
+program=$(realpath "$1")
+script=$(realpath "$2")
+root=$(realpath "$(dirname "$0")/../..")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state HOME=$work LIBGL_ALWAYS_SOFTWARE=1
+
+setting() { sed -n "s/^#! $1 //p" "$2" | head -n 1; }
+
+run() {
+  local file size scale
+  file=$(setting file "$1")
+  size=$(setting size "$1")
+  scale=$(setting scale "$1")
+  # The copy is opened, so that saving beside it leaves the sources alone.
+  if [ -n "$file" ] && [ ! -e "$work/$(basename "$file")" ]; then
+    cp "$root/$file" "$work/" || return 1
+  fi
+  (cd "$work" && STRETCH_UI_SCRIPT=$1 STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} \
+    timeout 300 xvfb-run -a -s "-screen 0 2560x1440x24" "$program" ${file:+"$work/$(basename "$file")"})
+}
+
+status=0
+while [ -n "$script" ] && [ $status -eq 0 ]; do
+  run "$script" || status=$?
+  next=$(setting then "$script")
+  script=${next:+$(dirname "$script")/$next}
+done
+if [ -n "${STRETCH_UI_PICTURES:-}" ]; then
+  mkdir -p "$STRETCH_UI_PICTURES" && cp "$work"/*.png "$STRETCH_UI_PICTURES/" 2>/dev/null
+fi
+exit $status

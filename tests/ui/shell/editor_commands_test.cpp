@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include "ui/panels/command_ids.h"
+#include "ui/shell/shell_commands.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+TEST_CASE("No key of the editor is bound twice, and every command has a name, a sentence of help and an id "
+          "of its own") {
+  const std::vector<app::Command<Shell>> commands = editorCommands();
+  const app::Keymap keymap(app::keyedCommands(commands));
+  for (const std::string& problem : keymap.problems()) {
+    FAIL_CHECK(problem);
+  }
+  std::set<std::string> ids;
+  for (const app::Command<Shell>& command : commands) {
+    INFO(command.id);
+    CHECK(ids.insert(command.id).second);
+    CHECK_FALSE(command.label.empty());
+    CHECK(command.help.size() > 10);
+    CHECK(command.help.back() == '.');
+    CHECK(command.enabled);
+    CHECK(command.run);
+  }
+}
+
+TEST_CASE("The keys of the specification's table run what it says") {
+  const app::Keymap keymap(app::keyedCommands(editorCommands()));
+  const std::pair<const char*, const char*> table[] = {{"1", "limb.left-arm"},
+                                                       {"2", "limb.right-arm"},
+                                                       {"3", "limb.left-leg"},
+                                                       {"4", "limb.right-leg"},
+                                                       {"5", "limb.spine"},
+                                                       {"6", "limb.neck"},
+                                                       {"Shift+1", "limb.left-arm-add"},
+                                                       {"0", "limb.none"},
+                                                       {"J", command::pickChain},
+                                                       {"[", command::rangeStart},
+                                                       {"]", command::rangeEnd},
+                                                       {"Alt+,", command::rangeStart},
+                                                       {"Alt+.", command::rangeEnd},
+                                                       {"T", command::trailToggle},
+                                                       {"E", command::trailExaggerate},
+                                                       {"Tab", command::sphereNext},
+                                                       {"Shift+Tab", command::spherePrevious},
+                                                       {"G", "sphere.grab"},
+                                                       {"B", command::trailBlend},
+                                                       {"`", command::trailShowOriginal},
+                                                       {"O", command::trailShowOriginal},
+                                                       {"C", command::trailConnect},
+                                                       {"Shift+C", command::trailFollow},
+                                                       {",", command::timeBack},
+                                                       {".", command::timeForward},
+                                                       {"Ctrl+,", command::timePreviousKey},
+                                                       {"Ctrl+.", command::timeNextKey},
+                                                       {"Home", command::timeStart},
+                                                       {"End", command::timeEnd},
+                                                       {"Space", command::timePlay},
+                                                       {"H", command::viewGhosts},
+                                                       {"K", command::viewSkeleton},
+                                                       {"W", command::viewWire},
+                                                       {"F", command::viewFrameSelection},
+                                                       {"A", command::viewFrameAll},
+                                                       {"Numpad 1", command::viewFront},
+                                                       {"Numpad 3", command::viewSide},
+                                                       {"Numpad 7", command::viewTop},
+                                                       {"Numpad 5", command::viewPerspective},
+                                                       {"Enter", command::trailApply},
+                                                       {"Delete", "edit.delete"},
+                                                       {"Shift+Delete", command::trailDeleteAll},
+                                                       {"Ctrl+C", command::copyTrail},
+                                                       {"Ctrl+V", command::pasteTrail},
+                                                       {"Ctrl+M", command::mirrorTrail},
+                                                       {"Ctrl+Z", command::undo},
+                                                       {"Ctrl+Shift+Z", command::redo},
+                                                       {"Ctrl+Y", command::redo},
+                                                       {"Ctrl+O", command::fileOpen},
+                                                       {"Ctrl+S", command::fileSave},
+                                                       {"Ctrl+Shift+S", command::fileSaveAs},
+                                                       {"Ctrl+P", command::palette},
+                                                       {"F3", command::palette},
+                                                       {"?", command::keys}};
+  for (const auto& [key, id] : table) {
+    INFO(key);
+    const auto chord = app::parseChord(key);
+    REQUIRE(chord);
+    CHECK(keymap.commandOf(*chord) == id);
+  }
+}
+
+TEST_CASE("Without a file only what needs none is on") {
+  Shell shell;
+  shell.commands = editorCommands();
+  for (const app::Command<Shell>& command : shell.commands) {
+    INFO(command.id);
+    const bool needsFile = command.id.rfind("trail.", 0) == 0 || command.id.rfind("limb.", 0) == 0 ||
+                           command.id.rfind("sphere.", 0) == 0 || command.id.rfind("time.", 0) == 0;
+    if (needsFile) {
+      CHECK_FALSE(command.enabled(shell));
+    } else {
+      static_cast<void>(command.enabled(shell));
+    }
+  }
+  runCommand(shell, command::trailApply);
+  REQUIRE(shell.ui.toasts.size() == 1);
+}

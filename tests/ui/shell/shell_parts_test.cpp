@@ -1,0 +1,184 @@
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/app/boxer.h"
+#include "ui/shell/autosave.h"
+#include "ui/shell/file_work.h"
+#include "ui/shell/input.h"
+#include "ui/shell/pane_layout.h"
+#include "ui/shell/script_state.h"
+#include "ui/shell/user_settings.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder of its own that goes with the test, and stands in for the user's.
+class UserFolder {
+public:
+  UserFolder() : path_(fs::temp_directory_path() / "stretch-shell-test") {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+    setenv("XDG_CONFIG_HOME", (path_ / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (path_ / "state").c_str(), 1);
+  }
+  UserFolder(const UserFolder&) = delete;
+  UserFolder& operator=(const UserFolder&) = delete;
+  ~UserFolder() { fs::remove_all(path_); }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+void touch(const fs::path& file) {
+  std::ofstream(file) << "x";
+}
+
+} // namespace
+
+TEST_CASE("Panes fill the window without gaps and fold away") {
+  PaneSizes sizes;
+  const PaneRects open = dividePanes(sizes, 1280.0F, 720.0F, 1.0F, 24.0F, 28.0F);
+  CHECK(open.left.max.x == open.viewport.min.x);
+  CHECK(open.viewport.max.x == open.right.min.x);
+  CHECK(open.right.max.x == 1280.0F);
+  CHECK(open.viewport.max.y == open.bottom.min.y);
+  CHECK(open.bottom.max.y == open.status.min.y);
+  CHECK(open.status.max.y == 720.0F);
+  sizes.leftOpen = false;
+  sizes.bottomOpen = false;
+  const PaneRects folded = dividePanes(sizes, 1280.0F, 720.0F, 1.0F, 24.0F, 28.0F);
+  CHECK(folded.viewport.min.x == 0.0F);
+  CHECK(folded.viewport.max.y == folded.status.min.y);
+}
+
+TEST_CASE("In a small window the panes shrink before the viewport") {
+  const PaneRects small = dividePanes({}, 640.0F, 400.0F, 2.0F, 48.0F, 56.0F);
+  CHECK(small.viewport.width() >= 0.99F * 2.0F * smallestViewport);
+  CHECK(small.viewport.height() > 0.0F);
+  CHECK(small.left.width() >= 0.0F);
+  CHECK(small.right.max.x == 640.0F);
+}
+
+TEST_CASE("Settings survive the file, and a damaged file is harmless") {
+  UiState ui;
+  ui.theme = ThemeKind::highContrast;
+  ui.scale = 1.5F;
+  ui.navigation = NavigationStyle::blender;
+  ui.overlays.ghostsBefore = 5;
+  ui.recentFiles = {"/a/b.glb"};
+  PaneSizes panes;
+  panes.left = 300.0F;
+  panes.bottomOpen = false;
+  const std::string text = settingsText(ui, panes, {1000, 700, true});
+
+  UiState read;
+  PaneSizes readPanes;
+  WindowMemory window;
+  readSettings(text, read, readPanes, window);
+  CHECK(read.theme == ThemeKind::highContrast);
+  CHECK(read.scale == 1.5F);
+  CHECK(read.navigation == NavigationStyle::blender);
+  CHECK(read.overlays.ghostsBefore == 5);
+  CHECK(read.recentFiles == ui.recentFiles);
+  CHECK(readPanes == panes);
+  CHECK(window.maximised);
+  CHECK(settingsText(read, readPanes, window) == text);
+
+  for (const char* damaged :
+       {"", "[]", "{\"theme\": 99, \"scale\": \"big\", \"panes\": 3, \"recent\": [1, null]}",
+        "{\"scale\": 1e999, \"overlays\": {\"ghosts_before\": -7}}"}) {
+    INFO(damaged);
+    UiState plain;
+    readSettings(damaged, plain, readPanes, window);
+    CHECK(plain.scale >= 0.5F);
+    CHECK(plain.overlays.ghostsBefore >= 0);
+    CHECK(static_cast<int>(plain.theme) <= 2);
+  }
+}
+
+TEST_CASE("How a file was looked at survives, as far as it still makes sense") {
+  const app::Document document = test::boxer();
+  app::ViewState view;
+  view.frame = 7.0;
+  view.selectedLimbs = {"left-arm", "tail"};
+  view.selectedTrail = 12;
+  Camera camera;
+  camera.distance = 3.5;
+  app::ViewState read;
+  Camera readCamera;
+  readView(viewText(view, camera), document, read, readCamera);
+  CHECK(read.frame == 7.0);
+  CHECK(read.selectedLimbs == std::vector<std::string>{"left-arm"});
+  CHECK(read.selectedTrail == 0);
+  CHECK(readCamera == camera);
+  readView("{\"frame\": 1e9, \"clip\": 5, \"camera\": {\"target\": [1, \"x\"]}}", document, read, readCamera);
+  CHECK(read.frame == 20.0);
+  CHECK(read.clip == 0);
+}
+
+TEST_CASE("Recent files are kept once each, the newest first") {
+  UiState ui;
+  for (int i = 0; i < 20; ++i) {
+    rememberRecent(ui, "/folder/" + std::to_string(i) + ".glb");
+  }
+  rememberRecent(ui, "/folder/15.glb");
+  CHECK(ui.recentFiles.size() == 12);
+  CHECK(ui.recentFiles[0] == "/folder/15.glb");
+  CHECK(ui.recentFiles[1] == "/folder/19.glb");
+}
+
+TEST_CASE("Save incremental takes the next free number") {
+  const UserFolder folder;
+  const fs::path file = folder.path() / "punch.glb";
+  CHECK(nextIncrement(file).filename() == "punch-001.glb");
+  touch(folder.path() / "punch-001.glb");
+  CHECK(nextIncrement(file).filename() == "punch-002.glb");
+  CHECK(nextIncrement(folder.path() / "punch-001.glb").filename() == "punch-002.glb");
+  CHECK(nextIncrement(folder.path() / "one-two.glb").filename() == "one-two-001.glb");
+}
+
+TEST_CASE("A change by another program shows in the stamp") {
+  const UserFolder folder;
+  const fs::path file = folder.path() / "a.glb";
+  CHECK_FALSE(stampOf(file));
+  touch(file);
+  const auto before = stampOf(file);
+  REQUIRE(before);
+  CHECK(stampOf(file) == before);
+  std::ofstream(file) << "longer";
+  CHECK(stampOf(file) != before);
+}
+
+TEST_CASE("Texts are replaced whole, and failures leave nothing behind") {
+  const UserFolder folder;
+  const fs::path file = folder.path() / "deep" / "settings.json";
+  REQUIRE(writeText(file, "one"));
+  REQUIRE(writeText(file, "two"));
+  CHECK(readText(file) == "two");
+  CHECK(std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator()) == 1);
+  CHECK_FALSE(writeText(file / "below-a-file", "three"));
+}
+
+TEST_CASE("Numbers are compared as numbers, the rest as text") {
+  CHECK(sameState("3", "3.0004"));
+  CHECK_FALSE(sameState("3", "3.01"));
+  CHECK(sameState("left-arm", "left-arm"));
+  CHECK_FALSE(sameState("", "0"));
+}
+
+TEST_CASE("Every key of ours is one of the window's") {
+  for (const app::Key key : app::allKeys()) {
+    INFO(app::keyName(key));
+    const auto code = toGlfwKey(key);
+    REQUIRE(code);
+    CHECK(fromGlfwKey(*code) == key);
+  }
+  CHECK(fromGlfwKey(340) == app::Key::none); // Shift alone.
+}
