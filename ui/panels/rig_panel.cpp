@@ -2,10 +2,10 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "ui/panels/clip_chooser.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
-#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
@@ -51,33 +51,13 @@ void fileSummary(PanelContext& context) {
             .text = "The height in the bind pose is what tolerances are measured against."});
 }
 
-std::string clipName(const Clip& clip, std::size_t index) {
-  return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
-}
-
-void clipChooser(PanelContext& context) {
+void clipRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  app::Session& session = *context.session;
-  const std::vector<Clip>& clips = *session.document().clips;
-  std::vector<Choice> choices;
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    choices.push_back({clipName(clips[i], i), {.title = clipName(clips[i], i)}});
-  }
   labelledRow(
       widgets, "Clip",
       {.title = "Animation of the file", .text = "Trails belong to the clip that they were made in."});
-  if (const int chosen = dropdown(widgets, "rig/clip", choices, session.view().clip,
-                                  {.title = "Choose the clip to work on"});
-      chosen >= 0) {
-    session.view().clip = chosen;
-    session.view().frame = 0.0;
-    session.view().rangeEnd = session.view().rangeStart - 1.0;
-    session.view().selectedTrail = 0;
-    session.view().selectedSpheres.clear();
-    context.ui.timeline.viewEnd = context.ui.timeline.viewStart - 1.0;
-    context.ui.graph.fitPending = true;
-  }
-  const Clip& clip = app::clipOf(session.document(), session.view().clip);
+  clipChooser(context, "rig/clip", 0.0F);
+  const Clip& clip = app::clipOf(context.session->document(), context.session->view().clip);
   valueRow(widgets, "Length",
            std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.framesPerSecond) + " fps",
            {.title = shortNumber(clip.endSeconds) + " seconds",
@@ -229,7 +209,7 @@ void drawRigPanel(PanelContext& context) {
   }
   fileSummary(context);
   if (hasViewedClip(context)) {
-    clipChooser(context);
+    clipRows(context);
   } else {
     notice(widgets, NoticeKind::warning,
            "The file has no animation: there is no motion to exaggerate. Open one with a clip.");

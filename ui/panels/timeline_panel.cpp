@@ -4,6 +4,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "ui/panels/clip_chooser.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -105,6 +106,10 @@ void transport(PanelContext& context) {
   ImGui::SameLine(0.0F, context.theme.unit());
   frameField(context);
   speedChooser(context);
+  if (context.session->document().clips->size() > 1) {
+    clipChooser(context, "timeline/clip", context.theme.px(150.0F));
+    ImGui::SameLine(0.0F, context.theme.unit());
+  }
   rangeText(context);
 }
 
@@ -166,7 +171,8 @@ void applyView(PanelContext& context, const TimelineOutcome& outcome) {
 
 void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineModel model = timelineModel(context, detail);
-  ImGui::BeginChild(id, ImGui::GetContentRegionAvail());
+  ImGui::BeginChild(id, ImGui::GetContentRegionAvail(), false,
+                    ImGuiWindowFlags_NoScrollWithMouse); // the wheel zooms
   const float height = std::max(timelineHeight(context.theme, model), ImGui::GetContentRegionAvail().y);
   const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
                                            context.theme.px(labelWidth), height);

@@ -88,6 +88,9 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
 }
 
 void tooltip(const WidgetContext& context, const Help& help) {
+  if (!context.items.items.empty() && !(help.title.empty() && help.text.empty())) {
+    context.items.items.back().explained = true;
+  }
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
   if (hovered && g.ActiveId == 0 && g.HoveredIdTimer >= tooltipDelaySeconds) {

@@ -65,13 +65,14 @@ float listWidth(const Theme& theme, const std::vector<Choice>& choices, float le
 } // namespace
 
 int dropdown(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
-             int selected, const Help& help, float width) {
+             int selected, const Help& help, float width, const char* none) {
   const Theme& theme = context.theme;
   const float fieldWidth = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
   const Control control = takePlace(context, id, {fieldWidth, theme.rowHeight()});
   const bool valid = selected >= 0 && selected < static_cast<int>(choices.size());
   if (control.visible) {
-    drawClosed(context, control, valid ? choices[static_cast<std::size_t>(selected)].text : std::string());
+    drawClosed(context, control,
+               valid ? choices[static_cast<std::size_t>(selected)].text : std::string(none));
   }
   tooltip(context, help);
   const std::string popup = id + "/list";
@@ -109,6 +110,7 @@ bool textField(const WidgetContext& context, const std::string& id, const std::s
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  tooltip(context, {.text = hint});
   return changed;
 }
 

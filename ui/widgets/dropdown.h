@@ -10,7 +10,7 @@ namespace stretch::ui {
 /// A field that opens a list of choices. The index that was chosen in this frame, or -1. Width 0: the
 /// available width.
 int dropdown(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
-             int selected, const Help& help, float width = 0.0F);
+             int selected, const Help& help, float width = 0.0F, const char* none = "");
 
 /// A one-line text field with a hint while it is empty; true when the text changed.
 bool textField(const WidgetContext& context, const std::string& id, const std::string& hint,

@@ -5,7 +5,7 @@
 namespace stretch::ui {
 
 void ItemRegistry::add(std::string id, const ImVec2& min, const ImVec2& max, bool enabled) {
-  items.push_back({std::move(id), min, max, enabled});
+  items.push_back({std::move(id), min, max, enabled, false});
 }
 
 const Item* ItemRegistry::find(std::string_view id) const {

@@ -14,6 +14,7 @@ struct Item {
   ImVec2 min;     ///< Screen pixels, top left.
   ImVec2 max;     ///< Screen pixels, bottom right; clipped to what is visible.
   bool enabled = true;
+  bool explained = false; ///< It has a tooltip.
 
   [[nodiscard]] ImVec2 centre() const { return {(min.x + max.x) * 0.5F, (min.y + max.y) * 0.5F}; }
 };

@@ -240,3 +240,38 @@ TEST_CASE("The graph shows the curves of the selected limb, with the source besi
         Approx(2.0 * ui::curveValue(length.before, 24.0)).epsilon(1e-3));
   CHECK(ui::curveValue(length.points, 0.0) == Approx(ui::curveValue(length.before, 0.0)));
 }
+
+TEST_CASE("Every widget that can be used says what it does") {
+  TrailPanels panels;
+  for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph}) {
+    panels.driver.ui.bottomTab = tab;
+    panels.driver.frames(2);
+    for (const ui::Item& item : panels.driver.items.items) {
+      // Menus open on a click, and parts of pictures explain themselves under the mouse.
+      const bool picture = item.id.rfind("menu/", 0) == 0 || item.id.rfind("limb", 0) == 0 ||
+                           item.id.rfind("timeline", 0) == 0 || item.id == "graph" ||
+                           item.id.rfind("trail/remap-curve", 0) == 0 || item.id.rfind("label:", 0) == 0;
+      CAPTURE(item.id);
+      CHECK((picture || !item.enabled || item.explained));
+    }
+  }
+}
+
+TEST_CASE("A style gives the limb the scale that was measured in its cartoon") {
+  TrailPanels panels;
+  panels.driver.click("trail/style");
+  panels.driver.click("trail/style/Tortoise Wins by a Hare (1943)");
+  CHECK(panels.settings().scale == Approx(2.4));
+}
+
+TEST_CASE("Another clip starts at its first frame, with nothing selected in time") {
+  TrailPanels panels;
+  REQUIRE(panels.driver.session->document().clips->size() > 1);
+  panels.driver.session->view().frame = 8.0;
+  panels.driver.click("rig/clip");
+  const std::string name = panels.driver.session->document().clips->at(1).name;
+  panels.driver.click("rig/clip/" + name);
+  CHECK(panels.driver.session->view().clip == 1);
+  CHECK(panels.driver.session->view().frame == 0.0);
+  CHECK(panels.driver.session->view().selectedTrail == 0);
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+/// How far a cartoon stretches its limbs, as lengths over the rest (spec/exaggeration.md, section 9, Table
+/// 1).
+struct Style {
+  const char* name;
+  double arm;
+  double torso; ///< Of spine and neck.
+  double leg;
+};
+
+[[nodiscard]] const std::array<Style, 6>& styles();
+
+/// The scale that a style gives to a limb; a chain of the user's is taken for an arm.
+[[nodiscard]] double scaleOf(const Style& style, rig::LimbKind kind);
+
+/// Gives each of the trails the scale of its limb.
+[[nodiscard]] Result<Document> applyStyle(const Document& document, const std::vector<int>& trailIds,
+                                          const Style& style);
+
+/// Index of the first style that all of the trails have; -1 for none, or without trails.
+[[nodiscard]] int styleOf(const Document& document, const std::vector<int>& trailIds);
+
+} // namespace stretch::app

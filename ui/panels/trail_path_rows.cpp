@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/edits/sphere_edits.h"
+#include "app/edits/trail_edits.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/setting_rows.h"
+#include "ui/panels/trail_sections.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+using rig::TrailSettings;
+
+/// Frames of the release as it is solved, default included.
+double releaseFrames(const rig::SolvedTrail* solved, double framesPerSecond) {
+  return solved == nullptr ? 0.0 : solved->release.seconds() * framesPerSecond;
+}
+
+void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double frame) {
+  const WidgetContext widgets = widgetsOf(context);
+  const auto found = std::find_if(trail.settings.spheres.begin(), trail.settings.spheres.end(),
+                                  [&](const rig::SphereOffset& s) { return app::sameFrame(s.frame, frame); });
+  rig::SphereOffset sphere =
+      found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
+  const double reach = context.session->document().biped.height * 2.0;
+  labelledRow(widgets, "Offset",
+              {"Offset of the sphere at frame " + shortNumber(frame),
+               "How far the path is pulled there, along the axes of the trail's space.",
+               {}});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      ImVec2(context.theme.px(4.0F), ImGui::GetStyle().ItemSpacing.y));
+  const float width = columnWidth(3);
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    if (axis > 0) {
+      ImGui::SameLine();
+    }
+    const char* const names[] = {"X", "Y", "Z"};
+    SliderSpec spec{.id = std::string("trail/sphere-") + names[axis],
+                    .minimum = -reach,
+                    .maximum = reach,
+                    .step = 0.001,
+                    .showsFill = false,
+                    .width = width};
+    spec.defaultValue = 0.0;
+    spec.help = {
+        std::string("Offset along ") + names[axis], "Drag, double click to type, right click for 0.", {}};
+    const EditPhase phase = slider(widgets, spec, sphere.offset[axis]);
+    editThrough(context, phase, "Move the sphere",
+                [&](const app::Document& start) { return app::setSphereOffset(start, trail.id, sphere); });
+  }
+  ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void releaseRows(PanelContext& context, const rig::Trail& trail) {
+  const WidgetContext widgets = widgetsOf(context);
+  const TrailSettings& settings = trail.settings;
+  const double rate = app::clipOf(context.session->document(), trail.clip).framesPerSecond;
+  const double last = std::max(1.0, app::lastFrame(context.session->document(), trail.clip));
+  labelledRow(widgets, "Release", settingHelp("release", "Release"));
+  const bool automatic = !settings.releaseFrames.has_value();
+  double frames =
+      settings.releaseFrames.value_or(releaseFrames(app::solvedTrail(*context.session, trail.id), rate));
+  const float autoWidth = context.theme.px(52.0F);
+  SliderSpec spec{.id = "trail/release", .maximum = last, .step = 1.0, .decimals = 0, .suffix = " frames"};
+  spec.width = ImGui::GetContentRegionAvail().x - autoWidth - ImGui::GetStyle().ItemSpacing.x;
+  spec.help = settingHelp("release", "Release");
+  const EditPhase phase = slider(widgets, spec, frames);
+  editSettings(context, phase, "Change the release", [&](TrailSettings& s) { s.releaseFrames = frames; });
+  ImGui::SameLine();
+  ButtonSpec reset{.id = "trail/release-auto", .text = "Auto", .on = automatic, .width = autoWidth};
+  reset.help = {
+      "Automatic release", "To the limb's next key on a sparsely keyed clip, else a third of the range.", {}};
+  if (button(widgets, reset)) {
+    const std::optional<double> next = automatic ? std::optional<double>(std::round(frames)) : std::nullopt;
+    editSettings(context, {true, true}, "Change the release",
+                 [&](TrailSettings& s) { s.releaseFrames = next; });
+  }
+  numberRow(context,
+            {.setting = "overshoot",
+             .label = "Overshoot",
+             .undoLabel = "Change the overshoot",
+             .defaultValue = 0.0,
+             .suffix = " %",
+             .decimals = 0,
+             .factor = 100.0},
+            settings, &TrailSettings::overshoot);
+}
+
+void sphereRows(PanelContext& context, const rig::Trail& trail) {
+  const WidgetContext widgets = widgetsOf(context);
+  app::Session& session = *context.session;
+  const rig::SolvedTrail* solved = app::solvedTrail(session, trail.id);
+  const std::size_t count = solved != nullptr ? solved->controlFrames.size() : 0;
+  labelledRow(widgets, "Spheres",
+              {"Control spheres", "Points of the path that can be pulled, at the keys of the limb.", {}});
+  const float width = columnWidth(2);
+  commandButton(context,
+                {.command = command::spherePrevious, .icon = icon::stepBack, .text = "Back", .width = width});
+  ImGui::SameLine();
+  commandButton(context,
+                {.command = command::sphereNext, .icon = icon::stepForward, .text = "Next", .width = width});
+  const std::vector<double>& selected = session.view().selectedSpheres;
+  const std::string state = selected.empty() ? std::to_string(trail.settings.spheres.size()) + " pulled"
+                                             : std::to_string(selected.size()) + " selected";
+  valueRow(widgets, "", std::to_string(count) + " spheres, " + state);
+  if (selected.size() == 1) {
+    sphereOffsetRow(context, trail, selected.front());
+  }
+  labelledRow(
+      widgets, "Follow",
+      {"Follow", "The character follows while a sphere is dragged.", keyOf(context, command::trailFollow)});
+  if (toggle(widgets, "trail/follow", trail.follow ? "On" : "Off", trail.follow,
+             {"Follow", "The character follows while a sphere is dragged.",
+              keyOf(context, command::trailFollow)})) {
+    editOnce(context, "Follow", app::setFollow(session.document(), trail.id, !trail.follow));
+  }
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/panels/panel_support.h"
+
+namespace stretch::ui {
+
+// Parts of the trail settings panel. `trail` is a copy: the rows edit the document while the others are
+// drawn.
+
+void rangeRow(PanelContext& context, const rig::Trail& trail);
+void scaleRows(PanelContext& context, const rig::Trail& trail); ///< Scale, style, axes, pivot.
+/// What became of the tip: its length, and why it is not what was asked for.
+void tipMessages(PanelContext& context, int trailId);
+void releaseRows(PanelContext& context, const rig::Trail& trail);
+void sphereRows(PanelContext& context, const rig::Trail& trail);
+
+} // namespace stretch::ui

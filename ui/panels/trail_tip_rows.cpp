@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/edits/style_edits.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/setting_rows.h"
+#include "ui/panels/trail_sections.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+using rig::TrailSettings;
+
+/// Scales measured in cartoons, offered for every limb at once.
+void styleRow(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Help help{"Style",
+                  "Scales measured in cartoons of the 1940s and 1950s: arms, body and legs each get theirs.",
+                  {}};
+  labelledRow(widgets, "Style", help);
+  std::vector<Choice> choices;
+  for (const app::Style& style : app::styles()) {
+    choices.push_back({style.name,
+                       {style.name,
+                        "Arms \xC3\x97" + shortNumber(style.arm) + ", body \xC3\x97" +
+                            shortNumber(style.torso) + ", legs \xC3\x97" + shortNumber(style.leg),
+                        {}}});
+  }
+  const std::vector<int> trails = app::targetTrails(*context.session);
+  const int current = app::styleOf(context.session->document(), trails);
+  if (const int chosen = dropdown(widgets, "trail/style", choices, current, help, 0.0F, "custom");
+      chosen >= 0) {
+    editOnce(context, "Take a style",
+             app::applyStyle(context.session->document(), trails,
+                             app::styles()[static_cast<std::size_t>(chosen)]));
+  }
+}
+
+void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
+  const auto sample = static_cast<std::size_t>(std::max(0, solved.tip.farthestSample));
+  if (sample >= solved.path.samples.size()) {
+    return;
+  }
+  const double rate = app::clipOf(context.session->document(), solved.trail.clip).framesPerSecond;
+  const double frame = std::round(solved.path.samples[sample].timeSeconds * rate);
+  ButtonSpec propose;
+  propose.id = "trail/use-farthest";
+  propose.text = "End the range at frame " + shortNumber(frame, 0);
+  propose.help = {propose.text, "There the limb is farthest from the pivot.", {}};
+  propose.width = ImGui::GetContentRegionAvail().x;
+  if (button(widgetsOf(context), propose)) {
+    const bool tipIsEnd = solved.settings.pivot == rig::Pivot::start;
+    editSettings(context, {true, true}, "Change the range",
+                 [&](TrailSettings& s) { (tipIsEnd ? s.endFrame : s.startFrame) = frame; });
+  }
+}
+
+std::string tipProblem(const rig::SolvedTrail& solved) {
+  if (solved.tip.outcome == rig::TipOutcome::nothingToScale) {
+    return "Nothing to scale: the path does not move along the active axes. Turn on an axis, or choose "
+           "another range.";
+  }
+  if (solved.tip.moved) {
+    return "The path comes back on itself, so it is moved instead of scaled.";
+  }
+  if (solved.tip.outcome == rig::TipOutcome::pulled) {
+    return "The path's line does not reach that length: the tip is pulled the rest of the way.";
+  }
+  return {};
+}
+
+} // namespace
+
+void rangeRow(PanelContext& context, const rig::Trail& trail) {
+  const WidgetContext widgets = widgetsOf(context);
+  labelledRow(widgets, "Range", {"Range", "First and last frame of the trail.", {}});
+  const double last = app::lastFrame(context.session->document(), trail.clip);
+  const float width = columnWidth(2);
+  SliderSpec spec{.id = "trail/range-start",
+                  .minimum = 0.0,
+                  .maximum = last,
+                  .step = 1.0,
+                  .decimals = 0,
+                  .showsFill = false,
+                  .width = width};
+  spec.help = {"First frame", "Drag, or double click to type.", keyOf(context, command::rangeStart)};
+  double start = trail.settings.startFrame;
+  EditPhase phase = slider(widgets, spec, start);
+  editSettings(context, phase, "Change the range",
+               [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
+  ImGui::SameLine();
+  spec.id = "trail/range-end";
+  spec.help = {"Last frame", "Drag, or double click to type.", keyOf(context, command::rangeEnd)};
+  double end = trail.settings.endFrame;
+  phase = slider(widgets, spec, end);
+  editSettings(context, phase, "Change the range",
+               [&](TrailSettings& s) { s.endFrame = std::max(end, s.startFrame + 1.0); });
+}
+
+void scaleRows(PanelContext& context, const rig::Trail& trail) {
+  numberRow(context,
+            {.setting = "scale",
+             .label = "Scale",
+             .undoLabel = "Change the scale",
+             .minimum = 0.0,
+             .maximum = rig::largestScale,
+             .defaultValue = 1.0,
+             .hardMaximum = 100.0,
+             .prefix = "\xC3\x97"},
+            trail.settings, &TrailSettings::scale);
+  styleRow(context);
+  const WidgetContext widgets = widgetsOf(context);
+  labelledRow(widgets, "Axes", settingHelp("axes", "Axes"));
+  const Help help{.text = "Click turns this axis on or off, Shift+click leaves only this one on."};
+  if (const int axis = axisButtons(widgets, "trail/axes", trail.settings.axes, help); axis >= 0) {
+    const auto chosen = static_cast<std::size_t>(axis);
+    const bool only = ImGui::GetIO().KeyShift;
+    editSettings(context, {true, true}, "Change the axes", [&](TrailSettings& s) {
+      if (only) {
+        s.axes = {false, false, false};
+      }
+      s.axes[chosen] = only || !trail.settings.axes[chosen];
+    });
+  }
+  choiceRow(
+      context,
+      {.setting = "pivot", .label = "Pivot", .undoLabel = "Change the pivot", .choices = {"Start", "End"}},
+      trail.settings, &TrailSettings::pivot);
+}
+
+void tipMessages(PanelContext& context, int trailId) {
+  const WidgetContext widgets = widgetsOf(context);
+  const rig::SolvedTrail* solved = app::solvedTrail(*context.session, trailId);
+  if (solved == nullptr) {
+    return;
+  }
+  const TipLengths lengths = tipLengths(*context.session, *solved);
+  valueRow(widgets, "Tip length", lengthsText(lengths),
+           {.title = "Length of the limb at the tip",
+            .text = "Straight from its base to its end: in the source clip, and as it is now."});
+  if (!solved->trail.exaggerated) {
+    return;
+  }
+  if (const std::string problem = tipProblem(*solved); !problem.empty()) {
+    notice(widgets, NoticeKind::info, problem);
+  }
+  for (const std::string& warning : solved->warnings) {
+    notice(widgets, NoticeKind::warning, warning);
+  }
+  if (solved->tip.moved) {
+    proposeRangeEnd(context, *solved);
+  }
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/widgets/timeline.h"
+
+namespace stretch::ui::timeline_detail {
+
+// The two halves of the timeline: where things are and how they are drawn; what the mouse grabs and what that
+// changes.
+
+/// Where the parts of a timeline are, screen pixels.
+struct Layout {
+  Rect box;   ///< Everything.
+  Rect ruler; ///< Right of the labels.
+  Rect track; ///< Right of the labels, full height.
+  Axis frames;
+  float labelLeft = 0.0F;
+};
+
+[[nodiscard]] Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
+                              float labelWidth);
+/// Where a span of the bar in this row is.
+[[nodiscard]] Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                          std::size_t row, const Span& span);
+
+void draw(const WidgetContext& context, const Layout& layout, const TimelineModel& model);
+
+/// What the mouse would grab.
+struct Hit {
+  TimelinePart part = TimelinePart::nothing;
+  int bar = 0;
+  Span span{0.0, 0.0}; ///< Of what is grabbed.
+};
+[[nodiscard]] Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                          const ImVec2& mouse);
+
+/// What a gesture asks for while the mouse is there.
+void applyGesture(const TimelineModel& model, const Layout& layout, const TimelineGesture& gesture,
+                  const ImVec2& mouse, TimelineOutcome& outcome);
+/// The wheel zooms about the mouse, with Shift it scrolls.
+void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& mouse,
+                TimelineOutcome& outcome);
+
+[[nodiscard]] Help helpFor(TimelinePart part);
+
+} // namespace stretch::ui::timeline_detail
