@@ -256,6 +256,22 @@ std::string optionHelp(const TrailSetting& setting) {
          (setting.unit.empty() ? "" : " [" + setting.unit + "]");
 }
 
+std::string problemOf(const Status& status) {
+  return status ? std::string() : status.error().line();
+}
+
+// A value that no trail can have is a wrong argument: found before any file is opened.
+std::string checkSettingText(const TrailSetting& setting, const std::string& text) {
+  const Result<Json> value = parseSettingText(setting, text);
+  rig::TrailSettings scratch;
+  return value ? problemOf(setTrailSetting(setting, *value, scratch)) : value.error().line();
+}
+
+std::string checkRangeText(const std::string& text) {
+  const Result<Vec2> range = parseRange(text);
+  return range ? std::string() : range.error().line();
+}
+
 void addTrailOptions(CLI::App& app) {
   constexpr const char* group = "Trail (each --limb starts the next)";
   const auto add = [&](const std::string& name, const std::string& help) {
@@ -263,12 +279,15 @@ void addTrailOptions(CLI::App& app) {
   };
   add("--limb", "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B");
   add("--range",
-      "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start");
+      "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start")
+      ->check(checkRangeText);
   for (const TrailSetting& setting : trailSettings()) {
     if (setting.kind == SettingKind::flag && !setting.option.empty()) {
       app.add_flag(setting.option)->description(optionHelp(setting))->group(group);
     } else if (!setting.option.empty()) {
-      add(setting.option, optionHelp(setting));
+      add(setting.option, optionHelp(setting))->check([&setting](const std::string& text) {
+        return checkSettingText(setting, text);
+      });
     }
   }
   app.add_flag("--no-pull")
