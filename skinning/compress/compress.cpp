@@ -85,7 +85,7 @@ void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, Sk
     fit.fitStretch = false;
   }
   if (skinned.chained) {
-    fitChainedBones(sequence, skinned, fit);
+    fitChainedBones(sequence, skinned);
   } else {
     fitFreeBones(sequence, skinned, fit);
   }

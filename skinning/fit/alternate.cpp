@@ -153,14 +153,14 @@ void writeFreePoses(const FitState& state, const std::vector<Eigen::Vector3d>& s
   }
 }
 
-fit::Chain makeChain(const SkinnedSequence& skinned, const Frame& frame, std::size_t firstFrame) {
+fit::Chain makeChain(const SkinnedSequence& skinned, const Frame& frame) {
   fit::Chain chain;
   const std::size_t bones = skinned.bones.size();
   for (const SkinBone& bone : skinned.bones) {
     chain.pivots.push_back(frame.in(bone.pivot));
   }
   chain.pivots.push_back(frame.in(skinned.bones.back().end));
-  for (std::size_t i = firstFrame * bones; i < skinned.poses.size(); ++i) {
+  for (std::size_t i = 0; i < skinned.poses.size(); ++i) {
     chain.stretches.push_back(stretchMatrix(skinned.poses[i]));
     chain.rotations.push_back(toEigen(skinned.poses[i].rotation));
     if (i % bones == 0) {
@@ -206,20 +206,12 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
   alignHemispheres(skinned);
 }
 
-void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings) {
-  constexpr int steps = 2;
-  constexpr int stepsForPosesAlone = 12;
+void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned) {
+  constexpr int steps = 12;
   const Frame frame = frameOf(skinned.bindPositions);
-  const std::size_t first = std::min(settings.firstWeightFrame, sequence.frameCount() - 1);
-  if (settings.fitWeights) {
-    FitState state = makeState(sequence, skinned, frame, first);
-    fit::Chain chain = makeChain(skinned, frame, first);
-    alternate(state, settings, [&] { fit::fitChain(state, chain, steps); });
-    skinned.influences = state.influences;
-  }
   FitState state = makeState(sequence, skinned, frame, 0);
-  fit::Chain chain = makeChain(skinned, frame, 0);
-  fit::fitChain(state, chain, stepsForPosesAlone);
+  fit::Chain chain = makeChain(skinned, frame);
+  fit::fitChain(state, chain, steps);
   writeChainedPoses(state, chain, frame, skinned);
   alignHemispheres(skinned);
 }

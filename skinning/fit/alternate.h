@@ -27,9 +27,10 @@ struct FitSettings {
 /// too where there are any.
 void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings);
 
-/// The same for bones that hang together (SkinnedSequence::chained): their stretches are given and stay,
-/// rotations and the place of the first bone are fitted.
-void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings);
+/// Poses of bones that hang together (SkinnedSequence::chained), influences given: their stretches stay, the
+/// place of the first bone and the rotations are fitted, the latter held near those of the poses, which
+/// should be measured ones.
+void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned);
 
 /// Parts of a mesh for bones without a skeleton: centres as far from each other as can be, every vertex with
 /// the nearest in the first frame. Bones have no direction: their axes are the mesh's.

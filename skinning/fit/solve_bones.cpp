@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <tbb/parallel_for.h>
@@ -119,58 +118,6 @@ void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit 
         fitBone(bind.own(b), pull, state.axes[b], stretch, state.matrix(frame, b),
                 scales[frame * state.boneCount + b]);
       }
-    }
-  });
-}
-
-void fitAffineBones(FitState& state) {
-  const BindMoments bind(state);
-  const auto size = static_cast<Eigen::Index>(4 * state.boneCount);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t b = 0; b < state.boneCount; ++b) {
-    const auto row = static_cast<Eigen::Index>(4 * b);
-    gram.block<4, 4>(row, row) = bind.own(b);
-    for (const BindMoments::Neighbour& neighbour : bind.neighbours(b)) {
-      gram.block<4, 4>(row, static_cast<Eigen::Index>(4 * neighbour.bone)) = neighbour.product;
-    }
-  }
-  const double ridge = 1e-6 * gram.trace() / static_cast<double>(size);
-  gram.diagonal().array() += ridge;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(gram);
-  tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    const std::vector<BoneMatrix> observed = observedMoments(state, frame);
-    Eigen::MatrixXd pull(size, 3);
-    for (std::size_t b = 0; b < state.boneCount; ++b) {
-      pull.middleRows<4>(static_cast<Eigen::Index>(4 * b)) =
-          (observed[b] + ridge * state.matrix(frame, b)).transpose();
-    }
-    const Eigen::MatrixXd solved = solver.solve(pull);
-    for (std::size_t b = 0; b < state.boneCount; ++b) {
-      state.matrix(frame, b) = solved.middleRows<4>(static_cast<Eigen::Index>(4 * b)).transpose();
-    }
-  });
-}
-
-void fitBindPose(FitState& state) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, state.vertexCount(), 64), [&](const auto& range) {
-    for (std::size_t v = range.begin(); v != range.end(); ++v) {
-      const Influences& influences = state.influences[v];
-      Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d pull = Eigen::Vector3d::Zero();
-      for (std::size_t k = 0; k < state.frameCount; ++k) {
-        BoneMatrix blend = BoneMatrix::Zero();
-        for (std::size_t i = 0; i < Influences::capacity; ++i) {
-          if (influences.weights[i] != 0.0F) {
-            blend += static_cast<double>(influences.weights[i]) * state.matrix(k, influences.bones[i]);
-          }
-        }
-        const Eigen::Matrix3d linear = blend.leftCols<3>();
-        gram += linear.transpose() * linear;
-        pull += linear.transpose() * (observedAt(state, v, k) - blend.col(3));
-      }
-      const double ridge = 1e-3 * gram.trace() / 3.0;
-      gram.diagonal().array() += ridge;
-      state.bind[v] = gram.ldlt().solve(pull + ridge * state.bind[v]);
     }
   });
 }

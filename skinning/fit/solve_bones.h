@@ -38,13 +38,6 @@ enum class StretchFit {
 /// stretch is free.
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps);
 
-/// Replaces every bone matrix by the best affine one, all bones of a frame together (a ridge towards the
-/// present ones keeps bones without vertices where they are).
-void fitAffineBones(FitState& state);
-
-/// Moves every vertex of the bind pose to where the frames fit best, weights and bones given.
-void fitBindPose(FitState& state);
-
 /// Root of the mean squared distance over all vertices and frames, in the units of the state (box diagonals).
 [[nodiscard]] double rootMeanSquare(const FitState& state);
 

@@ -54,6 +54,9 @@ public:
       }
       sum += links.matrices[b].cwiseProduct(pushed - 2.0 * observed_[b]).sum();
     }
+    for (std::size_t b = 0; b < bones_; ++b) {
+      sum += 0.5 * hold(b) * (links.rotations[b] - chain_.rotations[frame_ * bones_ + b]).squaredNorm();
+    }
     return sum;
   }
 
@@ -79,11 +82,27 @@ public:
       const auto row = static_cast<Eigen::Index>(6 * b);
       freePull.segment<3>(row) = crossOf(arms[b] * residual.transpose());
       freePull.segment<3>(row + 3) = residual.col(3);
+      // 1/2 |R - R0|^2 = 3 - tr(R0^T R): its gradient over small turns of R is the axial part of R0 R^T.
+      const Eigen::Matrix3d back = chain_.rotations[frame_ * bones_ + b] * links.rotations[b].transpose();
+      freePull.segment<3>(row) +=
+          hold(b) *
+          Eigen::Vector3d(back(2, 1) - back(1, 2), back(0, 2) - back(2, 0), back(1, 0) - back(0, 1)) * 0.5;
+      free.block<3, 3>(row, row).diagonal().array() += hold(b);
     }
     chainRows(links, free, freePull, matrix, pull);
   }
 
 private:
+  /// How strongly a bone is held to the rotation that it starts with: a share of its own resistance to being
+  /// turned. A chain that is too long for the body would otherwise fold up, each frame in another way.
+  [[nodiscard]] double hold(std::size_t bone) const {
+    constexpr double share = 0.5;
+    const Eigen::Matrix4d& own = bind_.own(bone);
+    const Eigen::Vector3d& pivot = chain_.pivots[bone];
+    return share * (own.block<3, 3>(0, 0).trace() - 2.0 * pivot.dot(own.block<3, 1>(0, 3)) +
+                    own(3, 3) * pivot.squaredNorm());
+  }
+
   static void addPair(Eigen::MatrixXd& free, const std::vector<Eigen::Matrix<double, 3, 4>>& arms,
                       std::size_t a, std::size_t b, const Eigen::Matrix4d& product) {
     const Eigen::Matrix3d spread = arms[a] * product * arms[b].transpose();

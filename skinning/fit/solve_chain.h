@@ -14,8 +14,8 @@ struct Chain {
 };
 
 /// Lowers the squared error over all vertices frame by frame, over the rotations and the root, by
-/// Gauss-Newton steps with damping; weights, bind pose and stretches are given. Writes the bone matrices of
-/// the state. Never raises the error.
+/// Gauss-Newton steps with damping; weights, bind pose and stretches are given, and rotations are held near
+/// those of the start. Writes the bone matrices of the state. Never raises the error of the start.
 void fitChain(FitState& state, Chain& chain, int iterations);
 
 } // namespace stretch::skinning::fit
