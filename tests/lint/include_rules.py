@@ -25,7 +25,7 @@ LIBRARIES = [
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
     ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
     ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),
-    ("CLI11", r"CLI/", r"(app|ui)/batch/|tests/app/"),
+    ("CLI11", r"CLI/", r"(app|ui)/batch/|tests/(app|bench)/"),
     ("Catch2", r"catch2/", r"tests/"),
 ]
 # Heavy headers that no other room may meet, not even through a header of the room that owns them.

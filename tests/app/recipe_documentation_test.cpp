@@ -1,0 +1,137 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <fmt/core.h>
+
+#include "app/document.h"
+#include "app/recipe.h"
+#include "app/trail_description.h"
+#include "app/trail_json.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+const std::string documentation = STRETCH_SOURCE_DIR "/docs/recipes.md";
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  REQUIRE(file);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The cells of the table row whose first cell is `key`; empty when there is none.
+std::vector<std::string> rowOf(const std::string& text, const std::string& key) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("| `" + key + "` |", 0) == 0) {
+      std::vector<std::string> cells;
+      std::istringstream rest(line.substr(1));
+      for (std::string cell; std::getline(rest, cell, '|');) {
+        cells.push_back(cell.substr(1, cell.size() - 2));
+      }
+      return cells;
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> wantedValues(const TrailSetting& setting) {
+  switch (setting.kind) {
+  case SettingKind::number:
+  case SettingKind::optionalNumber:
+    return {fmt::format("{:g} to {:g}", setting.minimum, setting.maximum)};
+  case SettingKind::flag:
+    return {"`true`", "`false`"};
+  case SettingKind::axes:
+    return {"`x`", "`y`", "`z`"};
+  case SettingKind::ease:
+    return {"[fraction, value]"};
+  case SettingKind::choice:
+    break;
+  }
+  std::vector<std::string> values;
+  for (const std::string& choice : setting.choices) {
+    values.push_back("`" + choice + "`");
+  }
+  return values;
+}
+
+std::string plain(const std::string& cell) {
+  std::string text;
+  for (const char letter : cell) {
+    if (letter != '`' && letter != '"') {
+      text += letter;
+    }
+  }
+  return text;
+}
+
+std::string defaultText(const gltf::Json& value) {
+  if (value.is_array()) {
+    return fmt::format("[{:g}, {:g}]", value[0].get<double>(), value[1].get<double>());
+  }
+  return value.is_number() ? fmt::format("{:g}", value.get<double>()) : plain(value.dump());
+}
+
+Document dummy() {
+  Result<Document> document = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(document.ok());
+  return std::move(document).value();
+}
+
+} // namespace
+
+TEST_CASE("the documentation of recipes has a row for every setting, as the program takes it") {
+  const std::string text = textOf(documentation);
+  for (const TrailSetting& setting : trailSettings()) {
+    INFO(setting.name);
+    const std::vector<std::string> cells = rowOf(text, setting.name);
+    REQUIRE(cells.size() == 5);
+    CHECK(plain(cells[1]) == (setting.option.empty() ? "--no-" + setting.name : setting.option));
+    for (const std::string& value : wantedValues(setting)) {
+      CHECK_THAT(cells[2], Catch::Contains(value));
+    }
+    CHECK(plain(cells[3]) == defaultText(setting.read(rig::TrailSettings{})));
+  }
+}
+
+TEST_CASE("the documentation of recipes names every key that a saved recipe holds") {
+  const std::string text = textOf(documentation);
+  Document document = dummy();
+  rig::Trail trail;
+  trail.limb = document.biped.limbs.front().id;
+  trail.settings.space = rig::TrailSpace::view;
+  trail.settings.stopAt = rig::StopPlane{};
+  document.trails = {trail};
+  const gltf::Json recipe = recipeToJson(document, 0);
+  for (const gltf::Json* object : {&recipe, &recipe["trails"][0]}) {
+    for (const auto& [key, value] : object->items()) {
+      INFO(key);
+      CHECK_FALSE(rowOf(text, key).empty());
+    }
+  }
+}
+
+TEST_CASE("the documented recipe and the bundled ones play on the bundled character") {
+  const std::string text = textOf(documentation);
+  const std::size_t begin = text.find("```json\n") + 8;
+  Document document = dummy();
+  const Result<Recipe> documented =
+      recipeFromJson(gltf::Json::parse(text.substr(begin, text.find("```", begin) - begin)), document);
+  INFO((documented.ok() ? std::string() : documented.error().line()));
+  REQUIRE(documented.ok());
+  CHECK(documented->trails.size() == 2);
+  for (const auto& entry : std::filesystem::directory_iterator(STRETCH_SOURCE_DIR "/docs/recipes")) {
+    const Result<Recipe> bundled = loadRecipe(entry.path(), document);
+    INFO(entry.path() << (bundled.ok() ? std::string() : bundled.error().line()));
+    CHECK(bundled.ok());
+  }
+}

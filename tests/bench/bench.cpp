@@ -1,0 +1,145 @@
+// bench [--repeat N] [FILE...]: what the program's own work costs, as ratios within one run. Without a file:
+// the bundled character. Every file gets a trail on its first limb, over the first clip.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "app/document.h"
+#include "app/edits/sphere_edits.h"
+#include "app/evaluate.h"
+#include "app/save.h"
+#include "core/base/check.h"
+#include "tests/bench/measure.h"
+
+namespace stretch::bench {
+
+namespace {
+
+constexpr double scale = 3.0;
+constexpr std::size_t samplesPerFrame = 4;
+
+std::size_t vertexCount(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      count += primitive.positions.size();
+    }
+  }
+  return count;
+}
+
+/// A connected trail over the whole clip on each of the first `limbs` limbs.
+app::Document withTrails(app::Document document, std::size_t limbs) {
+  const Clip& clip = app::clipOf(document, 0);
+  for (std::size_t i = 0; i < std::min(limbs, document.biped.limbs.size()); ++i) {
+    rig::Trail trail;
+    trail.id = document.nextTrailId++;
+    trail.limb = document.biped.limbs[i].id;
+    trail.settings.endFrame = clip.endSeconds * clip.framesPerSecond;
+    trail.settings.scale = scale;
+    trail.exaggerated = true;
+    trail.connected = true;
+    document.trails.push_back(std::move(trail));
+  }
+  return document;
+}
+
+/// One step of a drag: what one mouse move costs between the event and the drawing.
+void refresh(const app::Document& atBegin, double frame, double pull) {
+  const app::SphereMove move{frame, Vec3(0.0, pull, 0.0)};
+  const Result<app::Document> preview = app::moveSpheres(atBegin, atBegin.trails.front().id, {&move, 1});
+  check(preview.ok(), "the sphere of a bench can be moved");
+  const rig::MotionState motion = app::prepareMotion(*preview, 0);
+  const Clip& clip = app::clipOf(*preview, 0);
+  for (const rig::SolvedTrail& solved : motion.trails) {
+    static_cast<void>(rig::drawnPaths(*preview->scene, clip, motion, solved, samplesPerFrame));
+  }
+  static_cast<void>(app::evaluate(*preview, motion, frame / clip.framesPerSecond));
+}
+
+std::vector<Row> motionRows(const app::Document& document, int repetitions) {
+  const Clip& clip = app::clipOf(document, 0);
+  const double middleSeconds = 0.5 * (clip.startSeconds + clip.endSeconds);
+  const double middleFrame = middleSeconds * clip.framesPerSecond;
+  const auto timed = [&](const std::function<void()>& work) { return measure(repetitions, work); };
+  std::vector<Row> rows;
+  rows.push_back({"a frame of the clip as it is",
+                  timed([&] { static_cast<void>(app::evaluateOriginal(document, 0, middleSeconds)); })});
+  for (const std::size_t limbs : {std::size_t{1}, document.biped.limbs.size()}) {
+    const app::Document moving = withTrails(document, limbs);
+    const rig::MotionState motion = app::prepareMotion(moving, 0);
+    const std::string trails =
+        fmt::format("{} trail{}", motion.trails.size(), motion.trails.size() == 1 ? "" : "s");
+    rows.push_back({"a frame with " + trails,
+                    timed([&] { static_cast<void>(app::evaluate(moving, motion, middleSeconds)); })});
+    const double pull = 0.01 * document.biped.height;
+    rows.push_back({"a sphere dragged, " + trails + ": edit to frame",
+                    timed([&] { refresh(moving, middleFrame, pull); })});
+  }
+  return rows;
+}
+
+std::vector<Row> fileRows(const std::filesystem::path& path, const app::Document& document, int repetitions) {
+  const std::filesystem::path output = std::filesystem::temp_directory_path() / "stretch-engine-bench.glb";
+  std::vector<Row> rows;
+  rows.push_back({"open", measure(repetitions, [&] { static_cast<void>(app::openDocument(path)); })});
+  rows.push_back({"save without an edit",
+                  measure(repetitions, [&] { static_cast<void>(app::saveDocument(document, output, {})); })});
+  if (!document.clips->empty() && !document.biped.limbs.empty()) {
+    app::Document moving = withTrails(document, 1);
+    rig::Trail& trail = moving.trails.front();
+    trail.applied = trail.settings;
+    rows.push_back({"save with one trail applied",
+                    measure(repetitions, [&] { static_cast<void>(app::saveDocument(moving, output, {})); })});
+  }
+  std::filesystem::remove(output);
+  return rows;
+}
+
+bool benchFile(const std::filesystem::path& path, int repetitions) {
+  const Result<app::Document> document = app::openDocument(path);
+  if (!document) {
+    fmt::print(stderr, "bench: {}\n", document.error().line());
+    return false;
+  }
+  fmt::print("\n{}: {:.1f} MB, {} vertices, {} nodes, {} limbs", path.filename().string(),
+             static_cast<double>(std::filesystem::file_size(path)) * 1e-6, vertexCount(*document->scene),
+             document->scene->nodes.size(), document->biped.limbs.size());
+  const bool moves = !document->clips->empty() && !document->biped.limbs.empty();
+  if (moves) {
+    const Clip& clip = app::clipOf(*document, 0);
+    fmt::print("; first clip: {} frames, {} tracks", frameCount(clip), clip.tracks.size());
+  }
+  fmt::print("\n");
+  printTable("file", fileRows(path, *document, std::max(repetitions / 10, 3)));
+  if (moves) {
+    printTable("motion", motionRows(*document, repetitions));
+  }
+  return true;
+}
+
+} // namespace
+
+} // namespace stretch::bench
+
+int main(int argumentCount, char** arguments) {
+  CLI::App program{"What the program's own work costs, as ratios within one run."};
+  std::vector<std::string> files;
+  int repetitions = 50;
+  program.add_option("FILE", files, "Characters; default: the bundled one");
+  program.add_option("--repeat", repetitions, "Repetitions of each measurement")
+      ->check(CLI::Range(1, 100000));
+  CLI11_PARSE(program, argumentCount, arguments);
+  if (files.empty()) {
+    files.emplace_back(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  }
+  bool allRead = true;
+  for (const std::string& file : files) {
+    allRead = stretch::bench::benchFile(file, repetitions) && allRead;
+  }
+  return allRead ? 0 : 1;
+}
