@@ -10,18 +10,18 @@ namespace stretch::ui {
 /// gone.
 void beginPanels(PanelContext& context);
 
-void drawMenuBar(
-    PanelContext& context); ///< Inside BeginMainMenuBar/EndMainMenuBar or a menu bar of a window.
+void drawMenuBar(PanelContext& context);     ///< Inside BeginMainMenuBar/EndMainMenuBar or a menu bar of a
+                                             ///< window.
 void drawRigPanel(PanelContext& context);    ///< Left, top.
 void drawLimbPanel(PanelContext& context);   ///< Left: the limb diagram.
 void drawTrailsPanel(PanelContext& context); ///< Right, top: list of trails and what can be done with them.
 void drawTrailSettingsPanel(PanelContext& context); ///< Right.
-void drawBottomPanel(
-    PanelContext& context); ///< Bottom, everything: tabs, play controls and what the tab shows. Or:
-void drawTimelinePanel(
-    PanelContext& context); ///< Play controls, ruler, range, keys of the selection, trails.
-void drawGraphPanel(
-    PanelContext& context); ///< Curves of the selected limb, or the dope sheet where its tab is on.
+void drawBottomPanel(PanelContext& context);   ///< Bottom, everything: tabs, play controls and what the tab
+                                               ///< shows. Or:
+void drawTimelinePanel(PanelContext& context); ///< Play controls, ruler, range, keys of the selection,
+                                               ///< trails.
+void drawGraphPanel(PanelContext& context);  ///< Curves of the selected limb, or the dope sheet where its tab
+                                             ///< is on.
 void drawDopeSheet(PanelContext& context);   ///< Keys of every limb.
 void drawStatusBar(PanelContext& context);   ///< One row of Theme::rowHeight().
 void drawViewportBar(PanelContext& context); ///< Over the viewport's top edge: switches of the overlays.

@@ -22,8 +22,8 @@ namespace stretch::ui {
 
 namespace {
 
-constexpr double liveSeconds =
-    0.8; ///< Drawn on for this long after the last event: tooltips come up meanwhile.
+constexpr double liveSeconds = 0.8; ///< Drawn on for this long after the last event: tooltips come up
+                                    ///< meanwhile.
 
 /// The parts of a running editor, in the order in which they are made.
 struct Editor {

@@ -34,9 +34,9 @@ struct FileWork {
   std::filesystem::path offeredSource;   ///< The file that it belongs to.
   std::filesystem::path stampedPath;     ///< File whose stamp is kept.
   std::optional<FileStamp> stamp;        ///< As we last read or wrote it.
-  std::filesystem::path
-      changedSavePath;     ///< Save that waits for "yes, overwrite": changed by another program.
-  bool changeTold = false; ///< The user knows that the file changed.
+  std::filesystem::path changedSavePath; ///< Save that waits for "yes, overwrite": changed by another
+                                         ///< program.
+  bool changeTold = false;               ///< The user knows that the file changed.
   double lastEditSeconds = 0.0;
   double lastAutosaveSeconds = -1.0;
   app::Document autosaved; ///< What the last autosave holds.
