@@ -1,0 +1,173 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/math/rotation.h"
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+// Length of the limb at the tip over the source's there.
+double ratioAtTip(const MovingBiped& moving, const Trail& trail) {
+  const MotionState motion = solved(moving, {trail});
+  const Limb& limb = moving.limb(trail.limb);
+  const double frame = motion.trails.front().tipSeconds * moving.clip.framesPerSecond;
+  return lengthOf(limb, atFrame(moving, motion, frame)) / lengthOf(limb, sourceAtFrame(moving, frame));
+}
+
+double innerAngle(const std::vector<Vec3>& points) { return angleBetween(points[0] - points[1], points[2] - points[1]); }
+
+} // namespace
+
+TEST_CASE("at the tip the limb is as many times as long as the scale says") {
+  const MovingBiped moving = punchingBiped();
+  for (const std::string limb : {"left-arm", "left-leg"}) {
+    for (const Bend bend : {Bend::keep, Bend::straighten}) {
+      for (const double scale : {0.5, 2.0, 3.0}) {
+        for (const TrailSpace space : {TrailSpace::world, TrailSpace::root, TrailSpace::base}) {
+          for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+            Trail trail = connectedTrail(limb, 0, 12, scale);
+            trail.settings.bend = bend;
+            trail.settings.space = space;
+            trail.settings.pivot = pivot;
+            CAPTURE(limb, bend == Bend::keep, scale, static_cast<int>(space), pivot == Pivot::start);
+            CHECK(ratioAtTip(moving, trail) == Approx(scale).epsilon(1e-4));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the spine and the neck come to their length too") {
+  MovingBiped moving = still(namedBody({.spineJoints = 4, .neckJoints = 2}));
+  addPunch(moving, Interpolation::linear);
+  for (const Bend bend : {Bend::keep, Bend::straighten}) {
+    for (const double scale : {0.5, 1.5, 2.0}) {
+      for (const std::string limb : {"spine", "neck"}) {
+        Trail trail = connectedTrail(limb, 0, 12, scale);
+        trail.settings.bend = bend;
+        CAPTURE(limb, bend == Bend::keep, scale);
+        CHECK(ratioAtTip(moving, trail) == Approx(scale).epsilon(1e-4));
+      }
+    }
+  }
+}
+
+TEST_CASE("the hand is at the drawn trail on every frame of the range") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  for (const Bend bend : {Bend::keep, Bend::straighten}) {
+    for (const double scale : {0.5, 2.0}) {
+      Trail trail = connectedTrail("left-arm", 0, 12, scale);
+      trail.settings.bend = bend;
+      trail.settings.easeIn = {0.4, 0.1};
+      const MotionState motion = solved(moving, {trail});
+      const DrawnTrail drawn = drawnPaths(moving.scene, moving.clip, motion, motion.trails.front(), 2);
+      for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+        CAPTURE(bend == Bend::keep, scale, drawn.frames[i]);
+        const Vec3 hand = endPosition(arm, atFrame(moving, motion, drawn.frames[i]).worlds);
+        CHECK(glm::length(hand - drawn.exaggerated[i]) < 1e-5 * moving.biped.height);
+        CHECK(glm::length(endPosition(arm, sourceAtFrame(moving, drawn.frames[i]).worlds) - drawn.original[i]) < 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("with the rest reference the limb is as many rest lengths long") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 1.5);
+  trail.settings.reference = Reference::rest;
+  CHECK(lengthOf(arm, atFrame(moving, solved(moving, {trail}), 12)) == Approx(1.5 * arm.restLength).epsilon(1e-4));
+}
+
+TEST_CASE("a scale below the smallest is taken as it and reported") {
+  const MovingBiped moving = punchingBiped();
+  const Trail trail = connectedTrail("left-arm", 0, 12, 0.0);
+  CHECK(ratioAtTip(moving, trail) == Approx(smallestScale).epsilon(1e-4));
+  REQUIRE_FALSE(solved(moving, {trail}).trails.front().warnings.empty());
+}
+
+TEST_CASE("an axis that is off does not move the hand along it") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.5);
+  trail.settings.axes = {true, false, true};
+  const MotionState motion = solved(moving, {trail});
+  for (double frame = 0.0; frame <= 18.0; frame += 0.5) {
+    const double before = endPosition(arm, sourceAtFrame(moving, frame).worlds).y;
+    CHECK(endPosition(arm, atFrame(moving, motion, frame).worlds).y == Approx(before).margin(1e-5));
+  }
+  CHECK(ratioAtTip(moving, trail) == Approx(2.5).epsilon(1e-4));
+}
+
+TEST_CASE("in the view's space the axes are the camera's") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+  trail.settings.space = TrailSpace::view;
+  trail.settings.viewAxes = glm::mat3_cast(axisAngle(glm::normalize(Vec3(1, 2, 3)), 0.7));
+  trail.settings.axes = {true, true, false};
+  const MotionState motion = solved(moving, {trail});
+  const Vec3 moved = endPosition(arm, atFrame(moving, motion, 12).worlds) - endPosition(arm, sourceAtFrame(moving, 12).worlds);
+  CHECK(glm::length(moved) > 0.1);
+  CHECK(std::abs(glm::dot(moved, trail.settings.viewAxes[2])) < 1e-5);
+  CHECK(ratioAtTip(moving, trail) == Approx(2.0).epsilon(1e-4));
+}
+
+TEST_CASE("keeping the bend keeps the elbow's angle on every frame") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  for (const double scale : {0.5, 3.0}) {
+    const MotionState motion = solved(moving, {connectedTrail("left-arm", 0, 12, scale)});
+    for (double frame = 0.0; frame <= 18.0; frame += 0.5) {
+      CAPTURE(scale, frame);
+      const double before = innerAngle(limbPoints(arm, sourceAtFrame(moving, frame).worlds));
+      CHECK(innerAngle(limbPoints(arm, atFrame(moving, motion, frame).worlds)) == Approx(before).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("a lowered switch lets the hand fall short, pointing at the target") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 3.0);
+  trail.settings.stretchSwitch = 0.5;
+  const MotionState motion = solved(moving, {trail});
+  const std::vector<Vec3> points = limbPoints(arm, atFrame(moving, motion, 12).worlds);
+  const Vec3 target = drawnPaths(moving.scene, moving.clip, motion, motion.trails.front(), 1).exaggerated[12];
+  CHECK(glm::length(points.back() - points.front()) == Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
+  CHECK(angleBetween(points.back() - points.front(), target - points.front()) < 1e-5);
+}
+
+TEST_CASE("half the blend is half of the way, for the path and for the limb") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+  const Vec3 original = endPosition(arm, sourceAtFrame(moving, 12).worlds);
+  const Vec3 full = endPosition(arm, atFrame(moving, solved(moving, {trail}), 12).worlds);
+  trail.settings.blend = 1.0;
+  const Vec3 half = endPosition(arm, atFrame(moving, solved(moving, {trail}), 12).worlds);
+  CHECK(glm::length(half - 0.5 * (original + full)) < 1e-5);
+}
+
+TEST_CASE("the hand and the foot keep their orientation, or turn with the limb when asked to") {
+  const MovingBiped moving = punchingBiped();
+  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.5);
+  const auto turnOfHand = [&] {
+    const Quat before = rotationOf(sourceAtFrame(moving, 8).worlds[hand]);
+    const Quat after = rotationOf(atFrame(moving, solved(moving, {trail}), 8).worlds[hand]);
+    return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(before, after))));
+  };
+  CHECK(turnOfHand() < 1e-6);
+  trail.settings.turnEnd = true;
+  CHECK(turnOfHand() > 1e-3);
+}

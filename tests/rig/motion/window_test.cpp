@@ -1,0 +1,201 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+Vec3 handOffset(const MovingBiped& moving, const MotionState& motion, double frame) {
+  const Limb& arm = moving.limb("left-arm");
+  return endPosition(arm, atFrame(moving, motion, frame).worlds) - endPosition(arm, sourceAtFrame(moving, frame).worlds);
+}
+
+double miss(const MovingBiped& moving, const MotionState& motion, double frame) {
+  return largestMatrixMiss(atFrame(moving, motion, frame), sourceAtFrame(moving, frame));
+}
+
+} // namespace
+
+TEST_CASE("an unedited clip goes through the rig unchanged") {
+  for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubicSpline}) {
+    SyntheticBiped body = namedBody();
+    body.posedAtRest = interpolation == Interpolation::cubicSpline;
+    MovingBiped moving = still(body);
+    addPunch(moving, interpolation);
+    std::vector<Trail> trails;
+    for (const Limb& limb : moving.biped.limbs) {
+      for (const Bend bend : {Bend::keep, Bend::straighten}) {
+        trails = {connectedTrail(limb.id, 0, 12, 1.0)};
+        trails[0].settings.bend = bend;
+        Trail unblended = connectedTrail(limb.id, 0, 12, 2.0);
+        unblended.settings.bend = bend;
+        unblended.settings.blend = 0.0;
+        for (const std::vector<Trail>& used : {trails, std::vector<Trail>{unblended}}) {
+          const MotionState motion = solved(moving, used);
+          for (double frame = 0.0; frame <= 24.0; frame += 1.5) {
+            CAPTURE(limb.id, bend == Bend::keep, used[0].settings.scale, frame);
+            CHECK(miss(moving, motion, frame) < 1e-5 * moving.biped.height);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a trail that is not connected moves nothing") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 0, 12, 3.0);
+  trail.connected = false;
+  const MotionState motion = solved(moving, {trail});
+  CHECK_FALSE(motion.trails.front().active);
+  CHECK(miss(moving, motion, 12) == 0.0);
+}
+
+TEST_CASE("outside range and release nothing moves") {
+  const MovingBiped moving = punchingBiped();
+  for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+    Trail trail = connectedTrail("left-arm", 6, 12, 3.0);
+    trail.settings.pivot = pivot;
+    trail.settings.releaseFrames = 4.0;
+    const MotionState motion = solved(moving, {trail});
+    const double first = pivot == Pivot::start ? 6.0 : 2.0;
+    const double last = pivot == Pivot::start ? 16.0 : 12.0;
+    for (double frame = 0.0; frame <= 24.0; frame += 0.25) {
+      CAPTURE(pivot == Pivot::start, frame);
+      if (frame <= first || frame >= last) {
+        CHECK(miss(moving, motion, frame) < 1e-6);
+      }
+    }
+    CHECK(glm::length(handOffset(moving, motion, pivot == Pivot::start ? 14.0 : 4.0)) > 0.01);
+  }
+}
+
+TEST_CASE("the motion has no jump anywhere with a release") {
+  const MovingBiped moving = punchingBiped();
+  for (const Bend bend : {Bend::keep, Bend::straighten}) {
+    for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+      Trail trail = connectedTrail("left-arm", 6, 12, 2.0);
+      trail.settings.pivot = pivot;
+      trail.settings.bend = bend;
+      trail.settings.releaseFrames = 6.0;
+      trail.settings.overshoot = 0.3;
+      const MotionState motion = solved(moving, {trail});
+      for (const double border : {0.0, 6.0, 12.0, 18.0}) {
+        CAPTURE(bend == Bend::keep, pivot == Pivot::start, border);
+        CHECK(largestNodeMiss(atFrame(moving, motion, border - 1e-4), atFrame(moving, motion, border + 1e-4)) < 1e-3);
+      }
+    }
+  }
+}
+
+TEST_CASE("the default release of a sparsely keyed clip goes to the controller's next key") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState forwards = solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
+  CHECK(forwards.trails.front().release.seconds() == Approx(0.25));
+  Trail trail = connectedTrail("left-arm", 12, 24, 2.0);
+  trail.settings.pivot = Pivot::end;
+  CHECK(solved(moving, {trail}).trails.front().release.seconds() == Approx(0.25));
+}
+
+TEST_CASE("the default release of a densely keyed clip is a third of the range, within the clip") {
+  MovingBiped moving = punchingBiped();
+  moving.clip = keyedOnEveryFrame(moving.clip);
+  CHECK(solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)}).trails.front().release.seconds() == Approx(4.0 / 24.0));
+  CHECK(solved(moving, {connectedTrail("left-arm", 6, 22, 2.0)}).trails.front().release.seconds() == Approx(2.0 / 24.0));
+  CHECK(solved(moving, {connectedTrail("left-arm", 6, 24, 2.0)}).trails.front().release.seconds() == 0.0);
+}
+
+TEST_CASE("a release of no length gives the source back right after the tip") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+  trail.settings.releaseFrames = 0.0;
+  const MotionState motion = solved(moving, {trail});
+  CHECK(glm::length(handOffset(moving, motion, 12.0)) > 0.1);
+  CHECK(miss(moving, motion, 12.001) == 0.0);
+}
+
+TEST_CASE("the tip is met where its key is stored in single precision, however late in the clip") {
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
+    track.edit([](Track& late) {
+      for (float& time : late.times) {
+        time += 70.0F;
+      }
+    });
+  }
+  moving.clip.startSeconds = 70.0;
+  moving.clip.endSeconds = 71.0;
+  for (double tip = 1684.0; tip < 1700.0; tip += 1.0) {
+    Trail trail = connectedTrail("left-arm", 1680, tip, 2.0);
+    trail.settings.releaseFrames = 0.0;
+    const MotionState motion = solved(moving, {trail});
+    const double seconds = static_cast<double>(static_cast<float>(tip / 24.0));
+    CAPTURE(tip);
+    CHECK(glm::length(handOffset(moving, motion, seconds * 24.0) - handOffset(moving, motion, tip)) < 1e-4);
+  }
+}
+
+TEST_CASE("the release swings past the original by the overshoot") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+  trail.settings.releaseFrames = 8.0;
+  trail.settings.overshoot = 0.4;
+  const MotionState motion = solved(moving, {trail});
+  const Vec3 atTip = handOffset(moving, motion, 12.0);
+  double lowest = 1.0;
+  for (double frame = 12.0; frame <= 20.0; frame += 0.1) {
+    lowest = std::min(lowest, glm::dot(handOffset(moving, motion, frame), atTip) / glm::dot(atTip, atTip));
+  }
+  CHECK(lowest == Approx(-0.4).margin(0.01));
+}
+
+TEST_CASE("on a loop the release wraps to the clip's start, without a jump where it repeats") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 12, 24, 2.0);
+  trail.settings.releaseFrames = 6.0;
+  const MotionState motion = solved(moving, {trail}, true);
+  CHECK(glm::length(handOffset(moving, motion, 24.0)) > 0.05);
+  CHECK(glm::length(handOffset(moving, motion, 0.0) - handOffset(moving, motion, 24.0)) < 1e-3);
+  CHECK(glm::length(handOffset(moving, motion, 0.001) - handOffset(moving, motion, 24.0)) < 1e-3);
+  CHECK(glm::length(handOffset(moving, motion, 6.0)) < 1e-6);
+  CHECK(miss(moving, motion, 8.0) == 0.0);
+}
+
+TEST_CASE("the hand comes as far as the stop plane and not past it") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& arm = moving.limb("left-arm");
+  Trail trail = connectedTrail("left-arm", 0, 12, 3.0);
+  const Vec3 original = endPosition(arm, sourceAtFrame(moving, 12).worlds);
+  const Vec3 stretched = endPosition(arm, atFrame(moving, solved(moving, {trail}), 12).worlds);
+  const Vec3 normal = 7.0 * glm::normalize(stretched - original);
+  trail.settings.stopAt = StopPlane{original + 0.4 * (stretched - original), normal};
+  const MotionState motion = solved(moving, {trail});
+  for (double frame = 0.0; frame <= 18.0; frame += 0.25) {
+    const Vec3 hand = endPosition(arm, atFrame(moving, motion, frame).worlds);
+    CHECK(glm::dot(normal, hand - trail.settings.stopAt->point) < 1e-4);
+  }
+  CHECK(glm::length(endPosition(arm, atFrame(moving, motion, 12).worlds) - trail.settings.stopAt->point) < 1e-5);
+}
+
+TEST_CASE("a pulled sphere moves the hand by its offset; one at the pivot fades in") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 6, 18, 1.0);
+  trail.settings.releaseFrames = 4.0;
+  trail.settings.spheres = {{12.0, Vec3(0.05, 0.1, -0.02)}};
+  const MotionState middle = solved(moving, {trail});
+  CHECK(glm::length(handOffset(moving, middle, 12.0) - Vec3(0.05, 0.1, -0.02)) < 1e-5);
+  CHECK(miss(moving, middle, 5.0) == 0.0);
+
+  trail.settings.spheres = {{6.0, Vec3(0.05, 0.1, -0.02)}};
+  const MotionState pivot = solved(moving, {trail});
+  CHECK(glm::length(handOffset(moving, pivot, 6.0) - Vec3(0.05, 0.1, -0.02)) < 1e-5);
+  CHECK(glm::length(handOffset(moving, pivot, 4.0) - 0.5 * Vec3(0.05, 0.1, -0.02)) < 1e-5);
+  CHECK(miss(moving, pivot, 2.0) < 1e-6);
+}
