@@ -71,33 +71,56 @@ Vec3 endVector(const Chain& chain, const std::vector<Quat>& turns, double stretc
   return sum * stretch;
 }
 
-// Bones turned in their planes towards the chord: 0 as they are, 1 straight, below 0 curled further.
+// Bones turned in their planes towards the chord: 0 as they are, 1 straight.
 std::vector<Quat> uncurled(const Chain& chain, double amount, const Vec3& bendNormal) {
   std::vector<Quat> turns;
   for (const Vec3& bone : chain.bones) {
-    const double angle = angleBetween(bone, chain.chord);
-    // A bone along the chord has no plane of its own: it curls in the limb's bend plane.
-    const Vec3 axis = angle > 1e-6 ? unitOr(glm::cross(bone, chain.chord), bendNormal) : bendNormal;
-    turns.push_back(axisAngle(axis, amount * angle));
+    const Vec3 axis = unitOr(glm::cross(bone, chain.chord), bendNormal);
+    turns.push_back(axisAngle(axis, amount * angleBetween(bone, chain.chord)));
   }
   return turns;
 }
 
-// Reach grows with the amount from fully curled to straight: bisection.
-std::vector<Quat> uncurlToReach(const Chain& chain, double stretch, double reach, const Vec3& bendNormal) {
-  const auto reachAt = [&](double amount) {
-    return glm::length(endVector(chain, uncurled(chain, amount, bendNormal), stretch));
-  };
-  if (std::abs(reachAt(0.0) - reach) <= 1e-12 * reach) {
-    return uncurled(chain, 0.0, bendNormal);
+// 1 where the limb bends about the normal, -1 where it is bent backwards.
+double bendSide(const Chain& chain, const Vec3& bendNormal) {
+  double bend = 0.0;
+  for (std::size_t i = 1; i < chain.bones.size(); ++i) {
+    bend += glm::dot(bendNormal, glm::cross(chain.bones[i - 1], chain.bones[i]));
   }
-  double low = reachAt(0.0) > reach ? -2.0 : 0.0;
-  double high = reachAt(0.0) > reach ? 0.0 : 1.0;
+  return bend < 0.0 ? -1.0 : 1.0;
+}
+
+// Bones turned about the bend normal, each further than the one before: 0 as they are, 1 a straight chain of
+// equal bones rolled up to a closed ring. Works for a straight chain too, which has no planes of its own.
+std::vector<Quat> curled(const Chain& chain, double amount, const Vec3& bendNormal) {
+  std::vector<Quat> turns;
+  const auto count = static_cast<double>(chain.bones.size());
+  const double ring = 2.0 * pi * bendSide(chain, bendNormal);
+  for (std::size_t i = 0; i < chain.bones.size(); ++i) {
+    const double place = (static_cast<double>(i) + 0.5) / count - 0.5;
+    turns.push_back(axisAngle(bendNormal, amount * ring * place));
+  }
+  return turns;
+}
+
+// The chain longer or shorter between its ends until it spans `reach`: bisection.
+std::vector<Quat> turnsToReach(const Chain& chain, double stretch, double reach, const Vec3& bendNormal) {
+  const double now = stretch * chain.reach;
+  const bool opens = now < reach;
+  const auto turnsAt = [&](double amount) {
+    return opens ? uncurled(chain, amount, bendNormal) : curled(chain, amount, bendNormal);
+  };
+  if (std::abs(now - reach) <= 1e-12 * reach) {
+    return turnsAt(0.0);
+  }
+  double low = 0.0;
+  double high = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (reachAt(middle) < reach ? low : high) = middle;
+    const bool shorter = glm::length(endVector(chain, turnsAt(middle), stretch)) < reach;
+    (shorter == opens ? low : high) = middle;
   }
-  return uncurled(chain, 0.5 * (low + high), bendNormal);
+  return turnsAt(0.5 * (low + high));
 }
 
 // Angle at the base between the first bone and the chord of a triangle with these sides.
@@ -117,7 +140,7 @@ std::vector<Quat> twoBoneTurns(const Chain& chain, double stretch, double reach,
   const double endBefore = baseAngle(second, first, chain.reach);
   const double baseAfter = baseAngle(first * stretch, second * stretch, reach);
   const double endAfter = baseAngle(second * stretch, first * stretch, reach);
-  const double side = glm::dot(normal, glm::cross(chain.bones[0], chain.bones[1])) < 0.0 ? -1.0 : 1.0;
+  const double side = bendSide(chain, normal);
   return {axisAngle(normal, -side * (baseAfter - baseBefore)),
           axisAngle(normal, side * (endAfter - endBefore))};
 }
@@ -130,8 +153,9 @@ void turnAll(std::vector<Quat>& turns, const Quat& turn) {
 
 LimbShape keepBend(const LimbShapeProblem& problem, const Chain& chain, const Vec3& toTarget) {
   LimbShape shape;
-  const double reach = std::max(chain.reach, problem.shortestReach);
-  shape.stretch = clampStretch(1.0 + problem.stretchSwitch * (glm::length(toTarget) / reach - 1.0), shape);
+  // d / d0 - 1, with d0 kept away from 0 in a way that a target where the end is always asks for no stretch.
+  const double growth = (glm::length(toTarget) - chain.reach) / std::max(chain.reach, problem.shortestReach);
+  shape.stretch = clampStretch(1.0 + problem.stretchSwitch * growth, shape);
   const Quat turn = steadyTurn(chain.chord, toTarget, bendNormalOf(problem, chain));
   shape.turns.assign(chain.bones.size(), turn);
   shape.end = problem.points.front() + turn * chain.chord * shape.stretch;
@@ -154,7 +178,7 @@ LimbShape straighten(const LimbShapeProblem& problem, const Chain& chain, const 
   const double reach = std::min(distance, shape.stretch * chain.length);
   const Vec3 normal = bendNormalOf(problem, chain);
   shape.turns = chain.bones.size() == 2 ? twoBoneTurns(chain, shape.stretch, reach, normal)
-                                        : uncurlToReach(chain, shape.stretch, reach, normal);
+                                        : turnsToReach(chain, shape.stretch, reach, normal);
   turnAll(shape.turns, steadyTurn(chain.chord, toTarget, normal));
   // The limb's end is now as far as wanted; what the bend plane left of its direction is turned away.
   turnAll(shape.turns, shortestArc(endVector(chain, shape.turns, shape.stretch), toTarget));
@@ -196,7 +220,9 @@ LimbShape solveLimbShape(const LimbShapeProblem& problem) {
     still.outcome = ShapeOutcome::degenerate;
     return still;
   }
-  return straightens ? straighten(problem, chain, toTarget) : keepBend(problem, chain, toTarget);
+  // One bone has no bend to straighten.
+  const bool bends = chain.bones.size() > 1;
+  return straightens && bends ? straighten(problem, chain, toTarget) : keepBend(problem, chain, toTarget);
 }
 
 } // namespace stretch::rig
