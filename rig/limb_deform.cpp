@@ -18,6 +18,11 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
+// The inverse, or the identity for what is scaled to nothing: there is no space to speak of then.
+Mat4 inverseOf(const Mat4& matrix) {
+  return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
+}
+
 // Writes local transforms of a frame while knowing the pose it started from.
 class PoseWriter {
 public:
@@ -29,6 +34,11 @@ public:
   [[nodiscard]] Mat4 parentWorld(int node) const {
     const int parent = scene_.nodes[at(node)].parent;
     return parent < 0 ? Mat4(1.0) : frame_.worlds[at(parent)];
+  }
+
+  [[nodiscard]] Mat4 parentWorldBefore(int node) const {
+    const int parent = scene_.nodes[at(node)].parent;
+    return parent < 0 ? Mat4(1.0) : before_[at(parent)];
   }
 
   Transform& local(int node) {
@@ -48,13 +58,16 @@ public:
     }
   }
 
-  // Local rotation under the parent's present orientation that gives `worldRotation`.
-  void setWorldRotation(int node, const Quat& worldRotation) {
-    local(node).rotation = glm::normalize(glm::inverse(rotationOf(parentWorld(node))) * worldRotation);
+  // Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
+  // Seen from the parents, which may be mirrored: their world rotations alone would not tell.
+  void turnInWorld(int node, const Quat& turn) {
+    const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
+    Transform& transform = local(node);
+    transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
   }
 
   void setWorldPosition(int node, const Vec3& positionWorld) {
-    local(node).translation = transformPoint(glm::inverse(parentWorld(node)), positionWorld);
+    local(node).translation = transformPoint(inverseOf(parentWorld(node)), positionWorld);
   }
 
   void addStretch(int node, const Mat3& stretch) {
@@ -72,8 +85,8 @@ private:
 
 // A linear map of the joint's space seen from the space of a node below it.
 Mat3 inSpaceOf(const PoseWriter& writer, int joint, int node, const Mat3& stretch) {
-  const Mat3 toJoint = Mat3(glm::inverse(writer.worldBefore(joint)) * writer.worldBefore(node));
-  return glm::inverse(toJoint) * stretch * toJoint;
+  const Mat3 toJoint = Mat3(inverseOf(writer.worldBefore(joint)) * writer.worldBefore(node));
+  return Mat3(inverseOf(Mat4(toJoint))) * stretch * toJoint;
 }
 
 // What hangs on the bone moves by K; on the path K goes through the frames of the nodes between.
@@ -124,6 +137,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
                 const DeformOptions& options, FrameState& frame) {
   PoseWriter writer(scene, frame);
   const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
+  const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
   for (const int node : topology.staying) {
     kept.push_back({node, frame.worlds[at(node)]});
@@ -132,11 +146,10 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     const BoneTopology& bone = topology.bones[i];
     // A joint that turns exactly as its parent bone does keeps its local rotation.
     if (i == 0 || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
-      writer.setWorldRotation(bone.joint, shape.turns[i] * rotationOf(writer.worldBefore(bone.joint)));
+      writer.turnInWorld(bone.joint, shape.turns[i]);
     }
     writer.refresh(bone.joint);
-    const Vec3 offset =
-        transformVector(glm::inverse(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
+    const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
     if (glm::length(offset) > 0.0) {
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
       moveByStretch(writer, bone, stretch);
@@ -152,11 +165,11 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(limb.endNode, shape.end);
     }
     if (!options.turnEnd) {
-      writer.setWorldRotation(limb.endNode, rotationOf(writer.worldBefore(limb.endNode)));
+      writer.turnInWorld(limb.endNode, still);
     }
   }
   for (const KeptTransform& keep : kept) {
-    writer.setWorldRotation(keep.node, rotationOf(keep.world));
+    writer.turnInWorld(keep.node, still);
     writer.setWorldPosition(keep.node, positionOf(keep.world));
   }
   writer.refreshSubtree(limb.joints.front());

@@ -8,15 +8,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/math/rotation.h"
-#include "rig/ik/limb_shape.h"
-#include "rig/limb_deform.h"
-
 namespace stretch::rig {
 
 namespace {
-
-constexpr double shortestReachOfRest = 1e-3;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -75,17 +69,6 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
     times.push_back(time);
   }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
-}
-
-// The stop plane cuts the way from the original to the exaggerated point: the limb's end comes as far as the
-// plane.
-Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target) {
-  const double before = glm::dot(plane.normal, original - plane.point);
-  const double after = glm::dot(plane.normal, target - plane.point);
-  if (after <= 0.0 || before >= 0.0) {
-    return after <= 0.0 ? target : original;
-  }
-  return original + (target - original) * (before / (before - after));
 }
 
 void solveTipOf(SolvedTrail& solved) {
@@ -198,149 +181,6 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   return solved;
 }
 
-// w(r) E(c) with pull and spheres, world space, at a time of the range, from the source's sample there.
-Vec3 rangeOffset(const SolvedTrail& solved, const LimbSample& sample, double frame, double weight) {
-  const Vec3 original = solved.path.toSpace(sample, sample.end);
-  Vec3 offset(0.0);
-  if (solved.tip.outcome != TipOutcome::nothingToScale) {
-    offset = weight * (exaggeratePoint(solved.tip, original) - original) + weight * solved.tip.pull;
-  }
-  return solved.path.axes * (offset + solved.offsets.at(frame));
-}
-
-bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
-  constexpr double rounding = 1e-7;
-  return timeSeconds >= solved.windowStartSeconds - rounding &&
-         timeSeconds <= solved.windowEndSeconds + rounding;
-}
-
-// On a loop, the time one turn later or earlier where that is what falls into the trail's window.
-double wrapped(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
-  const double turn = motion.endSeconds - motion.startSeconds;
-  if (!motion.loops || insideWindow(solved, timeSeconds)) {
-    return timeSeconds;
-  }
-  const double other = timeSeconds < solved.windowStartSeconds ? timeSeconds + turn : timeSeconds - turn;
-  return insideWindow(solved, other) ? other : timeSeconds;
-}
-
-// How far past the tip (release) or before the pivot (fade) a time lies; both 0 inside the range.
-struct Outside {
-  double pastTip = 0.0;
-  double pastPivot = 0.0;
-};
-
-Outside outsideOf(const SolvedTrail& solved, double timeSeconds) {
-  const double before = std::max(0.0, solved.startSeconds - timeSeconds);
-  const double after = std::max(0.0, timeSeconds - solved.endSeconds);
-  const bool forwards = solved.settings.pivot == Pivot::start;
-  return {forwards ? after : before, forwards ? before : after};
-}
-
-// The limb's own amount at a time: w, w times the decay in the release, 0 before the pivot.
-struct Amount {
-  double weight = 0.0;
-  double decay = 1.0;
-  Vec3 offset{0.0};
-};
-
-Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
-  const double framesPerSecond = motion.framesPerSecond;
-  const double timeSeconds = wrapped(motion, solved, sample.timeSeconds);
-  const Outside outside = outsideOf(solved, timeSeconds);
-  constexpr double rounding = 1e-7; // seconds: key times are stored in single precision
-  if (outside.pastTip > rounding) {
-    // The tip's own offset, which decays: the limb goes on with the clip below it.
-    const bool forwards = solved.settings.pivot == Pivot::start;
-    const LimbSample& tip = forwards ? solved.path.samples.back() : solved.path.samples.front();
-    const double decay = solved.release.at(outside.pastTip);
-    return {1.0, decay, decay * rangeOffset(solved, tip, solved.tipSeconds * framesPerSecond, 1.0)};
-  }
-  if (outside.pastPivot > rounding) {
-    const double fade =
-        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
-    return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
-  }
-  const double weight = solved.remap.at(solved.path.ratioAt(sample.timeSeconds));
-  return {weight, 1.0, rangeOffset(solved, sample, sample.timeSeconds * framesPerSecond, weight)};
-}
-
-Vec3 targetFrom(const SolvedTrail& solved, const LimbSample& sample, const Amount& amount) {
-  Vec3 target = sample.end + 0.5 * solved.settings.blend * amount.offset;
-  return solved.settings.stopAt ? stoppedAt(*solved.settings.stopAt, sample.end, target) : target;
-}
-
-// Where a point beside the limb goes when inner trails carry its base: it moves and turns with the base's
-// parent.
-Vec3 carriedPoint(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample, const Vec3& point,
-                  const std::vector<Mat4>& sourceWorlds, const FrameState& frame) {
-  const int base = solved.limb.joints.front();
-  const int parent = scene.nodes[at(base)].parent;
-  if (solved.settings.stayInWorld || frame.worlds[at(base)] == sourceWorlds[at(base)]) {
-    return point;
-  }
-  const Quat turn =
-      parent < 0 ? Quat(1.0, 0.0, 0.0, 0.0)
-                 : rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(sourceWorlds[at(parent)]));
-  return positionOf(frame.worlds[at(base)]) + turn * (point - sample.base);
-}
-
-void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                const std::vector<Mat4>& sourceWorlds, FrameState& frame) {
-  const LimbSample sample =
-      limbSample(solved.limb, solved.settings.space, motion.hips, sourceWorlds, frame.timeSeconds);
-  const bool inside = insideWindow(solved, wrapped(motion, solved, frame.timeSeconds));
-  const Vec3 baseNow = positionOf(frame.worlds[at(solved.limb.joints.front())]);
-  const bool ridesOn = !solved.settings.stayInWorld;
-  if (!inside && (ridesOn || glm::length(baseNow - sample.base) <= 0.0)) {
-    return;
-  }
-  const Amount amount = inside ? amountAt(motion, solved, sample) : Amount{};
-  const Vec3 target =
-      carriedPoint(scene, solved, sample, targetFrom(solved, sample, amount), sourceWorlds, frame);
-  LimbShapeProblem problem;
-  problem.points = limbPoints(solved.limb, frame.worlds);
-  problem.target = target;
-  problem.bendNormal =
-      solved.bend.at(problem.points, rotationOf(frame.worlds[at(solved.limb.joints.front())]));
-  problem.shortestReach = shortestReachOfRest * solved.limb.restLength;
-  problem.stretchSwitch = solved.settings.stretchSwitch;
-  problem.bend = solved.settings.bend;
-  problem.restLength = solved.limb.restLength;
-  problem.straightenAmount =
-      solved.settings.stretchSwitch * amount.weight * amount.decay * 0.5 * solved.settings.blend;
-  problem.grows = solved.settings.scale >= 1.0;
-  const bool still = glm::length(target - problem.points.back()) <= 0.0;
-  if (still && (problem.bend == Bend::keep || problem.straightenAmount <= 0.0)) {
-    return;
-  }
-  const LimbShape shape = solveLimbShape(problem);
-  if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, shape, {solved.settings.volume, solved.settings.turnEnd},
-               frame);
-  }
-}
-
-// The active trails that stand before `solved` from the root outwards.
-void applyInnerTrails(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                      const std::vector<Mat4>& sourceWorlds, FrameState& frame) {
-  for (const SolvedTrail& inner : motion.trails) {
-    if (&inner == &solved) {
-      return;
-    }
-    if (inner.active) {
-      applyTrail(scene, motion, inner, sourceWorlds, frame);
-    }
-  }
-}
-
-// Whether an active trail that is solved earlier may move this one's limb.
-bool isCarried(const MotionState& motion, const SolvedTrail& solved) {
-  return std::any_of(motion.trails.begin(), motion.trails.end(), [&](const SolvedTrail& other) {
-    return other.active && solveOrder(other.limb.kind) < solveOrder(solved.limb.kind);
-  });
-}
-
 } // namespace
 
 MotionState solveMotion(const MotionInput& input) {
@@ -361,71 +201,10 @@ MotionState solveMotion(const MotionInput& input) {
   }
   std::stable_sort(motion.trails.begin(), motion.trails.end(),
                    [](const SolvedTrail& a, const SolvedTrail& b) {
-                     return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
+                     return std::pair(solveOrder(a.limb.kind), a.startSeconds) <
+                            std::pair(solveOrder(b.limb.kind), b.startSeconds);
                    });
   return motion;
-}
-
-Vec3 targetAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
-  if (!insideWindow(solved, wrapped(motion, solved, sample.timeSeconds))) {
-    return sample.end;
-  }
-  return targetFrom(solved, sample, amountAt(motion, solved, sample));
-}
-
-FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
-                          double timeSeconds) {
-  FrameState frame = frameOf(scene, samplePose(scene, clip, timeSeconds), timeSeconds);
-  const std::vector<Mat4> sourceWorlds = frame.worlds;
-  for (const SolvedTrail& solved : motion.trails) {
-    if (solved.active) {
-      applyTrail(scene, motion, solved, sourceWorlds, frame);
-    }
-  }
-  return frame;
-}
-
-DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
-                   const std::vector<double>& frames) {
-  std::vector<int> nodes = touchedNodes(solved.limb, solved.topology);
-  if (motion.hips >= 0) {
-    nodes.push_back(motion.hips);
-  }
-  const NodeSampler sampler(scene, clip, nodes);
-  const bool carried = isCarried(motion, solved);
-  DrawnTrail drawn;
-  drawn.frames = frames;
-  std::vector<Mat4> worlds;
-  for (const double frameNumber : frames) {
-    const double time = frameNumber / motion.framesPerSecond;
-    sampler.sample(time, worlds);
-    const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, worlds, time);
-    drawn.original.push_back(sample.end);
-    drawn.exaggerated.push_back(targetAt(motion, solved, sample));
-    if (carried) {
-      FrameState frame = frameOf(scene, samplePose(scene, clip, time), time);
-      const std::vector<Mat4> sourceWorlds = frame.worlds;
-      applyInnerTrails(scene, motion, solved, sourceWorlds, frame);
-      for (Vec3* point : {&drawn.original.back(), &drawn.exaggerated.back()}) {
-        *point = carriedPoint(scene, solved, sample, *point, sourceWorlds, frame);
-      }
-    }
-  }
-  return drawn;
-}
-
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
-                      const SolvedTrail& solved, std::size_t samplesPerFrame) {
-  const double fps = motion.framesPerSecond;
-  const double start = fps * std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
-  const double end = std::max(start, fps * std::min(solved.windowEndSeconds, clip.endSeconds));
-  const auto perFrame = static_cast<double>(std::max<std::size_t>(1, samplesPerFrame));
-  const auto count = static_cast<std::size_t>(std::floor((end - start) * perFrame + 1e-6)) + 1;
-  std::vector<double> frames;
-  for (std::size_t i = 0; i < count; ++i) {
-    frames.push_back(start + static_cast<double>(i) / perFrame);
-  }
-  return pathsAt(scene, clip, motion, solved, frames);
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

@@ -64,10 +64,6 @@ struct MotionInput {
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// F(t) of one trail in world space as the source clip stands (blend and release in it), before inner trails
-/// carry it.
-[[nodiscard]] Vec3 targetAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample);
-
 /// The character at one time with every active trail applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);

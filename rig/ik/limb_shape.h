@@ -40,8 +40,9 @@ struct LimbShape {
 };
 
 /// Keep: grown and turned as one shape. Straighten: two bones by the law of cosines in the bend plane carried
-/// over, longer chains by uncurling towards the chord or by rolling up; a single bone has no bend and is kept. The
-/// identity when the target is where the end is and nothing stretches. Finite for every finite input: a limb without length stays as it is (degenerate).
+/// over, longer chains by uncurling towards the chord or by rolling up; a single bone has no bend and is
+/// kept. The identity when the target is where the end is and nothing stretches. Finite for every finite
+/// input: a limb without length stays as it is (degenerate).
 [[nodiscard]] LimbShape solveLimbShape(const LimbShapeProblem& problem);
 
 /// Smallest turn of `from` to `to`; between 150 and 170 degrees it goes over into a turn about `normal`, so

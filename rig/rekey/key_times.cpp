@@ -5,11 +5,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "rig/rekey/span_fit.h"
+
 namespace stretch::rig {
 
 namespace {
-
-constexpr double sameKey = 2e-5; // seconds: nearer than this to a key of the source is that key
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -73,19 +73,6 @@ std::vector<Window> windowsOf(const MotionState& motion, const SolvedTrail& trai
   return windows;
 }
 
-// Frames and half frames strictly inside a span.
-std::vector<double> checkTimes(double framesPerSecond, double start, double end) {
-  std::vector<double> times;
-  const double step = 0.5 / framesPerSecond;
-  for (double i = std::ceil(start / step); i * step < end; i += 1.0) {
-    const double time = asKeyTime(i * step);
-    if (time > start + sameKey && time < end - sameKey) {
-      times.push_back(time);
-    }
-  }
-  return times;
-}
-
 std::vector<double> allTimes(ExactMotion& exact, const std::vector<Window>& windows) {
   std::vector<double> times;
   for (const Window& window : windows) {
@@ -125,17 +112,25 @@ bool isStretched(ExactMotion& exact, const std::vector<double>& times, int node)
   });
 }
 
+bool isCubicSource(const ChangedChannel& channel) {
+  return channel.source != nullptr && channel.source->interpolation == Interpolation::cubicSpline;
+}
+
 void findChanges(ExactMotion& exact, TrailKeys& keys) {
   const std::vector<double> times = allTimes(exact, keys.windows);
   for (const int node : touchedNodes(keys.trail->limb, keys.trail->topology)) {
     for (const Channel channel : {Channel::translation, Channel::rotation, Channel::scale}) {
       if (isChanged(exact, times, node, channel)) {
-        keys.channels.push_back({node, channel, trackOf(exact.clip(), node, channel)});
+        keys.channels.push_back({node, channel, trackOf(exact.clip(), node, channel), false});
       }
     }
     if (isStretched(exact, times, node)) {
       keys.stretchedNodes.push_back(node);
     }
+  }
+  const bool anyCubic = std::any_of(keys.channels.begin(), keys.channels.end(), isCubicSource);
+  for (ChangedChannel& channel : keys.channels) {
+    channel.isCubic = channel.source == nullptr ? anyCubic : isCubicSource(channel);
   }
 }
 
@@ -171,106 +166,101 @@ std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, doub
   return times;
 }
 
-Vec4 alongShorterArc(const Vec4& from, const Vec4& to) {
-  return glm::dot(from, to) < 0.0 ? -to : to;
-}
-
-Vec4 between(ExactMotion& exact, const ChangedChannel& channel, double start, double end, double time) {
-  const double t = (time - start) / (end - start);
-  const Vec4 a = channelValue(exact.at(start).pose, channel.node, channel.channel);
-  Vec4 b = channelValue(exact.at(end).pose, channel.node, channel.channel);
-  if (channel.channel == Channel::rotation) {
-    b = alongShorterArc(a, b);
-  }
-  if (channel.source != nullptr && channel.source->interpolation == Interpolation::cubicSpline) {
-    const double h = end - start;
-    const double t2 = t * t;
-    const double t3 = t2 * t;
-    return a * (2 * t3 - 3 * t2 + 1) + slopeOf(exact, channel, start, 1) * (h * (t3 - 2 * t2 + t)) +
-           b * (3 * t2 - 2 * t3) + slopeOf(exact, channel, end, -1) * (h * (t3 - t2));
-  }
-  if (channel.channel == Channel::rotation) {
-    const Quat turn = glm::slerp(Quat(a.w, a.x, a.y, a.z), Quat(b.w, b.x, b.y, b.z), t);
-    return {turn.x, turn.y, turn.z, turn.w};
-  }
-  return a + (b - a) * t;
-}
-
-// How far the joints are from the exact motion when the channels run straight between two keys.
-double missAt(ExactMotion& exact, const TrailKeys& keys, double start, double end, double time) {
+// How far the joints are from the exact motion where the channels run along these spans.
+double jointMiss(ExactMotion& exact, const TrailKeys& keys, const std::vector<ChannelSpan>& spans,
+                 double time) {
   const FrameState& wanted = exact.at(time);
   Pose pose = wanted.pose;
-  for (const ChangedChannel& channel : keys.channels) {
-    setChannelValue(pose, channel.node, channel.channel, between(exact, channel, start, end, time));
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const ChangedChannel& channel = keys.channels[i];
+    setChannelValue(pose, channel.node, channel.channel, spans[i].at(channel.channel, time));
   }
   const std::vector<Mat4> worlds = worldMatrices(exact.scene(), pose);
   double miss = 0.0;
   for (std::size_t node = 0; node < worlds.size(); ++node) {
     miss = std::max(miss, glm::length(positionOf(worlds[node]) - positionOf(wanted.worlds[node])));
   }
+  return miss;
+}
+
+Mat3 stretchAt(ExactMotion& exact, int node, double time) {
+  const FrameState& frame = exact.at(time);
+  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
+}
+
+// How far the end of a bone is moved where its stretch runs straight between two keys.
+double stretchMiss(ExactMotion& exact, const TrailKeys& keys, double start, double end, double time) {
+  const Limb& limb = keys.trail->limb;
+  const double boneLength = limb.restLength / static_cast<double>(limb.joints.size());
   const double t = (time - start) / (end - start);
+  double miss = 0.0;
   for (const int node : keys.stretchedNodes) {
-    const auto stretchAt = [&](double when) {
-      const FrameState& frame = exact.at(when);
-      return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
-    };
-    const Mat3 straight = stretchAt(start) * (1.0 - t) + stretchAt(end) * t;
-    const Mat3 difference = straight - stretchAt(time);
+    const Mat3 straight = stretchAt(exact, node, start) * (1.0 - t) + stretchAt(exact, node, end) * t;
+    const Mat3 difference = straight - stretchAt(exact, node, time);
     for (std::size_t column = 0; column < 3; ++column) {
-      miss = std::max(miss, glm::length(difference[column]) * keys.trail->limb.restLength /
-                                static_cast<double>(keys.trail->limb.joints.size()));
+      miss = std::max(miss, glm::length(difference[column]) * boneLength);
     }
   }
   return miss;
 }
 
-// Adds keys where a span is missed by most until all of it is within the tolerance.
-void refine(ExactMotion& exact, const TrailKeys& keys, double tolerance, double start, double end,
+// Adds keys where a span is missed by most until all of it is within the tolerance. `missOf(start, end)`
+// answers the miss of the span from start to end as a function of time.
+template <typename MissOf>
+void refine(const MissOf& missOf, double framesPerSecond, double tolerance, double start, double end,
             std::vector<double>& added) {
+  const auto missAt = missOf(start, end);
   double worstMiss = tolerance;
   double worstTime = 0.0;
-  for (const double time : checkTimes(exact.motion().framesPerSecond, start, end)) {
-    const double miss = missAt(exact, keys, start, end, time);
+  for (const double time : checkTimes(framesPerSecond, start, end)) {
+    const double miss = missAt(time);
     if (miss > worstMiss) {
       worstMiss = miss;
       worstTime = time;
     }
   }
   if (worstMiss > tolerance) {
-    refine(exact, keys, tolerance, start, worstTime, added);
+    refine(missOf, framesPerSecond, tolerance, start, worstTime, added);
     added.push_back(worstTime);
-    refine(exact, keys, tolerance, worstTime, end, added);
+    refine(missOf, framesPerSecond, tolerance, worstTime, end, added);
   }
+}
+
+template <typename MissOf>
+std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double tolerance,
+                            const std::vector<double>& first) {
+  std::vector<double> times{first.front()};
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    refine(missOf, framesPerSecond, tolerance, first[i - 1], first[i], times);
+    times.push_back(first[i]);
+  }
+  return times;
 }
 
 } // namespace
-
-Vec4 slopeOf(ExactMotion& exact, const ChangedChannel& channel, double timeSeconds, int side) {
-  const double step = 0.05 / exact.motion().framesPerSecond;
-  const double before = side > 0 ? timeSeconds : timeSeconds - step;
-  const double after = side < 0 ? timeSeconds : timeSeconds + step;
-  const Vec4 a = channelValue(exact.at(before).pose, channel.node, channel.channel);
-  Vec4 b = channelValue(exact.at(after).pose, channel.node, channel.channel);
-  if (channel.channel == Channel::rotation) {
-    b = alongShorterArc(a, b);
-  }
-  return (b - a) / (after - before);
-}
 
 TrailKeys chooseKeys(ExactMotion& exact, const SolvedTrail& trail, const RekeyOptions& options) {
   TrailKeys keys;
   keys.trail = &trail;
   keys.windows = windowsOf(exact.motion(), trail);
   findChanges(exact, keys);
-  for (const Window& window : keys.windows) {
-    const std::vector<double> first =
-        firstTimes(window, keys, exact.motion().framesPerSecond, options.keyEveryFrame);
-    std::vector<double> times{first.front()};
-    for (std::size_t i = 1; i < first.size(); ++i) {
-      refine(exact, keys, options.tolerance, first[i - 1], first[i], times);
-      times.push_back(first[i]);
+  const auto missOfJoints = [&](double start, double end) {
+    std::vector<ChannelSpan> spans;
+    for (const ChangedChannel& channel : keys.channels) {
+      spans.push_back(fitSpan(exact, channel, start, end));
     }
-    keys.times.push_back(std::move(times));
+    return [&exact, &keys, spans = std::move(spans)](double time) {
+      return jointMiss(exact, keys, spans, time);
+    };
+  };
+  const auto missOfStretch = [&](double start, double end) {
+    return [&exact, &keys, start, end](double time) { return stretchMiss(exact, keys, start, end, time); };
+  };
+  const double framesPerSecond = exact.motion().framesPerSecond;
+  for (const Window& window : keys.windows) {
+    const std::vector<double> first = firstTimes(window, keys, framesPerSecond, options.keyEveryFrame);
+    keys.times.push_back(refined(missOfJoints, framesPerSecond, options.tolerance, first));
+    keys.stretchTimes.push_back(refined(missOfStretch, framesPerSecond, options.tolerance, first));
   }
   return keys;
 }

@@ -7,6 +7,9 @@
 
 namespace stretch::rig {
 
+/// Seconds: nearer than this to a key of the source is that key.
+inline constexpr double sameKey = 2e-5;
+
 /// A stretch of time that a trail changes. Both ends are exactly representable in single precision, as keys
 /// are.
 struct Window {
@@ -22,6 +25,7 @@ struct ChangedChannel {
   int node = -1;
   Channel channel = Channel::translation;
   const Track* source = nullptr; ///< Null when the clip does not animate it.
+  bool isCubic = false;          ///< Its keys get tangents: as the source, else as the others of the limb.
 };
 
 /// One trail's part in the new keys.
@@ -30,14 +34,13 @@ struct TrailKeys {
   std::vector<Window> windows; ///< Usually one; two where a loop wraps. Disjoint, ascending.
   std::vector<ChangedChannel> channels;
   std::vector<int> stretchedNodes;
-  std::vector<std::vector<double>> times; ///< Key times of each window, ascending, its ends included.
+  std::vector<std::vector<double>> times;        ///< Key times of each window, ascending, its ends included.
+  std::vector<std::vector<double>> stretchTimes; ///< The same for the stretch of the bones, which runs
+                                                 ///< straight.
 };
 
 /// Chooses where one trail's limb gets keys.
 [[nodiscard]] TrailKeys chooseKeys(ExactMotion& exact, const SolvedTrail& trail, const RekeyOptions& options);
-
-/// Derivative of the exact motion's channel per second; `side` -1 from before, +1 from after, 0 central.
-[[nodiscard]] Vec4 slopeOf(ExactMotion& exact, const ChangedChannel& channel, double timeSeconds, int side);
 
 /// Time as a key stores it.
 [[nodiscard]] inline double asKeyTime(double timeSeconds) {

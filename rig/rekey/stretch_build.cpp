@@ -30,7 +30,7 @@ std::vector<StretchKey> keysOf(ExactMotion& exact, const TrailKeys& keys, int no
     if (window.jumpsBefore) {
       out.push_back({std::nextafter(static_cast<float>(window.startSeconds), -endless), {}});
     }
-    for (const double time : keys.times[i]) {
+    for (const double time : keys.stretchTimes[i]) {
       out.push_back({static_cast<float>(time), stretchAt(exact, node, time)});
     }
     if (window.jumpsAfter) {

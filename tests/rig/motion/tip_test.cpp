@@ -21,7 +21,9 @@ double ratioAtTip(const MovingBiped& moving, const Trail& trail) {
   return lengthOf(limb, atFrame(moving, motion, frame)) / lengthOf(limb, sourceAtFrame(moving, frame));
 }
 
-double innerAngle(const std::vector<Vec3>& points) { return angleBetween(points[0] - points[1], points[2] - points[1]); }
+double innerAngle(const std::vector<Vec3>& points) {
+  return angleBetween(points[0] - points[1], points[2] - points[1]);
+}
 
 } // namespace
 
@@ -74,7 +76,8 @@ TEST_CASE("the hand is at the drawn trail on every frame of the range") {
         CAPTURE(bend == Bend::keep, scale, drawn.frames[i]);
         const Vec3 hand = endPosition(arm, atFrame(moving, motion, drawn.frames[i]).worlds);
         CHECK(glm::length(hand - drawn.exaggerated[i]) < 1e-5 * moving.biped.height);
-        CHECK(glm::length(endPosition(arm, sourceAtFrame(moving, drawn.frames[i]).worlds) - drawn.original[i]) < 1e-12);
+        CHECK(glm::length(endPosition(arm, sourceAtFrame(moving, drawn.frames[i]).worlds) -
+                          drawn.original[i]) < 1e-12);
       }
     }
   }
@@ -85,7 +88,8 @@ TEST_CASE("with the rest reference the limb is as many rest lengths long") {
   const Limb& arm = moving.limb("left-arm");
   Trail trail = connectedTrail("left-arm", 0, 12, 1.5);
   trail.settings.reference = Reference::rest;
-  CHECK(lengthOf(arm, atFrame(moving, solved(moving, {trail}), 12)) == Approx(1.5 * arm.restLength).epsilon(1e-4));
+  CHECK(lengthOf(arm, atFrame(moving, solved(moving, {trail}), 12)) ==
+        Approx(1.5 * arm.restLength).epsilon(1e-4));
 }
 
 TEST_CASE("a scale below the smallest is taken as it and reported") {
@@ -116,7 +120,8 @@ TEST_CASE("in the view's space the axes are the camera's") {
   trail.settings.viewAxes = glm::mat3_cast(axisAngle(glm::normalize(Vec3(1, 2, 3)), 0.7));
   trail.settings.axes = {true, true, false};
   const MotionState motion = solved(moving, {trail});
-  const Vec3 moved = endPosition(arm, atFrame(moving, motion, 12).worlds) - endPosition(arm, sourceAtFrame(moving, 12).worlds);
+  const Vec3 moved = endPosition(arm, atFrame(moving, motion, 12).worlds) -
+                     endPosition(arm, sourceAtFrame(moving, 12).worlds);
   CHECK(glm::length(moved) > 0.1);
   CHECK(std::abs(glm::dot(moved, trail.settings.viewAxes[2])) < 1e-5);
   CHECK(ratioAtTip(moving, trail) == Approx(2.0).epsilon(1e-4));
@@ -130,7 +135,8 @@ TEST_CASE("keeping the bend keeps the elbow's angle on every frame") {
     for (double frame = 0.0; frame <= 18.0; frame += 0.5) {
       CAPTURE(scale, frame);
       const double before = innerAngle(limbPoints(arm, sourceAtFrame(moving, frame).worlds));
-      CHECK(innerAngle(limbPoints(arm, atFrame(moving, motion, frame).worlds)) == Approx(before).margin(1e-6));
+      CHECK(innerAngle(limbPoints(arm, atFrame(moving, motion, frame).worlds)) ==
+            Approx(before).margin(1e-6));
     }
   }
 }
@@ -143,7 +149,8 @@ TEST_CASE("a lowered switch lets the hand fall short, pointing at the target") {
   const MotionState motion = solved(moving, {trail});
   const std::vector<Vec3> points = limbPoints(arm, atFrame(moving, motion, 12).worlds);
   const Vec3 target = drawnPaths(moving.scene, moving.clip, motion, motion.trails.front(), 1).exaggerated[12];
-  CHECK(glm::length(points.back() - points.front()) == Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
+  CHECK(glm::length(points.back() - points.front()) ==
+        Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
   CHECK(angleBetween(points.back() - points.front(), target - points.front()) < 1e-5);
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 Vec3 handOffset(const MovingBiped& moving, const MotionState& motion, double frame) {
   const Limb& arm = moving.limb("left-arm");
-  return endPosition(arm, atFrame(moving, motion, frame).worlds) - endPosition(arm, sourceAtFrame(moving, frame).worlds);
+  return endPosition(arm, atFrame(moving, motion, frame).worlds) -
+         endPosition(arm, sourceAtFrame(moving, frame).worlds);
 }
 
 double miss(const MovingBiped& moving, const MotionState& motion, double frame) {
@@ -89,7 +90,8 @@ TEST_CASE("the motion has no jump anywhere with a release") {
       const MotionState motion = solved(moving, {trail});
       for (const double border : {0.0, 6.0, 12.0, 18.0}) {
         CAPTURE(bend == Bend::keep, pivot == Pivot::start, border);
-        CHECK(largestNodeMiss(atFrame(moving, motion, border - 1e-4), atFrame(moving, motion, border + 1e-4)) < 1e-3);
+        CHECK(largestNodeMiss(atFrame(moving, motion, border - 1e-4),
+                              atFrame(moving, motion, border + 1e-4)) < 1e-3);
       }
     }
   }
@@ -107,8 +109,10 @@ TEST_CASE("the default release of a sparsely keyed clip goes to the controller's
 TEST_CASE("the default release of a densely keyed clip is a third of the range, within the clip") {
   MovingBiped moving = punchingBiped();
   moving.clip = keyedOnEveryFrame(moving.clip);
-  CHECK(solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)}).trails.front().release.seconds() == Approx(4.0 / 24.0));
-  CHECK(solved(moving, {connectedTrail("left-arm", 6, 22, 2.0)}).trails.front().release.seconds() == Approx(2.0 / 24.0));
+  CHECK(solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)}).trails.front().release.seconds() ==
+        Approx(4.0 / 24.0));
+  CHECK(solved(moving, {connectedTrail("left-arm", 6, 22, 2.0)}).trails.front().release.seconds() ==
+        Approx(2.0 / 24.0));
   CHECK(solved(moving, {connectedTrail("left-arm", 6, 24, 2.0)}).trails.front().release.seconds() == 0.0);
 }
 
@@ -181,7 +185,8 @@ TEST_CASE("the hand comes as far as the stop plane and not past it") {
     const Vec3 hand = endPosition(arm, atFrame(moving, motion, frame).worlds);
     CHECK(glm::dot(normal, hand - trail.settings.stopAt->point) < 1e-4);
   }
-  CHECK(glm::length(endPosition(arm, atFrame(moving, motion, 12).worlds) - trail.settings.stopAt->point) < 1e-5);
+  CHECK(glm::length(endPosition(arm, atFrame(moving, motion, 12).worlds) - trail.settings.stopAt->point) <
+        1e-5);
 }
 
 TEST_CASE("a pulled sphere moves the hand by its offset; one at the pivot fades in") {

@@ -16,11 +16,16 @@ namespace {
 
 constexpr double framesPerSecond = 24.0;
 
-std::vector<double> numbersOf(const Quat& q) { return {q.x, q.y, q.z, q.w}; }
-std::vector<double> numbersOf(const Vec3& v) { return {v.x, v.y, v.z}; }
+std::vector<double> numbersOf(const Quat& q) {
+  return {q.x, q.y, q.z, q.w};
+}
+std::vector<double> numbersOf(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 void appendAll(const std::vector<double>& numbers, std::vector<float>& out) {
-  std::transform(numbers.begin(), numbers.end(), std::back_inserter(out), [](double n) { return static_cast<float>(n); });
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(out),
+                 [](double n) { return static_cast<float>(n); });
 }
 
 template <typename Keys>
@@ -30,7 +35,8 @@ std::vector<double> tangentAt(const Keys& keys, std::size_t i) {
   std::vector<double> a = numbersOf(keys[before].second);
   const std::vector<double> b = numbersOf(keys[after].second);
   const double seconds = std::max(1e-9, keys[after].first - keys[before].first);
-  std::transform(a.begin(), a.end(), b.begin(), a.begin(), [&](double x, double y) { return (y - x) / seconds; });
+  std::transform(a.begin(), a.end(), b.begin(), a.begin(),
+                 [&](double x, double y) { return (y - x) / seconds; });
   return a;
 }
 
@@ -54,7 +60,9 @@ Track trackOf(int node, Channel channel, Interpolation interpolation, const Keys
   return track;
 }
 
-Quat turn(const Vec3& axis, double degrees) { return axisAngle(glm::normalize(axis), degrees * pi / 180.0); }
+Quat turn(const Vec3& axis, double degrees) {
+  return axisAngle(glm::normalize(axis), degrees * pi / 180.0);
+}
 
 const std::vector<double>& keySeconds() {
   static const std::vector<double> seconds{0.0, 0.25, 0.5, 0.75, 1.0};
@@ -67,7 +75,8 @@ void addTurns(MovingBiped& moving, Interpolation interpolation, const std::strin
   const int node = moving.node.at(key);
   RotationKeys keys;
   for (std::size_t i = 0; i < degrees.size(); ++i) {
-    keys.emplace_back(keySeconds()[i], turn(axis, degrees[i]) * moving.scene.nodes[static_cast<std::size_t>(node)].rest.rotation);
+    keys.emplace_back(keySeconds()[i], turn(axis, degrees[i]) *
+                                           moving.scene.nodes[static_cast<std::size_t>(node)].rest.rotation);
   }
   moving.clip.tracks.emplace_back(rotationTrack(node, interpolation, keys));
 }

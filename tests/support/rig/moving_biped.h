@@ -26,7 +26,8 @@ using VectorKeys = std::vector<std::pair<double, Vec3>>;
 
 /// Tracks of these keys; cubic splines get three-point tangents.
 [[nodiscard]] Track rotationTrack(int node, Interpolation interpolation, const RotationKeys& keys);
-[[nodiscard]] Track vectorTrack(int node, Channel channel, Interpolation interpolation, const VectorKeys& keys);
+[[nodiscard]] Track vectorTrack(int node, Channel channel, Interpolation interpolation,
+                                const VectorKeys& keys);
 
 /// The body with detected limbs and an empty clip of 24 frames a second.
 [[nodiscard]] MovingBiped still(const SyntheticBiped& body);
@@ -34,8 +35,8 @@ using VectorKeys = std::vector<std::pair<double, Vec3>>;
 /// A body with names that detection knows.
 [[nodiscard]] SyntheticBiped namedBody(const BodyOptions& options = {});
 
-/// One second: the left arm winds up, punches forwards at frame 12 and comes back; the left leg kicks, the spine leans, the
-/// hips travel. Keys at frames 0, 6, 12, 18, 24.
+/// One second: the left arm winds up, punches forwards at frame 12 and comes back; the left leg kicks, the
+/// spine leans, the hips travel. Keys at frames 0, 6, 12, 18, 24.
 void addPunch(MovingBiped& moving, Interpolation interpolation);
 [[nodiscard]] MovingBiped punchingBiped(Interpolation interpolation = Interpolation::linear);
 
@@ -43,9 +44,11 @@ void addPunch(MovingBiped& moving, Interpolation interpolation);
 [[nodiscard]] Clip keyedOnEveryFrame(const Clip& clip);
 
 /// A trail that the character follows.
-[[nodiscard]] rig::Trail connectedTrail(const std::string& limb, double startFrame, double endFrame, double scale);
+[[nodiscard]] rig::Trail connectedTrail(const std::string& limb, double startFrame, double endFrame,
+                                        double scale);
 
-[[nodiscard]] rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>& trails, bool loops = false);
+[[nodiscard]] rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
+                                      bool loops = false);
 
 /// The character at a frame of the clip, with the trails and without.
 [[nodiscard]] FrameState atFrame(const MovingBiped& moving, const rig::MotionState& motion, double frame);

@@ -7,7 +7,8 @@
 
 namespace stretch::test {
 
-Rekeyed rekeyedOf(const MovingBiped& moving, const std::vector<rig::Trail>& trails, const rig::RekeyOptions& options, bool loops) {
+Rekeyed rekeyedOf(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
+                  const rig::RekeyOptions& options, bool loops) {
   rig::RekeyOptions used = options;
   used.tolerance = 0.5e-4 * moving.biped.height;
   Rekeyed rekeyed{solved(moving, trails, loops), {}, {}};
@@ -25,7 +26,8 @@ double worstMiss(const MovingBiped& moving, const Rekeyed& rekeyed, int first, i
   double worst = 0.0;
   for (int half = 2 * first; half <= 2 * last; ++half) {
     const double frame = 0.5 * half;
-    worst = std::max(worst, largestNodeMiss(poseOf(moving, rekeyed.clip, frame), atFrame(moving, rekeyed.motion, frame)));
+    worst = std::max(
+        worst, largestNodeMiss(poseOf(moving, rekeyed.clip, frame), atFrame(moving, rekeyed.motion, frame)));
   }
   return worst;
 }
@@ -40,13 +42,15 @@ std::vector<float> keyNumbers(const Track& track, float timeSeconds) {
   if (found == track.times.end()) {
     return {};
   }
-  const auto perKey = static_cast<std::ptrdiff_t>(track.width) * (track.interpolation == Interpolation::cubicSpline ? 3 : 1);
+  const auto perKey =
+      static_cast<std::ptrdiff_t>(track.width) * (track.interpolation == Interpolation::cubicSpline ? 3 : 1);
   const auto begin = track.values.begin() + (found - track.times.begin()) * perKey;
   return {begin, begin + perKey};
 }
 
 Mat3 stretchOf(const rig::StretchKeys& keys, double timeSeconds) {
-  const auto next = std::ranges::find_if(keys.times, [&](float t) { return static_cast<double>(t) > timeSeconds; });
+  const auto next =
+      std::ranges::find_if(keys.times, [&](float t) { return static_cast<double>(t) > timeSeconds; });
   std::size_t i = next == keys.times.begin() ? 0 : static_cast<std::size_t>(next - keys.times.begin()) - 1;
   double t = 0.0;
   if (next != keys.times.begin() && next != keys.times.end()) {
