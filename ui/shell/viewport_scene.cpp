@@ -287,7 +287,10 @@ double facingYaw(const app::Document& document, int clip) {
   const Vec3 left =
       app::hasClip(document, clip) ? app::sagittalNormal(document, clip, 0.0) : Vec3(1.0, 0.0, 0.0);
   const Vec3 forward = glm::cross(left, Vec3(0.0, 1.0, 0.0));
-  return std::atan2(forward.x, forward.z);
+  // The view is the scene's own (front, side, top as animators know them) from the character's side of it: a
+  // boxer who stands half turned is still seen along the axes.
+  const double quarterTurn = 0.5 * pi;
+  return quarterTurn * std::round(std::atan2(forward.x, forward.z) / quarterTurn);
 }
 
 } // namespace stretch::ui

@@ -47,7 +47,8 @@ struct ViewportState {
   bool hovered = false;       ///< The mouse is over it and nothing lies above.
   bool framePending = false;  ///< Show the whole character in the next frame.
   bool frameSelectionPending = false;
-  double facingYawRadians = 0.0; ///< Where the character faces at the clip's start.
+  double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
+                                 ///< start.
   ShownTrails shown;
 
   ViewportGesture gesture = ViewportGesture::none;

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -17,7 +19,7 @@ namespace {
 
 /// A folder of its own with a few files; removed at the end.
 struct Folder {
-  Folder() : path(fs::temp_directory_path() / "stretch-engine-file-dialog") {
+  Folder() : path(fs::temp_directory_path() / ("stretch-engine-file-dialog-" + std::to_string(getpid()))) {
     fs::remove_all(path);
     fs::create_directories(path / "clips");
     for (const char* name : {"Punch.glb", "walk.gltf", "avatar.vrm", "notes.txt", ".hidden.glb"}) {

@@ -1,8 +1,10 @@
-#include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include <catch2/catch.hpp>
 
 #include "tests/support/app/boxer.h"
 #include "ui/shell/autosave.h"
@@ -21,7 +23,7 @@ namespace {
 /// A folder of its own that goes with the test, and stands in for the user's.
 class UserFolder {
 public:
-  UserFolder() : path_(fs::temp_directory_path() / "stretch-shell-test") {
+  UserFolder() : path_(fs::temp_directory_path() / ("stretch-shell-test-" + std::to_string(getpid()))) {
     fs::remove_all(path_);
     fs::create_directories(path_);
     setenv("XDG_CONFIG_HOME", (path_ / "config").c_str(), 1);
