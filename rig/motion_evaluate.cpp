@@ -244,13 +244,16 @@ bool isCarried(const Scene& scene, const MotionState& motion, const SolvedTrail&
 
 FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                           double timeSeconds) {
-  FrameState frame = frameOf(scene, samplePose(scene, clip, timeSeconds), timeSeconds);
+  // Past the last key every track is held, and so is what the trails make of it.
+  const double heldSeconds = std::min(timeSeconds, clip.endSeconds);
+  FrameState frame = frameOf(scene, samplePose(scene, clip, heldSeconds), heldSeconds);
   const std::vector<Mat4> sourceWorlds = frame.worlds;
   for (const SolvedTrail& solved : motion.trails) {
     if (solved.active) {
       applyTrail(scene, motion, solved, sourceWorlds, frame);
     }
   }
+  frame.timeSeconds = timeSeconds;
   return frame;
 }
 

@@ -204,3 +204,11 @@ TEST_CASE("a pulled sphere moves the hand by its offset; one at the pivot fades 
   CHECK(glm::length(handOffset(moving, pivot, 4.0) - 0.5 * Vec3(0.05, 0.1, -0.02)) < 1e-5);
   CHECK(miss(moving, pivot, 2.0) < 1e-6);
 }
+
+TEST_CASE("past the last key a stretched limb is held, as the keys of the file hold it") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = solved(moving, {connectedTrail("left-leg", 0, 24, 2.0)});
+  const FrameState last = atFrame(moving, motion, 24);
+  REQUIRE(miss(moving, motion, 24) > 0.01 * moving.biped.height);
+  CHECK(largestMatrixMiss(atFrame(moving, motion, 24.25), last) == 0.0);
+}
