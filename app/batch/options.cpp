@@ -36,6 +36,24 @@ Result<Vec2> parseRange(const std::string& text) {
   return Vec2(*first, *last);
 }
 
+Result<Vec3> parseVector(const std::string& text, const std::string& where) {
+  Vec3 vector(0.0);
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',', start) : text.size();
+    if (comma == std::string::npos) {
+      return Error{"'" + text + "' is no vector", where, "give three numbers, such as 0,-9.81,0"};
+    }
+    const Result<double> number = parseNumber(text.substr(start, comma - start), where);
+    if (!number) {
+      return number.error();
+    }
+    vector[i] = *number;
+    start = comma + 1;
+  }
+  return vector;
+}
+
 std::string clipList(const Document& document) {
   std::string list;
   for (std::size_t i = 0; i < document.clips->size(); ++i) {

@@ -10,6 +10,9 @@ namespace stretch::app {
 /// "A:B": first and last frame, real numbers, A <= B.
 [[nodiscard]] Result<Vec2> parseRange(const std::string& text);
 
+/// "x,y,z": three numbers; `where` names the option in errors.
+[[nodiscard]] Result<Vec3> parseVector(const std::string& text, const std::string& where);
+
 /// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an
 /// index.
 [[nodiscard]] Result<int> findClip(const Document& document, const std::string& text);

@@ -29,5 +29,7 @@ struct Verb {
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb resaveVerb();
 [[nodiscard]] Verb checkVerb();
+[[nodiscard]] Verb compressVerb();
+[[nodiscard]] Verb compareVerb();
 
 } // namespace stretch::app

@@ -1,0 +1,198 @@
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include <fmt/core.h>
+
+#include "app/batch/options.h"
+#include "app/batch/sequence_report.h"
+#include "app/batch/verb.h"
+#include "app/trail_description.h"
+#include "core/gltf/edits.h"
+#include "skinning/compress/compress.h"
+#include "skinning/elastic/moduli.h"
+#include "skinning/export/encode_gltf.h"
+#include "skinning/sequence/read_sequence.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct CompressArguments {
+  std::vector<std::string> sequence;
+  std::string output;
+  std::string stretch = "elastic";
+  std::string weights = "fitted";
+  std::string length = "line";
+  std::string moduli;
+  std::string gravity;
+  int bones = 30;
+  std::size_t skip = 0;
+  double young = 0.0;
+  double mass = 0.0;
+  double metresPerUnit = 1.0;
+  double framesPerSecond = 0.0;
+  bool quantise = false;
+  bool json = false;
+};
+
+Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) {
+    return Error{"cannot be opened", path, "check the path"};
+  }
+  std::stringstream text;
+  text << file.rdbuf();
+  return skinning::parseModuli(text.str());
+}
+
+Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments) {
+  skinning::CompressSettings settings;
+  settings.bones = arguments.bones;
+  settings.stretch = arguments.stretch == "none"      ? skinning::StretchOption::none
+                     : arguments.stretch == "elastic" ? skinning::StretchOption::elastic
+                                                      : skinning::StretchOption::measured;
+  settings.weights =
+      arguments.weights == "geodesic" ? skinning::WeightOption::geodesic : skinning::WeightOption::fitted;
+  settings.body.lengthModel =
+      arguments.length == "line" ? skinning::LengthModel::line : skinning::LengthModel::monotone;
+  settings.body.firstFittedFrame = arguments.skip;
+  settings.body.metresPerUnit = arguments.metresPerUnit;
+  if (arguments.young > 0.0) {
+    settings.body.youngModulus = arguments.young;
+  }
+  if (arguments.mass > 0.0) {
+    settings.body.mass = arguments.mass;
+  }
+  if (!arguments.gravity.empty()) {
+    const Result<Vec3> gravity = parseVector(arguments.gravity, "--gravity");
+    if (!gravity) {
+      return gravity.error();
+    }
+    settings.body.gravity = *gravity;
+  }
+  if (!arguments.moduli.empty()) {
+    Result<skinning::SegmentModuli> moduli = loadModuli(arguments.moduli);
+    if (!moduli) {
+      return moduli.error();
+    }
+    settings.body.moduli = std::move(*moduli);
+  }
+  return settings;
+}
+
+Json reportOf(const MeshSequence& sequence, const skinning::CompressedSequence& compressed,
+              const skinning::EncodedClip& encoded, double seconds) {
+  Json report = metricsJson(compressed.metrics);
+  report["frames"] = sequence.frameCount();
+  report["vertices"] = sequence.vertexCount;
+  report["joints"] = encoded.joints;
+  report["first_fitted_frame"] = compressed.firstFittedFrame;
+  if (compressed.fittedMetrics) {
+    report["fitted_frames"] = metricsJson(*compressed.fittedMetrics);
+  }
+  report["bytes_per_frame_source"] = skinning::sourceBytesPerFrame(sequence);
+  report["bytes_per_frame"] = encoded.bytesPerFrame;
+  report["bytes_once"] = encoded.bytesOnce;
+  report["seconds"] = seconds;
+  if (compressed.model) {
+    report["young"] = compressed.model->youngModulus;
+    report["mass"] = compressed.model->mass;
+  }
+  report["warnings"] = sequence.warnings;
+  for (const std::string& warning : compressed.warnings) {
+    report["warnings"].push_back(warning);
+  }
+  return report;
+}
+
+void printText(const Json& report) {
+  printMetrics(report);
+  fmt::print("{} joints, {:g} bytes a frame instead of {}\n", report["joints"].get<std::size_t>(),
+             report["bytes_per_frame"].get<double>(), report["bytes_per_frame_source"].get<std::size_t>());
+  for (const Json& warning : report["warnings"]) {
+    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
+  }
+}
+
+Status runCompress(const CompressArguments& arguments) {
+  const Result<skinning::CompressSettings> settings = settingsOf(arguments);
+  if (!settings) {
+    return settings.error();
+  }
+  Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);
+  if (!sequence) {
+    return sequence.error();
+  }
+  if (arguments.framesPerSecond > 0.0) {
+    sequence->framesPerSecond = arguments.framesPerSecond;
+  }
+  // Told to the user and nothing else: no result depends on the clock.
+  const auto start = std::chrono::steady_clock::now();
+  const Result<skinning::CompressedSequence> compressed = skinning::compress(*sequence, *settings);
+  if (!compressed) {
+    return compressed.error();
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  skinning::EncodeSettings encoding;
+  encoding.quantise = arguments.quantise;
+  const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
+  if (const Status saved = gltf::save(encoded.source, arguments.output); !saved) {
+    return saved;
+  }
+  const Json report = reportOf(*sequence, *compressed, encoded, seconds);
+  if (arguments.json) {
+    std::cout << report.dump(1) << '\n';
+  } else {
+    printText(report);
+  }
+  return Success{};
+}
+
+} // namespace
+
+Verb compressVerb() {
+  return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CLI::App& app) {
+            const auto arguments = std::make_shared<CompressArguments>();
+            app.add_option("SEQUENCE", arguments->sequence,
+                           "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
+                           "Sibernetic folder")
+                ->required()
+                ->expected(1, 2);
+            app.add_option("-o,--output", arguments->output, "The .glb to write")->required();
+            app.add_option("--bones", arguments->bones, "Bones along the body")
+                ->check(CLI::Range(1, 1000))
+                ->capture_default_str();
+            app.add_option("--stretch", arguments->stretch, "none, elastic (the model) or measured")
+                ->check(CLI::IsMember({"none", "elastic", "measured"}))
+                ->capture_default_str();
+            app.add_option("--weights", arguments->weights, "geodesic or fitted to the frames")
+                ->check(CLI::IsMember({"geodesic", "fitted"}))
+                ->capture_default_str();
+            app.add_option("--length", arguments->length,
+                           "Length as a function of curvature: the paper's line, or a monotone curve")
+                ->check(CLI::IsMember({"line", "monotone"}))
+                ->capture_default_str();
+            app.add_option("--skip", arguments->skip, "Settling frames that no fit uses");
+            app.add_option("--young", arguments->young, "Young's modulus [Pa]; default: fitted")
+                ->check(CLI::PositiveNumber);
+            app.add_option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water")
+                ->check(CLI::PositiveNumber);
+            app.add_option("--moduli", arguments->moduli, "JSON of moduli by segment");
+            app.add_option("--gravity", arguments->gravity, "x,y,z [m/s^2]; default: 0,-9.81,0");
+            app.add_option("--metres-per-unit", arguments->metresPerUnit, "Scale of the mesh")
+                ->check(CLI::PositiveNumber)
+                ->capture_default_str();
+            app.add_option("--fps", arguments->framesPerSecond, "Frames a second of the clip")
+                ->check(CLI::PositiveNumber);
+            app.add_flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments] { return runCompress(*arguments); };
+          }};
+}
+
+} // namespace stretch::app

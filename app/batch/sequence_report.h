@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/gltf/source.h"
+#include "core/scene/mesh_sequence.h"
+#include "skinning/metrics.h"
+
+namespace stretch::app {
+
+/// "mse", "rmse_percent", "sted" and what belongs to them, as `compress` and `compare` report them.
+[[nodiscard]] gltf::Json metricsJson(const skinning::SequenceMetrics& metrics);
+
+/// The same as lines of text, from the JSON.
+void printMetrics(const gltf::Json& report);
+
+/// A mesh sequence by the words of a command line: one path, or a base mesh and its cache.
+[[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words);
+
+} // namespace stretch::app

@@ -1,0 +1,107 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+#include "app/batch/verb.h"
+#include "core/gltf/source.h"
+
+namespace fs = std::filesystem;
+using namespace stretch;
+
+namespace {
+
+constexpr int rings = 24;
+constexpr int sides = 8;
+
+/// A folder of OBJ frames of a tube that bends, with an end in the middle of a ring's fan at both sides.
+class BendingTube {
+public:
+  explicit BendingTube(int frames)
+      : path_(fs::temp_directory_path() / ("stretch-tube-" + std::to_string(getpid()))) {
+    fs::create_directories(path_ / "frames");
+    for (int frame = 1; frame <= frames; ++frame) {
+      write(frame, 0.02 * frame);
+    }
+  }
+  BendingTube(const BendingTube&) = delete;
+  BendingTube& operator=(const BendingTube&) = delete;
+  ~BendingTube() { fs::remove_all(path_); }
+
+  [[nodiscard]] std::string frames() const { return (path_ / "frames").string(); }
+  [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+
+private:
+  void write(int frame, double curvature) const {
+    std::ofstream out(path_ / "frames" / ("tube-" + std::to_string(frame) + ".obj"));
+    const auto place = [&](double along, double across, double up) {
+      const double angle = curvature * along;
+      out << "v " << along * std::cos(angle) - across * std::sin(angle) << ' ' << up << ' '
+          << along * std::sin(angle) + across * std::cos(angle) << '\n';
+    };
+    for (int ring = 0; ring < rings; ++ring) {
+      for (int side = 0; side < sides; ++side) {
+        const double angle = 2.0 * 3.14159265358979 * side / sides;
+        place(0.5 * ring, std::cos(angle), std::sin(angle));
+      }
+    }
+    place(-0.3, 0.0, 0.0);
+    place(0.5 * (rings - 1) + 0.3, 0.0, 0.0);
+    const int first = rings * sides + 1;
+    for (int side = 0; side < sides; ++side) {
+      const int next = (side + 1) % sides;
+      for (int ring = 0; ring + 1 < rings; ++ring) {
+        const int a = ring * sides + side + 1;
+        const int b = ring * sides + next + 1;
+        out << "f " << a << ' ' << b << ' ' << b + sides << '\n'
+            << "f " << a << ' ' << b + sides << ' ' << a + sides << '\n';
+      }
+      out << "f " << first << ' ' << next + 1 << ' ' << side + 1 << '\n';
+      const int last = (rings - 1) * sides + 1;
+      out << "f " << first + 1 << ' ' << last + side << ' ' << last + next << '\n';
+    }
+  }
+
+  fs::path path_;
+};
+
+int run(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments{"stretch-engine"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  return app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+}
+
+} // namespace
+
+TEST_CASE("a sequence becomes a skinned clip that compares with itself without error") {
+  const BendingTube tube(6);
+  const std::string output = tube.file("tube.glb");
+  REQUIRE(run({"compress", tube.frames(), "-o", output, "--bones", "6", "--stretch", "measured", "--json"}) ==
+          0);
+  const Result<gltf::Loaded> written = gltf::load(output);
+  REQUIRE(written);
+  CHECK(written->scene->skins.size() == 1);
+  CHECK(written->clips.size() == 1);
+  CHECK(run({"compare", output, output, "--json"}) == 0);
+}
+
+TEST_CASE("a sequence that cannot be used gives status 1 and writes nothing") {
+  const BendingTube tube(3);
+  const std::string output = tube.file("tube.glb");
+  std::ofstream(fs::path(tube.frames()) / "tube-2.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  CHECK(run({"compress", tube.frames(), "-o", output}) == 1);
+  CHECK_FALSE(fs::exists(output));
+}
+
+TEST_CASE("options that name nothing are wrong arguments") {
+  CHECK(run({"compress", "frames", "-o", "x.glb", "--stretch", "rubber"}) == 2);
+  CHECK(run({"compress", "frames"}) == 2);
+  CHECK(run({"compare", "one.glb"}) == 2);
+}
