@@ -18,13 +18,17 @@ struct CompareArguments {
   bool json = false;
 };
 
-Result<MeshSequence> readAny(const std::string& path) {
-  return std::filesystem::is_directory(path) ? readSequenceWords({path}) : skinning::readAnimatedGltf(path);
+// `framesPerSecond` 0: at the rate that the file's own keys suggest.
+Result<MeshSequence> readAny(const std::string& path, double framesPerSecond) {
+  return std::filesystem::is_directory(path) ? readSequenceWords({path})
+                                             : skinning::readAnimatedGltf(path, {}, {}, framesPerSecond);
 }
 
 Status runCompare(const CompareArguments& arguments) {
-  const Result<MeshSequence> reference = readAny(arguments.reference);
-  const Result<MeshSequence> other = readAny(arguments.other);
+  const Result<MeshSequence> reference = readAny(arguments.reference, 0.0);
+  // Both are looked at on the frames of the reference, whatever keys the other one has.
+  const bool hasRate = reference && !std::filesystem::is_directory(arguments.reference);
+  const Result<MeshSequence> other = readAny(arguments.other, hasRate ? reference->framesPerSecond : 0.0);
   if (!reference || !other) {
     return reference ? other.error() : reference.error();
   }

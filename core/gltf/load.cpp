@@ -1,5 +1,6 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/import.h"
+#include "core/gltf/load_as_it_stands.h"
 #include "core/gltf/read.h"
 #include "core/gltf/saved_work.h"
 #include "core/gltf/source.h"
@@ -40,15 +41,13 @@ void validateContent(const Source& source, Problems& problems) {
   }
 }
 
-} // namespace
-
-Result<Loaded> load(const std::filesystem::path& path) {
+Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork) {
   Problems problems;
   Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
   if (source) {
     readParts(*source, problems);
-    loaded.savedWork = takeSavedWork(*source, problems);
+    loaded.savedWork = takesWork ? takeSavedWork(*source, problems) : Json(nullptr);
     validateContent(*source, problems);
   }
   if (problems.hasErrors()) {
@@ -66,6 +65,16 @@ Result<Loaded> load(const std::filesystem::path& path) {
   loaded.scene = std::move(scene);
   loaded.warnings = problems.warningLines();
   return loaded;
+}
+
+} // namespace
+
+Result<Loaded> load(const std::filesystem::path& path) {
+  return loadFile(path, true);
+}
+
+Result<Loaded> loadAsItStands(const std::filesystem::path& path) {
+  return loadFile(path, false);
 }
 
 } // namespace stretch::gltf

@@ -204,6 +204,23 @@ double stretchMiss(ExactMotion& exact, const TrailKeys& keys, double start, doub
   return miss;
 }
 
+// The whole frame beside a half frame that is missed by more, if the span has one inside: animators key whole
+// frames, and readers guess the frame rate from the keys.
+template <typename MissAt>
+double onWholeFrame(const MissAt& missAt, double framesPerSecond, double start, double end, double time) {
+  double best = time;
+  double bestMiss = -1.0;
+  const double frame = time * framesPerSecond;
+  for (const double whole : {std::floor(frame + 1e-3), std::ceil(frame - 1e-3)}) {
+    const double candidate = asKeyTime(whole / framesPerSecond);
+    if (candidate > start + sameKey && candidate < end - sameKey && missAt(candidate) > bestMiss) {
+      best = candidate;
+      bestMiss = missAt(candidate);
+    }
+  }
+  return best;
+}
+
 // Adds keys where a span is missed by most until all of it is within the tolerance. `missOf(start, end)`
 // answers the miss of the span from start to end as a function of time.
 template <typename MissOf>
@@ -220,9 +237,10 @@ void refine(const MissOf& missOf, double framesPerSecond, double tolerance, doub
     }
   }
   if (worstMiss > tolerance) {
-    refine(missOf, framesPerSecond, tolerance, start, worstTime, added);
-    added.push_back(worstTime);
-    refine(missOf, framesPerSecond, tolerance, worstTime, end, added);
+    const double key = onWholeFrame(missAt, framesPerSecond, start, end, worstTime);
+    refine(missOf, framesPerSecond, tolerance, start, key, added);
+    added.push_back(key);
+    refine(missOf, framesPerSecond, tolerance, key, end, added);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/source.h"
+#include "core/gltf/load_as_it_stands.h"
 
 namespace stretch::skinning {
 namespace {
@@ -99,16 +99,19 @@ const Clip* findClip(const std::vector<Clip>& clips, const std::string& name) {
 } // namespace
 
 Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const std::string& clipName,
-                                      const Progress& progress) {
-  const auto loaded = gltf::load(path);
+                                      const Progress& progress, double framesPerSecond) {
+  const auto loaded = gltf::loadAsItStands(path);
   if (!loaded) {
     return loaded.error();
   }
-  const Clip* clip = findClip(loaded->clips, clipName);
-  if (clip == nullptr) {
+  const Clip* found = findClip(loaded->clips, clipName);
+  if (found == nullptr) {
     return Error{clipName.empty() ? "the file holds no clip" : fmt::format("there is no clip '{}'", clipName),
                  path.string(), "give an animated file and one of its clips"};
   }
+  Clip atRate = *found;
+  atRate.framesPerSecond = framesPerSecond > 0.0 ? framesPerSecond : found->framesPerSecond;
+  const Clip* const clip = &atRate;
   const Scene& scene = *loaded->scene;
   MeshSequence sequence;
   sequence.name = path.stem().string();

@@ -34,11 +34,12 @@ using Progress = std::function<void(double)>;
 
 /// An animated glTF as it is seen, frame by frame: every mesh of the scene with its morph targets, its skin
 /// or its node, in world space, one vertex list after the other. `clip` is the name or "#index" of a clip;
-/// empty takes the first one. Frames are those of the clip's own rate. An error when the file has no clip or
-/// no mesh.
+/// empty takes the first one. Frames are those of `framesPerSecond`; 0: of the clip's own rate. An error when
+/// the file has no clip or no mesh.
 [[nodiscard]] Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path,
                                                     const std::string& clip = {},
-                                                    const Progress& progress = {});
+                                                    const Progress& progress = {},
+                                                    double framesPerSecond = 0.0);
 
 /// Joins vertices that lie at one place in every frame, as files that split vertices along seams have them.
 /// Returns the number of vertices that went.

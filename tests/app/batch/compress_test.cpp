@@ -10,6 +10,8 @@
 
 #include "app/batch/verb.h"
 #include "core/gltf/source.h"
+#include "skinning/metrics.h"
+#include "skinning/sequence/read_sequence.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -90,6 +92,20 @@ TEST_CASE("a sequence becomes a skinned clip that compares with itself without e
   CHECK(written->scene->skins.size() == 1);
   CHECK(written->clips.size() == 1);
   CHECK(run({"compare", output, output, "--json"}) == 0);
+}
+
+TEST_CASE("a stretched file is compared as it is shown, not as the source that it carries") {
+  const BendingTube folder(1);
+  const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+  const std::string output = folder.file("punch.glb");
+  REQUIRE(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
+  const Result<MeshSequence> before = skinning::readAnimatedGltf(dummy);
+  REQUIRE(before);
+  const Result<MeshSequence> after = skinning::readAnimatedGltf(output, {}, {}, before->framesPerSecond);
+  REQUIRE(after);
+  const Result<skinning::SequenceMetrics> metrics = skinning::compareSequences(*before, *after);
+  REQUIRE(metrics);
+  CHECK(metrics->largestPercent > 10.0);
 }
 
 TEST_CASE("a sequence that cannot be used gives status 1 and writes nothing") {
