@@ -1,4 +1,5 @@
 #include "app/commands/selection.h"
+#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"
@@ -42,8 +43,10 @@ std::string selectionText(const app::Session& session) {
 
 void selectionPart(PanelContext& context) {
   app::Session& session = *context.session;
-  statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
-             {"What is selected", "", {}});
+  if (context.ui.modalText.empty()) { // which names its limb itself
+    statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
+               {"What is selected", "", {}});
+  }
   const rig::SolvedTrail* solved = app::solvedTrail(session, session.view().selectedTrail);
   if (solved == nullptr) {
     return;
@@ -51,6 +54,42 @@ void selectionPart(PanelContext& context) {
   const TipLengths lengths = tipLengths(session, *solved);
   statusText(context, "status/tip", "tip " + lengthsText(lengths), context.theme.colours.quietText,
              {"Length of the limb at the trail's tip", "In the source clip, and as it is now.", {}});
+}
+
+void addHint(const PanelContext& context, std::vector<KeyHint>& hints, const char* commandId,
+             const char* does) {
+  const CommandInfo* info = findCommand(context, commandId);
+  if (info != nullptr && info->enabled && !info->keyText.empty()) {
+    hints.push_back({info->keyText, does});
+  }
+}
+
+/// What the keys do outside of tools: the next steps with what is selected, from the real keys.
+std::vector<KeyHint> usualHints(const PanelContext& context) {
+  std::vector<KeyHint> hints;
+  if (!hasViewedClip(context)) {
+    addHint(context, hints, command::fileOpen, "open");
+    addHint(context, hints, command::palette, "all commands");
+    return hints;
+  }
+  const app::Session& session = *context.session;
+  const bool limbChosen = !session.view().selectedLimbs.empty();
+  if (!limbChosen) {
+    const std::string first = keyOf(context, command::selectLeftArm);
+    const std::string last = keyOf(context, command::selectNeck);
+    hints.push_back({first + ".." + last, "limb"});
+  } else {
+    addHint(context, hints, command::rangeStart, "range start");
+    addHint(context, hints, command::rangeEnd, "end");
+    addHint(context, hints, command::trailExaggerate, "exaggerate");
+  }
+  if (app::selectedTrail(session) != nullptr) {
+    addHint(context, hints, command::sphereNext, "next sphere");
+    addHint(context, hints, command::trailApply, "apply");
+  }
+  addHint(context, hints, command::timePlay, "play");
+  addHint(context, hints, command::palette, "all commands");
+  return hints;
 }
 
 float hintWidth(const PanelContext& context, const KeyHint& hint) {
@@ -64,18 +103,18 @@ float hintWidth(const PanelContext& context, const KeyHint& hint) {
 void hintPart(PanelContext& context) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
+  const std::vector<KeyHint> hints = context.ui.keyHints.empty() ? usualHints(context) : context.ui.keyHints;
   const float free = ImGui::GetContentRegionAvail().x;
   float width = 0.0F;
   std::size_t count = 0;
-  while (count < context.ui.keyHints.size() &&
-         width + hintWidth(context, context.ui.keyHints[count]) <= free) {
-    width += hintWidth(context, context.ui.keyHints[count]);
+  while (count < hints.size() && width + hintWidth(context, hints[count]) <= free) {
+    width += hintWidth(context, hints[count]);
     ++count;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   float x = corner.x + free - width + theme.px(14.0F);
   for (std::size_t i = 0; i < count; ++i) {
-    const KeyHint& hint = context.ui.keyHints[i];
+    const KeyHint& hint = hints[i];
     const float cap = keyCap(widgets, {x, corner.y + theme.px(4.0F)}, hint.key);
     const Rect text{{x + cap + theme.px(6.0F), corner.y},
                     {x + hintWidth(context, hint), corner.y + theme.rowHeight()}};
