@@ -1,0 +1,118 @@
+#include "rig/trail/limb_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+TEST_CASE("sampling a few nodes answers what sampling the whole character answers") {
+  for (const Interpolation interpolation :
+       {Interpolation::linear, Interpolation::cubicSpline, Interpolation::step}) {
+    const MovingBiped moving = punchingBiped(interpolation);
+    const int hand = moving.node.at("hand.l");
+    const NodeSampler sampler(moving.scene, moving.clip, {hand});
+    std::vector<Mat4> worlds;
+    for (double frame = -2.0; frame <= 26.0; frame += 0.7) {
+      sampler.sample(frame / 24.0, worlds);
+      const Mat4 difference = worlds[static_cast<std::size_t>(hand)] -
+                              sourceAtFrame(moving, frame).worlds[static_cast<std::size_t>(hand)];
+      for (int column = 0; column < 4; ++column) {
+        CHECK(glm::length(difference[column]) < 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("a range is sampled at its frames, the keys in it and both ends") {
+  const std::vector<double> times = sampleTimes(0.1, 0.35, 10.0, {0.0, 0.15, 0.2, 0.2000001, 0.4});
+  const std::vector<double> wanted{0.1, 0.15, 0.2, 0.3, 0.35};
+  REQUIRE(times.size() == wanted.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    CHECK(times[i] == Approx(wanted[i]).margin(1e-6));
+  }
+  CHECK(times.front() == 0.1);
+  CHECK(times.back() == 0.35);
+}
+
+TEST_CASE("a range of no length has one sample") {
+  CHECK(sampleTimes(0.5, 0.5, 24.0, {0.5}) == std::vector{0.5});
+}
+
+TEST_CASE("a sparsely keyed limb has a sphere at each of its keys, ends included") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = solved(moving, {connectedTrail("left-arm", 3, 20, 2.0)});
+  const std::vector<double>& frames = motion.trails.front().controlFrames;
+  const std::vector<double> wanted{3, 6, 12, 18, 20};
+  REQUIRE(frames.size() == wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    CHECK(frames[i] == Approx(wanted[i]));
+  }
+}
+
+TEST_CASE("a densely keyed limb has few spheres: ends, extremes and what a cubic needs") {
+  MovingBiped moving = punchingBiped();
+  moving.clip = keyedOnEveryFrame(moving.clip);
+  const MotionState motion = solved(moving, {connectedTrail("left-arm", 0, 24, 2.0)});
+  const std::vector<double>& frames = motion.trails.front().controlFrames;
+  CHECK(frames.front() == 0.0);
+  CHECK(frames.back() == Approx(24.0));
+  CHECK(frames.size() >= 4);
+  CHECK(frames.size() <= 16);
+  CHECK(std::ranges::is_sorted(frames));
+  CHECK(motion.trails.front().path.samples.size() == 25);
+}
+
+TEST_CASE("spheres that the user chose stay as chosen") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 0, 24, 2.0);
+  trail.controlFrames = {0.0, 7.5, 24.0};
+  CHECK(solved(moving, {trail}).trails.front().controlFrames == trail.controlFrames);
+}
+
+TEST_CASE("the ratio runs from 0 at the pivot to 1 at the tip and never back") {
+  const MovingBiped moving = punchingBiped();
+  for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+    Trail trail = connectedTrail("left-arm", 0, 18, 2.0);
+    trail.settings.pivot = pivot;
+    const MotionState motion = solved(moving, {trail});
+    const LimbPath& path = motion.trails.front().path;
+    const double sign = pivot == Pivot::start ? 1.0 : -1.0;
+    CHECK(path.ratioAt(0.0) == (pivot == Pivot::start ? 0.0 : 1.0));
+    CHECK(path.ratioAt(0.75) == Approx(pivot == Pivot::start ? 1.0 : 0.0).margin(1e-12));
+    for (double frame = 0.25; frame <= 18.0; frame += 0.25) {
+      CHECK(sign * (path.ratioAt(frame / 24.0) - path.ratioAt((frame - 0.25) / 24.0)) >= -1e-12);
+    }
+  }
+}
+
+TEST_CASE("the trail's space is measured from the hips or the base and carried back") {
+  const MovingBiped moving = punchingBiped();
+  for (const TrailSpace space : {TrailSpace::world, TrailSpace::root, TrailSpace::base, TrailSpace::view}) {
+    Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+    trail.settings.space = space;
+    trail.settings.viewAxes = Mat3(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0));
+    const MotionState motion = solved(moving, {trail});
+    const LimbPath& path = motion.trails.front().path;
+    for (const LimbSample& sample : path.samples) {
+      const Vec3 there = path.toSpace(sample, sample.end);
+      CHECK(glm::length(path.toWorld(sample, there) - sample.end) < 1e-12);
+      CHECK(glm::length(there) == Approx(glm::length(sample.end - sample.reference)));
+    }
+    const bool fromBase = path.samples[4].reference == path.samples[4].base;
+    CHECK(fromBase == (space == TrailSpace::base));
+  }
+}
+
+TEST_CASE("the default range ends where the hand is farthest from where it began, seen from the base") {
+  const MovingBiped moving = punchingBiped();
+  const Vec2 range = defaultRange(moving.scene, moving.clip, moving.limb("left-arm"));
+  CHECK(range.x == 0.0);
+  CHECK(range.y == 12.0);
+}
