@@ -39,10 +39,14 @@ Mat3 axesOf(const TrailSettings& settings) {
   return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
 }
 
+// Nobody exaggerates an hour in one go; a broken file may claim to last for years.
+constexpr double longestFrames = 100000.0;
+
 TrailSettings usable(TrailSettings settings, const Clip& clip) {
-  const double lastFrame = clip.endSeconds * clip.framesPerSecond;
+  const double lastFrame = std::max(0.0, clip.endSeconds * clip.framesPerSecond);
   settings.startFrame = std::clamp(settings.startFrame, 0.0, lastFrame);
-  settings.endFrame = std::clamp(settings.endFrame, settings.startFrame, lastFrame);
+  settings.endFrame = std::clamp(settings.endFrame, settings.startFrame,
+                                 std::min(lastFrame, settings.startFrame + longestFrames));
   settings.scale = std::max(settings.scale, smallestScale);
   return settings;
 }
@@ -94,6 +98,9 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
     solved.warnings.push_back(
         fmt::format("scale {:g} is taken as {:g}", solved.trail.settings.scale, smallestScale));
   }
+  if (solved.settings.endFrame - solved.settings.startFrame >= longestFrames) {
+    solved.warnings.push_back(fmt::format("the range is cut to {:g} frames", longestFrames));
+  }
   if (tip.outcome == TipOutcome::nothingToScale) {
     solved.warnings.emplace_back(
         "nothing to scale: the limb's end does not move along the active axes in this range");
@@ -117,7 +124,8 @@ double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved, con
   const bool forwards = solved.settings.pivot == Pivot::start;
   const double room =
       forwards ? clip.endSeconds - solved.endSeconds : solved.startSeconds - std::min(0.0, clip.startSeconds);
-  const double limit = input.loops ? clip.endSeconds - clip.startSeconds : room;
+  const double limit = std::min(input.loops ? clip.endSeconds - clip.startSeconds : room,
+                                longestFrames / clip.framesPerSecond);
   if (solved.settings.releaseFrames) {
     return std::clamp(*solved.settings.releaseFrames / clip.framesPerSecond, 0.0, std::max(0.0, limit));
   }
@@ -208,7 +216,7 @@ MotionState solveMotion(const MotionInput& input) {
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
-  const double last = clip.endSeconds * clip.framesPerSecond;
+  const double last = std::min(clip.endSeconds * clip.framesPerSecond, longestFrames);
   std::vector<int> nodes = limb.joints;
   if (limb.endNode >= 0) {
     nodes.push_back(limb.endNode);

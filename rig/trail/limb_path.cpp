@@ -44,10 +44,17 @@ Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std:
                   std::size_t piece, double time) {
   const auto point = [&](std::size_t c) { return samples[controls[c]].end; };
   const auto seconds = [&](std::size_t c) { return samples[controls[c]].timeSeconds; };
+  const auto secant = [&](std::size_t c) {
+    return (point(c + 1) - point(c)) / (seconds(c + 1) - seconds(c));
+  };
+  // Of the parabola through three neighbours, however they are spaced; one-sided at the ends.
   const auto slope = [&](std::size_t c) {
-    const std::size_t before = c > 0 ? c - 1 : c;
-    const std::size_t after = c + 1 < controls.size() ? c + 1 : c;
-    return (point(after) - point(before)) / (seconds(after) - seconds(before));
+    if (c == 0 || c + 1 == controls.size()) {
+      return secant(c == 0 ? 0 : c - 1);
+    }
+    const double before = seconds(c) - seconds(c - 1);
+    const double after = seconds(c + 1) - seconds(c);
+    return (secant(c - 1) * after + secant(c) * before) / (before + after);
   };
   const double h = seconds(piece + 1) - seconds(piece);
   const double t = (time - seconds(piece)) / h;

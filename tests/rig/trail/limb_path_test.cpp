@@ -57,7 +57,7 @@ TEST_CASE("a sparsely keyed limb has a sphere at each of its keys, ends included
 }
 
 TEST_CASE("a densely keyed limb has few spheres: ends, extremes and what a cubic needs") {
-  MovingBiped moving = punchingBiped();
+  MovingBiped moving = punchingBiped(Interpolation::cubicSpline);
   moving.clip = keyedOnEveryFrame(moving.clip);
   const MotionState motion = solved(moving, {connectedTrail("left-arm", 0, 24, 2.0)});
   const std::vector<double>& frames = motion.trails.front().controlFrames;

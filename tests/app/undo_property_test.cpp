@@ -1,0 +1,114 @@
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/sphere_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/evaluate.h"
+#include "app/history.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+class Dice {
+public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
+
+private:
+  std::mt19937 engine_;
+};
+
+Document orUnchanged(const Document& document, const Result<Document>& edited) {
+  return edited ? *edited : document;
+}
+
+Document newTrail(const Document& document, Dice& dice) {
+  NewTrail wanted;
+  const auto limb = static_cast<std::size_t>(dice.below(static_cast<int>(document.biped.limbs.size())));
+  wanted.limb = document.biped.limbs[limb].id;
+  wanted.clip = 0;
+  wanted.settings.startFrame = dice.below(10);
+  wanted.settings.endFrame = wanted.settings.startFrame + 1 + dice.below(10);
+  wanted.settings.scale = 0.5 + 0.5 * dice.below(6);
+  const Result<CreatedTrail> created = createTrail(document, wanted);
+  return created ? created->document : document;
+}
+
+Document randomEdit(const Document& document, Dice& dice) {
+  if (document.trails.empty() || dice.below(5) == 0) {
+    return newTrail(document, dice);
+  }
+  const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.trails.size())));
+  const rig::Trail& trail = document.trails[index];
+  rig::TrailSettings settings = trail.settings;
+  switch (dice.below(8)) {
+  case 0:
+    settings.scale = 0.1 * dice.below(40);
+    settings.axes[1] = dice.below(2) == 0;
+    return orUnchanged(document, setTrailSettings(document, trail.id, settings));
+  case 1:
+    return orUnchanged(document, setExaggerated(document, trail.id, dice.below(2) == 0));
+  case 2:
+    return orUnchanged(document, setConnected(document, trail.id, dice.below(2) == 0));
+  case 3:
+    return orUnchanged(document, applyTrail(document, trail.id));
+  case 4:
+    return orUnchanged(document, setBlend(document, trail.id, dice.below(3)));
+  case 5:
+    return orUnchanged(
+        document,
+        setSphereOffset(document, trail.id, {settings.startFrame, Vec3(0.01 * dice.below(9), 0.0, 0.02)}));
+  case 6:
+    return setLooping(document, 0, dice.below(2) == 0);
+  default:
+    return orUnchanged(document, deleteTrail(document, trail.id));
+  }
+}
+
+} // namespace
+
+TEST_CASE("random edits, all undone, give the start back, and all redone, the end") {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Dice dice(seed);
+    const Document start = test::boxer();
+    History history(start);
+    int pushed = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Document before = history.current();
+      const bool isNew = history.push(randomEdit(before, dice), "edit");
+      pushed += isNew ? 1 : 0;
+      CHECK(isNew != sameDocument(before, history.current()));
+    }
+    CHECK(pushed > 100);
+    const Document end = history.current();
+    int undone = 0;
+    while (history.undo()) {
+      ++undone;
+    }
+    CHECK(undone == pushed);
+    CHECK(sameDocument(history.current(), start));
+    while (history.redo()) {
+    }
+    CHECK(sameDocument(history.current(), end));
+  }
+}
+
+TEST_CASE("what the cache answers is what evaluation without one gives, over random edits") {
+  Dice dice(7);
+  Document document = test::boxer();
+  EvaluationCache cache;
+  for (int i = 0; i < 100; ++i) {
+    document = randomEdit(document, dice);
+    const double seconds = dice.below(21) / 30.0;
+    const FrameState& cached = cache.frame(document, 0, seconds);
+    const FrameState fresh = evaluate(document, prepareMotion(document, 0), seconds);
+    CHECK(cached.worlds == fresh.worlds);
+    CHECK(cached.stretch == fresh.stretch);
+  }
+}
