@@ -2,12 +2,32 @@
 
 #include <utility>
 
+#include <glm/gtc/quaternion.hpp>
+
 namespace stretch {
+
+namespace {
+
+// What the clip itself stretches, where this program wrote the file.
+std::vector<Mat3> stretchOfPose(const Scene& scene, const Pose& pose) {
+  std::vector<Mat3> stretch(scene.bindChains.empty() ? 0 : scene.nodes.size(), Mat3(1.0));
+  for (const BindChain& chain : scene.bindChains) {
+    Mat3 turned = Mat3(localMatrix(scene, pose, chain.leaf));
+    if (chain.endLeaf >= 0) {
+      turned *= Mat3(localMatrix(scene, pose, chain.endLeaf));
+    }
+    stretch[static_cast<std::size_t>(chain.joint)] = turned * glm::mat3_cast(glm::inverse(chain.restTurn));
+  }
+  return stretch;
+}
+
+} // namespace
 
 FrameState frameOf(const Scene& scene, Pose pose, double timeSeconds) {
   FrameState frame;
   frame.timeSeconds = timeSeconds;
   frame.worlds = worldMatrices(scene, pose);
+  frame.stretch = stretchOfPose(scene, pose);
   frame.pose = std::move(pose);
   return frame;
 }

@@ -11,8 +11,8 @@ struct FrameState {
   double timeSeconds = 0.0;
   Pose pose;
   std::vector<Mat4> worlds; ///< World matrix of every node.
-  /// What the bind chain adds: a stretch in the joint's own space that its mesh follows and its children do
-  /// not inherit. One a node, or empty when nothing is stretched.
+  /// What the bind chain adds (of the file's own clip, too): a stretch in the joint's own space that its mesh
+  /// follows and its children do not inherit. One a node, or empty when nothing is stretched.
   std::vector<Mat3> stretch;
 };
 

@@ -6,6 +6,7 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/scene/bind_chains.h"
 
 namespace stretch::gltf {
 
@@ -137,6 +138,7 @@ Scene importScene(const Source& source, Problems& problems) {
   scene.materials = importMaterials(source, problems);
   scene.images = importImages(source, scene.materials, problems);
   scene.humanoid = importHumanoid(source, problems);
+  foldBindLeaves(scene);
   return scene;
 }
 

@@ -94,6 +94,18 @@ struct Material {
   bool unlit = false;
 };
 
+/// Nodes of this program's own under a joint, which carry its stretch (see foldBindLeaves): a leaf with the
+/// stretch axes as its rotation and the stretch as its scale, and where a mesh or the axis asks for it a leaf
+/// below that turns back.
+struct BindChain {
+  int joint = -1;
+  int leaf = -1;
+  int endLeaf = -1;                  ///< -1: none.
+  Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Of the chain at rest: joint space from the last leaf's.
+
+  [[nodiscard]] int lastLeaf() const { return endLeaf >= 0 ? endLeaf : leaf; }
+};
+
 struct Scene {
   std::vector<Node> nodes;
   std::vector<int> roots; ///< Of the default scene; nodes that no scene shows are not drawn.
@@ -104,6 +116,7 @@ struct Scene {
   /// VRM humanoid table (0.x and 1.0): bone name as VRM 1.0 spells it ("leftUpperArm") -> node. Empty without
   /// one.
   std::map<std::string, int> humanoid;
+  std::vector<BindChain> bindChains; ///< Of a file that this program stretched.
 };
 
 /// Node indices ordered so that every parent comes before its children. Files are checked for loops when they

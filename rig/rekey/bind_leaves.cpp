@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "core/scene/bind_chains.h"
 
 namespace stretch::rig {
 
@@ -18,11 +19,25 @@ std::size_t at(int index) {
 struct Leaf {
   int node = -1;
   Quat axis{1.0, 0.0, 0.0, 0.0}; // A
-  bool axisIsFixed = true;       // over all clips
+  bool axisIsFixed = true;       // over all clips, and as the file has it
   bool turnsBack = false;        // has a second leaf
   int bindNode = -1;             // index in the saved file
   int endNode = -1;
+  const BindChain* made = nullptr; // of the file as it was opened
 };
+
+// A leaf that the file has keeps the axis that it has at rest: other clips go by it.
+Leaf newLeaf(const Scene& scene, const StretchKeys& stretch) {
+  Leaf leaf;
+  leaf.node = stretch.node;
+  leaf.axis = stretch.axes.front();
+  leaf.made = findBindChain(scene, stretch.node);
+  if (leaf.made != nullptr) {
+    leaf.axis = scene.nodes[at(leaf.made->leaf)].rest.rotation;
+    leaf.axisIsFixed = leaf.made->endLeaf < 0;
+  }
+  return leaf;
+}
 
 bool sameAxis(const Quat& a, const Quat& b) {
   constexpr double negligibleRadians = 1e-6;
@@ -33,12 +48,7 @@ std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>&
   std::map<int, Leaf> leaves;
   for (const ClipStretches& clip : clips) {
     for (const StretchKeys& stretch : clip.stretches) {
-      const auto [found, isNew] = leaves.try_emplace(stretch.node);
-      Leaf& leaf = found->second;
-      if (isNew) {
-        leaf.node = stretch.node;
-        leaf.axis = stretch.axes.front();
-      }
+      Leaf& leaf = leaves.try_emplace(stretch.node, newLeaf(scene, stretch)).first->second;
       leaf.axisIsFixed =
           leaf.axisIsFixed && stretch.axisIsFixed() && sameAxis(leaf.axis, stretch.axes.front());
     }
@@ -63,14 +73,19 @@ bool deformsAnything(const Scene& scene, int node) {
 void addNodes(const Scene& scene, Leaf& leaf, gltf::Edits& edits) {
   const Node& holder = scene.nodes[at(leaf.node)];
   const auto nextIndex = [&] { return static_cast<int>(scene.nodes.size() + edits.addedNodes.size()); };
-  leaf.bindNode = nextIndex();
-  gltf::AddedNode bind;
-  bind.name = holder.name + "_bind";
-  bind.parent = leaf.node;
-  bind.rest.rotation = leaf.axis;
-  edits.addedNodes.push_back(bind);
-  leaf.endNode = leaf.bindNode;
-  if (leaf.turnsBack) {
+  if (leaf.made != nullptr) {
+    leaf.bindNode = leaf.made->leaf;
+    leaf.endNode = leaf.made->lastLeaf();
+  } else {
+    leaf.bindNode = nextIndex();
+    leaf.endNode = leaf.bindNode;
+    gltf::AddedNode bind;
+    bind.name = holder.name + "_bind";
+    bind.parent = leaf.node;
+    bind.rest.rotation = leaf.axis;
+    edits.addedNodes.push_back(bind);
+  }
+  if (leaf.turnsBack && leaf.endNode == leaf.bindNode) {
     leaf.endNode = nextIndex();
     gltf::AddedNode end;
     end.name = holder.name + "_bind_end";
@@ -82,6 +97,9 @@ void addNodes(const Scene& scene, Leaf& leaf, gltf::Edits& edits) {
 }
 
 void moveSkinSlots(const Scene& scene, const Leaf& leaf, gltf::Edits& edits) {
+  if (leaf.made != nullptr && leaf.made->lastLeaf() == leaf.endNode) {
+    return; // they follow it already
+  }
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const Skin& skin = scene.skins[s];
     for (std::size_t slot = 0; slot < skin.joints.size(); ++slot) {

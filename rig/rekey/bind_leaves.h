@@ -19,7 +19,7 @@ struct ClipStretches {
 /// leaf, with the inverse bind matrix A^-1 IBM. Where the stretch axis moves in J, or a mesh hangs on J
 /// rigidly, a second leaf `J_bind_end` below turns back by A^-1 and takes the slot (with the inverse bind
 /// matrix as it was) or the mesh: a single leaf with a turning A would turn the mesh as well. At scale 1 the
-/// result is the original skinning.
+/// result is the original skinning. Leaves that the file has already (Scene::bindChains) are used again.
 void addBindLeaves(const Scene& scene, const std::vector<ClipStretches>& clips, gltf::Edits& edits);
 
 } // namespace stretch::rig

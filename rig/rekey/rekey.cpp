@@ -64,34 +64,9 @@ bool hasTrack(const std::vector<Track>& tracks, const ChangedChannel& channel) {
   });
 }
 
-// Two trails on one limb (at different times) stretch the same joints: their keys follow each other.
-void addStretch(StretchKeys stretch, std::vector<StretchKeys>& all) {
-  const auto same = std::find_if(all.begin(), all.end(),
-                                 [&](const StretchKeys& other) { return other.node == stretch.node; });
-  if (same == all.end()) {
-    all.push_back(std::move(stretch));
-    return;
-  }
-  StretchKeys& first = same->times.front() <= stretch.times.front() ? *same : stretch;
-  StretchKeys& second = &first == &stretch ? *same : stretch;
-  StretchKeys joined{first.node, {}, {}, {}};
-  const bool fixed = first.axisIsFixed() && second.axisIsFixed() && first.axes.front() == second.axes.front();
-  for (const StretchKeys* part : {&first, &second}) {
-    for (std::size_t i = 0; i < part->times.size(); ++i) {
-      if (!joined.times.empty() && part->times[i] <= joined.times.back()) {
-        continue;
-      }
-      joined.times.push_back(part->times[i]);
-      joined.scales.push_back(part->scales[i]);
-      if (!fixed) {
-        joined.axes.push_back(part->axisIsFixed() ? part->axes.front() : part->axes[i]);
-      }
-    }
-  }
-  if (fixed) {
-    joined.axes = {first.axes.front()};
-  }
-  *same = std::move(joined);
+bool hasStretch(const std::vector<StretchKeys>& stretches, int node) {
+  return std::any_of(stretches.begin(), stretches.end(),
+                     [&](const StretchKeys& keys) { return keys.node == node; });
 }
 
 } // namespace
@@ -113,7 +88,9 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
       }
     }
     for (const int node : trail.stretchedNodes) {
-      addStretch(buildStretch(exact, trail, node), rekeyed.stretches);
+      if (!hasStretch(rekeyed.stretches, node)) {
+        rekeyed.stretches.push_back(buildStretch(exact, trails, node));
+      }
     }
   }
   return rekeyed;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "core/scene/bind_chains.h"
 
 namespace stretch::rig {
 
@@ -22,22 +25,62 @@ StretchParts stretchAt(ExactMotion& exact, int node, double time) {
   return frame.stretch.empty() ? StretchParts{} : partsOf(frame.stretch[static_cast<std::size_t>(node)]);
 }
 
-std::vector<StretchKey> keysOf(ExactMotion& exact, const TrailKeys& keys, int node) {
-  std::vector<StretchKey> out;
+bool stretches(const TrailKeys& keys, int node) {
+  return std::find(keys.stretchedNodes.begin(), keys.stretchedNodes.end(), node) != keys.stretchedNodes.end();
+}
+
+void addTimesOf(const TrailKeys& keys, std::set<float>& times) {
   constexpr float endless = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < keys.windows.size(); ++i) {
     const Window& window = keys.windows[i];
     if (window.jumpsBefore) {
-      out.push_back({std::nextafter(static_cast<float>(window.startSeconds), -endless), {}});
+      times.insert(std::nextafter(static_cast<float>(window.startSeconds), -endless));
     }
     for (const double time : keys.stretchTimes[i]) {
-      out.push_back({static_cast<float>(time), stretchAt(exact, node, time)});
+      times.insert(static_cast<float>(time));
     }
     if (window.jumpsAfter) {
-      out.push_back({std::nextafter(static_cast<float>(window.endSeconds), endless), {}});
+      times.insert(std::nextafter(static_cast<float>(window.endSeconds), endless));
     }
   }
-  return out;
+}
+
+bool isInside(const std::vector<TrailKeys>& trails, int node, float time) {
+  return std::any_of(trails.begin(), trails.end(), [&](const TrailKeys& keys) {
+    return stretches(keys, node) &&
+           std::any_of(keys.windows.begin(), keys.windows.end(), [&](const Window& window) {
+             return time >= static_cast<float>(window.startSeconds) &&
+                    time <= static_cast<float>(window.endSeconds);
+           });
+  });
+}
+
+// A file that was stretched before keeps its stretch outside the trails.
+void addSourceTimes(const ExactMotion& exact, const std::vector<TrailKeys>& trails, int node,
+                    std::set<float>& times) {
+  const BindChain* chain = findBindChain(exact.scene(), node);
+  for (const CopyOnWrite<Track>& track : exact.clip().tracks) {
+    if (chain == nullptr || (track->node != chain->leaf && track->node != chain->endLeaf)) {
+      continue;
+    }
+    std::copy_if(track->times.begin(), track->times.end(), std::inserter(times, times.end()),
+                 [&](float time) { return !isInside(trails, node, time); });
+  }
+}
+
+std::vector<StretchKey> keysOf(ExactMotion& exact, const std::vector<TrailKeys>& trails, int node) {
+  std::set<float> times;
+  for (const TrailKeys& keys : trails) {
+    if (stretches(keys, node)) {
+      addTimesOf(keys, times);
+    }
+  }
+  addSourceTimes(exact, trails, node, times);
+  std::vector<StretchKey> keys;
+  for (const float time : times) {
+    keys.push_back({time, stretchAt(exact, node, static_cast<double>(time))});
+  }
+  return keys;
 }
 
 // Where K is the identity it has no axis: it takes that of the nearest key that has one.
@@ -68,8 +111,8 @@ bool axisStands(const std::vector<StretchKey>& keys, const Vec3& axis) {
 
 } // namespace
 
-StretchKeys buildStretch(ExactMotion& exact, const TrailKeys& keys, int node) {
-  std::vector<StretchKey> all = keysOf(exact, keys, node);
+StretchKeys buildStretch(ExactMotion& exact, const std::vector<TrailKeys>& trails, int node) {
+  std::vector<StretchKey> all = keysOf(exact, trails, node);
   fillAxes(all);
   const auto strongest =
       std::max_element(all.begin(), all.end(), [](const StretchKey& a, const StretchKey& b) {

@@ -6,7 +6,8 @@
 
 namespace stretch::rig {
 
-/// The stretch of one joint as keys, over the windows of the trail that stretches it.
-[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const TrailKeys& keys, int node);
+/// The stretch of one joint as keys: over the windows of all trails that stretch it, and outside them at the
+/// keys of the stretch that the source has already.
+[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const std::vector<TrailKeys>& trails, int node);
 
 } // namespace stretch::rig

@@ -108,7 +108,10 @@ TEST_CASE("A bind leaf at scale one leaves the skinning as it was") {
   CHECK(result.scene->nodes[firstAdded].isBindLeaf);
   CHECK_FALSE(result.scene->nodes[upper].isBindLeaf);
   CHECK(result.scene->nodes[firstAdded].parent == upper);
-  CHECK(result.scene->skins[0].joints == std::vector<int>{0, firstAdded, 2});
+  CHECK(result.source->json["skins"][0]["joints"] == Json{0, firstAdded, 2});
+  CHECK(result.scene->skins[0].joints == std::vector<int>{0, upper, 2});
+  REQUIRE(result.scene->bindChains.size() == 1);
+  CHECK(result.scene->bindChains[0].leaf == firstAdded);
   for (const double time : {0.0, 0.3, 0.5, 1.0}) {
     const std::vector<Vec3> before = skinned(file, wave, time);
     const std::vector<Vec3> after = skinned(result, wave, time);
@@ -174,8 +177,9 @@ TEST_CASE("A rigid mesh moves to its bind leaf") {
   gltf::Edits edits;
   edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
   const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
-  CHECK(result.scene->nodes[prop].mesh == -1);
-  CHECK(result.scene->nodes[firstAdded].mesh == 1);
+  CHECK_FALSE(result.source->json["nodes"][prop].contains("mesh"));
+  CHECK(result.source->json["nodes"][firstAdded]["mesh"] == 1);
+  CHECK(result.scene->nodes[prop].mesh == 1);
 }
 
 TEST_CASE("What VRM says of a mesh's node follows the mesh") {

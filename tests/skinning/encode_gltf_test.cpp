@@ -5,7 +5,7 @@
 #include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
-#include "tests/support/skinning/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::skinning;

@@ -9,7 +9,7 @@
 #include "skinning/sequence/read_sequence.h"
 #include "skinning/sequence/topology.h"
 #include "tests/support/skinning/shapes.h"
-#include "tests/support/skinning/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::skinning;

@@ -125,24 +125,6 @@ GlbBuilder armBuilder() {
   return glb;
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "stretch-test-XXXXXX").string();
-  check(mkdtemp(name.data()) != nullptr, "tests can make a temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::size_t TemporaryFolder::fileCount() const {
-  const fs::recursive_directory_iterator entries(path_);
-  return static_cast<std::size_t>(
-      std::count_if(begin(entries), end(entries),
-                    [](const fs::directory_entry& entry) { return entry.is_regular_file(); }));
-}
-
 void writeBytes(const fs::path& path, const gltf::Bytes& bytes) {
   std::ofstream stream(path, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -152,10 +134,10 @@ gltf::Bytes readBytes(const fs::path& path) {
   return gltf::readFile(path).value();
 }
 
-Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes) {
+Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes, gltf::Tolerance tolerance) {
   const TemporaryFolder folder;
   writeBytes(folder / "model.glb", bytes);
-  return gltf::load(folder / "model.glb");
+  return gltf::load(folder / "model.glb", tolerance);
 }
 
 } // namespace stretch::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/gltf/source.h"
+#include "tests/support/temporary_folder.h"
 
 namespace stretch::test {
 
@@ -45,27 +46,11 @@ struct GlbBuilder {
 /// "upper") and "still" (one key).
 [[nodiscard]] GlbBuilder armBuilder();
 
-/// A folder that is gone after the test.
-class TemporaryFolder {
-public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Number of files in it and below.
-  [[nodiscard]] std::size_t fileCount() const;
-
-private:
-  std::filesystem::path path_;
-};
-
 void writeBytes(const std::filesystem::path& path, const gltf::Bytes& bytes);
 [[nodiscard]] gltf::Bytes readBytes(const std::filesystem::path& path);
 
 /// Loads the bytes as a file.
-[[nodiscard]] Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes);
+[[nodiscard]] Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes,
+                                             gltf::Tolerance tolerance = gltf::Tolerance::refuse);
 
 } // namespace stretch::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -15,8 +16,11 @@ public:
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   /// Writes a file into the folder; answers its path.
   std::filesystem::path write(const std::string& name, std::string_view content) const;
+  /// Number of files in it and below.
+  [[nodiscard]] std::size_t fileCount() const;
 
 private:
   std::filesystem::path path_;

@@ -1,0 +1,84 @@
+#include "core/scene/bind_chains.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace stretch {
+
+namespace {
+
+Node& nodeOf(Scene& scene, int index) {
+  return scene.nodes[static_cast<std::size_t>(index)];
+}
+
+bool isLeafAsWritten(const Node& node) {
+  return node.isBindLeaf && !node.matrix && glm::length(node.rest.translation) <= 0.0;
+}
+
+std::optional<BindChain> chainAt(Scene& scene, int leaf) {
+  const Node& node = nodeOf(scene, leaf);
+  if (!isLeafAsWritten(node) || node.parent < 0 || nodeOf(scene, node.parent).isBindLeaf ||
+      node.children.size() > 1) {
+    return std::nullopt;
+  }
+  BindChain chain{node.parent, leaf, -1, node.rest.rotation};
+  if (!node.children.empty()) {
+    chain.endLeaf = node.children.front();
+    const Node& end = nodeOf(scene, chain.endLeaf);
+    if (!isLeafAsWritten(end) || !end.children.empty()) {
+      return std::nullopt;
+    }
+    chain.restTurn = node.rest.rotation * end.rest.rotation;
+  }
+  return chain;
+}
+
+bool hasMorphTargets(const Scene& scene, int mesh) {
+  const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+  return std::any_of(primitives.begin(), primitives.end(),
+                     [](const Primitive& primitive) { return !primitive.morphTargets.empty(); });
+}
+
+// A clip moves the morph weights of the node that holds the mesh: then it has to stay where it is.
+bool canFold(Scene& scene, const BindChain& chain) {
+  const Node& last = nodeOf(scene, chain.lastLeaf());
+  const Node& joint = nodeOf(scene, chain.joint);
+  return last.mesh < 0 || (last.skin < 0 && joint.mesh < 0 && !hasMorphTargets(scene, last.mesh));
+}
+
+void fold(Scene& scene, const BindChain& chain) {
+  const Mat4 atRest = glm::mat4_cast(chain.restTurn);
+  for (Skin& skin : scene.skins) {
+    for (std::size_t slot = 0; slot < skin.joints.size(); ++slot) {
+      if (skin.joints[slot] == chain.lastLeaf()) {
+        skin.joints[slot] = chain.joint;
+        skin.inverseBind[slot] = atRest * skin.inverseBind[slot];
+      }
+    }
+  }
+  std::swap(nodeOf(scene, chain.joint).mesh, nodeOf(scene, chain.lastLeaf()).mesh);
+  scene.bindChains.push_back(chain);
+}
+
+} // namespace
+
+void foldBindLeaves(Scene& scene) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const std::optional<BindChain> chain = chainAt(scene, static_cast<int>(i));
+    if (chain && canFold(scene, *chain) && findBindChain(scene, chain->joint) == nullptr) {
+      fold(scene, *chain);
+    }
+  }
+}
+
+const BindChain* findBindChain(const Scene& scene, int joint) {
+  const auto found = std::find_if(scene.bindChains.begin(), scene.bindChains.end(),
+                                  [&](const BindChain& chain) { return chain.joint == joint; });
+  return found == scene.bindChains.end() ? nullptr : &*found;
+}
+
+} // namespace stretch
