@@ -18,8 +18,8 @@ auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
 
 } // namespace
 
-Result<Document> openDocument(const std::filesystem::path& path) {
-  Result<gltf::Loaded> loaded = gltf::load(path);
+Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance) {
+  Result<gltf::Loaded> loaded = gltf::load(path, tolerance);
   if (!loaded) {
     return loaded.error();
   }

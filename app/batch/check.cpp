@@ -19,7 +19,15 @@ struct CheckArguments {
 };
 
 std::string_view severityName(gltf::Severity severity) {
-  return severity == gltf::Severity::error ? "error" : "warning";
+  switch (severity) {
+  case gltf::Severity::error:
+    return "error";
+  case gltf::Severity::violation:
+    return "violation";
+  case gltf::Severity::warning:
+    break;
+  }
+  return "warning";
 }
 
 void printJson(const std::vector<gltf::Problem>& problems) {

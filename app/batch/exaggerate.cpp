@@ -22,7 +22,7 @@ namespace {
 using gltf::Json;
 
 struct ExaggerateArguments {
-  std::string file;
+  FileArguments input;
   std::string output;
   std::string clip;
   std::string recipe;
@@ -220,7 +220,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (arguments.recipe.empty() && requests.empty()) {
     return Error{"no limb was named", "--limb", "name one, such as --limb left-arm, or give a --recipe"};
   }
-  Result<Document> document = openDocument(arguments.file);
+  Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
   }
@@ -301,7 +301,7 @@ Verb exaggerateVerb() {
   return {
       "exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
         const auto arguments = std::make_shared<ExaggerateArguments>();
-        app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+        addFileArguments(app, arguments->input);
         app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
         app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
         app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 
@@ -13,7 +14,7 @@ namespace {
 using gltf::Json;
 
 struct InfoArguments {
-  std::string file;
+  FileArguments input;
   bool json = false;
 };
 
@@ -124,7 +125,7 @@ void printText(const Json& info) {
 }
 
 Status runInfo(const InfoArguments& arguments) {
-  const Result<Document> document = openDocument(arguments.file);
+  const Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
   }
@@ -143,7 +144,7 @@ Verb infoVerb() {
   return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.",
           [](CLI::App& app) {
             const auto arguments = std::make_shared<InfoArguments>();
-            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            addFileArguments(app, arguments->input);
             app.add_flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runInfo(*arguments); };
           }};

@@ -20,6 +20,16 @@ std::string limbList(const Document& document) {
 
 } // namespace
 
+void addFileArguments(CLI::App& app, FileArguments& arguments) {
+  app.add_option("FILE", arguments.file, "A .glb, .gltf or .vrm file")->required();
+  app.add_flag("--tolerant", arguments.tolerant,
+               "Take a file that breaks the specification as well as it can be read");
+}
+
+Result<Document> openDocument(const FileArguments& arguments) {
+  return openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+}
+
 Result<Vec2> parseRange(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {

@@ -2,10 +2,23 @@
 
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "app/document.h"
 #include "core/base/result.h"
 
 namespace stretch::app {
+
+/// The character file that a verb works on.
+struct FileArguments {
+  std::string file;
+  bool tolerant = false;
+};
+
+/// Declares FILE and --tolerant; `arguments` has to live as long as the subcommand.
+void addFileArguments(CLI::App& app, FileArguments& arguments);
+
+[[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 
 /// "A:B": first and last frame, real numbers, A <= B.
 [[nodiscard]] Result<Vec2> parseRange(const std::string& text);

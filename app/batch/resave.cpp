@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/save.h"
@@ -9,12 +10,12 @@ namespace stretch::app {
 namespace {
 
 struct ResaveArguments {
-  std::string file;
+  FileArguments input;
   std::string output;
 };
 
 Status runResave(const ResaveArguments& arguments) {
-  const Result<Document> document = openDocument(arguments.file);
+  const Result<Document> document = openDocument(arguments.input);
   return document ? saveDocument(*document, arguments.output, {}) : Status(document.error());
 }
 
@@ -24,7 +25,7 @@ Verb resaveVerb() {
   return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).",
           [](CLI::App& app) {
             const auto arguments = std::make_shared<ResaveArguments>();
-            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            addFileArguments(app, arguments->input);
             app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
             return [arguments] { return runResave(*arguments); };
           }};

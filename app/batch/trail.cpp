@@ -16,7 +16,7 @@ namespace {
 using gltf::Json;
 
 struct TrailArguments {
-  std::string file;
+  FileArguments input;
   std::string limb;
   std::string clip;
   std::string range;
@@ -40,7 +40,7 @@ Json trailJson(const rig::MotionState& motion) {
 }
 
 Status runTrail(const TrailArguments& arguments) {
-  Result<Document> document = openDocument(arguments.file);
+  Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
   }
@@ -84,7 +84,7 @@ Status runTrail(const TrailArguments& arguments) {
 Verb trailVerb() {
   return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CLI::App& app) {
             const auto arguments = std::make_shared<TrailArguments>();
-            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            addFileArguments(app, arguments->input);
             app.add_option("--limb", arguments->limb,
                            "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
                 ->required();

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -25,7 +27,7 @@ void validateBufferView(const Source& source, std::size_t index, Problems& probl
   if (wholeOr(view, "byteStride", 4) % 4 != 0) {
     problems.error(at("bufferViews", index) + ".byteStride", "is no multiple of 4");
   } else if (find(view, "byteStride") != nullptr && indexOr(view, "target") == indexTarget) {
-    problems.warning(at("bufferViews", index) + ".byteStride", "is not allowed for indices");
+    problems.violation(at("bufferViews", index) + ".byteStride", "is not allowed for indices");
   }
 }
 
@@ -97,7 +99,7 @@ private:
     } else if (end > wholeOr(view, "byteLength", 0)) {
       error(place, "reads past the end of its buffer view");
     } else if ((start + wholeOr(view, "byteOffset", 0)) % componentSize(shape.component) != 0) {
-      problems_.warning(place, "is not aligned to the size of its components");
+      problems_.violation(place, "is not aligned to the size of its components");
     }
     needBytes(view);
   }
@@ -142,17 +144,25 @@ private:
   bool isReadable_ = true;
 };
 
-void markMap(const Json& map, std::vector<bool>& used) {
+void addAttributes(const Json& map, std::set<int>& attributes) {
   for (const auto& [name, accessor] : map.items()) {
-    used[static_cast<std::size_t>(*wholeNumber(accessor))] = true;
+    attributes.insert(static_cast<int>(*wholeNumber(accessor)));
   }
 }
 
-void markPrimitive(const Json& primitive, std::vector<bool>& used) {
-  markMap(*find(primitive, "attributes"), used);
-  for (std::size_t i = 0; i < sizeOf(primitive, "targets"); ++i) {
-    markMap(element(primitive, "targets", i), used);
+std::set<int> vertexAttributes(const Json& json) {
+  std::set<int> attributes;
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      const Json& primitive = element(mesh, "primitives", k);
+      addAttributes(*find(primitive, "attributes"), attributes);
+      for (std::size_t t = 0; t < sizeOf(primitive, "targets"); ++t) {
+        addAttributes(element(primitive, "targets", t), attributes);
+      }
+    }
   }
+  return attributes;
 }
 
 void markIndex(const Json& object, std::string_view key, std::vector<bool>& used) {
@@ -164,10 +174,12 @@ void markIndex(const Json& object, std::string_view key, std::vector<bool>& used
 // Accessors that meshes, skins or animations refer to.
 std::vector<bool> usedAccessors(const Json& json) {
   std::vector<bool> used(sizeOf(json, "accessors"), false);
+  for (const int accessor : vertexAttributes(json)) {
+    used[static_cast<std::size_t>(accessor)] = true;
+  }
   for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
     const Json& mesh = element(json, "meshes", i);
     for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
-      markPrimitive(element(mesh, "primitives", k), used);
       markIndex(element(mesh, "primitives", k), "indices", used);
     }
   }
@@ -182,6 +194,20 @@ std::vector<bool> usedAccessors(const Json& json) {
     }
   }
   return used;
+}
+
+// glTF 2.0 specification 3.6.2.1: a view that several attributes share says how far apart their elements are.
+void validateSharedViews(const Json& json, Problems& problems) {
+  std::map<int, int> users;
+  for (const int accessor : vertexAttributes(json)) {
+    const int view = indexOr(element(json, "accessors", static_cast<std::size_t>(accessor)), "bufferView");
+    const bool isUnsaid = view >= 0 && find(element(json, "bufferViews", static_cast<std::size_t>(view)),
+                                            "byteStride") == nullptr;
+    if (isUnsaid && ++users[view] == 2) {
+      problems.violation(at("bufferViews", static_cast<std::size_t>(view)),
+                         "holds several vertex attributes, but has no byteStride");
+    }
+  }
 }
 
 struct Bounds {
@@ -218,7 +244,7 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
   const Json& json = element(source.json, "accessors", index);
   const std::vector<float> values = readFloats(source, static_cast<int>(index));
   if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
-    problems.warning(at("accessors", index), "holds values that are no finite numbers");
+    problems.violation(at("accessors", index), "holds values that are no finite numbers");
     return;
   }
   const Bounds bounds = boundsOf(values, static_cast<std::size_t>(shape.width));
@@ -226,7 +252,7 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
   const bool isComparable = !shape.isNormalized;
   if (isComparable && (!agrees(numbersOf(json, "min"), bounds.least, bounds) ||
                        !agrees(numbersOf(json, "max"), bounds.most, bounds))) {
-    problems.warning(at("accessors", index), "has a min or max that its values do not have");
+    problems.violation(at("accessors", index), "has a min or max that its values do not have");
   }
 }
 
@@ -239,6 +265,7 @@ void validateAccessors(const Source& source, Problems& problems) {
   if (problems.hasErrors()) {
     return;
   }
+  validateSharedViews(source.json, problems);
   const std::vector<bool> used = usedAccessors(source.json);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {

@@ -75,8 +75,8 @@ private:
   void warnOfTexCoords(const Primitive& made, const std::string& where) {
     const int texCoord = baseColorTexCoord(source_, made.material);
     if (made.texCoords.empty() && usesBaseColorTexture(source_, made.material)) {
-      problems_.warning(where,
-                        fmt::format("has no TEXCOORD_{}, which its material's texture needs", texCoord));
+      problems_.violation(where,
+                          fmt::format("has no TEXCOORD_{}, which its material's texture needs", texCoord));
     }
   }
 

@@ -41,7 +41,7 @@ void validateContent(const Source& source, Problems& problems) {
   }
 }
 
-Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork) {
+Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Tolerance tolerance) {
   Problems problems;
   Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
@@ -58,7 +58,7 @@ Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork) {
     return problems.firstError();
   }
   loaded.clips = importClips(*source, *scene, problems);
-  if (problems.hasErrors()) {
+  if (problems.hasErrors() || (tolerance == Tolerance::refuse && problems.hasViolations())) {
     return problems.firstError();
   }
   loaded.source = std::make_shared<const Source>(*std::move(source));
@@ -69,12 +69,12 @@ Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork) {
 
 } // namespace
 
-Result<Loaded> load(const std::filesystem::path& path) {
-  return loadFile(path, true);
+Result<Loaded> load(const std::filesystem::path& path, Tolerance tolerance) {
+  return loadFile(path, true, tolerance);
 }
 
 Result<Loaded> loadAsItStands(const std::filesystem::path& path) {
-  return loadFile(path, false);
+  return loadFile(path, false, Tolerance::warn);
 }
 
 } // namespace stretch::gltf

@@ -21,6 +21,17 @@ bool allFinite(const std::vector<glm::vec3>& vectors) {
   });
 }
 
+// An accessor without bytes stands for zeros.
+bool hasData(const Source& source, int accessor) {
+  const Json& json = element(source.json, "accessors", static_cast<std::size_t>(accessor));
+  const int view = indexOr(json, "bufferView");
+  if (view < 0) {
+    return find(json, "sparse") != nullptr;
+  }
+  const int buffer = indexOr(element(source.json, "bufferViews", static_cast<std::size_t>(view)), "buffer");
+  return !source.buffers[static_cast<std::size_t>(buffer)].empty();
+}
+
 bool isInteger(const AccessorShape& shape) {
   return shape.component != ComponentType::float32;
 }
@@ -129,9 +140,10 @@ void PrimitiveParts::readVertices(int texCoordSet, Primitive& made) {
   }
   if (numbersOf(element(source_.json, "accessors", static_cast<std::size_t>(position->accessor)), "min")
           .empty()) {
-    problems_.warning(where_ + ".attributes.POSITION", "its accessor has no min and max");
+    problems_.violation(where_ + ".attributes.POSITION", "its accessor has no min and max");
   }
-  if (const std::optional<Attribute> normal = attribute(attributes, "NORMAL", "VEC3", "attributes")) {
+  const std::optional<Attribute> normal = attribute(attributes, "NORMAL", "VEC3", "attributes");
+  if (normal && hasData(source_, normal->accessor)) {
     made.normals = vectors(*normal);
   }
   readTexCoords(texCoordSet, made);
@@ -167,7 +179,7 @@ void PrimitiveParts::readColors(Primitive& made) {
     isClamped = isClamped || made.colors.back() != value;
   }
   if (isClamped) {
-    problems_.warning(where_ + ".attributes.COLOR_0", "holds colours beyond 0 to 1; they are clamped");
+    problems_.violation(where_ + ".attributes.COLOR_0", "holds colours beyond 0 to 1; they are clamped");
   }
 }
 
@@ -182,9 +194,10 @@ void PrimitiveParts::checkOtherAttributes() {
         std::any_of(standardNames.begin(), standardNames.end(),
                     [&](std::string_view standard) { return name.starts_with(standard); });
     if (!isStandard && !name.starts_with('_')) {
-      problems_.warning(place, "is no attribute that glTF knows");
+      problems_.violation(place, "is no attribute that glTF knows");
     } else if (!shape || shape->component == ComponentType::uint32 || shape->count != vertexCount_) {
-      problems_.warning(place, "its accessor has a type or number of elements that an attribute cannot have");
+      problems_.violation(place,
+                          "its accessor has a type or number of elements that an attribute cannot have");
     }
   }
 }
@@ -301,8 +314,8 @@ MorphTarget PrimitiveParts::readMorphTarget(const Json& json, const std::string&
   }
   for (const auto& [name, accessor] : json.items()) {
     if (find(*find(json_, "attributes"), name) == nullptr) {
-      problems_.warning(fmt::format("{}.{}.{}", where_, place, name),
-                        "moves an attribute that the primitive does not have");
+      problems_.violation(fmt::format("{}.{}.{}", where_, place, name),
+                          "moves an attribute that the primitive does not have");
     }
   }
   return target;

@@ -31,6 +31,13 @@ void Problems::error(std::string where, std::string what, std::string remedy) {
   hasErrors_ = true;
 }
 
+void Problems::violation(std::string where, std::string what) {
+  if (list_.size() < capacity) {
+    list_.push_back({Severity::violation, std::move(where), std::move(what),
+                     "repair the file or export it again, or take it as it is with --tolerant"});
+  }
+}
+
 void Problems::warning(std::string where, std::string what) {
   if (list_.size() < capacity) {
     list_.push_back({Severity::warning, std::move(where), std::move(what), {}});
@@ -41,15 +48,21 @@ void Problems::add(const Problems& others) {
   for (const Problem& problem : others.list_) {
     if (problem.severity == Severity::error) {
       error(problem.where, problem.what, problem.remedy);
-    } else {
-      warning(problem.where, problem.what);
+    } else if (list_.size() < capacity) {
+      list_.push_back(problem);
     }
   }
 }
 
+bool Problems::hasViolations() const {
+  return std::any_of(list_.begin(), list_.end(),
+                     [](const Problem& problem) { return problem.severity == Severity::violation; });
+}
+
 Error Problems::firstError() const {
+  const Severity worst = hasErrors_ ? Severity::error : Severity::violation;
   const auto found = std::find_if(list_.begin(), list_.end(),
-                                  [](const Problem& problem) { return problem.severity == Severity::error; });
+                                  [&](const Problem& problem) { return problem.severity == worst; });
   check(found != list_.end(), "a failed reading has an error");
   return {found->what, found->where,
           found->remedy.empty() ? "repair the file or export it again" : found->remedy};
@@ -59,7 +72,7 @@ std::vector<std::string> Problems::warningLines() const {
   std::vector<std::string> order;
   std::map<std::string, Repeated> places;
   for (const Problem& problem : list_) {
-    if (problem.severity != Severity::warning) {
+    if (problem.severity == Severity::error) {
       continue;
     }
     Repeated& repeated = places[problem.what];

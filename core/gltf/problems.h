@@ -9,7 +9,11 @@
 
 namespace stretch::gltf {
 
-enum class Severity { error, warning };
+enum class Severity {
+  error,     ///< Cannot be read.
+  violation, ///< Breaks the specification, though what is meant can be read: see Tolerance.
+  warning,   ///< Odd, or wrong in a way that files in use are known for.
+};
 
 /// One thing that is wrong or odd in a file.
 struct Problem {
@@ -28,16 +32,18 @@ public:
   static constexpr std::size_t capacity = 20000;
 
   void error(std::string where, std::string what, std::string remedy = {});
+  void violation(std::string where, std::string what);
   void warning(std::string where, std::string what);
   void add(const Problems& others);
 
   [[nodiscard]] bool hasErrors() const { return hasErrors_; }
+  [[nodiscard]] bool hasViolations() const;
   [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
 
-  /// The first error as one for the user; there has to be one.
+  /// The first error, or without one the first violation, as an error for the user; there has to be one.
   [[nodiscard]] Error firstError() const;
 
-  /// The warnings, one line each; those that differ only in their place share a line.
+  /// Warnings and violations, one line each; those that differ only in their place share a line.
   [[nodiscard]] std::vector<std::string> warningLines() const;
 
 private:

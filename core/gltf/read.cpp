@@ -72,8 +72,8 @@ Bytes fromDataUri(const std::string& uri, const std::string& where, Problems& pr
     return {};
   }
   if (data->mediaType != "application/octet-stream" && data->mediaType != "application/gltf-buffer") {
-    problems.warning(where + ".uri",
-                     fmt::format("has the media type '{}', not application/octet-stream", data->mediaType));
+    problems.violation(where + ".uri",
+                       fmt::format("has the media type '{}', not application/octet-stream", data->mediaType));
   }
   return std::move(data->bytes);
 }
@@ -82,7 +82,7 @@ Bytes fromFileBeside(const Source& source, const std::string& uri, const std::st
                      Problems& problems) {
   const std::optional<std::filesystem::path> relative = relativePath(uri);
   if (!relative) {
-    problems.warning(where + ".uri", fmt::format("'{}' is no relative path and is not read", uri));
+    problems.violation(where + ".uri", fmt::format("'{}' is no relative path and is not read", uri));
     return {};
   }
   Result<Bytes> bytes = readFile(source.path.parent_path() / *relative);

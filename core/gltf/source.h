@@ -40,8 +40,12 @@ struct Loaded {
   Json savedWork;                    ///< What `Edits::work` held when the file was saved; null without one.
 };
 
+/// What becomes of a file that breaks the specification but can be read all the same. What files in use are
+/// known for (strided samplers, weights that do not sum to 1, missing textures, ...) is a warning either way.
+enum class Tolerance { refuse, warn };
+
 /// Reads .glb, .gltf, .vrm or .vrma (told by content, not by name). Bad input gives an Error that names the
 /// place.
-[[nodiscard]] Result<Loaded> load(const std::filesystem::path& path);
+[[nodiscard]] Result<Loaded> load(const std::filesystem::path& path, Tolerance tolerance = Tolerance::refuse);
 
 } // namespace stretch::gltf

@@ -130,8 +130,8 @@ TEST_CASE("Sparse values replace those of the accessor") {
   glb.floats({7, 8, 9, 4, 5, 6}, "VEC3", 3);
   const std::size_t valueView = glb.json["bufferViews"].size() - 1;
   Json& positions = glb.json["accessors"][0];
-  positions.erase("min");
-  positions.erase("max");
+  positions["min"] = {0, 0, 0};
+  positions["max"] = {7, 8, 9};
   positions["sparse"] = {{"count", 2},
                          {"indices", {{"bufferView", indexView}, {"componentType", 5123}}},
                          {"values", {{"bufferView", valueView}}}};
@@ -140,6 +140,39 @@ TEST_CASE("Sparse values replace those of the accessor") {
   CHECK(read[0] == glm::vec3(0, 0, 0));
   CHECK(read[1] == glm::vec3(7, 8, 9));
   CHECK(read[5] == glm::vec3(4, 5, 6));
+}
+
+TEST_CASE("What breaks the specification but can be read is refused, unless it is tolerated") {
+  GlbBuilder glb = armBuilder();
+  std::string place;
+  SECTION("a rotation that is no unit quaternion") {
+    glb.json["nodes"][2]["rotation"] = {0, 0, 1, 1};
+    place = "nodes[2].rotation";
+  }
+  SECTION("bounds that the values do not have") {
+    glb.json["accessors"][0]["max"] = {1, 1, 1};
+    place = "accessors[0]";
+  }
+  SECTION("positions without bounds") {
+    glb.json["accessors"][0].erase("min");
+    place = "meshes[0].primitives[0].attributes.POSITION";
+  }
+  SECTION("attributes that share a view without a stride") {
+    glb.json["accessors"].push_back(glb.json["accessors"][0]);
+    glb.json["meshes"][0]["primitives"][0]["attributes"]["_OTHER"] = glb.json["accessors"].size() - 1;
+    place = "bufferViews[0]";
+  }
+  SECTION("an empty array") {
+    glb.json["textures"] = Json::array();
+    place = "textures";
+  }
+  const Result<gltf::Loaded> refused = test::loadBytes(glb.bytes());
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().where, Catch::Contains(place));
+  CHECK_THAT(refused.error().line(), Catch::Contains("--tolerant"));
+  const Result<gltf::Loaded> tolerated = test::loadBytes(glb.bytes(), gltf::Tolerance::warn);
+  REQUIRE(tolerated);
+  CHECK_FALSE(tolerated->warnings.empty());
 }
 
 TEST_CASE("Strided accessors are read with their stride") {
@@ -157,10 +190,12 @@ TEST_CASE("Keys at one time are moved apart, keys that go back are refused") {
   GlbBuilder glb = armBuilder();
   SECTION("equal") {
     glb.json["animations"][0]["samplers"][0]["input"] = glb.floats({0, .5F, .5F}, "SCALAR", 1);
-    const gltf::Loaded file = loaded(glb);
+    CHECK_FALSE(test::loadBytes(glb.bytes()));
+    const gltf::Loaded file = test::loadBytes(glb.bytes(), gltf::Tolerance::warn).value();
     const std::vector<float>& times = file.clips[0].tracks[0]->times;
     CHECK(times[1] < times[2]);
     CHECK(times[2] == Approx(0.5));
+    CHECK(warnsOf(file, "moved apart"));
   }
   SECTION("backwards") {
     glb.json["animations"][0]["samplers"][0]["input"] = glb.floats({0, 1, .5F}, "SCALAR", 1);

@@ -19,7 +19,7 @@ namespace stretch::ui {
 namespace {
 
 struct RenderArguments {
-  std::string file;
+  app::FileArguments input;
   std::string output;
   std::string clip;
   std::string frame;
@@ -215,7 +215,7 @@ Status draw(const RenderArguments& arguments, const Scene& scene, const std::vec
 }
 
 Status runRender(const RenderArguments& arguments) {
-  Result<app::Document> document = app::openDocument(arguments.file);
+  Result<app::Document> document = app::openDocument(arguments.input);
   const Result<PixelSize> size = parseSize(arguments.size);
   const Result<ViewDirection> view = parseView(arguments.view);
   if (!document || !size || !view) {
@@ -255,7 +255,7 @@ app::Verb renderVerb() {
   return {"render", "Draws a file without a display: a frame, a numbered series, a contact sheet.",
           [](CLI::App& program) {
             const auto arguments = std::make_shared<RenderArguments>();
-            program.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+            app::addFileArguments(program, arguments->input);
             program.add_option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN")
                 ->required();
             program.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");

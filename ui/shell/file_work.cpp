@@ -38,7 +38,8 @@ void startLoading(Shell& shell, const fs::path& path, std::optional<fs::path> re
   }
   shell.files.loadingPath = path;
   shell.files.restoreFrom = std::move(restoreFrom);
-  shell.files.loading = std::async(std::launch::async, [path] { return app::openDocument(path); });
+  shell.files.loading =
+      std::async(std::launch::async, [path] { return app::openDocument(path, gltf::Tolerance::warn); });
   shell.ui.busyText = "Opening " + path.filename().string();
   shell.ui.busyFraction = -1.0F;
 }
