@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/queries.h"
+
 namespace stretch::rig {
 
 namespace {
@@ -28,14 +30,6 @@ std::vector<int> pathDown(const Scene& scene, int ancestor, int node) {
 
 bool contains(const std::vector<int>& nodes, int node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
-std::set<int> skinJoints(const Scene& scene) {
-  std::set<int> joints;
-  for (const Skin& skin : scene.skins) {
-    joints.insert(skin.joints.begin(), skin.joints.end());
-  }
-  return joints;
 }
 
 bool subtreeHolds(const Scene& scene, int root, const std::set<int>& nodes) {

@@ -5,6 +5,7 @@
 
 #include "core/gltf/fields.h"
 #include "core/gltf/patch_parts.h"
+#include "core/math/finite.h"
 
 namespace stretch::gltf {
 
@@ -14,22 +15,11 @@ Error unfit(std::string what) {
   return {"an edit does not fit the file: " + what, "", "report this as a fault of the program"};
 }
 
-bool isFinite(const Transform& rest) {
+bool hasFiniteNumbers(const Transform& rest) {
   const double sum = rest.translation.x + rest.translation.y + rest.translation.z + rest.rotation.x +
                      rest.rotation.y + rest.rotation.z + rest.rotation.w + rest.scale.x + rest.scale.y +
                      rest.scale.z;
   return std::isfinite(sum);
-}
-
-bool isFinite(const Mat4& matrix) {
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 bool allFinite(const std::vector<float>& values) {
@@ -46,7 +36,7 @@ Status validateNodes(const Json& json, const std::vector<AddedNode>& nodes) {
     const AddedNode& node = nodes[i];
     const bool hasParent = node.parent == -1 || isIndex(node.parent, sourceCount + i);
     const bool hasMesh = node.meshFrom == -1 || isIndex(node.meshFrom, sourceCount);
-    if (!hasParent || !hasMesh || !isFinite(node.rest)) {
+    if (!hasParent || !hasMesh || !hasFiniteNumbers(node.rest)) {
       return unfit(fmt::format("added node '{}'", node.name));
     }
   }

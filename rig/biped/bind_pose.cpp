@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/sampling.h"
+#include "core/math/finite.h"
 #include "rig/biped/detection.h"
 
 namespace stretch::rig {
@@ -17,17 +18,6 @@ namespace biped {
 namespace {
 
 using Binds = std::vector<std::optional<Mat4>>;
-
-bool isFinite(const Mat4& matrix) {
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
 
 bool isNearIdentity(const Mat4& matrix) {
   constexpr double tolerance = 1e-4;

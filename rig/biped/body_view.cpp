@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "core/math/bounds.h"
+#include "core/math/finite.h"
+#include "core/scene/queries.h"
 
 namespace stretch::rig::biped {
 
@@ -15,32 +18,6 @@ namespace {
 
 // Beyond what any character has; keeps a file that is no character from costing much.
 constexpr int mostCandidates = 3000;
-
-struct Bounds {
-  Vec3 low{std::numeric_limits<double>::max()};
-  Vec3 high{std::numeric_limits<double>::lowest()};
-
-  void add(const Vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  [[nodiscard]] double largestExtent() const {
-    const Vec3 extent = high - low;
-    return std::max({extent.x, extent.y, extent.z, 0.0});
-  }
-};
-
-bool isFinite(const Vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-std::set<int> skinJoints(const Scene& scene) {
-  std::set<int> joints;
-  for (const Skin& skin : scene.skins) {
-    joints.insert(skin.joints.begin(), skin.joints.end());
-  }
-  return joints;
-}
 
 // Nodes of the asked-for kind, before names and weights are looked at.
 std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {

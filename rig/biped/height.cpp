@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/math/bounds.h"
 #include "rig/biped/body_view.h"
 
 namespace stretch::rig::biped {
 
 namespace {
-
-struct Bounds {
-  Vec3 low{std::numeric_limits<double>::max()};
-  Vec3 high{std::numeric_limits<double>::lowest()};
-
-  void add(const Vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  [[nodiscard]] bool empty() const { return low.x > high.x; }
-};
 
 bool hasSkinnedMesh(const Scene& scene) {
   return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });

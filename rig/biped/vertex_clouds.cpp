@@ -1,15 +1,12 @@
 #include <algorithm>
-#include <cmath>
+
+#include "core/math/finite.h"
 
 #include "rig/biped/body_view.h"
 
 namespace stretch::rig::biped {
 
 namespace {
-
-bool isFinite(const Vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 int strongestJoint(const VertexInfluences& influences, const Skin& skin) {
   const auto strongest = std::ranges::max_element(influences.weights);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/math/finite.h"
+
 namespace stretch::skinning {
 namespace {
 
@@ -153,10 +155,6 @@ private:
   std::vector<Path> loads_;
 };
 
-bool isFinite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Status checkMotion(const std::vector<LimbSegment>& segments, const LimbMotion& motion) {
   const std::size_t frames = motion.joints.size();
   const bool listsFit = (motion.planted.empty() || motion.planted.size() == frames) &&
@@ -167,7 +165,8 @@ Status checkMotion(const std::vector<LimbSegment>& segments, const LimbMotion& m
   }
   for (std::size_t k = 0; k < frames; ++k) {
     const auto& joints = motion.joints[k];
-    if (joints.size() != segments.size() + 1 || !std::all_of(joints.begin(), joints.end(), isFinite)) {
+    if (joints.size() != segments.size() + 1 ||
+        !std::all_of(joints.begin(), joints.end(), [](const Vec3& joint) { return isFinite(joint); })) {
       return Error{fmt::format("{} finite joints are needed", segments.size() + 1),
                    fmt::format("limb, frame {}", k), "give one joint more than segments"};
     }

@@ -13,6 +13,7 @@
 #include "app/evaluate.h"
 #include "app/save.h"
 #include "core/base/check.h"
+#include "core/scene/queries.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {
@@ -21,16 +22,6 @@ namespace {
 
 constexpr double scale = 3.0;
 constexpr std::size_t samplesPerFrame = 4;
-
-std::size_t vertexCount(const Scene& scene) {
-  std::size_t count = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    for (const Primitive& primitive : mesh.primitives) {
-      count += primitive.positions.size();
-    }
-  }
-  return count;
-}
 
 /// A connected trail over the whole clip on each of the first `limbs` limbs.
 app::Document withTrails(app::Document document, std::size_t limbs) {

@@ -1,22 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/math/transform.h"
+#include "tests/support/matrices.h"
 
 using namespace stretch;
-
-namespace {
-
-double largestDifference(const Mat4& a, const Mat4& b) {
-  double largest = 0.0;
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 4; ++row) {
-      largest = std::max(largest, std::abs(a[column][row] - b[column][row]));
-    }
-  }
-  return largest;
-}
-
-} // namespace
+using stretch::test::largestDifference;
 
 TEST_CASE("A transform scales first, then turns, then moves") {
   const Transform transform{Vec3(1, 2, 3), glm::angleAxis(pi / 2, Vec3(0, 0, 1)), Vec3(2, 5, 7)};

@@ -63,6 +63,16 @@ void commandButton(PanelContext& context, const CommandButton& spec) {
   }
 }
 
+void iconButton(PanelContext& context, const char* command, const char* icon, const char* fallback) {
+  commandButton(context, {.command = command,
+                          .icon = icon,
+                          .text = " ",
+                          .emphasis = Emphasis::quiet,
+                          .width = context.theme.px(30.0F),
+                          .fallback = fallback});
+  ImGui::SameLine(0.0F, context.theme.px(2.0F));
+}
+
 std::string keyOf(const PanelContext& context, std::string_view commandId) {
   const CommandInfo* info = findCommand(context, commandId);
   return info != nullptr ? info->keyText : std::string();

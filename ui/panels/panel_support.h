@@ -30,6 +30,10 @@ struct CommandButton {
 };
 void commandButton(PanelContext& context, const CommandButton& spec);
 
+/// One of a row of quiet buttons with an icon alone; `fallback` where there is no icon font. The next item
+/// follows on the same line.
+void iconButton(PanelContext& context, const char* command, const char* icon, const char* fallback);
+
 /// The key that a command has, as shown; empty without one.
 [[nodiscard]] std::string keyOf(const PanelContext& context, std::string_view commandId);
 

@@ -2,6 +2,7 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "core/scene/queries.h"
 #include "ui/panels/clip_chooser.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
@@ -12,16 +13,6 @@
 namespace stretch::ui {
 
 namespace {
-
-std::size_t vertexCount(const Scene& scene) {
-  std::size_t count = 0;
-  for (const Mesh& mesh : scene.meshes) {
-    for (const Primitive& primitive : mesh.primitives) {
-      count += primitive.positions.size();
-    }
-  }
-  return count;
-}
 
 std::size_t jointCount(const Scene& scene) {
   std::vector<int> joints;

@@ -20,16 +20,6 @@ namespace {
 
 constexpr float labelWidth = 112.0F;
 
-void transportButton(PanelContext& context, const char* id, const char* iconText, const char* fallback) {
-  commandButton(context, {.command = id,
-                          .icon = iconText,
-                          .text = " ",
-                          .emphasis = Emphasis::quiet,
-                          .width = context.theme.px(30.0F),
-                          .fallback = fallback});
-  ImGui::SameLine(0.0F, context.theme.px(2.0F));
-}
-
 void frameField(PanelContext& context) {
   app::Session& session = *context.session;
   SliderSpec spec{.id = "timeline/frame",
@@ -81,18 +71,18 @@ void rangeText(PanelContext& context) {
 }
 
 void transport(PanelContext& context) {
-  transportButton(context, command::timeStart, icon::toStart, "|<");
-  transportButton(context, command::timePreviousKey, icon::previousKey, "<k");
-  transportButton(context, command::timeBack, icon::stepBack, "<");
+  iconButton(context, command::timeStart, icon::toStart, "|<");
+  iconButton(context, command::timePreviousKey, icon::previousKey, "<k");
+  iconButton(context, command::timeBack, icon::stepBack, "<");
   commandButton(context, {.command = command::timePlay,
                           .icon = context.ui.timeline.playing ? icon::pause : icon::play,
                           .text = " ",
                           .width = context.theme.px(40.0F),
                           .fallback = context.ui.timeline.playing ? "||" : ">"});
   ImGui::SameLine(0.0F, context.theme.px(2.0F));
-  transportButton(context, command::timeForward, icon::stepForward, ">");
-  transportButton(context, command::timeNextKey, icon::nextKey, "k>");
-  transportButton(context, command::timeEnd, icon::toEnd, ">|");
+  iconButton(context, command::timeForward, icon::stepForward, ">");
+  iconButton(context, command::timeNextKey, icon::nextKey, "k>");
+  iconButton(context, command::timeEnd, icon::toEnd, ">|");
   ButtonSpec loop{.id = "timeline/loop",
                   .icon = icon::loop,
                   .emphasis = Emphasis::quiet,

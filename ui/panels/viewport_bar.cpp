@@ -9,16 +9,6 @@ namespace stretch::ui {
 
 namespace {
 
-void overlayButton(PanelContext& context, const char* id, const char* iconText, const char* fallback) {
-  commandButton(context, {.command = id,
-                          .icon = iconText,
-                          .text = " ",
-                          .emphasis = Emphasis::quiet,
-                          .width = context.theme.px(30.0F),
-                          .fallback = fallback});
-  ImGui::SameLine(0.0F, context.theme.px(2.0F));
-}
-
 struct OverlayNumber {
   const char* id;
   const char* label;
@@ -94,14 +84,14 @@ void displayPopup(PanelContext& context) {
 } // namespace
 
 void drawViewportBar(PanelContext& context) {
-  overlayButton(context, command::viewSkeleton, icon::skeleton, "Sk");
-  overlayButton(context, command::viewWire, icon::wire, "Wi");
-  overlayButton(context, command::viewJointNames, icon::tag, "Na");
-  overlayButton(context, command::viewHeatMap, icon::fire, "He");
-  overlayButton(context, command::viewGhosts, icon::ghosts, "Gh");
-  overlayButton(context, command::viewFrameNumbers, icon::numbers, "12");
-  overlayButton(context, command::viewGrid, icon::grid, "Gr");
-  overlayButton(context, command::viewSideBySide, icon::columns, "||");
+  iconButton(context, command::viewSkeleton, icon::skeleton, "Sk");
+  iconButton(context, command::viewWire, icon::wire, "Wi");
+  iconButton(context, command::viewJointNames, icon::tag, "Na");
+  iconButton(context, command::viewHeatMap, icon::fire, "He");
+  iconButton(context, command::viewGhosts, icon::ghosts, "Gh");
+  iconButton(context, command::viewFrameNumbers, icon::numbers, "12");
+  iconButton(context, command::viewGrid, icon::grid, "Gr");
+  iconButton(context, command::viewSideBySide, icon::columns, "||");
   ButtonSpec more{.id = "overlay/more",
                   .icon = icon::sliders,
                   .emphasis = Emphasis::quiet,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/finite.h"
+
 namespace stretch::ui {
 
 namespace {
@@ -27,10 +29,6 @@ Vec3 posed(const glm::vec3& position, const VertexInfluences& influences, const 
     }
   }
   return sum;
-}
-
-bool isFinite(const Vec3& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
 } // namespace

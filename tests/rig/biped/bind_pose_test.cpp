@@ -4,6 +4,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/sampling.h"
+#include "tests/support/matrices.h"
 #include "tests/support/rig/described_limbs.h"
 
 using namespace stretch;
@@ -11,16 +12,6 @@ using namespace stretch::rig;
 using namespace stretch::test;
 
 namespace {
-
-double largestDifference(const Mat4& a, const Mat4& b) {
-  double largest = 0.0;
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 4; ++row) {
-      largest = std::max(largest, std::abs(a[column][row] - b[column][row]));
-    }
-  }
-  return largest;
-}
 
 // A chain of three joints along +Y under an armature: bound straight, resting bent.
 Scene bentChain(const Transform& armature) {

@@ -13,11 +13,7 @@ namespace {
 
 void checkLimbs(const BuiltBiped& built, const std::string& spine, const std::string& neck) {
   const Biped biped = detectBiped(built.scene);
-  CHECK(biped.isBiped);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.r foreArm.r -> hand.r");
-  CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
-  CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.r shin.r -> foot.r");
+  checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, LimbKind::spine) == spine);
   CHECK(describe(built, biped, LimbKind::neck) == neck);
 }

@@ -17,14 +17,6 @@ SyntheticJoint& joint(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
-void checkArmsAndLegs(const BuiltBiped& built, const Biped& biped) {
-  CHECK(biped.isBiped);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.r foreArm.r -> hand.r");
-  CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
-  CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.r shin.r -> foot.r");
-}
-
 bool warnsOf(const Biped& biped, const std::string& words) {
   return std::ranges::any_of(
       biped.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });

@@ -63,11 +63,7 @@ TEST_CASE("limbs are found whatever the proportions, with names and without") {
             body.withMesh = withMesh;
             const BuiltBiped built = build(body);
             const Biped biped = detectBiped(built.scene);
-            CHECK(biped.isBiped);
-            CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-            CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.r foreArm.r -> hand.r");
-            CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
-            CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.r shin.r -> foot.r");
+            checkArmsAndLegs(built, biped);
             CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 spine2 -> spine3");
             CHECK(describe(built, biped, LimbKind::neck) ==
                   (necks == 1 ? "neck0 -> head" : "neck0 neck1 -> head"));

@@ -9,6 +9,7 @@
 #include "core/math/rotation.h"
 #include "rig/limb_deform.h"
 #include "rig/rekey/exact_motion.h"
+#include "tests/support/matrices.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -16,14 +17,6 @@ using namespace stretch::rig;
 using namespace stretch::test;
 
 namespace {
-
-double largestDifference(const Mat3& a, const Mat3& b) {
-  double largest = 0.0;
-  for (int column = 0; column < 3; ++column) {
-    largest = std::max(largest, glm::length(a[column] - b[column]));
-  }
-  return largest;
-}
 
 Mat3 stretchOfNode(const FrameState& frame, int node) {
   return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[static_cast<std::size_t>(node)];

@@ -2,24 +2,11 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "tests/support/nodes.h"
+
 namespace stretch::test {
 
 namespace {
-
-int addNode(Scene& scene, const char* name, int parent, const Vec3& offset) {
-  const int index = static_cast<int>(scene.nodes.size());
-  Node node;
-  node.name = name;
-  node.parent = parent;
-  node.rest.translation = offset;
-  scene.nodes.push_back(node);
-  if (parent >= 0) {
-    scene.nodes[static_cast<std::size_t>(parent)].children.push_back(index);
-  } else {
-    scene.roots.push_back(index);
-  }
-  return index;
-}
 
 rig::Limb makeLimb(rig::LimbKind kind, std::vector<int> joints, int end) {
   rig::Limb limb;

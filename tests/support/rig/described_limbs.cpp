@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <catch2/catch.hpp>
+
 namespace stretch::test {
 
 namespace {
@@ -32,6 +34,14 @@ std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::Limb
     text += keyOf(built, joint) + " ";
   }
   return text + "-> " + keyOf(built, limb->endNode);
+}
+
+void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped) {
+  CHECK(biped.isBiped);
+  CHECK(describe(built, biped, rig::LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, rig::LimbKind::rightArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, biped, rig::LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, biped, rig::LimbKind::rightLeg) == "thigh.r shin.r -> foot.r");
 }
 
 Vec3 endOf(const Scene& scene, const rig::Limb& limb) {

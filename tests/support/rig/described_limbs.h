@@ -14,6 +14,9 @@ namespace stretch::test {
 /// joint, "none" without the limb.
 [[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::LimbKind kind);
 
+/// Checks that the body is a biped whose arms and legs are found as in any biped that SyntheticBiped makes.
+void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped);
+
 /// World position of a limb's end in the bind pose.
 [[nodiscard]] Vec3 endOf(const Scene& scene, const rig::Limb& limb);
 

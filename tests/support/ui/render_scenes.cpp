@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "tests/support/nodes.h"
+
 namespace stretch::test {
 
 namespace {
@@ -14,20 +16,6 @@ Material plainColor(float red, float green, float blue) {
   Material material;
   material.baseColor = {red, green, blue, 1.0F};
   return material;
-}
-
-int addNode(Scene& scene, int parent, const Vec3& place, const Vec3& parentPlace) {
-  const auto index = static_cast<int>(scene.nodes.size());
-  Node node;
-  node.parent = parent;
-  node.rest.translation = place - parentPlace;
-  scene.nodes.push_back(node);
-  if (parent >= 0) {
-    scene.nodes[static_cast<std::size_t>(parent)].children.push_back(index);
-  } else {
-    scene.roots.push_back(index);
-  }
-  return index;
 }
 
 struct Bone {
@@ -128,7 +116,7 @@ Scene bipedScene() {
   for (std::size_t i = 0; i < bones.size(); ++i) {
     const Bone& bone = bones[i];
     const Vec3 parentPlace = bone.parent >= 0 ? bones[static_cast<std::size_t>(bone.parent)].from : Vec3(0.0);
-    skin.joints.push_back(addNode(scene, bone.parent, bone.from, parentPlace));
+    skin.joints.push_back(addNode(scene, {}, bone.parent, bone.from - parentPlace));
     Mat4 inverseBind(1.0);
     inverseBind[3] = Vec4(-bone.from, 1.0);
     skin.inverseBind.push_back(inverseBind);
@@ -141,7 +129,7 @@ Scene bipedScene() {
                      plainColor(0.75F, 0.55F, 0.42F)};
   scene.skins.push_back(skin);
   scene.meshes.push_back({"body", byMaterial, {}});
-  const int body = addNode(scene, -1, Vec3(0.0), Vec3(0.0));
+  const int body = addNode(scene, {}, -1, Vec3(0.0));
   scene.nodes[static_cast<std::size_t>(body)].mesh = 0;
   scene.nodes[static_cast<std::size_t>(body)].skin = 0;
   return scene;
@@ -162,7 +150,7 @@ Scene manyJointsScene() {
   Skin skin;
   for (int joint = 0; joint < joints; ++joint) {
     const Vec3 place(0.1 * wobble(joint), 0.05, 0.1 * wobble(joint + 0.5));
-    skin.joints.push_back(addNode(scene, joint % 10 == 0 ? -1 : joint - 1, place, Vec3(0.0)));
+    skin.joints.push_back(addNode(scene, {}, joint % 10 == 0 ? -1 : joint - 1, place));
     Mat4 inverseBind(1.0);
     inverseBind[3] = Vec4(-0.4 * place, 1.0);
     skin.inverseBind.push_back(inverseBind);
@@ -189,7 +177,7 @@ Scene manyJointsScene() {
   }
   scene.skins.push_back(skin);
   scene.meshes.push_back({"cloth", {primitive}, {0.0F, 0.0F}});
-  const int cloth = addNode(scene, -1, Vec3(5.0, 5.0, 5.0), Vec3(0.0));
+  const int cloth = addNode(scene, {}, -1, Vec3(5.0, 5.0, 5.0));
   scene.nodes[static_cast<std::size_t>(cloth)].mesh = 0;
   scene.nodes[static_cast<std::size_t>(cloth)].skin = 0;
   return scene;
