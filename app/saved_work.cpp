@@ -83,7 +83,16 @@ Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
     }
   }
   const bool clipExists = trail.clip >= 0 && static_cast<std::size_t>(trail.clip) < document.clips->size();
-  return clipExists ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(malformed("trails.clip"));
+  if (!clipExists || trail.id <= 0 || trail.colour < 0 || findTrail(document, trail.id) != nullptr) {
+    return malformed("trails");
+  }
+  std::sort(trail.controlFrames.begin(), trail.controlFrames.end());
+  return trail;
+}
+
+bool hasRepeats(std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
 }
 
 Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
@@ -97,9 +106,10 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   limb.restLength = json.at("rest_length").get<double>();
   limb.confidence = json.at("confidence").get<double>();
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
-  if (!offset || kind < 0 || kind > static_cast<int>(rig::LimbKind::chain) || limb.joints.empty() ||
-      !std::all_of(limb.joints.begin(), limb.joints.end(), exists) ||
-      (limb.endNode != -1 && !exists(limb.endNode))) {
+  const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
+                        !hasRepeats(limb.joints) && (limb.endNode == -1 || exists(limb.endNode));
+  const bool isKind = kind >= 0 && kind <= static_cast<int>(rig::LimbKind::chain);
+  if (!offset || !hasNodes || !isKind || !(limb.restLength > 0.0)) {
     return malformed("limbs");
   }
   limb.kind = static_cast<rig::LimbKind>(kind);

@@ -1,0 +1,130 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/edits/recipe_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/recipe.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+Json punchRecipe() {
+  return {{"version", 1},
+          {"trails", {{{"limb", "left-arm"}, {"range", {0, 10}}, {"scale", 2.5}, {"axes", "xz"}}}}};
+}
+
+Result<Recipe> read(const Json& json) {
+  Document document = test::boxer();
+  return recipeFromJson(json, document);
+}
+
+} // namespace
+
+TEST_CASE("A recipe sets what it names and leaves the rest at its defaults") {
+  const Result<Recipe> recipe = read(punchRecipe());
+  REQUIRE(recipe);
+  REQUIRE(recipe->trails.size() == 1);
+  rig::TrailSettings expected;
+  expected.endFrame = 10.0;
+  expected.scale = 2.5;
+  expected.axes = {true, false, true};
+  CHECK(recipe->trails[0].settings == expected);
+  CHECK(recipe->trails[0].limb == "left-arm");
+}
+
+TEST_CASE("An offset fits another limb: it is in lengths of the limb unless metres are asked for") {
+  Json json = punchRecipe();
+  json["trails"][0]["spheres"] = {{{"frame", 5}, {"offset", {0, 0.5, 0}}}};
+  CHECK(read(json)->trails[0].settings.spheres[0].offset.y == Approx(0.5 * 0.6));
+  json["units"] = "metres";
+  CHECK(read(json)->trails[0].settings.spheres[0].offset.y == Approx(0.5));
+}
+
+TEST_CASE("A range may be a part of the clip, or left out for the default range") {
+  Json json = punchRecipe();
+  json["trails"][0].erase("range");
+  json["trails"][0]["range_of_clip"] = {0.25, 0.5};
+  CHECK(read(json)->trails[0].settings.startFrame == Approx(5.0));
+  CHECK(read(json)->trails[0].settings.endFrame == Approx(10.0));
+  json["trails"][0].erase("range_of_clip");
+  CHECK(read(json)->trails[0].settings.startFrame == 0.0);
+  CHECK(read(json)->trails[0].settings.endFrame == Approx(10.0));
+}
+
+TEST_CASE("A chain that a recipe names joins the document") {
+  Json json = punchRecipe();
+  json["trails"][0]["limb"] = "Spine..LeftHand";
+  Document document = test::boxer();
+  REQUIRE(recipeFromJson(json, document));
+  REQUIRE(document.chains.size() == 1);
+  CHECK(document.chains[0].id == "Spine..LeftHand");
+}
+
+TEST_CASE("What a recipe cannot say is refused in a line that names it") {
+  Json json = punchRecipe();
+  std::string place;
+  SECTION("an unknown key") {
+    json["trials"] = Json::array();
+    place = "trials";
+  }
+  SECTION("an unknown setting") {
+    json["trails"][0]["scael"] = 2;
+    place = "scael";
+  }
+  SECTION("a value out of range") {
+    json["trails"][0]["blend"] = 3;
+    place = "blend";
+  }
+  SECTION("a range that runs backwards") {
+    json["trails"][0]["range"] = {10, 0};
+    place = "range";
+  }
+  SECTION("a part of the clip beyond its end") {
+    json["trails"][0]["range_of_clip"] = {0.5, 1.5};
+    place = "range_of_clip";
+  }
+  SECTION("another version") {
+    json["version"] = 9;
+    place = "version";
+  }
+  SECTION("no limb") {
+    json["trails"][0].erase("limb");
+    place = "trails";
+  }
+  SECTION("an unknown unit") {
+    json["units"] = "feet";
+    place = "units";
+  }
+  const Result<Recipe> recipe = read(json);
+  REQUIRE_FALSE(recipe);
+  CHECK(recipe.error().where == place);
+  CHECK(recipe.error().line().find('\n') == std::string::npos);
+}
+
+TEST_CASE("A recipe written from a document makes the same trails in it again") {
+  Document document = test::boxer();
+  Json json = punchRecipe();
+  json["trails"][0]["spheres"] = {{{"frame", 5}, {"offset", {0, 0.5, 0}}}};
+  const Result<Recipe> recipe = recipeFromJson(json, document);
+  REQUIRE(recipe);
+  const Result<Document> edited = withRecipe(document, *recipe);
+  REQUIRE(edited);
+  Document fresh = test::boxer();
+  const Result<Recipe> again = recipeFromJson(recipeToJson(*edited, 0), fresh);
+  REQUIRE(again);
+  REQUIRE(again->trails.size() == 1);
+  CHECK(again->trails[0].settings == edited->trails[0].settings);
+}
+
+TEST_CASE("A file that is no recipe is told by its name") {
+  const test::TemporaryFolder folder;
+  Document document = test::boxer();
+  const auto notJson = folder.write("notes.json", "scale: 3");
+  CHECK(loadRecipe(notJson, document).error().where == notJson.string());
+  CHECK(loadRecipe(folder / "missing.json", document).error().what == "cannot be opened");
+}

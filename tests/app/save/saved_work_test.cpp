@@ -1,0 +1,137 @@
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/trail_edits.h"
+#include "app/evaluate.h"
+#include "app/saved_work.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+Document trailed() {
+  NewTrail trail;
+  trail.limb = "left-arm";
+  trail.settings.endFrame = 10.0;
+  trail.settings.scale = 2.0;
+  trail.settings.spheres = {{5.0, Vec3(0.0, 0.1, 0.0)}};
+  trail.exaggerated = true;
+  trail.connected = true;
+  const Result<CreatedTrail> first = createTrail(setLooping(test::boxer(), 0, true), trail);
+  REQUIRE(first);
+  trail.limb = "spine";
+  trail.settings.scale = 1.2;
+  trail.settings.stopAt = rig::StopPlane{Vec3(0.0, 2.0, 0.0), Vec3(0.0, 1.0, 0.0)};
+  const Result<CreatedTrail> second = createTrail(first->document, trail);
+  REQUIRE(second);
+  return *applyTrail(second->document, first->trailId);
+}
+
+// What a file with this work opens as.
+Document withoutWork() {
+  return test::boxer();
+}
+
+void collect(Json& json, std::vector<Json*>& values) {
+  if (json.is_structured()) {
+    for (auto& [key, value] : json.items()) {
+      values.push_back(&value);
+      collect(value, values);
+    }
+  }
+}
+
+Json oddValue(std::mt19937& random) {
+  const std::vector<Json> odd{nullptr,
+                              true,
+                              "odd",
+                              0,
+                              -1,
+                              3,
+                              1000000,
+                              -2147483648LL,
+                              1e300,
+                              -1e300,
+                              1e-300,
+                              0.5,
+                              Json::array(),
+                              Json::object(),
+                              Json::array({0, 0, 0}),
+                              Json::array({1, 0})};
+  return odd[random() % odd.size()];
+}
+
+void checkPlayable(const Document& document) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  for (const double seconds : {-1.0, 0.0, 0.1, 0.34, 0.5, 10.0}) {
+    const FrameState frame = evaluate(document, motion, seconds);
+    CHECK(frame.worlds.size() == document.scene->nodes.size());
+  }
+}
+
+} // namespace
+
+TEST_CASE("Work comes back as it was saved") {
+  const Document document = trailed();
+  Document restored = withoutWork();
+  REQUIRE(restoreWork(workOf(document), restored));
+  CHECK(restored.trails == document.trails);
+  CHECK(restored.loopingClips == document.loopingClips);
+  CHECK(restored.nextTrailId == document.nextTrailId);
+  CHECK(workOf(restored) == workOf(document));
+}
+
+TEST_CASE("A document without work saves none") {
+  CHECK(workOf(test::boxer()).is_null());
+}
+
+TEST_CASE(
+    "Limbs that cannot be, trails twice and clips that are not there are refused, and nothing changes") {
+  Json work = workOf(trailed());
+  SECTION("a joint twice") {
+    work["limbs"][0]["joints"][1] = work["limbs"][0]["joints"][0];
+  }
+  SECTION("a joint that the file does not have") {
+    work["limbs"][0]["joints"][0] = 99;
+  }
+  SECTION("no length") {
+    work["limbs"][1]["rest_length"] = 0.0;
+  }
+  SECTION("a trail twice") {
+    work["trails"][1]["id"] = work["trails"][0]["id"];
+  }
+  SECTION("a clip that is not there") {
+    work["trails"][0]["clip"] = 7;
+  }
+  SECTION("another version") {
+    work["version"] = 2;
+  }
+  Document document = withoutWork();
+  const Status restored = restoreWork(work, document);
+  REQUIRE_FALSE(restored);
+  CHECK_FALSE(restored.error().line().empty());
+  CHECK(document.biped.limbs == withoutWork().biped.limbs);
+  CHECK(workOf(document).is_null());
+}
+
+TEST_CASE("Whatever the work of a file holds, it is refused or it plays") {
+  const Json work = workOf(trailed());
+  std::mt19937 random(99);
+  int taken = 0;
+  for (int round = 0; round < 600; ++round) {
+    Json broken = work;
+    std::vector<Json*> values;
+    collect(broken, values);
+    *values[random() % values.size()] = oddValue(random);
+    Document document = withoutWork();
+    if (restoreWork(broken, document)) {
+      ++taken;
+      checkPlayable(document);
+    }
+  }
+  CHECK(taken > 50);
+}

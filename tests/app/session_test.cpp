@@ -1,0 +1,122 @@
+#include <catch2/catch.hpp>
+
+#include "app/edits/trail_edits.h"
+#include "app/session.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+Document withTrail(const Document& document, double scale) {
+  NewTrail trail;
+  trail.limb = "left-arm";
+  trail.settings.endFrame = 10.0;
+  trail.settings.scale = scale;
+  trail.exaggerated = true;
+  trail.connected = true;
+  const Result<CreatedTrail> created = createTrail(document, trail);
+  REQUIRE(created);
+  return created->document;
+}
+
+Document scaled(const Document& document, double scale) {
+  rig::TrailSettings settings = document.trails.front().settings;
+  settings.scale = scale;
+  const Result<Document> changed = setTrailSettings(document, document.trails.front().id, settings);
+  REQUIRE(changed);
+  return *changed;
+}
+
+} // namespace
+
+TEST_CASE("A drag previews from the state at its beginning and is one undo step") {
+  Session session(withTrail(test::boxer(), 1.0));
+  session.begin("Scale");
+  for (const double scale : {1.5, 2.0, 2.5}) {
+    session.preview(scaled(session.atBegin(), scale));
+    CHECK(session.document().trails.front().settings.scale == scale);
+    CHECK(session.atBegin().trails.front().settings.scale == 1.0);
+  }
+  session.commit();
+  CHECK(session.document().trails.front().settings.scale == 2.5);
+  CHECK(session.history().undoLabel() == "Scale");
+  REQUIRE(session.undo());
+  CHECK(session.document().trails.front().settings.scale == 1.0);
+  CHECK_FALSE(session.history().canUndo());
+}
+
+TEST_CASE("A drag that comes back, or is cancelled, leaves no step") {
+  Session session(withTrail(test::boxer(), 1.0));
+  session.begin("Scale");
+  session.preview(scaled(session.atBegin(), 3.0));
+  SECTION("back") {
+    session.preview(scaled(session.atBegin(), 1.0));
+    session.commit();
+  }
+  SECTION("cancelled") {
+    session.cancel();
+  }
+  SECTION("undone in the middle") {
+    CHECK_FALSE(session.undo());
+  }
+  CHECK_FALSE(session.isDragging());
+  CHECK_FALSE(session.history().canUndo());
+  CHECK(session.document().trails.front().settings.scale == 1.0);
+}
+
+TEST_CASE("No edit slips in while a drag is on") {
+  Session session(withTrail(test::boxer(), 1.0));
+  session.begin("Scale");
+  CHECK_FALSE(session.edit(scaled(session.atBegin(), 2.0), "Other"));
+  session.cancel();
+  CHECK(session.edit(scaled(session.document(), 2.0), "Other"));
+}
+
+TEST_CASE("What undo takes away is no longer selected") {
+  Session session(test::boxer());
+  session.edit(withTrail(session.document(), 2.0), "Trail");
+  session.view().selectedTrail = session.document().trails.front().id;
+  session.view().selectedSpheres = {5.0};
+  session.undo();
+  CHECK(session.view().selectedTrail == 0);
+  CHECK(session.view().selectedSpheres.empty());
+}
+
+TEST_CASE("What the session remembers of a frame is what evaluating gives, whatever was edited in between") {
+  Session session(test::boxer());
+  const auto check = [&] {
+    const Document& document = session.document();
+    const double seconds = 10.0 / clipOf(document, 0).framesPerSecond;
+    const FrameState fresh = evaluate(document, prepareMotion(document, 0), seconds);
+    CHECK(session.frameAt(10.0).worlds == fresh.worlds);
+    CHECK(session.originalAt(10.0).worlds == evaluateOriginal(document, 0, seconds).worlds);
+  };
+  check();
+  session.edit(withTrail(session.document(), 2.0), "Trail");
+  check();
+  session.begin("Scale");
+  session.preview(scaled(session.atBegin(), 0.5));
+  check();
+  session.cancel();
+  check();
+  session.undo();
+  check();
+}
+
+TEST_CASE("The first save proposes another name, a clean export does not count as saving") {
+  const Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  const test::TemporaryFolder folder;
+  Session session(*opened);
+  CHECK(session.proposedSavePath().filename() == "dummy-stretched.glb");
+  session.edit(withTrail(session.document(), 2.0), "Trail");
+  REQUIRE(session.save(folder / "clean.glb", true));
+  CHECK_FALSE(session.history().isSaved());
+  CHECK(session.savePath().empty());
+  REQUIRE(session.save(folder / "work.glb", false));
+  CHECK(session.history().isSaved());
+  CHECK(session.proposedSavePath() == folder / "work.glb");
+}
