@@ -69,7 +69,7 @@ void validateTransforms(const Json& json, Problems& problems) {
     const std::vector<double> rotation = numbersOf(node, "rotation");
     const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
     if (!rotation.empty() && std::abs(square - 1.0) > 1e-2) {
-      problems.violation(at("nodes", i) + ".rotation", "is no unit quaternion; it is normalised");
+      problems.violation(at("nodes", i) + ".rotation", "is no unit quaternion", "it is normalised");
     }
   }
 }

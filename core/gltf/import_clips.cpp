@@ -212,7 +212,7 @@ private:
     if (std::adjacent_find(times.begin(), times.end()) == times.end()) {
       return true;
     }
-    problems_.violation(place + ".input", "has several keys at the same time; they are moved apart");
+    problems_.violation(place + ".input", "has several keys at the same time", "they are moved apart");
     for (std::size_t i = 1; i < times.size(); ++i) {
       times[i] = std::max(times[i], std::nextafter(times[i - 1], std::numeric_limits<float>::max()));
     }

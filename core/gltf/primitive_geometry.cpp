@@ -43,8 +43,8 @@ void PrimitiveParts::completeNormals(Primitive& made) {
   const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
   const bool hasOwn = !made.normals.empty();
   if (hasOwn && !std::all_of(made.normals.begin(), made.normals.end(), isUnitLength)) {
-    problems_.violation(where_ + ".attributes.NORMAL",
-                        "holds normals that are not of unit length; they are repaired");
+    problems_.violation(where_ + ".attributes.NORMAL", "holds normals that are not of unit length",
+                        "they are repaired");
   }
   made.normals.resize(made.positions.size());
   for (std::size_t i = 0; i < made.normals.size(); ++i) {

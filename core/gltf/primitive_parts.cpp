@@ -179,7 +179,7 @@ void PrimitiveParts::readColors(Primitive& made) {
     isClamped = isClamped || made.colors.back() != value;
   }
   if (isClamped) {
-    problems_.violation(where_ + ".attributes.COLOR_0", "holds colours beyond 0 to 1; they are clamped");
+    problems_.violation(where_ + ".attributes.COLOR_0", "holds colours beyond 0 to 1", "they are clamped");
   }
 }
 

@@ -31,10 +31,9 @@ void Problems::error(std::string where, std::string what, std::string remedy) {
   hasErrors_ = true;
 }
 
-void Problems::violation(std::string where, std::string what) {
+void Problems::violation(std::string where, std::string what, std::string mend) {
   if (list_.size() < capacity) {
-    list_.push_back({Severity::violation, std::move(where), std::move(what),
-                     "repair the file or export it again, or take it as it is with --tolerant"});
+    list_.push_back({Severity::violation, std::move(where), std::move(what), std::move(mend)});
   }
 }
 
@@ -64,6 +63,10 @@ Error Problems::firstError() const {
   const auto found = std::find_if(list_.begin(), list_.end(),
                                   [&](const Problem& problem) { return problem.severity == worst; });
   check(found != list_.end(), "a failed reading has an error");
+  if (worst == Severity::violation) {
+    return {found->what, found->where,
+            "repair the file or export it again, or take it as it is with --tolerant"};
+  }
   return {found->what, found->where,
           found->remedy.empty() ? "repair the file or export it again" : found->remedy};
 }
@@ -75,10 +78,11 @@ std::vector<std::string> Problems::warningLines() const {
     if (problem.severity == Severity::error) {
       continue;
     }
-    Repeated& repeated = places[problem.what];
+    const std::string what = problem.remedy.empty() ? problem.what : problem.what + "; " + problem.remedy;
+    Repeated& repeated = places[what];
     if (repeated.count++ == 0) {
       repeated.firstPlace = problem.where;
-      order.push_back(problem.what);
+      order.push_back(what);
     }
   }
   std::vector<std::string> lines;

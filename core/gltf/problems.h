@@ -20,7 +20,8 @@ struct Problem {
   Severity severity = Severity::error;
   std::string where; ///< "meshes[0].primitives[1].attributes.POSITION"; empty for the file as a whole.
   std::string what;
-  std::string remedy; ///< What to do about it; empty when there is nothing special.
+  std::string remedy; ///< What to do about it, of a violation what reading makes of it; empty when there is
+                      ///< nothing special.
 
   friend bool operator==(const Problem&, const Problem&) = default;
 };
@@ -32,7 +33,8 @@ public:
   static constexpr std::size_t capacity = 20000;
 
   void error(std::string where, std::string what, std::string remedy = {});
-  void violation(std::string where, std::string what);
+  /// `mend`: what reading makes of it ("it is normalised").
+  void violation(std::string where, std::string what, std::string mend = {});
   void warning(std::string where, std::string what);
   void add(const Problems& others);
 

@@ -119,7 +119,8 @@ private:
       return;
     }
     if (value.empty()) {
-      problems_.violation(place.text(), "is an empty array, which glTF does not allow; taken as absent");
+      problems_.violation(place.text(), "is an empty array, which glTF does not allow",
+                          "it is taken as absent");
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
       const Place elementPlace{&place, {}, i, true};
