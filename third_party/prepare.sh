@@ -43,8 +43,15 @@ build() {
     echo "Configuring ..."
     (cd "$root" && cmake --preset release) >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
   fi
-  if ! ninja -C "$folder" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+  ninja -C "$folder" "$@" >"$log" 2>&1 &
+  local job=$! waited
+  # Told only where there is something to build: finding that there is not takes a moment.
+  for waited in $(seq 20); do
+    kill -0 "$job" 2>/dev/null || break
+    sleep 0.05
+  done
+  if kill -0 "$job" 2>/dev/null; then
     echo "Building ..."
-    ninja -C "$folder" "$@" >"$log" 2>&1 || { grep -E 'error|FAILED|undefined' "$log" >&2 || tail -n 40 "$log" >&2; exit 1; }
   fi
+  wait "$job" || { grep -E 'error|FAILED|undefined' "$log" >&2 || tail -n 40 "$log" >&2; exit 1; }
 }
