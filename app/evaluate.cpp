@@ -30,9 +30,7 @@ const Clip& clipOrStill(const Document& document, int clip, const Clip& still) {
                                                                               : still;
 }
 
-} // namespace
-
-rig::MotionState prepareMotion(const Document& document, int clip) {
+rig::MotionState solvedMotion(const Document& document, int clip, const rig::MotionState* previous) {
   const Clip still;
   rig::MotionInput input;
   input.scene = document.scene.get();
@@ -42,7 +40,72 @@ rig::MotionState prepareMotion(const Document& document, int clip) {
   input.limbs = allLimbs(document);
   input.trails = trailsOf(document, clip);
   input.loops = loops(document, clip);
+  input.previous = previous;
   return rig::solveMotion(input);
+}
+
+// The trails that the paths of one of a motion's trails come from, its own included.
+std::vector<rig::Trail> originsOf(const Document& document, const rig::MotionState& motion,
+                                  const rig::SolvedTrail& solved) {
+  std::vector<rig::Trail> origins{solved.trail};
+  for (const rig::SolvedTrail& other : motion.trails) {
+    if (rig::shapesPath(*document.scene, other, solved)) {
+      origins.push_back(other.trail);
+    }
+  }
+  return origins;
+}
+
+/// Paths made before, for a motion on the same ground.
+struct EarlierPaths {
+  const rig::MotionState* motion = nullptr;
+  const std::vector<TrailPaths>* paths = nullptr;
+};
+
+// Null where the trail, or one that moves it, is another now.
+const TrailPaths* stillTrue(const Document& document, const EarlierPaths& earlier,
+                            const rig::MotionState& motion, const rig::SolvedTrail& solved) {
+  if (earlier.motion == nullptr) {
+    return nullptr;
+  }
+  const std::vector<rig::SolvedTrail>& before = earlier.motion->trails;
+  const auto same = std::find_if(before.begin(), before.end(),
+                                 [&](const rig::SolvedTrail& old) { return old.trail == solved.trail; });
+  if (same == before.end() ||
+      originsOf(document, *earlier.motion, *same) != originsOf(document, motion, solved)) {
+    return nullptr;
+  }
+  return &(*earlier.paths)[static_cast<std::size_t>(same - before.begin())];
+}
+
+std::vector<TrailPaths> pathsOf(const Document& document, const rig::MotionState& motion,
+                                std::size_t samplesPerFrame, const EarlierPaths& earlier) {
+  const Clip& clip = clipOf(document, motion.clip);
+  std::vector<TrailPaths> paths(motion.trails.size());
+  std::vector<rig::PathRequest> requests;
+  std::vector<rig::DrawnTrail*> answers;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const rig::SolvedTrail& solved = motion.trails[i];
+    if (const TrailPaths* kept = stillTrue(document, earlier, motion, solved)) {
+      paths[i] = *kept;
+      continue;
+    }
+    requests.push_back({&solved, rig::drawnFrames(clip, solved, samplesPerFrame)});
+    answers.push_back(&paths[i].drawn);
+    requests.push_back({&solved, solved.controlFrames});
+    answers.push_back(&paths[i].spheres);
+  }
+  std::vector<rig::DrawnTrail> drawn = rig::pathsAt(*document.scene, clip, motion, requests);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    *answers[i] = std::move(drawn[i]);
+  }
+  return paths;
+}
+
+} // namespace
+
+rig::MotionState prepareMotion(const Document& document, int clip) {
+  return solvedMotion(document, clip, nullptr);
 }
 
 FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds) {
@@ -56,18 +119,42 @@ FrameState evaluateOriginal(const Document& document, int clip, double timeSecon
                  samplePose(*document.scene, clipOrStill(document, clip, still), timeSeconds), timeSeconds);
 }
 
-EvaluationCache::MotionKey EvaluationCache::keyOf(const Document& document, int clip) {
-  return {document.scene.get(),     document.clips.get(), clip,
-          trailsOf(document, clip), allLimbs(document),   document.loopingClips};
+std::vector<TrailPaths> trailPaths(const Document& document, const rig::MotionState& motion,
+                                   std::size_t samplesPerFrame) {
+  return pathsOf(document, motion, samplesPerFrame, {});
 }
 
-const rig::MotionState& EvaluationCache::motion(const Document& document, int clip) {
-  MotionKey key = keyOf(document, clip);
-  if (!motion_ || !(key == motionKey_)) {
-    motion_ = std::make_shared<const rig::MotionState>(prepareMotion(document, clip));
-    motionKey_ = std::move(key);
+EvaluationCache::Ground EvaluationCache::groundOf(const Document& document, int clip) {
+  return {document.scene,      document.clips,     clip,
+          document.biped.hips, allLimbs(document), document.loopingClips};
+}
+
+std::shared_ptr<const rig::MotionState> EvaluationCache::motion(const Document& document, int clip) {
+  Ground ground = groundOf(document, clip);
+  std::vector<rig::Trail> trails = trailsOf(document, clip);
+  const bool sameGround = motion_ != nullptr && ground == ground_;
+  if (!sameGround || trails != trails_) {
+    const rig::MotionState* previous = sameGround ? motion_.get() : nullptr;
+    motion_ = std::make_shared<const rig::MotionState>(solvedMotion(document, clip, previous));
+    ground_ = std::move(ground);
+    trails_ = std::move(trails);
   }
-  return *motion_;
+  return motion_;
+}
+
+const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,
+                                                      std::size_t samplesPerFrame) {
+  static_cast<void>(motion(document, clip));
+  if (pathsMotion_ != motion_ || pathsSamplesPerFrame_ != samplesPerFrame) {
+    const bool sameGround = pathsMotion_ != nullptr && pathsGround_ == ground_;
+    const bool usable = sameGround && pathsSamplesPerFrame_ == samplesPerFrame;
+    paths_ = pathsOf(document, *motion_, samplesPerFrame,
+                     usable ? EarlierPaths{pathsMotion_.get(), &paths_} : EarlierPaths{});
+    pathsMotion_ = motion_;
+    pathsGround_ = ground_;
+    pathsSamplesPerFrame_ = samplesPerFrame;
+  }
+  return paths_;
 }
 
 const FrameState& EvaluationCache::frame(const Document& document, int clip, double timeSeconds) {
@@ -81,9 +168,11 @@ const FrameState& EvaluationCache::frame(const Document& document, int clip, dou
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
-  if (originalClips_ != document.clips.get() || originalClip_ != clip || originalSeconds_ != timeSeconds) {
+  if (originalScene_ != document.scene || originalClips_ != document.clips || originalClip_ != clip ||
+      originalSeconds_ != timeSeconds) {
     original_ = evaluateOriginal(document, clip, timeSeconds);
-    originalClips_ = document.clips.get();
+    originalScene_ = document.scene;
+    originalClips_ = document.clips;
     originalClip_ = clip;
     originalSeconds_ = timeSeconds;
   }

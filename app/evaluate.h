@@ -21,35 +21,57 @@ namespace stretch::app {
 /// The clip as the source has it.
 [[nodiscard]] FrameState evaluateOriginal(const Document& document, int clip, double timeSeconds);
 
+/// The paths of one trail, as they are drawn.
+struct TrailPaths {
+  rig::DrawnTrail drawn;   ///< Evenly over range and release.
+  rig::DrawnTrail spheres; ///< At SolvedTrail::controlFrames.
+};
+
+/// One a trail of `motion`, `samplesPerFrame` samples a frame.
+[[nodiscard]] std::vector<TrailPaths> trailPaths(const Document& document, const rig::MotionState& motion,
+                                                 std::size_t samplesPerFrame);
+
 /// Remembers the last answers; keys on the identity and value of what they were made from, so nobody
-/// invalidates it.
+/// invalidates it. What it keys on by identity it also keeps, so that no other document can take its place in
+/// memory. Of trails that did not change, and of paths that no changed trail moves, the last answers are used
+/// again.
 class EvaluationCache {
 public:
-  [[nodiscard]] const rig::MotionState& motion(const Document& document, int clip);
+  [[nodiscard]] std::shared_ptr<const rig::MotionState> motion(const Document& document, int clip);
   [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
   [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
+  /// One a trail of motion(); the clip must be there.
+  [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
+                                                     std::size_t samplesPerFrame);
 
 private:
-  struct MotionKey {
-    const Scene* scene = nullptr;
-    const void* clips = nullptr;
+  /// What every trail of a clip is solved from.
+  struct Ground {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const std::vector<Clip>> clips;
     int clip = -1;
-    std::vector<rig::Trail> trails;
+    int hips = -1;
     std::vector<rig::Limb> limbs;
     std::vector<int> looping;
-    friend bool operator==(const MotionKey&, const MotionKey&) = default;
+    friend bool operator==(const Ground&, const Ground&) = default;
   };
-  [[nodiscard]] static MotionKey keyOf(const Document& document, int clip);
+  [[nodiscard]] static Ground groundOf(const Document& document, int clip);
 
-  MotionKey motionKey_;
+  Ground ground_;
+  std::vector<rig::Trail> trails_;
   std::shared_ptr<const rig::MotionState> motion_;
   std::shared_ptr<const rig::MotionState> frameMotion_;
   double frameSeconds_ = 0.0;
   FrameState frame_;
-  const void* originalClips_ = nullptr;
+  std::shared_ptr<const Scene> originalScene_;
+  std::shared_ptr<const std::vector<Clip>> originalClips_;
   int originalClip_ = -1;
   double originalSeconds_ = 0.0;
   FrameState original_;
+  Ground pathsGround_;
+  std::shared_ptr<const rig::MotionState> pathsMotion_;
+  std::size_t pathsSamplesPerFrame_ = 0;
+  std::vector<TrailPaths> paths_;
 };
 
 } // namespace stretch::app

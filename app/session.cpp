@@ -70,7 +70,15 @@ const FrameState& Session::originalAt(double frame) {
 }
 
 const rig::MotionState& Session::motion() {
+  return *sharedMotion();
+}
+
+std::shared_ptr<const rig::MotionState> Session::sharedMotion() {
   return cache_.motion(document(), view_.clip);
+}
+
+const std::vector<TrailPaths>& Session::paths(std::size_t samplesPerFrame) {
+  return cache_.paths(document(), view_.clip, samplesPerFrame);
 }
 
 std::filesystem::path Session::proposedSavePath() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,10 @@ public:
   [[nodiscard]] const FrameState& originalAt(double frame);
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
+  /// The same, kept alive: another one is there as soon as anything about the trails is different.
+  [[nodiscard]] std::shared_ptr<const rig::MotionState> sharedMotion();
+  /// The paths of these trails, one a trail of motion(). The document has clips.
+  [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
 
   /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the
   /// first save.

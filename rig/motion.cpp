@@ -157,13 +157,49 @@ bool pullsPivot(const SolvedTrail& solved, double framesPerSecond) {
   return glm::length(solved.offsets.at(pivotSeconds * framesPerSecond)) > 0.0;
 }
 
-SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb& limb,
-                       const std::vector<Mat4>& bindWorlds) {
+const SolvedTrail* solvedBefore(const MotionInput& input, const Trail& trail) {
+  if (input.previous == nullptr) {
+    return nullptr;
+  }
+  const std::vector<SolvedTrail>& trails = input.previous->trails;
+  const auto found = std::find_if(trails.begin(), trails.end(), [&](const SolvedTrail& solved) {
+    return solved.trail.id == trail.id && solved.trail.limb == trail.limb && solved.trail.clip == trail.clip;
+  });
+  return found == trails.end() ? nullptr : &*found;
+}
+
+// Whether the settings, as used, ask for the same original path.
+bool samePath(const TrailSettings& a, const TrailSettings& b) {
+  return a.startFrame == b.startFrame && a.endFrame == b.endFrame && a.pivot == b.pivot &&
+         a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
+}
+
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
+                      const SolvedTrail* samePathBefore) {
+  constexpr double controlTolerance = 0.01; // of the limb's rest length
+  if (!solved.trail.controlFrames.empty()) {
+    solved.controlFrames = solved.trail.controlFrames;
+    std::sort(solved.controlFrames.begin(), solved.controlFrames.end());
+  } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
+    solved.controlFrames = samePathBefore->controlFrames;
+  } else {
+    solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
+                                               controlTolerance * solved.limb.restLength);
+  }
+}
+
+SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb& limb) {
+  const SolvedTrail* before = solvedBefore(input, trail);
+  if (before != nullptr && before->trail == trail) {
+    return *before;
+  }
   SolvedTrail solved;
   solved.trail = trail;
   solved.limb = limb;
   solved.settings = usable(trail.settings, *input.clip);
-  solved.topology = limbTopology(*input.scene, limb, input.limbs, bindWorlds);
+  solved.topology = before != nullptr
+                        ? before->topology
+                        : limbTopology(*input.scene, limb, input.limbs, bindPoseWorlds(*input.scene));
   solved.active = trail.connected || trail.applied.has_value();
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;
@@ -174,14 +210,17 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
     keyed.push_back(limb.endNode);
   }
   const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
-  samplePath(input, solved, keyTimes);
+  if (before != nullptr && samePath(before->settings, solved.settings)) {
+    solved.path = before->path;
+    solved.bend = before->bend;
+  } else {
+    before = nullptr;
+    samplePath(input, solved, keyTimes);
+  }
   solveTipOf(solved);
   explainTip(solved, fps);
   solved.remap = Remap(solved.settings.remap, solved.settings.easeIn, solved.settings.easeOut);
-  constexpr double controlTolerance = 0.01; // of the limb's rest length
-  solved.controlFrames = trail.controlFrames.empty() ? chooseControlFrames(solved.path, keyTimes, fps,
-                                                                           controlTolerance * limb.restLength)
-                                                     : trail.controlFrames;
+  setControlFrames(input, solved, keyTimes, before);
   solved.offsets = SphereOffsets(solved.controlFrames, solved.settings.spheres);
   const double release = releaseSecondsOf(input, solved, keyed);
   solved.release = Release(release, solved.settings.overshoot);
@@ -199,12 +238,11 @@ MotionState solveMotion(const MotionInput& input) {
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.biped->hips;
   motion.loops = input.loops;
-  const std::vector<Mat4> bindWorlds = bindPoseWorlds(*input.scene);
   for (const Trail& trail : input.trails) {
     const auto limb = std::find_if(input.limbs.begin(), input.limbs.end(),
                                    [&](const Limb& l) { return l.id == trail.limb; });
     if (limb != input.limbs.end() && !limb->joints.empty()) {
-      motion.trails.push_back(solveTrail(input, trail, *limb, bindWorlds));
+      motion.trails.push_back(solveTrail(input, trail, *limb));
     }
   }
   std::stable_sort(motion.trails.begin(), motion.trails.end(),

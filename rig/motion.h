@@ -60,6 +60,8 @@ struct MotionInput {
   std::vector<Limb> limbs;   ///< All limbs that trails may name, the user's chains included.
   std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
+  /// Solved before for the same scene, clip, biped, limbs and loop: what did not change since is taken over.
+  const MotionState* previous = nullptr;
 };
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
@@ -75,11 +77,28 @@ struct DrawnTrail {
   std::vector<Vec3> exaggerated;
 };
 
-/// The paths at given frames, as at the control spheres (SolvedTrail::controlFrames).
+/// The paths at given frames, ascending, as at the control spheres (SolvedTrail::controlFrames).
 [[nodiscard]] DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
                                  const SolvedTrail& solved, const std::vector<double>& frames);
 
-/// The paths as they are drawn: evenly `samplesPerFrame` a frame over range and release. At least one sample.
+/// Several paths, each at frames of its own: what they share is computed once. One answer a request.
+struct PathRequest {
+  const SolvedTrail* trail = nullptr; ///< One of the motion's own.
+  std::vector<double> frames;         ///< Ascending.
+};
+[[nodiscard]] std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                              const std::vector<PathRequest>& requests);
+
+/// Whether the paths of `outer` depend on `inner`: an active trail of the same motion that acts earlier, on
+/// the same limb or on one that carries it.
+[[nodiscard]] bool shapesPath(const Scene& scene, const SolvedTrail& inner, const SolvedTrail& outer);
+
+/// The frames at which a path is drawn: evenly `samplesPerFrame` a frame over range and release. At least
+/// one.
+[[nodiscard]] std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved,
+                                              std::size_t samplesPerFrame);
+
+/// The paths at these frames.
 [[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
                                     const SolvedTrail& solved, std::size_t samplesPerFrame);
 

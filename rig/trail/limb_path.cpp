@@ -101,40 +101,81 @@ std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& sample
 
 NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes)
     : scene_(&scene) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> stepOf(scene.nodes.size(), none);
   for (const int node : withAncestors(scene, nodes)) {
-    Step step{node, {}};
-    for (const CopyOnWrite<Track>& track : clip.tracks) {
-      if (track->node == node && track->channel != Channel::weights) {
-        step.tracks.push_back(&*track);
-      }
-    }
-    steps_.push_back(std::move(step));
+    stepOf[static_cast<std::size_t>(node)] = steps_.size();
+    steps_.push_back({node, {}});
   }
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    const std::size_t step = stepOf[static_cast<std::size_t>(track->node)];
+    if (step != none && track->channel != Channel::weights) {
+      steps_[step].tracks.push_back(&*track);
+    }
+  }
+}
+
+Transform NodeSampler::localAt(const Step& step, double timeSeconds) const {
+  Transform transform = scene_->nodes[static_cast<std::size_t>(step.node)].rest;
+  for (const Track* track : step.tracks) {
+    std::array<double, 4> value{};
+    sampleTrack(*track, timeSeconds, value.data());
+    if (track->channel == Channel::translation) {
+      transform.translation = {value[0], value[1], value[2]};
+    } else if (track->channel == Channel::scale) {
+      transform.scale = {value[0], value[1], value[2]};
+    } else {
+      transform.rotation = Quat(value[3], value[0], value[1], value[2]);
+    }
+  }
+  return transform;
+}
+
+Mat4 NodeSampler::worldOf(int node, const Mat4& local, const std::vector<Mat4>& worlds) const {
+  const int parent = scene_->nodes[static_cast<std::size_t>(node)].parent;
+  return parent < 0 ? local : worlds[static_cast<std::size_t>(parent)] * local;
 }
 
 void NodeSampler::sample(double timeSeconds, std::vector<Mat4>& worlds) const {
   worlds.resize(scene_->nodes.size(), Mat4(1.0));
   for (const Step& step : steps_) {
     const Node& node = scene_->nodes[static_cast<std::size_t>(step.node)];
-    Mat4 local = node.matrix ? *node.matrix : toMatrix(node.rest);
-    if (!step.tracks.empty()) {
-      Transform transform = node.rest;
-      for (const Track* track : step.tracks) {
-        std::array<double, 4> value{};
-        sampleTrack(*track, timeSeconds, value.data());
-        if (track->channel == Channel::translation) {
-          transform.translation = {value[0], value[1], value[2]};
-        } else if (track->channel == Channel::scale) {
-          transform.scale = {value[0], value[1], value[2]};
-        } else {
-          transform.rotation = Quat(value[3], value[0], value[1], value[2]);
-        }
-      }
-      local = toMatrix(transform);
-    }
-    worlds[static_cast<std::size_t>(step.node)] =
-        node.parent < 0 ? local : worlds[static_cast<std::size_t>(node.parent)] * local;
+    const bool usesMatrix = node.matrix && step.tracks.empty();
+    const Mat4 local = usesMatrix ? *node.matrix : toMatrix(localAt(step, timeSeconds));
+    worlds[static_cast<std::size_t>(step.node)] = worldOf(step.node, local, worlds);
   }
+}
+
+void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
+  const std::size_t count = scene_->nodes.size();
+  frame.timeSeconds = timeSeconds;
+  frame.pose.locals.resize(count);
+  frame.pose.usesMatrix.resize(count, false);
+  frame.pose.weights.resize(count);
+  frame.worlds.resize(count, Mat4(1.0));
+  frame.stretch.clear();
+  for (const Step& step : steps_) {
+    const auto index = static_cast<std::size_t>(step.node);
+    frame.pose.locals[index] = localAt(step, timeSeconds);
+    frame.pose.usesMatrix[index] = scene_->nodes[index].matrix && step.tracks.empty();
+    frame.worlds[index] = worldOf(step.node, localMatrix(*scene_, frame.pose, step.node), frame.worlds);
+  }
+}
+
+Scene NodeSampler::skeleton() const {
+  Scene skeleton;
+  skeleton.nodes.resize(scene_->nodes.size());
+  for (const Step& step : steps_) {
+    const Node& node = scene_->nodes[static_cast<std::size_t>(step.node)];
+    Node& copy = skeleton.nodes[static_cast<std::size_t>(step.node)];
+    copy.parent = node.parent;
+    copy.rest = node.rest;
+    copy.matrix = node.matrix;
+    if (node.parent >= 0) {
+      skeleton.nodes[static_cast<std::size_t>(node.parent)].children.push_back(step.node);
+    }
+  }
+  return skeleton;
 }
 
 Vec3 LimbPath::toSpace(const LimbSample& sample, const Vec3& world) const {

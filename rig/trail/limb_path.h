@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/anim/clip.h"
+#include "core/anim/frame_state.h"
 #include "core/anim/sampling.h"
 #include "core/scene/scene.h"
 #include "rig/limb.h"
@@ -20,11 +21,22 @@ public:
   /// identity.
   void sample(double timeSeconds, std::vector<Mat4>& worlds) const;
 
+  /// The same, local transforms included and nothing stretched. `frame` may be one that was sampled before
+  /// and changed since.
+  void sample(double timeSeconds, FrameState& frame) const;
+
+  /// The scene's nodes under their own indices, but only the asked ones and their ancestors are anyone's
+  /// children. Nothing else of the scene is in it.
+  [[nodiscard]] Scene skeleton() const;
+
 private:
   struct Step {
     int node = -1;
     std::vector<const Track*> tracks;
   };
+  [[nodiscard]] Transform localAt(const Step& step, double timeSeconds) const;
+  [[nodiscard]] Mat4 worldOf(int node, const Mat4& local, const std::vector<Mat4>& worlds) const;
+
   const Scene* scene_;
   std::vector<Step> steps_; // parents first
 };

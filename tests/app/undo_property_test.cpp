@@ -1,3 +1,4 @@
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -47,7 +48,7 @@ Document randomEdit(const Document& document, Dice& dice) {
   const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.trails.size())));
   const rig::Trail& trail = document.trails[index];
   rig::TrailSettings settings = trail.settings;
-  switch (dice.below(8)) {
+  switch (dice.below(10)) {
   case 0:
     settings.scale = 0.1 * dice.below(40);
     settings.axes[1] = dice.below(2) == 0;
@@ -66,6 +67,14 @@ Document randomEdit(const Document& document, Dice& dice) {
         setSphereOffset(document, trail.id, {settings.startFrame, Vec3(0.01 * dice.below(9), 0.0, 0.02)}));
   case 6:
     return setLooping(document, 0, dice.below(2) == 0);
+  case 7:
+    settings.startFrame = dice.below(static_cast<int>(settings.endFrame));
+    settings.pivot = dice.below(2) == 0 ? rig::Pivot::start : rig::Pivot::end;
+    return orUnchanged(document, setTrailSettings(document, trail.id, settings));
+  case 8:
+    settings.space = dice.below(2) == 0 ? rig::TrailSpace::world : rig::TrailSpace::base;
+    settings.releaseFrames = dice.below(5);
+    return orUnchanged(document, setTrailSettings(document, trail.id, settings));
   default:
     return orUnchanged(document, deleteTrail(document, trail.id));
   }
@@ -103,12 +112,37 @@ TEST_CASE("what the cache answers is what evaluation without one gives, over ran
   Dice dice(7);
   Document document = test::boxer();
   EvaluationCache cache;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 200; ++i) {
     document = randomEdit(document, dice);
     const double seconds = dice.below(21) / 30.0;
     const FrameState& cached = cache.frame(document, 0, seconds);
     const FrameState fresh = evaluate(document, prepareMotion(document, 0), seconds);
     CHECK(cached.worlds == fresh.worlds);
     CHECK(cached.stretch == fresh.stretch);
+    const std::vector<TrailPaths>& cachedPaths = cache.paths(document, 0, 2);
+    const std::vector<TrailPaths> freshPaths = trailPaths(document, prepareMotion(document, 0), 2);
+    REQUIRE(cachedPaths.size() == freshPaths.size());
+    for (std::size_t k = 0; k < freshPaths.size(); ++k) {
+      CHECK(cachedPaths[k].drawn.frames == freshPaths[k].drawn.frames);
+      CHECK(cachedPaths[k].drawn.original == freshPaths[k].drawn.original);
+      CHECK(cachedPaths[k].drawn.exaggerated == freshPaths[k].drawn.exaggerated);
+      CHECK(cachedPaths[k].spheres.frames == freshPaths[k].spheres.frames);
+      CHECK(cachedPaths[k].spheres.exaggerated == freshPaths[k].spheres.exaggerated);
+    }
   }
+}
+
+TEST_CASE("the cache keeps what it keys on, so that no other document is taken for it") {
+  EvaluationCache cache;
+  std::weak_ptr<const Scene> scene;
+  std::weak_ptr<const std::vector<Clip>> clips;
+  {
+    const Document document = test::boxer();
+    scene = document.scene;
+    clips = document.clips;
+    static_cast<void>(cache.frame(document, 0, 0.0));
+    static_cast<void>(cache.original(document, 0, 0.0));
+  }
+  CHECK_FALSE(scene.expired());
+  CHECK_FALSE(clips.expired());
 }

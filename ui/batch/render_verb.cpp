@@ -114,13 +114,11 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app
   return frames;
 }
 
-TrailPicture pictureOf(const app::Document& document, const rig::MotionState& motion,
-                       const rig::SolvedTrail& solved, double frame) {
-  constexpr std::size_t samplesPerFrame = 2;
-  const Scene& scene = *document.scene;
-  const Clip& clip = app::clipOf(document, motion.clip);
-  const rig::DrawnTrail paths = rig::drawnPaths(scene, clip, motion, solved, samplesPerFrame);
-  const rig::DrawnTrail spheres = rig::pathsAt(scene, clip, motion, solved, solved.controlFrames);
+constexpr std::size_t samplesPerFrame = 2;
+
+TrailPicture pictureOf(const rig::SolvedTrail& solved, const app::TrailPaths& trailPaths, double frame) {
+  const rig::DrawnTrail& paths = trailPaths.drawn;
+  const rig::DrawnTrail& spheres = trailPaths.spheres;
   const bool exaggerated = solved.trail.exaggerated;
   TrailPicture picture;
   picture.original = paths.original;
@@ -155,6 +153,9 @@ std::vector<Ghost> ghostsAround(const app::Document& document, const rig::Motion
 std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::MotionState& motion,
                                      const std::vector<double>& frames, const RenderArguments& arguments) {
   std::vector<PictureFrame> pictures;
+  const std::vector<app::TrailPaths> paths = motion.trails.empty()
+                                                 ? std::vector<app::TrailPaths>{}
+                                                 : app::trailPaths(document, motion, samplesPerFrame);
   for (const double frame : frames) {
     PictureFrame picture;
     picture.frame = app::evaluate(document, motion, frame / motion.framesPerSecond);
@@ -162,9 +163,9 @@ std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::M
                         ? fmt::format("frame {:g}", frame)
                         : std::string();
     picture.ghosts = ghostsAround(document, motion, frame, arguments.ghosts);
-    for (const rig::SolvedTrail& solved : motion.trails) {
-      if (solved.trail.visible) {
-        picture.trails.push_back(pictureOf(document, motion, solved, frame));
+    for (std::size_t i = 0; i < motion.trails.size(); ++i) {
+      if (motion.trails[i].trail.visible) {
+        picture.trails.push_back(pictureOf(motion.trails[i], paths[i], frame));
       }
     }
     pictures.push_back(std::move(picture));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -20,8 +21,7 @@ namespace {
 constexpr std::size_t samplesPerFrame = 2; ///< Of a drawn path.
 constexpr float hoveredHighlight = 0.45F;
 
-ShownTrail showTrail(app::Session& session, const rig::SolvedTrail& solved) {
-  const app::Document& document = session.document();
+ShownTrail showTrail(const rig::SolvedTrail& solved, const app::TrailPaths& paths) {
   ShownTrail shown;
   shown.id = solved.trail.id;
   shown.colour = solved.trail.colour;
@@ -29,10 +29,8 @@ ShownTrail showTrail(app::Session& session, const rig::SolvedTrail& solved) {
   shown.startFrame = solved.settings.startFrame;
   shown.endFrame = solved.settings.endFrame;
   shown.pivot = solved.settings.pivot;
-  shown.drawn = rig::drawnPaths(*document.scene, app::clipOf(document, session.view().clip), session.motion(),
-                                solved, samplesPerFrame);
-  const rig::DrawnTrail spheres = rig::pathsAt(*document.scene, app::clipOf(document, session.view().clip),
-                                               session.motion(), solved, solved.controlFrames);
+  shown.drawn = paths.drawn;
+  const rig::DrawnTrail& spheres = paths.spheres;
   for (std::size_t i = 0; i < spheres.frames.size(); ++i) {
     shown.spheres.push_back(
         {spheres.frames[i], shown.exaggerated ? spheres.exaggerated[i] : spheres.original[i]});
@@ -120,20 +118,17 @@ void addGhost(app::Session& session, double frame, const glm::vec4& tint, std::v
 } // namespace
 
 void updateShownTrails(app::Session& session, ShownTrails& shown) {
-  const app::Document& document = session.document();
-  const int clip = session.view().clip;
-  std::vector<rig::Limb> limbs = allLimbs(document);
-  const bool same = shown.scene == document.scene.get() && shown.clips == document.clips.get() &&
-                    shown.clip == clip && shown.madeFrom == document.trails && shown.limbs == limbs;
-  if (same) {
+  std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
+  if (shown.madeFrom == motion) {
     return;
   }
-  shown = {{}, document.scene.get(), document.clips.get(), clip, document.trails, std::move(limbs)};
-  if (!app::hasClip(document, clip)) {
+  shown = {{}, std::move(motion)};
+  if (!app::hasClip(session.document(), session.view().clip)) {
     return;
   }
-  for (const rig::SolvedTrail& solved : session.motion().trails) {
-    shown.trails.push_back(showTrail(session, solved));
+  const std::vector<app::TrailPaths>& paths = session.paths(samplesPerFrame);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    shown.trails.push_back(showTrail(shown.madeFrom->trails[i], paths[i]));
   }
 }
 

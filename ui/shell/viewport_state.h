@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,12 +31,7 @@ struct ShownTrail {
 /// The trails of the viewed clip that are visible, and what they were made from.
 struct ShownTrails {
   std::vector<ShownTrail> trails;
-  // What they were made from: they are made again only when it changed.
-  const void* scene = nullptr;
-  const void* clips = nullptr;
-  int clip = -1;
-  std::vector<rig::Trail> madeFrom;
-  std::vector<rig::Limb> limbs;
+  std::shared_ptr<const rig::MotionState> madeFrom; ///< They are made again only when it is another.
 };
 
 /// What the viewport remembers between frames.
