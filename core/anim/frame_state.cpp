@@ -8,20 +8,23 @@ namespace stretch {
 
 namespace {
 
-// What the clip itself stretches, where this program wrote the file.
 std::vector<Mat3> stretchOfPose(const Scene& scene, const Pose& pose) {
   std::vector<Mat3> stretch(scene.bindChains.empty() ? 0 : scene.nodes.size(), Mat3(1.0));
   for (const BindChain& chain : scene.bindChains) {
-    Mat3 turned = Mat3(localMatrix(scene, pose, chain.leaf));
-    if (chain.endLeaf >= 0) {
-      turned *= Mat3(localMatrix(scene, pose, chain.endLeaf));
-    }
-    stretch[static_cast<std::size_t>(chain.joint)] = turned * glm::mat3_cast(glm::inverse(chain.restTurn));
+    stretch[static_cast<std::size_t>(chain.joint)] = stretchOf(scene, pose, chain);
   }
   return stretch;
 }
 
 } // namespace
+
+Mat3 stretchOf(const Scene& scene, const Pose& pose, const BindChain& chain) {
+  Mat3 turned = Mat3(localMatrix(scene, pose, chain.leaf));
+  if (chain.endLeaf >= 0) {
+    turned *= Mat3(localMatrix(scene, pose, chain.endLeaf));
+  }
+  return turned * glm::mat3_cast(glm::inverse(chain.restTurn));
+}
 
 FrameState frameOf(const Scene& scene, Pose pose, double timeSeconds) {
   FrameState frame;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -16,6 +17,23 @@ namespace stretch::rig {
 namespace {
 
 constexpr double sameTime = 1e-6; // seconds
+
+// The nodes, and the leaves that give them their stretch.
+std::vector<int> withLeaves(const std::vector<BindChain>& chains, std::vector<int> nodes) {
+  for (const BindChain& chain : chains) {
+    nodes.push_back(chain.lastLeaf());
+  }
+  return nodes;
+}
+
+std::vector<BindChain> chainsOf(const Scene& scene, const std::vector<int>& nodes) {
+  std::vector<BindChain> chains;
+  std::copy_if(scene.bindChains.begin(), scene.bindChains.end(), std::back_inserter(chains),
+               [&](const BindChain& chain) {
+                 return std::find(nodes.begin(), nodes.end(), chain.joint) != nodes.end();
+               });
+  return chains;
+}
 
 std::vector<int> withAncestors(const Scene& scene, const std::vector<int>& nodes) {
   std::set<int> wanted;
@@ -100,10 +118,10 @@ std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& sample
 } // namespace
 
 NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes)
-    : scene_(&scene) {
+    : scene_(&scene), chains_(chainsOf(scene, nodes)) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> stepOf(scene.nodes.size(), none);
-  for (const int node : withAncestors(scene, nodes)) {
+  for (const int node : withAncestors(scene, withLeaves(chains_, nodes))) {
     stepOf[static_cast<std::size_t>(node)] = steps_.size();
     steps_.push_back({node, {}});
   }
@@ -153,12 +171,15 @@ void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
   frame.pose.usesMatrix.resize(count, false);
   frame.pose.weights.resize(count);
   frame.worlds.resize(count, Mat4(1.0));
-  frame.stretch.clear();
+  frame.stretch.assign(chains_.empty() ? 0 : count, Mat3(1.0));
   for (const Step& step : steps_) {
     const auto index = static_cast<std::size_t>(step.node);
     frame.pose.locals[index] = localAt(step, timeSeconds);
     frame.pose.usesMatrix[index] = scene_->nodes[index].matrix && step.tracks.empty();
     frame.worlds[index] = worldOf(step.node, localMatrix(*scene_, frame.pose, step.node), frame.worlds);
+  }
+  for (const BindChain& chain : chains_) {
+    frame.stretch[static_cast<std::size_t>(chain.joint)] = stretchOf(*scene_, frame.pose, chain);
   }
 }
 

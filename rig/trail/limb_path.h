@@ -21,8 +21,8 @@ public:
   /// identity.
   void sample(double timeSeconds, std::vector<Mat4>& worlds) const;
 
-  /// The same, local transforms included and nothing stretched. `frame` may be one that was sampled before
-  /// and changed since.
+  /// The same, with local transforms and what the file itself stretches. `frame` may be one that was sampled
+  /// before and changed since.
   void sample(double timeSeconds, FrameState& frame) const;
 
   /// The scene's nodes under their own indices, but only the asked ones and their ancestors are anyone's
@@ -38,7 +38,8 @@ private:
   [[nodiscard]] Mat4 worldOf(int node, const Mat4& local, const std::vector<Mat4>& worlds) const;
 
   const Scene* scene_;
-  std::vector<Step> steps_; // parents first
+  std::vector<Step> steps_;       // parents first
+  std::vector<BindChain> chains_; // of the sampled joints
 };
 
 /// The limb at one time of the source clip, world space.
