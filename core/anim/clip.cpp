@@ -18,6 +18,8 @@ std::vector<float> allKeyTimes(const std::vector<CopyOnWrite<Track>>& tracks) {
   return times;
 }
 
+constexpr double mostKeys = 0.9; // of a clip or a track: enough to name its rate
+
 // Share of the keys that lie within 2 % of a frame of a whole frame.
 double shareOnFrames(const std::vector<float>& times, double framesPerSecond) {
   const auto onFrame = std::count_if(times.begin(), times.end(), [&](float time) {
@@ -25,6 +27,39 @@ double shareOnFrames(const std::vector<float>& times, double framesPerSecond) {
     return std::abs(frame - std::round(frame)) < 0.02;
   });
   return static_cast<double>(onFrame) / static_cast<double>(times.size());
+}
+
+// The rate at which most of these key times fall on whole frames; 0 when there is none.
+double rateOf(const std::vector<float>& times) {
+  constexpr std::array<double, 12> usualRates{24, 30, 25, 60, 50, 12, 15, 48, 120, 100, 10, 8};
+  for (const double rate : usualRates) {
+    if (shareOnFrames(times, rate) >= mostKeys) {
+      return rate;
+    }
+  }
+  // An unusual rate: the median spacing of the keys names it where most keys agree.
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    spacings.push_back(static_cast<double>(times[i]) - static_cast<double>(times[i - 1]));
+  }
+  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2),
+                   spacings.end());
+  const double rate = 1.0 / spacings[spacings.size() / 2];
+  return rate > 1.0 && rate <= 240.0 && shareOnFrames(times, rate) >= mostKeys ? rate : 0.0;
+}
+
+// Share of the tracks, of those with enough keys to tell, that are keyed on whole frames of a rate.
+double shareOfTracksOnFrames(const std::vector<CopyOnWrite<Track>>& tracks, double framesPerSecond) {
+  constexpr std::size_t tellingKeys = 4;
+  double telling = 0.0;
+  double onFrames = 0.0;
+  for (const CopyOnWrite<Track>& track : tracks) {
+    if (track->times.size() >= tellingKeys) {
+      telling += 1.0;
+      onFrames += shareOnFrames(track->times, framesPerSecond) >= mostKeys ? 1.0 : 0.0;
+    }
+  }
+  return telling > 0.0 ? onFrames / telling : 0.0;
 }
 
 } // namespace
@@ -44,22 +79,15 @@ double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks) {
   if (times.size() < 2) {
     return fallback;
   }
-  constexpr std::array<double, 12> usualRates{24, 30, 25, 60, 50, 12, 15, 48, 120, 100, 10, 8};
-  constexpr double mostKeys = 0.9;
-  for (const double rate : usualRates) {
-    if (shareOnFrames(times, rate) >= mostKeys) {
-      return rate;
-    }
+  double rate = rateOf(times);
+  // Re-keying a limb puts some keys between frames: where a good part of the tracks is keyed on every second
+  // frame of a high rate, that one is only the rate of those between.
+  constexpr double lowestDoubled = 40.0;
+  constexpr double goodPart = 0.3;
+  if (rate >= lowestDoubled && shareOfTracksOnFrames(tracks, 0.5 * rate) >= goodPart) {
+    rate *= 0.5;
   }
-  // An unusual rate: the median spacing of the keys names it where most keys agree.
-  std::vector<double> spacings;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    spacings.push_back(static_cast<double>(times[i]) - static_cast<double>(times[i - 1]));
-  }
-  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2),
-                   spacings.end());
-  const double rate = 1.0 / spacings[spacings.size() / 2];
-  return rate > 1.0 && rate <= 240.0 && shareOnFrames(times, rate) >= mostKeys ? rate : fallback;
+  return rate > 0.0 ? rate : fallback;
 }
 
 int frameCount(const Clip& clip) {

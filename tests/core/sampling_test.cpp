@@ -141,3 +141,25 @@ TEST_CASE("The frame rate is guessed from the keys") {
   CHECK(rateOf({0.5F}) == 30.0);
   CHECK(rateOf({0, 0.0123F, 0.0301F, 0.0449F}) == 30.0); // no rate fits
 }
+
+TEST_CASE("Keys between the frames of some tracks do not double the frame rate") {
+  const auto keyedEvery = [](double framesPerSecond, double stepFrames) {
+    Track track = moves(Interpolation::linear);
+    track.times.clear();
+    for (double frame = 0.0; frame <= framesPerSecond; frame += stepFrames) {
+      track.times.push_back(static_cast<float>(frame / framesPerSecond));
+    }
+    track.values.assign(track.times.size() * 3, 0.0F);
+    return CopyOnWrite<Track>(std::move(track));
+  };
+  for (const double rate : {24.0, 25.0, 30.0, 60.0, 23.5}) {
+    CAPTURE(rate);
+    const CopyOnWrite<Track> onFrames = keyedEvery(rate, 1.0);
+    const CopyOnWrite<Track> between = keyedEvery(rate, 0.5);
+    CHECK(guessFramesPerSecond({onFrames, between, between}) == Approx(rate));
+    CHECK(guessFramesPerSecond({keyedEvery(rate, 4.0), keyedEvery(rate, 2.0), between}) == Approx(rate));
+    // Every track keyed at twice the rate is a clip of twice the rate, whatever holds still in it.
+    const CopyOnWrite<Track> still = keyedEvery(rate, rate);
+    CHECK(guessFramesPerSecond({between, still, still, still}) == Approx(2.0 * rate));
+  }
+}
