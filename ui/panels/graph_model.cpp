@@ -137,15 +137,8 @@ const std::vector<Curve>& graphCurves(PanelContext& context, const rig::Limb& li
   const std::vector<int> nodes = graphNodes(limb);
   const int node =
       nodes[static_cast<std::size_t>(std::clamp(graph.joint, 0, static_cast<int>(nodes.size()) - 1))];
-  const app::Document& document = context.session->document();
-  const GraphKey key{document.clips.get(),
-                     context.session->view().clip,
-                     limb.id,
-                     node,
-                     graph.channels,
-                     frames.start,
-                     frames.end,
-                     document.trails};
+  const GraphKey key{
+      context.session->sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};
   if (!graph.madeFrom || !(*graph.madeFrom == key)) {
     graph.curves = makeCurves(context, limb, node, frames);
     graph.madeFrom = key;

@@ -4,6 +4,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/style_edits.h"
+#include "app/quality.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
@@ -73,6 +74,21 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
     return "The path's line does not reach that length: the tip is pulled the rest of the way.";
   }
   return {};
+}
+
+/// Looked for once the hand is off: every frame of the trail is posed for it. None during a drag.
+std::vector<std::string> lookWarnings(PanelContext& context, const rig::SolvedTrail& solved) {
+  app::Session& session = *context.session;
+  LookState& look = context.ui.look;
+  const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
+  if (session.isDragging() || !solved.active) {
+    return {};
+  }
+  if (look.motion != motion || look.trailId != solved.trail.id) {
+    look = {motion, solved.trail.id,
+            app::motionWarnings(session.document(), *motion, solved, app::LookAt::limb)};
+  }
+  return look.warnings;
 }
 
 } // namespace
@@ -151,6 +167,9 @@ void tipMessages(PanelContext& context, int trailId) {
     notice(widgets, NoticeKind::info, problem);
   }
   for (const std::string& warning : solved->warnings) {
+    notice(widgets, NoticeKind::warning, warning);
+  }
+  for (const std::string& warning : lookWarnings(context, *solved)) {
     notice(widgets, NoticeKind::warning, warning);
   }
   if (solved->tip.moved) {

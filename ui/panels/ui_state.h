@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/math/types.h"
+#include "rig/motion.h"
 #include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"
@@ -53,14 +55,12 @@ enum class BottomTab { timeline, graph, dopeSheet };
 
 /// What the graph's curves were made from.
 struct GraphKey {
-  const void* clips = nullptr;
-  int clip = -1;
+  std::shared_ptr<const rig::MotionState> motion;
   std::string limb;
   int node = -1;
   GraphChannels channels = GraphChannels::rotation;
   double firstFrame = 0.0;
   double lastFrame = 0.0;
-  std::vector<rig::Trail> trails;
 
   friend bool operator==(const GraphKey&, const GraphKey&) = default;
 };
@@ -74,6 +74,13 @@ struct GraphState {
   std::vector<bool> hidden = std::vector<bool>(3, false); ///< Curves switched off in the legend.
   std::vector<Curve> curves;                              ///< As last made, from:
   std::optional<GraphKey> madeFrom;
+};
+
+/// What an animator would stumble over in the selected trail, as last looked for.
+struct LookState {
+  std::shared_ptr<const rig::MotionState> motion; ///< Looked at in this one; null: not yet.
+  int trailId = 0;
+  std::vector<std::string> warnings;
 };
 
 /// Choosing joints from the skeleton tree: a limb's correction or a new chain.
@@ -168,6 +175,7 @@ struct UiState {
   ViewportOverlays overlays;
   TimelineState timeline;
   GraphState graph;
+  LookState look;
   BottomTab bottomTab = BottomTab::timeline;
   JointPick jointPick;
   FileDialogState fileDialog;

@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "app/evaluate.h"
+#include "app/quality.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Document punching(double endFrame, double scale) {
+  Document document = test::boxer();
+  rig::Trail trail;
+  trail.id = 1;
+  trail.limb = "left-arm";
+  trail.settings.endFrame = endFrame;
+  trail.settings.scale = scale;
+  trail.exaggerated = true;
+  trail.connected = true;
+  document.trails.push_back(trail);
+  return document;
+}
+
+// The body flies off to its right within ten frames, away from where its left arm points.
+void addFlight(Document& document) {
+  Track track;
+  track.node = document.biped.hips;
+  track.times = {0.0F, 10.0F / 30.0F};
+  track.values = {0.0F, 1.0F, 0.0F, -3.0F, 1.0F, 0.0F};
+  std::vector<Clip> clips = *document.clips;
+  clips.front().tracks.emplace_back(std::move(track));
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+}
+
+std::vector<std::string> warningsOf(const Document& document) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  return motionWarnings(document, motion, motion.trails.front());
+}
+
+} // namespace
+
+TEST_CASE("a punch that is twice as long gives no cause for a warning") {
+  CHECK(warningsOf(punching(10.0, 2.0)).empty());
+}
+
+TEST_CASE("a limb pulled out of bounds is told with its frame") {
+  Document document = punching(10.0, 2.0);
+  document.trails.front().settings.spheres = {{5.0, Vec3(3.0, 0.0, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(), Contains("left-arm: the limb is") && Contains("times its own length"));
+  CHECK_THAT(warnings.front(), Contains("worst at 5)"));
+}
+
+TEST_CASE("an arm that points the other way is told, and the advice that goes with it helps") {
+  Document document = punching(10.0, 2.0);
+  addFlight(document);
+  const std::vector<std::string> warnings = warningsOf(document);
+  const auto turned = std::find_if(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("degrees away from where it did") != std::string::npos;
+  });
+  REQUIRE(turned != warnings.end());
+  CHECK_THAT(*turned, Contains("set the space to base"));
+  document.trails.front().settings.space = rig::TrailSpace::base;
+  CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("a trail that the character does not follow gives no warning") {
+  Document document = punching(10.0, 2.0);
+  addFlight(document);
+  document.trails.front().connected = false;
+  CHECK(warningsOf(document).empty());
+}
