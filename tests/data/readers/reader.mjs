@@ -103,3 +103,24 @@ export function vertexPositions(mesh, step = 1) {
   }
   return positions;
 }
+
+const indexOf = (names, wanted) => (wanted.startsWith('#') ? Number(wanted.slice(1)) : names.indexOf(wanted));
+
+function found(index, list, wanted) {
+  if (index < 0 || list[index] === undefined) throw new Error(`there is no '${wanted}'`);
+  return index;
+}
+
+/// Positions of nodes ("#INDEX" or names) and of every step-th vertex (0: none) at times of a clip (null: at rest).
+export function measure(model, { times, nodes = [], step = 0, clip = null }) {
+  const clipIndex = clip === null ? -1 : found(indexOf(model.clipNames, clip), model.clips, clip);
+  const indices = nodes.map((wanted) => found(indexOf(model.names, wanted), model.nodes, wanted));
+  const result = { times, nodes: {}, vertices: {} };
+  play(model, clipIndex < 0 ? null : model.clips[clipIndex], times, () => {
+    for (const index of indices) (result.nodes[`#${index} ${model.names[index]}`] ??= []).push(nodePosition(model.nodes[index]));
+    for (const { mesh, primitive, node, object } of step > 0 ? model.meshes : []) {
+      (result.vertices[`#${node} ${mesh}/${primitive}`] ??= []).push(vertexPositions(object, step));
+    }
+  });
+  return result;
+}
