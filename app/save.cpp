@@ -38,8 +38,9 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   const Document applied = appliedOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions;
-  // Half of what is allowed: key times and values are rounded to single precision on their way into the file.
-  rekeyOptions.tolerance = 0.5 * toleranceOfHeight * document.biped.height;
+  // Joints and the stretch of a bone may each miss by this, so a vertex by both; and key times and values are
+  // rounded to single precision on their way into the file.
+  rekeyOptions.tolerance = 0.4 * toleranceOfHeight * document.biped.height;
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
   for (const int clip : clipsWithTrails(applied)) {
     rig::RekeyedClip rekeyed =
