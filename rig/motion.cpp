@@ -58,16 +58,15 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
     nodes.push_back(input.biped->hips);
   }
   const NodeSampler sampler(*input.scene, *input.clip, nodes);
-  std::vector<Mat4> worlds;
+  FrameState frame;
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
   for (const double time :
        sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
-    sampler.sample(time, worlds);
-    solved.path.samples.push_back(
-        limbSample(solved.limb, solved.settings.space, input.biped->hips, worlds, time));
-    solved.bend.add(limbPoints(solved.limb, worlds), rotationOf(worlds[at(solved.limb.joints.front())]));
+    sampler.sample(time, frame);
+    solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.biped->hips, frame));
+    solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
     points.push_back(solved.path.toSpace(sample, sample.end));
     times.push_back(time);
@@ -260,10 +259,10 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
     nodes.push_back(limb.endNode);
   }
   const NodeSampler sampler(scene, clip, nodes);
-  std::vector<Mat4> worlds;
+  FrameState sampled;
   const auto reachAt = [&](double frame) {
-    sampler.sample(frame / clip.framesPerSecond, worlds);
-    return endPosition(limb, worlds) - positionOf(worlds[at(limb.joints.front())]);
+    sampler.sample(frame / clip.framesPerSecond, sampled);
+    return endPosition(limb, sampled) - positionOf(sampled.worlds[at(limb.joints.front())]);
   };
   const Vec3 begin = reachAt(0.0);
   double farthest = 0.0;

@@ -117,15 +117,15 @@ struct Carry {
 };
 
 Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample,
-              const std::vector<Mat4>& sourceWorlds, const FrameState& frame) {
+              const FrameState& source, const FrameState& frame) {
   const int base = solved.limb.joints.front();
   const int parent = scene.nodes[at(base)].parent;
   Carry carry;
-  carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == sourceWorlds[at(base)];
+  carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
   carry.baseBefore = sample.base;
   carry.baseNow = positionOf(frame.worlds[at(base)]);
   if (!carry.still && parent >= 0) {
-    carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(sourceWorlds[at(parent)]));
+    carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(source.worlds[at(parent)]));
   }
   return carry;
 }
@@ -200,14 +200,13 @@ LimbShapeProblem shapeProblem(const SolvedTrail& solved, const Amount& amount, c
 } // namespace
 
 void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                const std::vector<Mat4>& sourceWorlds, FrameState& frame) {
-  const LimbSample sample =
-      limbSample(solved.limb, solved.settings.space, motion.hips, sourceWorlds, frame.timeSeconds);
+                const FrameState& source, FrameState& frame) {
+  const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
   if (hasNothingToDo(motion, solved, sample, frame)) {
     return;
   }
   const Amount amount = amountOrNone(motion, solved, sample);
-  const Carry carry = carryOf(scene, solved, sample, sourceWorlds, frame);
+  const Carry carry = carryOf(scene, solved, sample, source, frame);
   const Vec3 target = targetIn(frame, carry, motion, solved, sample, amount).wanted;
   const LimbShapeProblem problem = shapeProblem(solved, amount, target, frame);
   const bool still = glm::length(target - problem.points.back()) <= 0.0;
@@ -222,10 +221,9 @@ void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail
 }
 
 PathPoint pathPoint(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                    const std::vector<Mat4>& sourceWorlds, const FrameState& frame) {
-  const LimbSample sample =
-      limbSample(solved.limb, solved.settings.space, motion.hips, sourceWorlds, frame.timeSeconds);
-  const Carry carry = carryOf(scene, solved, sample, sourceWorlds, frame);
+                    const FrameState& source, const FrameState& frame) {
+  const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
+  const Carry carry = carryOf(scene, solved, sample, source, frame);
   const Amount amount = amountOrNone(motion, solved, sample);
   return {carry.point(sample.end), targetIn(frame, carry, motion, solved, sample, amount).wanted};
 }

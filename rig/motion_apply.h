@@ -9,10 +9,10 @@
 namespace stretch::rig {
 
 /// Brings one trail onto a frame that the trails before it were applied to, from the root outwards.
-/// `sourceWorlds`: world matrices of the source clip at the frame's time. Only the nodes that the trail
-/// touches (touchedNodes), the hips, and the ancestors of these need to be filled in.
+/// `source`: the source clip at the frame's time. Only the nodes that the trail touches (touchedNodes), the
+/// hips, and the ancestors of these need to be filled in.
 void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                const std::vector<Mat4>& sourceWorlds, FrameState& frame);
+                const FrameState& source, FrameState& frame);
 
 /// A trail's two paths at the time of a frame that the trails before it were applied to, world space.
 struct PathPoint {
@@ -20,8 +20,8 @@ struct PathPoint {
   Vec3 exaggerated{0.0};
 };
 
-/// Needs of `sourceWorlds` and `frame` what applyTrail needs.
+/// Needs of `source` and `frame` what applyTrail needs.
 [[nodiscard]] PathPoint pathPoint(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                                  const std::vector<Mat4>& sourceWorlds, const FrameState& frame);
+                                  const FrameState& source, const FrameState& frame);
 
 } // namespace stretch::rig

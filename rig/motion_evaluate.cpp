@@ -10,10 +10,10 @@ FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionStat
   // Past the last key every track is held, and so is what the trails make of it.
   const double heldSeconds = std::min(timeSeconds, clip.endSeconds);
   FrameState frame = frameOf(scene, samplePose(scene, clip, heldSeconds), heldSeconds);
-  const std::vector<Mat4> sourceWorlds = frame.worlds;
+  const FrameState source = frame;
   for (const SolvedTrail& solved : motion.trails) {
     if (solved.active) {
-      applyTrail(scene, motion, solved, sourceWorlds, frame);
+      applyTrail(scene, motion, solved, source, frame);
     }
   }
   frame.timeSeconds = timeSeconds;

@@ -81,18 +81,18 @@ public:
 private:
   void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
     sampler_.sample(frameNumber / motion_.framesPerSecond, frame_);
-    sourceWorlds_ = frame_.worlds;
+    source_ = frame_;
     auto next = inner_.begin();
     for (const std::size_t i : order_) {
       const PathRequest& request = requests_[i];
       for (; next != inner_.end() && *next < request.trail; ++next) {
-        applyTrail(skeleton_, motion_, **next, sourceWorlds_, frame_);
+        applyTrail(skeleton_, motion_, **next, source_, frame_);
       }
       const auto found = std::equal_range(request.frames.begin(), request.frames.end(), frameNumber);
       if (found.first == found.second) {
         continue;
       }
-      const PathPoint point = pathPoint(skeleton_, motion_, *request.trail, sourceWorlds_, frame_);
+      const PathPoint point = pathPoint(skeleton_, motion_, *request.trail, source_, frame_);
       for (auto place = found.first; place != found.second; ++place) {
         const auto sample = static_cast<std::size_t>(place - request.frames.begin());
         drawn[i].original[sample] = point.original;
@@ -108,7 +108,7 @@ private:
   Scene skeleton_;                 // the sampled nodes only
   std::vector<std::size_t> order_; // of the requests, as their trails act
   FrameState frame_;
-  std::vector<Mat4> sourceWorlds_;
+  FrameState source_;
 };
 
 } // namespace

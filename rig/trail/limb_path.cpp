@@ -154,16 +154,6 @@ Mat4 NodeSampler::worldOf(int node, const Mat4& local, const std::vector<Mat4>& 
   return parent < 0 ? local : worlds[static_cast<std::size_t>(parent)] * local;
 }
 
-void NodeSampler::sample(double timeSeconds, std::vector<Mat4>& worlds) const {
-  worlds.resize(scene_->nodes.size(), Mat4(1.0));
-  for (const Step& step : steps_) {
-    const Node& node = scene_->nodes[static_cast<std::size_t>(step.node)];
-    const bool usesMatrix = node.matrix && step.tracks.empty();
-    const Mat4 local = usesMatrix ? *node.matrix : toMatrix(localAt(step, timeSeconds));
-    worlds[static_cast<std::size_t>(step.node)] = worldOf(step.node, local, worlds);
-  }
-}
-
 void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
   const std::size_t count = scene_->nodes.size();
   frame.timeSeconds = timeSeconds;
@@ -223,16 +213,15 @@ double LimbPath::ratioAt(double timeSeconds) const {
   return ratios[i - 1] + t * (ratios[i] - ratios[i - 1]);
 }
 
-LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const std::vector<Mat4>& worlds,
-                      double timeSeconds) {
+LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const FrameState& source) {
   LimbSample sample;
-  sample.timeSeconds = timeSeconds;
-  sample.base = positionOf(worlds[static_cast<std::size_t>(limb.joints.front())]);
-  sample.end = endPosition(limb, worlds);
+  sample.timeSeconds = source.timeSeconds;
+  sample.base = positionOf(source.worlds[static_cast<std::size_t>(limb.joints.front())]);
+  sample.end = endPosition(limb, source);
   if (space == TrailSpace::base) {
     sample.reference = sample.base;
   } else if (space == TrailSpace::root && hips >= 0) {
-    sample.reference = positionOf(worlds[static_cast<std::size_t>(hips)]);
+    sample.reference = positionOf(source.worlds[static_cast<std::size_t>(hips)]);
   }
   return sample;
 }

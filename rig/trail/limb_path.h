@@ -17,12 +17,8 @@ class NodeSampler {
 public:
   NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes);
 
-  /// World matrices at a time; only the asked nodes and their ancestors are filled in, the others are the
-  /// identity.
-  void sample(double timeSeconds, std::vector<Mat4>& worlds) const;
-
-  /// The same, with local transforms and what the file itself stretches. `frame` may be one that was sampled
-  /// before and changed since.
+  /// The clip at a time; only the asked nodes and their ancestors are filled in, the world matrices of others
+  /// are the identity. `frame` may be one that was sampled before and changed since.
   void sample(double timeSeconds, FrameState& frame) const;
 
   /// The scene's nodes under their own indices, but only the asked ones and their ancestors are anyone's
@@ -63,9 +59,8 @@ struct LimbPath {
   [[nodiscard]] double ratioAt(double timeSeconds) const;
 };
 
-/// The limb at one time, from world matrices of the source clip.
-[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips,
-                                    const std::vector<Mat4>& worlds, double timeSeconds);
+/// The limb in a frame of the source clip.
+[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const FrameState& source);
 
 /// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends,
 /// ascending.

@@ -119,6 +119,21 @@ std::ptrdiff_t countLeaves(const Document& document) {
                        [](const Node& node) { return node.isBindLeaf; });
 }
 
+// The left arm as if the character had no hand: its end is a point of the forearm.
+Document withoutHand(Document document) {
+  rig::Limb& arm = *std::find_if(document.biped.limbs.begin(), document.biped.limbs.end(),
+                                 [](const rig::Limb& limb) { return limb.id == "left-arm"; });
+  arm.endOffset = document.scene->nodes[static_cast<std::size_t>(arm.endNode)].rest.translation;
+  arm.endNode = -1;
+  return document;
+}
+
+double armLength(const Document& document, double frame) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  return rig::limbLength(*findLimb(document, "left-arm"),
+                         evaluate(document, motion, frame / motion.framesPerSecond));
+}
+
 } // namespace
 
 TEST_CASE("A saved file opens as it was left, and gives the source back when its trail is deleted") {
@@ -175,4 +190,14 @@ TEST_CASE("A clean file that is stretched again uses its leaves again and keeps 
   CHECK(countLeaves(twice) <= 2 * static_cast<std::ptrdiff_t>(clean.scene->bindChains.size()));
   CHECK(worstDifference(live, clean) > 0.05 * source.biped.height);
   CHECK(worstDifference(twice, live) <= 1e-4 * source.biped.height);
+}
+
+TEST_CASE("An arm that ends in no joint is stretched from where a clean file has it") {
+  const test::TemporaryFolder folder;
+  const Document once = stretched(withoutHand(opened(dummyPath)), {"left-arm", 21.0, 27.0, 2.0});
+  const Document before = withoutHand(opened(saved(once, folder.path() / "clean.glb", true)));
+  CHECK(armLength(before, 27.0) == Approx(armLength(once, 27.0)).epsilon(1e-4));
+  CHECK(worstDifference(before, stretched(before, {"left-arm", 21.0, 27.0, 1.0})) < 1e-6);
+  const Document again = stretched(before, {"left-arm", 21.0, 27.0, 1.5});
+  CHECK(armLength(again, 27.0) == Approx(1.5 * armLength(before, 27.0)).epsilon(1e-4));
 }

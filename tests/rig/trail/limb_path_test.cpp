@@ -18,10 +18,10 @@ TEST_CASE("sampling a few nodes answers what sampling the whole character answer
     const MovingBiped moving = punchingBiped(interpolation);
     const int hand = moving.node.at("hand.l");
     const NodeSampler sampler(moving.scene, moving.clip, {hand});
-    std::vector<Mat4> worlds;
+    FrameState sampled;
     for (double frame = -2.0; frame <= 26.0; frame += 0.7) {
-      sampler.sample(frame / 24.0, worlds);
-      const Mat4 difference = worlds[static_cast<std::size_t>(hand)] -
+      sampler.sample(frame / 24.0, sampled);
+      const Mat4 difference = sampled.worlds[static_cast<std::size_t>(hand)] -
                               sourceAtFrame(moving, frame).worlds[static_cast<std::size_t>(hand)];
       for (int column = 0; column < 4; ++column) {
         CHECK(glm::length(difference[column]) < 1e-12);
