@@ -4,8 +4,12 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
+#include "skinning/compress/flattening.h"
+#include "skinning/sequence/mesh_file.h"
+#include "skinning/sequence/point_cache.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {
@@ -13,22 +17,97 @@ namespace stretch::app {
 namespace {
 
 struct CompareArguments {
-  std::string reference;
-  std::string other;
+  std::vector<std::string> words;
+  bool flattening = false;
+  std::string gravity;
+  double mass = 0.0;
+  double metresPerUnit = 1.0;
   bool json = false;
 };
 
-// `framesPerSecond` 0: at the rate that the file's own keys suggest.
-Result<MeshSequence> readAny(const std::string& path, double framesPerSecond) {
-  return std::filesystem::is_directory(path) ? readSequenceWords({path})
-                                             : skinning::readAnimatedGltf(path, {}, {}, framesPerSecond);
+/// One side of the comparison: a path, or a base mesh and its cache.
+using Words = std::vector<std::string>;
+
+/// A cache belongs to the mesh before it; everything else is a side of its own.
+Result<std::pair<Words, Words>> twoSides(const Words& words) {
+  std::vector<Words> sides;
+  for (const std::string& word : words) {
+    const bool joins = !sides.empty() && sides.back().size() == 1 && skinning::isPointCache(word) &&
+                       skinning::isMeshFile(sides.back().front());
+    if (joins) {
+      sides.back().push_back(word);
+    } else {
+      sides.push_back({word});
+    }
+  }
+  if (sides.size() != 2) {
+    return Error{fmt::format("{} things to compare", sides.size()), "compare",
+                 "name two: each an animated glTF, a folder of frames, or BASE.obj CACHE.pc2"};
+  }
+  return std::pair(sides[0], sides[1]);
+}
+
+bool isGltf(const Words& side) {
+  const std::string extension = std::filesystem::path(side.front()).extension().string();
+  return side.size() == 1 && (extension == ".glb" || extension == ".gltf" || extension == ".vrm");
+}
+
+/// `framesPerSecond` 0: at the rate that the file's own keys suggest.
+Result<MeshSequence> readSide(const Words& side, double framesPerSecond) {
+  return isGltf(side) ? skinning::readAnimatedGltf(side.front(), {}, {}, framesPerSecond)
+                      : readSequenceWords(side);
+}
+
+gltf::Json flatteningJson(const skinning::Flattening& flattening) {
+  return {{"height", flattening.height},
+          {"width", flattening.width},
+          {"length", flattening.length},
+          {"compression", flattening.compression},
+          {"predicted_height", flattening.predictedHeight},
+          {"predicted_width", flattening.predictedWidth},
+          {"young", flattening.youngModulus}};
+}
+
+Status addFlattening(const CompareArguments& arguments, const MeshSequence& with, const MeshSequence& without,
+                     gltf::Json& report) {
+  skinning::BodyStretchSettings settings;
+  settings.metresPerUnit = arguments.metresPerUnit;
+  if (arguments.mass > 0.0) {
+    settings.mass = arguments.mass;
+  }
+  if (!arguments.gravity.empty()) {
+    const Result<Vec3> gravity = parseVector(arguments.gravity, "--gravity");
+    if (!gravity) {
+      return gravity.error();
+    }
+    settings.gravity = *gravity;
+  }
+  const auto flattening = skinning::gravityFlattening(with, without, settings);
+  if (!flattening) {
+    return flattening.error();
+  }
+  report["flattening"] = flatteningJson(*flattening);
+  return Success{};
+}
+
+void printFlattening(const gltf::Json& report) {
+  const auto number = [&](const char* key) { return report[key].get<double>(); };
+  fmt::print(
+      "gravity at mid-body, last frames: height x {:.3f}, width x {:.3f}, length x {:.3f}\n"
+      "the model comes closest with q {:.3f} (height x {:.3f}, width x {:.3f}): a modulus of {:.4g} Pa\n",
+      number("height"), number("width"), number("length"), number("compression"), number("predicted_height"),
+      number("predicted_width"), number("young"));
 }
 
 Status runCompare(const CompareArguments& arguments) {
-  const Result<MeshSequence> reference = readAny(arguments.reference, 0.0);
+  const Result<std::pair<Words, Words>> sides = twoSides(arguments.words);
+  if (!sides) {
+    return sides.error();
+  }
+  const Result<MeshSequence> reference = readSide(sides->first, 0.0);
   // Both are looked at on the frames of the reference, whatever keys the other one has.
-  const bool hasRate = reference && !std::filesystem::is_directory(arguments.reference);
-  const Result<MeshSequence> other = readAny(arguments.other, hasRate ? reference->framesPerSecond : 0.0);
+  const bool hasRate = reference && isGltf(sides->first);
+  const Result<MeshSequence> other = readSide(sides->second, hasRate ? reference->framesPerSecond : 0.0);
   if (!reference || !other) {
     return reference ? other.error() : reference.error();
   }
@@ -36,11 +115,19 @@ Status runCompare(const CompareArguments& arguments) {
   if (!metrics) {
     return metrics.error();
   }
-  const gltf::Json report = metricsJson(*metrics);
+  gltf::Json report = metricsJson(*metrics);
+  if (arguments.flattening) {
+    if (const Status done = addFlattening(arguments, *reference, *other, report); !done) {
+      return done;
+    }
+  }
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
-  } else {
-    printMetrics(report);
+    return Success{};
+  }
+  printMetrics(report);
+  if (arguments.flattening) {
+    printFlattening(report["flattening"]);
   }
   return Success{};
 }
@@ -50,9 +137,19 @@ Status runCompare(const CompareArguments& arguments) {
 Verb compareVerb() {
   return {"compare", "Compares two animated files or sequences with the same topology.", [](CLI::App& app) {
             const auto arguments = std::make_shared<CompareArguments>();
-            app.add_option("A", arguments->reference, "The reference: an animated glTF or a folder of frames")
-                ->required();
-            app.add_option("B", arguments->other, "What is compared with it")->required();
+            app.add_option("FILES", arguments->words,
+                           "The reference and what is compared with it: each an animated glTF, a folder of "
+                           "frames, or BASE.obj CACHE.pc2")
+                ->required()
+                ->expected(2, 4);
+            app.add_flag("--flattening", arguments->flattening,
+                         "A ran with gravity, B without: how flat A is, and the modulus that explains it");
+            app.add_option("--gravity", arguments->gravity, "Of A: x,y,z [m/s^2]; default: 0,-9.81,0");
+            app.add_option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water")
+                ->check(CLI::PositiveNumber);
+            app.add_option("--metres-per-unit", arguments->metresPerUnit, "Scale of the meshes")
+                ->check(CLI::PositiveNumber)
+                ->capture_default_str();
             app.add_flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runCompare(*arguments); };
           }};

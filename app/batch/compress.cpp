@@ -1,10 +1,12 @@
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
@@ -19,8 +21,6 @@
 namespace stretch::app {
 
 namespace {
-
-using gltf::Json;
 
 struct CompressArguments {
   std::vector<std::string> sequence;
@@ -85,42 +85,20 @@ Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments
   return settings;
 }
 
-Json reportOf(const MeshSequence& sequence, const skinning::CompressedSequence& compressed,
-              const skinning::EncodedClip& encoded, double seconds) {
-  Json report = metricsJson(compressed.metrics);
-  report["frames"] = sequence.frameCount();
-  report["vertices"] = sequence.vertexCount;
-  report["joints"] = encoded.joints;
-  report["first_fitted_frame"] = compressed.firstFittedFrame;
-  if (compressed.fittedMetrics) {
-    report["fitted_frames"] = metricsJson(*compressed.fittedMetrics);
+/// Tells how far the work is where somebody looks: at a terminal.
+skinning::Proceed terminalProgress() {
+  if (isatty(STDERR_FILENO) == 0) {
+    return {};
   }
-  report["bytes_per_frame_source"] = skinning::sourceBytesPerFrame(sequence);
-  report["bytes_per_frame"] = encoded.bytesPerFrame;
-  report["bytes_once"] = encoded.bytesOnce;
-  report["seconds"] = seconds;
-  if (compressed.model) {
-    report["young"] = compressed.model->youngModulus;
-    report["mass"] = compressed.model->mass;
-  }
-  report["warnings"] = sequence.warnings;
-  for (const std::string& warning : compressed.warnings) {
-    report["warnings"].push_back(warning);
-  }
-  return report;
-}
-
-void printText(const Json& report) {
-  printMetrics(report);
-  fmt::print("{} joints, {:g} bytes a frame instead of {}\n", report["joints"].get<std::size_t>(),
-             report["bytes_per_frame"].get<double>(), report["bytes_per_frame_source"].get<std::size_t>());
-  for (const Json& warning : report["warnings"]) {
-    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
-  }
+  return [](double share) {
+    fmt::print(stderr, "\rcompressing: {:.0f} %{}", 100.0 * share, share < 1.0 ? "" : "\r\033[K");
+    std::fflush(stderr);
+    return true;
+  };
 }
 
 Status runCompress(const CompressArguments& arguments) {
-  const Result<skinning::CompressSettings> settings = settingsOf(arguments);
+  Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
   }
@@ -133,6 +111,7 @@ Status runCompress(const CompressArguments& arguments) {
   }
   // Told to the user and nothing else: no result depends on the clock.
   const auto start = std::chrono::steady_clock::now();
+  settings->proceed = terminalProgress();
   const Result<skinning::CompressedSequence> compressed = skinning::compress(*sequence, *settings);
   if (!compressed) {
     return compressed.error();
@@ -144,11 +123,12 @@ Status runCompress(const CompressArguments& arguments) {
   if (const Status saved = gltf::save(encoded.source, arguments.output); !saved) {
     return saved;
   }
-  const Json report = reportOf(*sequence, *compressed, encoded, seconds);
+  gltf::Json report = compressionJson(*sequence, *compressed, encoded);
+  report["seconds"] = seconds;
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
   } else {
-    printText(report);
+    printCompression(report);
   }
   return Success{};
 }

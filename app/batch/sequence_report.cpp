@@ -1,5 +1,6 @@
 #include "app/batch/sequence_report.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -9,6 +10,61 @@
 namespace stretch::app {
 
 using gltf::Json;
+
+namespace {
+
+Json fittedFrames(const MeshSequence& sequence, std::size_t first) {
+  return {{"first", first}, {"last", sequence.frameCount() - 1}, {"count", sequence.frameCount() - first}};
+}
+
+const char* nameOf(skinning::LengthModel model) {
+  switch (model) {
+  case skinning::LengthModel::line:
+    return "line";
+  case skinning::LengthModel::monotone:
+    return "monotone";
+  case skinning::LengthModel::measuredMean:
+    break;
+  }
+  return "mean";
+}
+
+Json lengthJson(const skinning::BodyStretch& model) {
+  const skinning::LengthFunction& length = model.length;
+  return {{"used", nameOf(length.model)},
+          {"frames", length.frameCount},
+          {"rest_length", model.restLength},
+          {"mean_length", length.meanLength},
+          {"line",
+           {{"slope", length.line.slope},
+            {"intercept", length.line.intercept},
+            {"r_squared", length.line.rSquared}}},
+          {"monotone",
+           {{"curvatures", length.monotone.curvatures},
+            {"lengths", length.monotone.lengths},
+            {"r_squared", length.monotone.rSquared}}}};
+}
+
+/// The physics that explains the frames, whether the bones are stretched by it or not.
+void printModel(const Json& report) {
+  const Json& length = report["length_by_curvature"];
+  const Json& line = length["line"];
+  fmt::print("length by curvature: line {:.4g} kappa + {:.4g}, R^2 {:.3f}; monotone curve of {} knots, R^2 "
+             "{:.3f}; the {} is used\n",
+             line["slope"].get<double>(), line["intercept"].get<double>(), line["r_squared"].get<double>(),
+             length["monotone"]["lengths"].size(), length["monotone"]["r_squared"].get<double>(),
+             length["used"].get<std::string>());
+  const std::vector<double> compressions = report["gravity_compression"];
+  const auto [least, most] = std::minmax_element(compressions.begin(), compressions.end());
+  if (report["young"].get<double>() > 0.0 && least != compressions.end()) {
+    fmt::print("gravity compresses segments by {:.3g} to {:.3g}; Young's modulus {:.4g} Pa ({}), mass {:.4g} "
+               "kg\n",
+               *least, *most, report["young"].get<double>(),
+               report["young_fitted"].get<bool>() ? "fitted" : "given", report["mass"].get<double>());
+  }
+}
+
+} // namespace
 
 Json metricsJson(const skinning::SequenceMetrics& metrics) {
   return {{"mse", metrics.mse},
@@ -30,6 +86,52 @@ void printMetrics(const Json& report) {
              report["mse"].get<double>(), report["rmse_percent"].get<double>(),
              report["largest_percent"].get<double>(), report["kg_error"].get<double>(),
              report["sted"].get<double>());
+}
+
+Json compressionJson(const MeshSequence& sequence, const skinning::CompressedSequence& compressed,
+                     const skinning::EncodedClip& encoded) {
+  Json report = metricsJson(compressed.metrics);
+  report["frames"] = sequence.frameCount();
+  report["vertices"] = sequence.vertexCount;
+  report["joints"] = encoded.joints;
+  report["fitted_frames"] = fittedFrames(sequence, compressed.firstFittedFrame);
+  if (compressed.fittedMetrics) {
+    report["metrics_of_fitted_frames"] = metricsJson(*compressed.fittedMetrics);
+  }
+  report["bytes_per_frame_source"] = skinning::sourceBytesPerFrame(sequence);
+  report["bytes_per_frame"] = encoded.bytesPerFrame;
+  report["bytes_once"] = encoded.bytesOnce;
+  if (compressed.model) {
+    report["length_by_curvature"] = lengthJson(*compressed.model);
+    report["young"] = compressed.model->youngModulus;
+    report["young_fitted"] = compressed.model->modulusFitted;
+    report["mass"] = compressed.model->mass;
+    report["gravity_compression"] = compressed.model->compressions;
+  }
+  report["warnings"] = sequence.warnings;
+  for (const std::string& warning : compressed.warnings) {
+    report["warnings"].push_back(warning);
+  }
+  return report;
+}
+
+void printCompression(const Json& report) {
+  printMetrics(report);
+  const double bytes = report["bytes_per_frame"].get<double>();
+  const double source = report["bytes_per_frame_source"].get<double>();
+  fmt::print("{} joints, {:.5g} bytes a frame instead of {:.0f}, 1 : {:.3g}; {} bytes once\n",
+             report["joints"].get<std::size_t>(), bytes, source, bytes > 0.0 ? source / bytes : 0.0,
+             report["bytes_once"].get<std::size_t>());
+  const Json& used = report["fitted_frames"];
+  fmt::print("fits use frames {} to {}, {} of {}\n", used["first"].get<std::size_t>(),
+             used["last"].get<std::size_t>(), used["count"].get<std::size_t>(),
+             report["frames"].get<std::size_t>());
+  if (report.contains("length_by_curvature")) {
+    printModel(report);
+  }
+  for (const Json& warning : report["warnings"]) {
+    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
+  }
 }
 
 Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words) {

@@ -6,7 +6,8 @@
 #include "core/base/result.h"
 #include "core/gltf/source.h"
 #include "core/scene/mesh_sequence.h"
-#include "skinning/metrics.h"
+#include "skinning/compress/compress.h"
+#include "skinning/export/encode_gltf.h"
 
 namespace stretch::app {
 
@@ -15,6 +16,14 @@ namespace stretch::app {
 
 /// The same as lines of text, from the JSON.
 void printMetrics(const gltf::Json& report);
+
+/// What `compress` reports: metrics, sizes, the fits with the frames they used, the parameters of the model.
+[[nodiscard]] gltf::Json compressionJson(const MeshSequence& sequence,
+                                         const skinning::CompressedSequence& compressed,
+                                         const skinning::EncodedClip& encoded);
+
+/// The same as lines of text, from the JSON; warnings go to standard error.
+void printCompression(const gltf::Json& report);
 
 /// A mesh sequence by the words of a command line: one path, or a base mesh and its cache.
 [[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words);

@@ -63,11 +63,26 @@ Status addGeodesicWeights(const BodyMotion& body, SkinnedSequence& skinned) {
   return Success{};
 }
 
+/// Shares of the whole work after the body was measured, after the fit, and after the comparison.
+constexpr double measuredShare = 0.15;
+constexpr double fittedShare = 0.9;
+
+bool goesOn(const CompressSettings& settings, double share) {
+  return !settings.proceed || settings.proceed(share);
+}
+
+Error stopped(const MeshSequence& sequence) {
+  return {"the compression was stopped", sequence.name, "start it again"};
+}
+
 FitSettings fitSettings(const CompressSettings& settings) {
   FitSettings fit = settings.fit;
   fit.fitWeights = settings.weights == WeightOption::fitted;
   fit.fitStretch = settings.stretch == StretchOption::measured;
   fit.firstWeightFrame = settings.body.firstFittedFrame;
+  fit.proceed = [&settings](double share) {
+    return goesOn(settings, measuredShare + (fittedShare - measuredShare) * share);
+  };
   return fit;
 }
 
@@ -98,8 +113,7 @@ Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const 
     return model.error();
   }
   result.skinned = bonesOfBody(sequence, body, *model);
-  result.skinned.chained =
-      settings.stretch != StretchOption::measured && !(settings.freeBones && !model->loadTurns);
+  result.skinned.chained = settings.stretch != StretchOption::measured;
   result.segmentWidths = body.widths;
   const auto weighted = addGeodesicWeights(body, result.skinned);
   if (!weighted) {
@@ -160,14 +174,23 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
   CompressedSequence result;
   result.firstFittedFrame = std::min(settings.body.firstFittedFrame, sequence.frameCount() - 1);
   const auto body = analyseBody(sequence, settings.bones);
+  if (!goesOn(settings, measuredShare)) {
+    return stopped(sequence);
+  }
   const auto done = body ? compressBody(sequence, *body, settings, result)
                          : compressParts(sequence, settings, body.error(), result);
   if (!done) {
     return done.error();
   }
+  if (!goesOn(settings, fittedShare)) {
+    return stopped(sequence);
+  }
   const auto measured = addMetrics(sequence, result);
   if (!measured) {
     return measured.error();
+  }
+  if (!goesOn(settings, 1.0)) {
+    return stopped(sequence);
   }
   return result;
 }

@@ -28,12 +28,9 @@ struct CompressSettings {
   int bones = 30;
   StretchOption stretch = StretchOption::elastic;
   WeightOption weights = WeightOption::fitted;
-  /// For `none` and `elastic`: bones move freely instead of hanging together in a row. Follows the frames
-  /// more closely and costs three numbers a bone and frame. Left out of account where the load turns around
-  /// the body.
-  bool freeBones = false;
   BodyStretchSettings body; ///< Its firstFittedFrame counts for the fit of the weights too.
   FitSettings fit;          ///< Rounds and candidates; the rest follows from the options above.
+  Proceed proceed;          ///< Told of the whole work; may stop it.
 };
 
 /// A sequence as a skinned clip, and what is known of how well it fits.
@@ -52,7 +49,7 @@ struct CompressedSequence {
 /// The first frame becomes the bind pose. Bones hang together in a row for `none` and `elastic`, so that
 /// their places need not be stored; `measured` moves them freely. A body that branches, or is in several
 /// parts, can only be `measured` (or `none`, as rigid free parts) with `fitted` weights. Errors: fewer than
-/// one bone, too many, no frames, no thickness.
+/// one bone, too many, no frames, no thickness, stopped by `proceed`.
 [[nodiscard]] Result<CompressedSequence> compress(const MeshSequence& sequence,
                                                   const CompressSettings& settings);
 

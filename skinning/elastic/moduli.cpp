@@ -82,4 +82,18 @@ Result<SegmentModuli> parseModuli(std::string_view text) {
   return moduli;
 }
 
+std::string moduliText(const SegmentModuli& moduli) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (moduli.youngModulus) {
+    json["young"] = *moduli.youngModulus;
+  }
+  if (!moduli.ranges.empty()) {
+    json["segments"] = nlohmann::ordered_json::array();
+  }
+  for (const SegmentModuli::Range& range : moduli.ranges) {
+    json["segments"].push_back({{"from", range.first}, {"to", range.last}, {"young", range.youngModulus}});
+  }
+  return json.dump(2) + "\n";
+}
+
 } // namespace stretch::skinning

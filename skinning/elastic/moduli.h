@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,16 +17,23 @@ struct SegmentModuli {
     std::size_t first = 0;
     std::size_t last = 0; ///< Inclusive.
     double youngModulus = 0.0;
+
+    friend bool operator==(const Range&, const Range&) = default;
   };
   std::optional<double> youngModulus; ///< Of every segment that no range names.
   std::vector<Range> ranges;          ///< Later ones win.
 
   /// Modulus of a segment; `fallback` where nothing is said.
   [[nodiscard]] double at(std::size_t segment, double fallback) const;
+
+  friend bool operator==(const SegmentModuli&, const SegmentModuli&) = default;
 };
 
 /// JSON: {"young": 3770, "segments": [{"from": 0, "to": 4, "young": 20000}, ...]}; both keys may be left out,
 /// an unknown one is an error that names it. Moduli are positive.
 [[nodiscard]] Result<SegmentModuli> parseModuli(std::string_view json);
+
+/// The same JSON, as parseModuli reads it.
+[[nodiscard]] std::string moduliText(const SegmentModuli& moduli);
 
 } // namespace stretch::skinning

@@ -69,6 +69,21 @@ struct ScalePlan {
   bool allFactorsOne = false;
 };
 
+using QuantisedWeights = std::array<std::uint16_t, Influences::capacity>;
+
+/// Weights in parts of 65535. The largest takes what rounding leaves, so that they sum to 65535 exactly.
+QuantisedWeights quantised(const Influences& influences) {
+  QuantisedWeights integers{};
+  int left = 65535;
+  for (std::size_t i = 0; i < integers.size(); ++i) {
+    integers[i] = static_cast<std::uint16_t>(std::lround(influences.weights[i] * 65535.0F));
+    left -= integers[i];
+  }
+  const auto largest = std::max_element(integers.begin(), integers.end());
+  *largest = static_cast<std::uint16_t>(*largest + left);
+  return integers;
+}
+
 class Encoder {
 public:
   Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings)
@@ -118,7 +133,12 @@ private:
   std::size_t addJoints() {
     std::vector<std::uint16_t> joints;
     for (const Influences& influences : sequence_.influences) {
-      joints.insert(joints.end(), influences.bones.begin(), influences.bones.end());
+      const QuantisedWeights weights = quantised(influences);
+      for (std::size_t i = 0; i < Influences::capacity; ++i) {
+        // glTF asks for joint 0 where the weight is 0, be it so only after rounding.
+        const bool used = settings_.quantise ? weights[i] > 0 : influences.weights[i] > 0.0F;
+        joints.push_back(used ? influences.bones[i] : std::uint16_t{0});
+      }
     }
     if (sequence_.bones.size() <= 256) {
       const std::vector<std::uint8_t> narrow(joints.begin(), joints.end());
@@ -137,15 +157,7 @@ private:
     }
     std::vector<std::uint16_t> weights;
     for (const Influences& influences : sequence_.influences) {
-      // The largest takes what rounding leaves, so that the integers sum to 65535 exactly.
-      std::array<std::uint16_t, Influences::capacity> integers{};
-      int left = 65535;
-      for (std::size_t i = 0; i < integers.size(); ++i) {
-        integers[i] = static_cast<std::uint16_t>(std::lround(influences.weights[i] * 65535.0F));
-        left -= integers[i];
-      }
-      const auto largest = std::max_element(integers.begin(), integers.end());
-      *largest = static_cast<std::uint16_t>(*largest + left);
+      const QuantisedWeights integers = quantised(influences);
       weights.insert(weights.end(), integers.begin(), integers.end());
     }
     return buffers_.addIntegers(weights, "VEC4", 4, GltfBuffers::Target::vertices, true);

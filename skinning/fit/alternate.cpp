@@ -121,8 +121,8 @@ void alternate(FitState& state, const FitSettings& settings, FitBones&& bones) {
     const double error = fit::rootMeanSquare(state);
     idle = error > before * (1.0 - settings.leastGain) ? idle + 1 : 0;
     before = error;
-    if (settings.progress) {
-      settings.progress(static_cast<double>(round + 1) / settings.rounds);
+    if (settings.proceed && !settings.proceed(static_cast<double>(round + 1) / settings.rounds)) {
+      return;
     }
   }
 }

@@ -9,6 +9,9 @@
 
 namespace stretch::skinning {
 
+/// Told the share of the work that is done, 0..1; answers whether to go on. May be empty: nobody listens.
+using Proceed = std::function<bool(double)>;
+
 /// How the fit goes about it; the defaults suit bodies of some thousand vertices and a hundred frames.
 struct FitSettings {
   int rounds = 24;         ///< Of weights and bones in turn, at most.
@@ -17,8 +20,8 @@ struct FitSettings {
   bool fitWeights = true;  ///< False keeps the influences as they are.
   bool fitStretch = true;  ///< Free bones only: fit scale factors along each bone's axes; false keeps them
                            ///< rigid.
-  std::size_t firstWeightFrame = 0;     ///< Frames before it do not count for the weights.
-  std::function<void(double)> progress; ///< Share done, 0..1. May be empty.
+  std::size_t firstWeightFrame = 0; ///< Frames before it do not count for the weights.
+  Proceed proceed;                  ///< Stopped, the fit ends with what it has reached.
 };
 
 /// Lowers the squared distance between what `skinned` shows and the frames of `sequence`: influences by least

@@ -9,83 +9,23 @@
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/load_as_it_stands.h"
+#include "skinning/linear_blend_skinning.h"
 
 namespace stretch::skinning {
 namespace {
 
-/// A mesh under a node: where its vertices begin in the sequence's list.
-struct Shown {
-  int node = -1;
-  const Primitive* primitive = nullptr;
-  std::size_t mesh = 0;
-  std::size_t firstVertex = 0;
-};
-
-std::vector<int> shownNodes(const Scene& scene) {
-  std::vector<int> nodes = scene.roots;
-  for (std::size_t next = 0; next < nodes.size(); ++next) {
-    const Node& node = scene.nodes[static_cast<std::size_t>(nodes[next])];
-    nodes.insert(nodes.end(), node.children.begin(), node.children.end());
-  }
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
-std::vector<Shown> layOut(const Scene& scene, MeshSequence& sequence) {
-  std::vector<Shown> shown;
-  for (const int node : shownNodes(scene)) {
+/// The triangles of everything that is drawn, in the order of skinnedPositions.
+void addTriangles(const Scene& scene, MeshSequence& sequence) {
+  for (const int node : drawnMeshNodes(scene)) {
     const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh < 0) {
-      continue;
-    }
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
       const auto first = static_cast<std::uint32_t>(sequence.vertexCount);
-      shown.push_back({node, &primitive, static_cast<std::size_t>(mesh), sequence.vertexCount});
       for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         sequence.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
                                       first + primitive.indices[i + 2]});
       }
       sequence.vertexCount += primitive.positions.size();
     }
-  }
-  return shown;
-}
-
-std::vector<Vec3> morphed(const Primitive& primitive, const std::vector<float>& weights) {
-  std::vector<Vec3> positions(primitive.positions.begin(), primitive.positions.end());
-  for (std::size_t t = 0; t < std::min(weights.size(), primitive.morphTargets.size()); ++t) {
-    const auto& offsets = primitive.morphTargets[t].positions;
-    for (std::size_t v = 0; v < std::min(offsets.size(), positions.size()) && weights[t] != 0.0F; ++v) {
-      positions[v] += static_cast<double>(weights[t]) * Vec3(offsets[v]);
-    }
-  }
-  return positions;
-}
-
-void showPrimitive(const Scene& scene, const FrameState& frame, const Shown& shown, glm::vec3* out) {
-  const auto node = static_cast<std::size_t>(shown.node);
-  const std::vector<float>& animated = frame.pose.weights[node];
-  const std::vector<Vec3> positions =
-      morphed(*shown.primitive, animated.empty() ? scene.meshes[shown.mesh].morphWeights : animated);
-  const int skin = scene.nodes[node].skin;
-  if (skin < 0 || shown.primitive->influences.empty()) {
-    const Mat4 matrix = meshMatrix(frame, shown.node);
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      out[shown.firstVertex + v] = glm::vec3(transformPoint(matrix, positions[v]));
-    }
-    return;
-  }
-  const std::vector<Mat4> matrices = skinMatrices(scene.skins[static_cast<std::size_t>(skin)], frame);
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const VertexInfluences& influences = shown.primitive->influences[v];
-    Vec3 sum(0.0);
-    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-      if (influences.weights[i] != 0.0F && influences.joints[i] < matrices.size()) {
-        sum += static_cast<double>(influences.weights[i]) *
-               transformPoint(matrices[influences.joints[i]], positions[v]);
-      }
-    }
-    out[shown.firstVertex + v] = glm::vec3(sum);
   }
 }
 
@@ -116,7 +56,7 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   MeshSequence sequence;
   sequence.name = path.stem().string();
   sequence.framesPerSecond = clip->framesPerSecond;
-  const std::vector<Shown> shown = layOut(scene, sequence);
+  addTriangles(scene, sequence);
   if (sequence.triangles.empty()) {
     return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
   }
@@ -132,9 +72,8 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   for (int frame = first; frame < last; ++frame) {
     const double seconds = frame / clip->framesPerSecond;
     const FrameState state = frameOf(scene, samplePose(scene, *clip, seconds), seconds);
-    for (const Shown& part : shown) {
-      showPrimitive(scene, state, part, sequence.frame(static_cast<std::size_t>(frame - first)));
-    }
+    const std::vector<Vec3> posed = skinnedPositions(scene, state);
+    std::copy(posed.begin(), posed.end(), sequence.frame(static_cast<std::size_t>(frame - first)));
     sequence.frameNames.push_back(fmt::format("frame {}", frame));
     if (progress) {
       progress(static_cast<double>(frame - first + 1) / (last - first));

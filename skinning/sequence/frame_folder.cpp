@@ -1,7 +1,6 @@
 #include "skinning/sequence/read_sequence.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <utility>
 
@@ -10,13 +9,6 @@
 
 namespace stretch::skinning {
 namespace {
-
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -63,11 +55,8 @@ Result<std::vector<std::filesystem::path>> frameFiles(const std::filesystem::pat
   std::error_code problem;
   for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
-    const std::string extension = lowerExtension(entry->path());
-    if (extension == ".obj") {
-      objs.push_back(entry->path());
-    } else if (extension == ".ply") {
-      plys.push_back(entry->path());
+    if (isMeshFile(entry->path())) {
+      (lowerExtension(entry->path()) == ".ply" ? plys : objs).push_back(entry->path());
     }
   }
   if (problem) {
@@ -106,6 +95,11 @@ Status addFrame(MeshSequence& sequence, const MeshFile& mesh, const std::string&
 }
 
 } // namespace
+
+bool isMeshFile(const std::filesystem::path& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".obj" || extension == ".ply";
+}
 
 Result<MeshFile> readMeshFile(const std::filesystem::path& path) {
   const auto content = readFile(path);

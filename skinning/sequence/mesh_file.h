@@ -26,6 +26,9 @@ struct MeshFile {
 /// indices); other elements and properties are stepped over.
 [[nodiscard]] Result<MeshFile> parsePly(std::string_view bytes, std::string_view name);
 
+/// Whether the extension is .obj or .ply.
+[[nodiscard]] bool isMeshFile(const std::filesystem::path& path);
+
 /// .obj or .ply, by the extension.
 [[nodiscard]] Result<MeshFile> readMeshFile(const std::filesystem::path& path);
 

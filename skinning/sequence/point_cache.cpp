@@ -1,4 +1,4 @@
-#include "skinning/sequence/read_sequence.h"
+#include "skinning/sequence/point_cache.h"
 
 #include <array>
 #include <bit>
@@ -8,6 +8,8 @@
 #include <system_error>
 
 #include "skinning/sequence/mesh_file.h"
+#include "skinning/sequence/read_sequence.h"
+#include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
 namespace {
@@ -70,6 +72,19 @@ Status readSamples(std::ifstream& stream, const std::string& place, MeshSequence
 }
 
 } // namespace
+
+bool isPointCache(const std::filesystem::path& path) {
+  return lowerExtension(path) == ".pc2";
+}
+
+Result<std::uint64_t> pointsOfCache(const std::filesystem::path& cache) {
+  std::ifstream stream(cache, std::ios::binary);
+  const auto header = readHeader(stream, cache.filename().string());
+  if (!header) {
+    return header.error();
+  }
+  return header->points;
+}
 
 Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std::filesystem::path& cache,
                                     const Progress& progress) {

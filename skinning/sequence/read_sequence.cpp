@@ -17,7 +17,8 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
   if (extension != ".glb" && extension != ".gltf" && extension != ".vrm") {
     return Error{
         "a single file is no mesh sequence", path.string(),
-        "give a folder of frames, a base mesh with its .pc2 cache, or a glTF with a morph-target clip"};
+        "give a folder of frames, a .pc2 cache with the mesh it was made of, or a glTF with a morph-target "
+        "clip"};
   }
   auto sequence = readAnimatedGltf(path, {}, progress);
   if (sequence) {
@@ -32,7 +33,8 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
 
 } // namespace
 
-Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& paths, const Progress& progress) {
+Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named, const Progress& progress) {
+  const std::vector<std::filesystem::path> paths = sequencePaths(named);
   if (paths.empty() || paths.size() > 2) {
     return Error{"a sequence is one folder or file, or a base mesh and its cache", "",
                  "name one or two paths"};

@@ -45,9 +45,16 @@ using Progress = std::function<void(double)>;
 /// Returns the number of vertices that went.
 std::size_t joinDuplicates(MeshSequence& sequence);
 
+/// What a user names, as readSequence takes it: a cache alone stands for itself and the mesh beside it that
+/// has as many vertices, one of several numbered meshes for its folder, a cache and its mesh may come in any
+/// order. Everything else stays as it is.
+[[nodiscard]] std::vector<std::filesystem::path>
+sequencePaths(const std::vector<std::filesystem::path>& named);
+
 /// What the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a cache,
-/// or a glTF with a morph-target clip. The warnings of the result tell what is odd about the topology.
-[[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& paths,
+/// or a glTF with a morph-target clip; see sequencePaths. The warnings of the result tell what is odd about
+/// the topology.
+[[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named,
                                                 const Progress& progress = {});
 
 } // namespace stretch::skinning

@@ -1,5 +1,7 @@
 #include "skinning/sequence/text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -20,6 +22,13 @@ Result<std::string> readFile(const std::filesystem::path& path) {
     return Error{"the file ended while it was read", path.string(), "copy it again"};
   }
   return content;
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 bool nextLine(std::string_view& rest, std::string_view& line) {

@@ -13,6 +13,9 @@ namespace stretch::skinning {
 /// The whole file; an error when it cannot be read.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
 
+/// The path's extension in small letters, ".obj".
+[[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
+
 /// Cuts the next line off `rest` (without its line end, CR LF included). False when nothing is left.
 [[nodiscard]] bool nextLine(std::string_view& rest, std::string_view& line);
 

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -109,6 +110,30 @@ TEST_CASE("a modulus that is given is used; stiff segments are flattened less") 
   CHECK(ribs->model->compressions[7] == Approx(soft->model->compressions[7]).epsilon(1e-6));
   const StretchFactors& factors = soft->model->factors.back();
   CHECK(factors.along * factors.withLoad * factors.sideways == Approx(1.0));
+}
+
+TEST_CASE("a compression tells how far it is, and stops when it is told to") {
+  const MeshSequence sequence = test::shorteningTube(12, 2.0, 0.06, 0.1);
+  CompressSettings settings;
+  settings.bones = 8;
+  std::vector<double> shares;
+  settings.proceed = [&](double share) {
+    shares.push_back(share);
+    return true;
+  };
+  REQUIRE(compress(sequence, settings));
+  REQUIRE(shares.size() > 3);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.back() == 1.0);
+  const std::size_t steps = shares.size();
+  for (std::size_t last = 1; last <= steps; ++last) {
+    std::size_t told = 0;
+    settings.proceed = [&](double) { return ++told < last; };
+    const auto stopped = compress(sequence, settings);
+    REQUIRE_FALSE(stopped);
+    CHECK(stopped.error().what.find("stopped") != std::string::npos);
+    CHECK(told <= last + 2);
+  }
 }
 
 TEST_CASE("fitted weights are not negative, at most four, and sum to 1") {

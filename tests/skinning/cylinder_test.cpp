@@ -59,6 +59,8 @@ TEST_CASE("moduli by segment are read, later ranges win, mistakes are named") {
   CHECK(moduli->at(3, 1.0) == 300.0);
   CHECK(moduli->at(5, 1.0) == 100.0);
   CHECK(parseModuli("{}")->at(5, 7.0) == 7.0);
+  CHECK(*parseModuli(moduliText(*moduli)) == *moduli);
+  CHECK(*parseModuli(moduliText({})) == SegmentModuli{});
   for (const char* bad :
        {"[]", "{", R"({"youngs": 1})", R"({"young": -1})",
         R"({"segments": [{"from": 2, "to": 1, "young": 1}]})",

@@ -43,6 +43,20 @@ TEST_CASE("the written file, skinned by the glTF reader, shows our vertices") {
   }
 }
 
+TEST_CASE("a weight that rounds to nothing is written with joint 0") {
+  SkinnedSequence skinned = test::wavingTube(4, 3);
+  skinned.influences[0] = {{2, 3, 0, 0}, {1.0F - 1e-6F, 1e-6F, 0.0F, 0.0F}};
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "clip.glb";
+  REQUIRE(gltf::save(encodeGltf(skinned, {true, 1e-6}).source, file));
+  const auto read = gltf::load(file);
+  REQUIRE(read);
+  const VertexInfluences& written = read->scene->meshes[0].primitives[0].influences[0];
+  CHECK(written.joints[0] > 0);
+  CHECK(written.weights[0] == 1.0F);
+  CHECK(written.joints[1] == 0);
+}
+
 TEST_CASE("a load that turns around the body is written with stretch axes of its own") {
   SkinnedSequence skinned = test::wavingTube(6, 10);
   for (std::size_t k = 0; k < skinned.frameCount(); ++k) {

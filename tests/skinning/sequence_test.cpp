@@ -152,6 +152,30 @@ TEST_CASE("a point cache moves the vertices of its base mesh") {
   CHECK(sequence->frame(2)[3].z == 35.5F);
 }
 
+TEST_CASE("a cache alone finds the mesh beside it that it was made of, by vertices and then by name") {
+  const test::TemporaryFolder folder;
+  const auto cache = folder.write("run_fast.pc2", pointCache(4, 3, 36));
+  CHECK(sequencePaths({cache}) == std::vector{cache});
+  folder.write("run_fast_other.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  const auto far = folder.write("a.obj", tetrahedron(0.0));
+  CHECK(sequencePaths({cache}) == std::vector{far, cache});
+  const auto near = folder.write("run_base.obj", tetrahedron(0.0));
+  CHECK(sequencePaths({cache}) == std::vector{near, cache});
+  CHECK(sequencePaths({cache, far}) == std::vector{far, cache});
+  REQUIRE(readSequence({cache}));
+}
+
+TEST_CASE("one numbered frame stands for its folder, a single mesh for itself") {
+  const test::TemporaryFolder folder;
+  const auto first = folder.write("wolf-1.obj", tetrahedron(0.0));
+  CHECK(sequencePaths({first}) == std::vector{first});
+  folder.write("wolf-02.obj", tetrahedron(1.0));
+  CHECK(sequencePaths({first}) == std::vector{folder.path()});
+  const auto single = folder.write("house.obj", tetrahedron(1.0));
+  CHECK(sequencePaths({single}) == std::vector{single});
+  CHECK_THAT(readSequence({single}).error().line(), Contains("no mesh sequence"));
+}
+
 TEST_CASE("bad point caches are refused with one clear line") {
   const test::TemporaryFolder folder;
   const auto base = folder.write("base.obj", tetrahedron(0.0));

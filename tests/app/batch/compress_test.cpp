@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "core/gltf/source.h"
 #include "skinning/metrics.h"
@@ -114,6 +115,38 @@ TEST_CASE("a sequence that cannot be used gives status 1 and writes nothing") {
   std::ofstream(fs::path(tube.frames()) / "tube-2.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   CHECK(run({"compress", tube.frames(), "-o", output}) == 1);
   CHECK_FALSE(fs::exists(output));
+}
+
+TEST_CASE("the report names the frames of the fits, the line, the monotone curve and what explains gravity") {
+  const BendingTube tube(8);
+  const Result<MeshSequence> sequence = skinning::readSequence({tube.frames()});
+  REQUIRE(sequence);
+  skinning::CompressSettings settings;
+  settings.bones = 6;
+  settings.body.firstFittedFrame = 2;
+  const auto compressed = skinning::compress(*sequence, settings);
+  REQUIRE(compressed);
+  const gltf::Json report =
+      app::compressionJson(*sequence, *compressed, skinning::encodeGltf(compressed->skinned));
+  CHECK(report["fitted_frames"] == gltf::Json({{"first", 2}, {"last", 7}, {"count", 6}}));
+  const gltf::Json& length = report["length_by_curvature"];
+  CHECK(length["frames"] == 6);
+  CHECK(length["line"]["slope"].is_number());
+  CHECK(length["line"]["r_squared"].is_number());
+  CHECK(length["monotone"]["curvatures"].size() == length["monotone"]["lengths"].size());
+  CHECK(report["gravity_compression"].size() == 6);
+  CHECK(report["young_fitted"] == true);
+  CHECK(report["metrics_of_fitted_frames"]["mse"].is_number());
+}
+
+TEST_CASE("compare takes two things, of which each may be a mesh and its cache") {
+  const BendingTube tube(2);
+  const std::string frames = tube.frames();
+  CHECK(run({"compare", frames, frames}) == 0);
+  CHECK(run({"compare", frames, frames, frames}) == 1);
+  CHECK(run({"compare", frames + "/tube-1.obj", frames + "/none.pc2", frames}) == 1);
+  CHECK(run({"compare", frames, frames, "--flattening", "--gravity", "0,0,0"}) == 1);
+  CHECK(run({"compare", frames, frames, "--flattening"}) == 0);
 }
 
 TEST_CASE("options that name nothing are wrong arguments") {
