@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/batch/verb.h"
+#include "skinning/sequence/mesh_file.h"
+#include "skinning/sequence/point_cache.h"
 #include "ui/batch/render_verb.h"
 #include "ui/shell/editor.h"
 
@@ -12,11 +14,17 @@ namespace {
 
 using stretch::app::Verb;
 
-/// What the editor is started with: `[--ui-scale FACTOR] [FILE]`.
+/// What the editor is started with: `[--ui-scale FACTOR] [PATH [PATH]]`.
 struct EditorStart {
-  std::filesystem::path file;
+  std::vector<std::filesystem::path> files;
   stretch::ui::EditorOptions options;
 };
+
+/// The two paths of a sequence: a base mesh and its cache, in any order.
+bool isMeshAndCache(const std::vector<std::string_view>& words) {
+  using namespace stretch::skinning;
+  return (isMeshFile(words[0]) && isPointCache(words[1])) || (isPointCache(words[0]) && isMeshFile(words[1]));
+}
 
 /// Everything that is no verb and no other option starts the editor.
 bool startsEditor(const std::vector<Verb>& verbs, const std::vector<std::string_view>& words) {
@@ -25,7 +33,8 @@ bool startsEditor(const std::vector<Verb>& verbs, const std::vector<std::string_
   }
   const bool verb =
       std::any_of(verbs.begin(), verbs.end(), [&](const Verb& known) { return known.name == words.front(); });
-  return !verb && words.front().substr(0, 1) != "-" && words.size() == 1;
+  const bool fewEnough = words.size() == 1 || (words.size() == 2 && isMeshAndCache(words));
+  return !verb && words.front().substr(0, 1) != "-" && fewEnough;
 }
 
 EditorStart editorStart(const std::vector<std::string_view>& words) {
@@ -34,7 +43,7 @@ EditorStart editorStart(const std::vector<std::string_view>& words) {
     if (words[i] == "--ui-scale" && i + 1 < words.size()) {
       start.options.scale = std::strtof(std::string(words[++i]).c_str(), nullptr);
     } else {
-      start.file = words[i];
+      start.files.emplace_back(words[i]);
     }
   }
   return start;
@@ -49,7 +58,7 @@ int main(int argumentCount, char** arguments) {
                                             arguments + argumentCount);
   if (startsEditor(verbs, words)) {
     const EditorStart start = editorStart(words);
-    return stretch::ui::runEditor(start.file, start.options);
+    return stretch::ui::runEditor(start.files, start.options);
   }
   return stretch::app::runVerbs(verbs, argumentCount, arguments);
 }

@@ -98,7 +98,7 @@ skinning::Proceed terminalProgress() {
 }
 
 Status runCompress(const CompressArguments& arguments) {
-  Result<skinning::CompressSettings> settings = settingsOf(arguments);
+  const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
   }
@@ -111,8 +111,8 @@ Status runCompress(const CompressArguments& arguments) {
   }
   // Told to the user and nothing else: no result depends on the clock.
   const auto start = std::chrono::steady_clock::now();
-  settings->proceed = terminalProgress();
-  const Result<skinning::CompressedSequence> compressed = skinning::compress(*sequence, *settings);
+  const Result<skinning::CompressedSequence> compressed =
+      skinning::compress(*sequence, *settings, terminalProgress());
   if (!compressed) {
     return compressed.error();
   }

@@ -23,6 +23,8 @@ struct BodyStretchSettings {
   std::optional<double> muscleVolume = 1.0;  ///< The same for the change of length. Unset: fitted, in [0, 1].
   LengthModel lengthModel = LengthModel::line;
   std::size_t firstFittedFrame = 0; ///< Frames before it (settling) are left out of all fits.
+
+  friend bool operator==(const BodyStretchSettings&, const BodyStretchSettings&) = default;
 };
 
 /// The model with its parameters settled, and what it says of every segment and frame.

@@ -67,8 +67,13 @@ Status addGeodesicWeights(const BodyMotion& body, SkinnedSequence& skinned) {
 constexpr double measuredShare = 0.15;
 constexpr double fittedShare = 0.9;
 
-bool goesOn(const CompressSettings& settings, double share) {
-  return !settings.proceed || settings.proceed(share);
+bool goesOn(const Proceed& proceed, double share) {
+  return !proceed || proceed(share);
+}
+
+/// A part of the whole work as work of its own, 0..1.
+Proceed partOf(const Proceed& proceed, double from, double to) {
+  return [&proceed, from, to](double share) { return goesOn(proceed, from + (to - from) * share); };
 }
 
 Error stopped(const MeshSequence& sequence) {
@@ -80,21 +85,19 @@ FitSettings fitSettings(const CompressSettings& settings) {
   fit.fitWeights = settings.weights == WeightOption::fitted;
   fit.fitStretch = settings.stretch == StretchOption::measured;
   fit.firstWeightFrame = settings.body.firstFittedFrame;
-  fit.proceed = [&settings](double share) {
-    return goesOn(settings, measuredShare + (fittedShare - measuredShare) * share);
-  };
   return fit;
 }
 
 /// Fitted weights come from bones that move and stretch freely, whatever the option: the options then differ
 /// by how their bones stretch and by nothing else. (Fitted to a chain of fixed length, weights and bones
 /// learn to fold up instead.)
-void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, SkinnedSequence& skinned) {
+void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed,
+              SkinnedSequence& skinned) {
   FitSettings fit = fitSettings(settings);
   if (fit.fitWeights && settings.stretch != StretchOption::measured) {
     SkinnedSequence free = skinned;
     fit.fitStretch = true;
-    fitFreeBones(sequence, free, fit);
+    fitFreeBones(sequence, free, fit, partOf(proceed, measuredShare, fittedShare));
     skinned.influences = std::move(free.influences);
     fit.fitWeights = false;
     fit.fitStretch = false;
@@ -102,12 +105,12 @@ void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, Sk
   if (skinned.chained) {
     fitChainedBones(sequence, skinned);
   } else {
-    fitFreeBones(sequence, skinned, fit);
+    fitFreeBones(sequence, skinned, fit, partOf(proceed, measuredShare, fittedShare));
   }
 }
 
 Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const CompressSettings& settings,
-                    CompressedSequence& result) {
+                    const Proceed& proceed, CompressedSequence& result) {
   auto model = stretchOfBody(body, settings.body);
   if (!model) {
     return model.error();
@@ -123,20 +126,20 @@ Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const 
     applyModel(*model, result.skinned);
     result.warnings.insert(result.warnings.end(), model->warnings.begin(), model->warnings.end());
   }
-  fitPoses(sequence, settings, result.skinned);
+  fitPoses(sequence, settings, proceed, result.skinned);
   result.model = std::move(model.value());
   return Success{};
 }
 
 /// Without a centre line: free parts, where the options allow it.
-Status compressParts(const MeshSequence& sequence, const CompressSettings& settings, const Error& reason,
-                     CompressedSequence& result) {
+Status compressParts(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed,
+                     const Error& reason, CompressedSequence& result) {
   if (settings.stretch == StretchOption::elastic || settings.weights == WeightOption::geodesic) {
     return reason;
   }
   result.warnings.push_back(reason.what + ": its bones are free parts instead");
   result.skinned = partsOfMesh(sequence, settings.bones);
-  fitFreeBones(sequence, result.skinned, fitSettings(settings));
+  fitFreeBones(sequence, result.skinned, fitSettings(settings), partOf(proceed, measuredShare, fittedShare));
   return Success{};
 }
 
@@ -160,7 +163,8 @@ Status addMetrics(const MeshSequence& sequence, CompressedSequence& result) {
 
 } // namespace
 
-Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings) {
+Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings,
+                                    const Proceed& proceed) {
   constexpr int mostBones = 1000;
   if (sequence.frameCount() == 0 || sequence.triangles.empty()) {
     return Error{"the sequence has no frames or no triangles", sequence.name, "give a sequence with both"};
@@ -174,22 +178,22 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
   CompressedSequence result;
   result.firstFittedFrame = std::min(settings.body.firstFittedFrame, sequence.frameCount() - 1);
   const auto body = analyseBody(sequence, settings.bones);
-  if (!goesOn(settings, measuredShare)) {
+  if (!goesOn(proceed, measuredShare)) {
     return stopped(sequence);
   }
-  const auto done = body ? compressBody(sequence, *body, settings, result)
-                         : compressParts(sequence, settings, body.error(), result);
+  const auto done = body ? compressBody(sequence, *body, settings, proceed, result)
+                         : compressParts(sequence, settings, proceed, body.error(), result);
   if (!done) {
     return done.error();
   }
-  if (!goesOn(settings, fittedShare)) {
+  if (!goesOn(proceed, fittedShare)) {
     return stopped(sequence);
   }
   const auto measured = addMetrics(sequence, result);
   if (!measured) {
     return measured.error();
   }
-  if (!goesOn(settings, 1.0)) {
+  if (!goesOn(proceed, 1.0)) {
     return stopped(sequence);
   }
   return result;

@@ -30,7 +30,8 @@ struct CompressSettings {
   WeightOption weights = WeightOption::fitted;
   BodyStretchSettings body; ///< Its firstFittedFrame counts for the fit of the weights too.
   FitSettings fit;          ///< Rounds and candidates; the rest follows from the options above.
-  Proceed proceed;          ///< Told of the whole work; may stop it.
+
+  friend bool operator==(const CompressSettings&, const CompressSettings&) = default;
 };
 
 /// A sequence as a skinned clip, and what is known of how well it fits.
@@ -50,7 +51,7 @@ struct CompressedSequence {
 /// their places need not be stored; `measured` moves them freely. A body that branches, or is in several
 /// parts, can only be `measured` (or `none`, as rigid free parts) with `fitted` weights. Errors: fewer than
 /// one bone, too many, no frames, no thickness, stopped by `proceed`.
-[[nodiscard]] Result<CompressedSequence> compress(const MeshSequence& sequence,
-                                                  const CompressSettings& settings);
+[[nodiscard]] Result<CompressedSequence>
+compress(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed = {});
 
 } // namespace stretch::skinning

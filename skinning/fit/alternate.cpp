@@ -109,7 +109,7 @@ void alignHemispheres(SkinnedSequence& skinned) {
 
 /// Rounds of `bones` and weights until the error settles.
 template <typename FitBones>
-void alternate(FitState& state, const FitSettings& settings, FitBones&& bones) {
+void alternate(FitState& state, const FitSettings& settings, const Proceed& proceed, FitBones&& bones) {
   bones();
   double before = fit::rootMeanSquare(state);
   int idle = 0;
@@ -121,7 +121,7 @@ void alternate(FitState& state, const FitSettings& settings, FitBones&& bones) {
     const double error = fit::rootMeanSquare(state);
     idle = error > before * (1.0 - settings.leastGain) ? idle + 1 : 0;
     before = error;
-    if (settings.proceed && !settings.proceed(static_cast<double>(round + 1) / settings.rounds)) {
+    if (proceed && !proceed(static_cast<double>(round + 1) / settings.rounds)) {
       return;
     }
   }
@@ -182,7 +182,8 @@ void writeChainedPoses(const FitState& state, const fit::Chain& chain, const Fra
 
 } // namespace
 
-void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings) {
+void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings,
+                  const Proceed& proceed) {
   constexpr int sweeps = 3;
   constexpr int sweepsForPosesAlone = 12;
   const Frame frame = frameOf(skinned.bindPositions);
@@ -191,7 +192,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
   if (settings.fitWeights) {
     FitState state = makeState(sequence, skinned, frame, first);
     auto scales = scalesOf(skinned, first, state.matrices.size());
-    alternate(state, settings, [&] { fit::fitBones(state, scales, stretch, sweeps); });
+    alternate(state, settings, proceed, [&] { fit::fitBones(state, scales, stretch, sweeps); });
     skinned.influences = state.influences;
     if (first == 0) {
       writeFreePoses(state, scales, frame, skinned);

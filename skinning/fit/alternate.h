@@ -21,14 +21,16 @@ struct FitSettings {
   bool fitStretch = true;  ///< Free bones only: fit scale factors along each bone's axes; false keeps them
                            ///< rigid.
   std::size_t firstWeightFrame = 0; ///< Frames before it do not count for the weights.
-  Proceed proceed;                  ///< Stopped, the fit ends with what it has reached.
+
+  friend bool operator==(const FitSettings&, const FitSettings&) = default;
 };
 
 /// Lowers the squared distance between what `skinned` shows and the frames of `sequence`: influences by least
 /// squares (not negative, sum 1, at most 4) and poses of free bones in turn, as solvers of linear blend
 /// skinning do. `skinned` holds the start: bind positions, bones, influences; its poses are used as the start
-/// too where there are any.
-void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings);
+/// too where there are any. Told to stop, the fit ends with what it has reached.
+void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings,
+                  const Proceed& proceed = {});
 
 /// Poses of bones that hang together (SkinnedSequence::chained), influences given: their stretches stay, the
 /// place of the first bone and the rotations are fitted, the latter held near those of the poses, which

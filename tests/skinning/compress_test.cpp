@@ -117,19 +117,17 @@ TEST_CASE("a compression tells how far it is, and stops when it is told to") {
   CompressSettings settings;
   settings.bones = 8;
   std::vector<double> shares;
-  settings.proceed = [&](double share) {
+  REQUIRE(compress(sequence, settings, [&](double share) {
     shares.push_back(share);
     return true;
-  };
-  REQUIRE(compress(sequence, settings));
+  }));
   REQUIRE(shares.size() > 3);
   CHECK(std::is_sorted(shares.begin(), shares.end()));
   CHECK(shares.back() == 1.0);
   const std::size_t steps = shares.size();
   for (std::size_t last = 1; last <= steps; ++last) {
     std::size_t told = 0;
-    settings.proceed = [&](double) { return ++told < last; };
-    const auto stopped = compress(sequence, settings);
+    const auto stopped = compress(sequence, settings, [&](double) { return ++told < last; });
     REQUIRE_FALSE(stopped);
     CHECK(stopped.error().what.find("stopped") != std::string::npos);
     CHECK(told <= last + 2);

@@ -69,6 +69,13 @@ inline constexpr const char* viewTop = "view.top";
 inline constexpr const char* viewPerspective = "view.perspective";
 inline constexpr const char* viewFileCamera = "view.camera";
 
+inline constexpr const char* sequenceCompress = "sequence.compress";
+inline constexpr const char* sequenceCancel = "sequence.cancel";
+inline constexpr const char* sequenceOriginal = "sequence.original";
+inline constexpr const char* sequenceSkinned = "sequence.skinned";
+inline constexpr const char* moduliLoad = "sequence.moduli-load";
+inline constexpr const char* moduliSave = "sequence.moduli-save";
+
 inline constexpr const char* palette = "help.palette";
 inline constexpr const char* keys = "help.keys";
 inline constexpr const char* settings = "help.settings";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/sequence/open_any.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/file_listing.h"
 #include "ui/widgets/dropdown.h"
@@ -36,6 +37,7 @@ void refresh(FileDialogState& dialog) {
   dialog.message = listed ? std::string() : listed.error().line();
   dialog.entries = listed ? std::move(listed).value() : std::vector<FileEntry>();
   dialog.listedFolder = dialog.folder;
+  dialog.listsSequence = dialog.purpose == FilePurpose::openModel && app::holdsSequence(dialog.folder);
 }
 
 /// Rows that answer what is typed: all of them while saving, or while a path is being typed.
@@ -177,6 +179,10 @@ void entryList(PanelContext& context) {
   if (dialog.folder.has_parent_path() && dialog.folder != dialog.folder.root_path() &&
       fileRow(context, "files/up", icon::up, "Up one folder", "", false)) {
     goTo(dialog, dialog.folder.parent_path());
+  }
+  if (dialog.listsSequence &&
+      fileRow(context, "files/as-sequence", icon::film, "Open this folder as a mesh sequence", "", false)) {
+    accept(context, dialog.folder);
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const FileEntry& entry = entries[i];

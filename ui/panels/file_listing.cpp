@@ -33,12 +33,16 @@ bool comesBefore(const FileEntry& a, const FileEntry& b) {
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return {".glb", ".gltf", ".vrm"};
+    return {".glb", ".gltf", ".vrm", ".pc2", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
     return {".glb", ".gltf"};
+  case FilePurpose::exportSequence:
+    return {".glb", ".gltf"};
   case FilePurpose::openRecipe:
   case FilePurpose::saveRecipe:
+  case FilePurpose::openModuli:
+  case FilePurpose::saveModuli:
     return {".json"};
   case FilePurpose::saveFrames:
     break;
@@ -47,13 +51,14 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 }
 
 bool isSaving(FilePurpose purpose) {
-  return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe;
+  return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
+         purpose != FilePurpose::openModuli;
 }
 
 const char* titleOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return "Open a character";
+    return "Open a character or a mesh sequence";
   case FilePurpose::saveModel:
     return "Save as";
   case FilePurpose::exportClean:
@@ -62,6 +67,12 @@ const char* titleOf(FilePurpose purpose) {
     return "Load a recipe";
   case FilePurpose::saveRecipe:
     return "Save the recipe";
+  case FilePurpose::exportSequence:
+    return "Export the skinned clip";
+  case FilePurpose::openModuli:
+    return "Load moduli";
+  case FilePurpose::saveModuli:
+    return "Save moduli";
   case FilePurpose::saveFrames:
     break;
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/sequence/sequence_session.h"
 #include "app/session.h"
 #include "ui/panels/ui_state.h"
 #include "ui/widgets/item_registry.h"
@@ -30,6 +31,7 @@ struct PanelContext {
   const std::vector<CommandInfo>& commands;
   std::vector<std::string>& requestedCommands;
   ItemRegistry& items;
+  app::SequenceSession* sequence = nullptr; ///< Instead of `session` while a mesh sequence is open.
 };
 
 /// Null for an id that no command has.

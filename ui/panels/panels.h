@@ -20,9 +20,26 @@ void drawBottomPanel(PanelContext& context);   ///< Bottom, everything: tabs, pl
                                                ///< shows. Or:
 void drawTimelinePanel(PanelContext& context); ///< Play controls, ruler, range, keys of the selection,
                                                ///< trails.
-void drawGraphPanel(PanelContext& context);  ///< Curves of the selected limb, or the dope sheet where its tab
-                                             ///< is on.
-void drawDopeSheet(PanelContext& context);   ///< Keys of every limb.
+void drawGraphPanel(PanelContext& context); ///< Curves of the selected limb, or the dope sheet where its tab
+                                            ///< is on.
+void drawDopeSheet(PanelContext& context);  ///< Keys of every limb.
+// The same places while a mesh sequence is open.
+void drawSequenceFacts(PanelContext& context);    ///< Left: what it holds, length against curvature.
+void drawSequencePanel(PanelContext& context);    ///< Right: the compression, its result, the elastic model.
+void drawSequenceTimeline(PanelContext& context); ///< Bottom: play controls, frames, those that fits use.
+void drawSequenceBar(PanelContext& context);      ///< Over the viewport: what of the sequence is shown.
+
+/// The panels of one kind of document, by the places that the shell gives them.
+struct PanelSet {
+  using Draw = void (*)(PanelContext&);
+  Draw left = nullptr;
+  Draw right = nullptr;
+  Draw bottom = nullptr;
+  Draw viewportBar = nullptr;
+};
+/// Those of a mesh sequence while one is open, else those of a character.
+[[nodiscard]] PanelSet panelSetOf(const PanelContext& context);
+
 void drawStatusBar(PanelContext& context);   ///< One row of Theme::rowHeight().
 void drawViewportBar(PanelContext& context); ///< Over the viewport's top edge: switches of the overlays.
 

@@ -67,6 +67,13 @@ void addHint(const PanelContext& context, std::vector<KeyHint>& hints, const cha
 /// What the keys do outside of tools: the next steps with what is selected, from the real keys.
 std::vector<KeyHint> usualHints(const PanelContext& context) {
   std::vector<KeyHint> hints;
+  if (context.sequence != nullptr) {
+    addHint(context, hints, command::sequenceCompress, "compress");
+    addHint(context, hints, command::fileExportClean, "export");
+    addHint(context, hints, command::timePlay, "play");
+    addHint(context, hints, command::palette, "all commands");
+    return hints;
+  }
   if (!hasViewedClip(context)) {
     addHint(context, hints, command::fileOpen, "open");
     addHint(context, hints, command::palette, "all commands");
@@ -146,6 +153,14 @@ void busyPart(PanelContext& context) {
   ImGui::SameLine(0.0F, theme.px(20.0F));
 }
 
+void sequencePart(PanelContext& context) {
+  const app::SequenceSession& session = *context.sequence;
+  statusText(context, "status/selection",
+             session.document.mesh->name + ", frame " + std::to_string(app::shownFrame(session)) + " of " +
+                 std::to_string(session.document.mesh->frameCount()),
+             context.theme.colours.text, {"What is shown", "", {}});
+}
+
 } // namespace
 
 void drawStatusBar(PanelContext& context) {
@@ -154,7 +169,9 @@ void drawStatusBar(PanelContext& context) {
     statusText(context, "status/modal", context.ui.modalText, context.theme.colours.accent,
                {"What is being done", "Enter keeps it, Esc restores.", {}});
   }
-  if (hasCharacter(context)) {
+  if (context.sequence != nullptr) {
+    sequencePart(context);
+  } else if (hasCharacter(context)) {
     selectionPart(context);
   } else {
     statusText(context, "status/selection", "No file is open", context.theme.colours.quietText,

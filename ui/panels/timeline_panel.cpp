@@ -4,104 +4,18 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
-#include "ui/panels/clip_chooser.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/timeline_model.h"
-#include "ui/widgets/dropdown.h"
+#include "ui/panels/transport.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
-#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 
 namespace {
 
 constexpr float labelWidth = 112.0F;
-
-void frameField(PanelContext& context) {
-  app::Session& session = *context.session;
-  SliderSpec spec{.id = "timeline/frame",
-                  .maximum = std::max(1.0, app::lastFrame(session.document(), session.view().clip)),
-                  .step = 1.0,
-                  .decimals = 0,
-                  .showsFill = false,
-                  .width = context.theme.px(56.0F)};
-  spec.help = {"Frame", "Drag, or double click to type the frame to go to.", {}};
-  double frame = session.view().frame;
-  if (slider(widgetsOf(context), spec, frame).changed) {
-    session.view().frame = frame;
-  }
-  ImGui::SameLine(0.0F, context.theme.unit());
-}
-
-void speedChooser(PanelContext& context) {
-  constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
-  TimelineState& time = context.ui.timeline;
-  std::vector<Choice> choices;
-  int selected = 3;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    choices.push_back({"\xC3\x97" + shortNumber(speeds[i])});
-    selected = std::abs(speeds[i] - time.speed) < 1e-9 ? static_cast<int>(i) : selected;
-  }
-  const int chosen = dropdown(widgetsOf(context), "timeline/speed", choices, selected,
-                              {"Playback speed", "Of real time.", {}}, context.theme.px(72.0F));
-  time.speed = chosen >= 0 ? speeds[static_cast<std::size_t>(chosen)] : time.speed;
-  ImGui::SameLine(0.0F, context.theme.unit());
-}
-
-void rangeText(PanelContext& context) {
-  const WidgetContext widgets = widgetsOf(context);
-  const app::Session& session = *context.session;
-  const Clip& clip = app::clipOf(session.document(), session.view().clip);
-  const Span range = shownRange(session);
-  const std::string text = "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" +
-                           shortNumber(range.end, 1) + "   " +
-                           shortNumber(session.view().frame / clip.framesPerSecond) + " s   " +
-                           shortNumber(clip.framesPerSecond) + " fps";
-  const float width = ImGui::GetContentRegionAvail().x;
-  const Control place =
-      takePlace(widgets, "timeline/text", {std::max(1.0F, width), context.theme.rowHeight()}, false);
-  drawText(widgets, context.theme.fonts.label, place.box, context.theme.colours.quietText, text, 1.0F);
-  tooltip(widgets,
-          {"Working range, time and rate",
-           "New trails take the working range. Set it with the keys or by dragging its ends in the ruler.",
-           keyOf(context, command::rangeStart) + "  " + keyOf(context, command::rangeEnd)});
-}
-
-void transport(PanelContext& context) {
-  iconButton(context, command::timeStart, icon::toStart, "|<");
-  iconButton(context, command::timePreviousKey, icon::previousKey, "<k");
-  iconButton(context, command::timeBack, icon::stepBack, "<");
-  commandButton(context, {.command = command::timePlay,
-                          .icon = context.ui.timeline.playing ? icon::pause : icon::play,
-                          .text = " ",
-                          .width = context.theme.px(40.0F),
-                          .fallback = context.ui.timeline.playing ? "||" : ">"});
-  ImGui::SameLine(0.0F, context.theme.px(2.0F));
-  iconButton(context, command::timeForward, icon::stepForward, ">");
-  iconButton(context, command::timeNextKey, icon::nextKey, "k>");
-  iconButton(context, command::timeEnd, icon::toEnd, ">|");
-  ButtonSpec loop{.id = "timeline/loop",
-                  .icon = icon::loop,
-                  .emphasis = Emphasis::quiet,
-                  .on = context.ui.timeline.loop,
-                  .width = context.theme.px(30.0F),
-                  .fallback = "L"};
-  loop.help = {"Loop", "Plays from the start again at the end.", {}};
-  if (button(widgetsOf(context), loop)) {
-    context.ui.timeline.loop = !context.ui.timeline.loop;
-  }
-  ImGui::SameLine(0.0F, context.theme.unit());
-  frameField(context);
-  speedChooser(context);
-  if (context.session->document().clips->size() > 1) {
-    clipChooser(context, "timeline/clip", context.theme.px(150.0F));
-    ImGui::SameLine(0.0F, context.theme.unit());
-  }
-  rangeText(context);
-}
 
 void applyRange(app::Session& session, const TimelineOutcome& outcome) {
   if (outcome.rangeChanged) {
@@ -197,14 +111,14 @@ void drawBottomPanel(PanelContext& context) {
   if (context.ui.bottomTab == BottomTab::timeline) {
     drawTimelinePanel(context);
   } else {
-    transport(context);
+    drawTransport(context);
     drawGraphPanel(context);
   }
 }
 
 void drawTimelinePanel(PanelContext& context) {
   if (hasViewedClip(context)) {
-    transport(context);
+    drawTransport(context);
     timeRows(context, "timeline", RowDetail::selection);
   }
 }

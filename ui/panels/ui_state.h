@@ -93,7 +93,17 @@ struct JointPick {
   std::string message; ///< Why the last try was refused.
 };
 
-enum class FilePurpose { openModel, saveModel, exportClean, openRecipe, saveRecipe, saveFrames };
+enum class FilePurpose {
+  openModel,
+  saveModel,
+  exportClean,
+  openRecipe,
+  saveRecipe,
+  saveFrames,
+  exportSequence,
+  openModuli,
+  saveModuli
+};
 
 /// One row of a folder's listing.
 struct FileEntry {
@@ -114,6 +124,7 @@ struct FileDialogState {
   bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
   std::filesystem::path listedFolder; ///< What `entries` lists.
   std::vector<FileEntry> entries;
+  bool listsSequence = false; ///< The listed folder can be opened as a mesh sequence.
   bool wasOpen = false; ///< In the frame before.
 };
 
@@ -129,6 +140,14 @@ struct KeysOverviewState {
   std::string filter;
   std::string waitingFor; ///< Command id whose new key is awaited; empty: none.
   std::string clash;      ///< Told after a refused or shared key.
+};
+
+/// Numbers of the elastic model as they are typed; an empty one is left to the program.
+struct SequencePanelState {
+  std::string young;
+  std::string mass;
+  std::string metresPerUnit;
+  std::string gravity;
 };
 
 enum class ToastKind { info, success, warning, error };
@@ -181,6 +200,7 @@ struct UiState {
   FileDialogState fileDialog;
   PaletteState palette;
   KeysOverviewState keys;
+  SequencePanelState sequencePanel;
   bool settingsOpen = false;
   bool aboutOpen = false;
   bool unsavedOpen = false;          ///< Asks before the work is lost; answered by answers.unsaved.

@@ -180,28 +180,28 @@ float drawMenu(PanelContext& context) {
   return height;
 }
 
-void drawSidePanes(PanelContext& context, const Shell& shell, const PaneRects& rects) {
+void drawSidePanes(PanelContext& context, const PanelSet& panels, const Shell& shell,
+                   const PaneRects& rects) {
   if (shell.panes.leftOpen) {
     if (beginPane("left-pane", rects.left)) {
-      drawLimbPanel(context);
-      drawRigPanel(context);
+      panels.left(context);
     }
     ImGui::End();
   }
   if (shell.panes.rightOpen) {
     if (beginPane("right-pane", rects.right)) {
-      drawTrailsPanel(context);
-      drawTrailSettingsPanel(context);
+      panels.right(context);
     }
     ImGui::End();
   }
 }
 
-void drawBottomPanes(PanelContext& context, const Shell& shell, const PaneRects& rects) {
+void drawBottomPanes(PanelContext& context, const PanelSet& panels, const Shell& shell,
+                     const PaneRects& rects) {
   if (shell.panes.bottomOpen) {
     if (beginPane("bottom-pane", rects.bottom,
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-      drawBottomPanel(context);
+      panels.bottom(context);
     }
     ImGui::End();
   }
@@ -213,12 +213,12 @@ void drawBottomPanes(PanelContext& context, const Shell& shell, const PaneRects&
 }
 
 /// The bar of switches over the viewport; answers what is left for the picture.
-Rect drawOverlayBar(PanelContext& context, const Rect& rect) {
+Rect drawOverlayBar(PanelContext& context, const PanelSet& panels, const Rect& rect) {
   const float height = context.theme.rowHeight() + context.theme.unit();
   const Rect bar{rect.min, {rect.max.x, rect.min.y + height}};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.theme.unit(), 0.5F * context.theme.unit()});
   if (beginPane("viewport-bar", bar, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    drawViewportBar(context);
+    panels.viewportBar(context);
   }
   ImGui::End();
   ImGui::PopStyleVar();
@@ -228,17 +228,19 @@ Rect drawOverlayBar(PanelContext& context, const Rect& rect) {
 void drawEverything(Editor& editor) {
   Shell& shell = editor.shell;
   const WindowSize size = editor.window.size();
-  PanelContext context{shell.session.get(), shell.ui,        shell.theme,
-                       shell.commandInfos,  shell.requested, shell.items};
+  PanelContext context{shell.session.get(), shell.ui,    shell.theme,         shell.commandInfos,
+                       shell.requested,     shell.items, shell.sequence.get()};
+  const PanelSet panels = panelSetOf(context);
   beginPanels(context);
   const float menuHeight = drawMenu(context);
   const PaneRects rects =
       dividePanes(shell.panes, static_cast<float>(size.width), static_cast<float>(size.height),
                   shell.theme.scale, menuHeight, shell.theme.rowHeight() + shell.theme.px(6.0F));
-  drawSidePanes(context, shell, rects);
+  drawSidePanes(context, panels, shell, rects);
   const double pixelsPerUnit = size.width > 0 ? static_cast<double>(size.framebufferWidth) / size.width : 1.0;
-  drawViewportPane(shell, context, *editor.gpu, drawOverlayBar(context, rects.viewport), pixelsPerUnit);
-  drawBottomPanes(context, shell, rects);
+  drawViewportPane(shell, context, *editor.gpu, drawOverlayBar(context, panels, rects.viewport),
+                   pixelsPerUnit);
+  drawBottomPanes(context, panels, shell, rects);
   drawSplitters(context, rects, shell.panes);
   drawDialogs(context);
   drawOverwriteQuestion(shell, context);
@@ -251,12 +253,17 @@ void runRequested(Shell& shell) {
   }
 }
 
+/// Work goes on beside the window.
+bool isBusy(const Shell& shell) {
+  return shell.files.loading.valid() || (shell.sequence != nullptr && shell.sequence->job != nullptr);
+}
+
 /// What happens without a picture: files, keys, time. Answers whether something may look different.
 bool update(Editor& editor) {
   Shell& shell = editor.shell;
   InputQueue& input = editor.window.input();
   const double now = clockSeconds();
-  const bool wasLoading = shell.files.loading.valid();
+  const bool wasLoading = isBusy(shell);
   updateFileWork(shell, input, now);
   takeAnswers(editor);
   takeKeys(editor);
@@ -296,7 +303,7 @@ double waitingTime(const Editor& editor) {
   if (editor.script || clockSeconds() < editor.liveUntil) {
     return 0.0;
   }
-  return editor.shell.files.loading.valid() ? 0.03 : 0.5;
+  return isBusy(editor.shell) ? 0.03 : 0.5;
 }
 
 int runLoop(Editor& editor) {
@@ -365,7 +372,7 @@ void tellProblem(Shell& shell, const Status& status) {
   }
 }
 
-int runEditor(const std::filesystem::path& file, const EditorOptions& given) {
+int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& given) {
   const EditorOptions options = withEnvironment(given);
   Result<Editor> editor = openEditor(options);
   if (!editor) {
@@ -379,8 +386,8 @@ int runEditor(const std::filesystem::path& file, const EditorOptions& given) {
     editor->script = std::move(script).value();
     editor->shell.ui.navigationChoiceOpen = false;
   }
-  if (!file.empty()) {
-    openFile(editor->shell, file);
+  if (!files.empty()) {
+    openFile(editor->shell, files);
   } else {
     offerAutosave(editor->shell, {});
   }

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "app/commands/selection.h"
+#include "ui/panels/file_listing.h"
 #include "ui/shell/autosave.h"
 #include "ui/shell/input.h"
 #include "ui/shell/recipe_work.h"
+#include "ui/shell/sequence_work.h"
 #include "ui/shell/viewport_scene.h"
 
 namespace stretch::ui {
@@ -26,21 +28,28 @@ void stampFile(FileWork& files, const fs::path& path) {
   files.changeTold = false;
 }
 
+/// The name to show, of a folder with a slash at its end too.
+std::string nameOf(const fs::path& path) {
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 /// Whether another program changed a file since we last read or wrote it.
 bool changedByOthers(const FileWork& files, const fs::path& path) {
   return path == files.stampedPath && files.stamp && stampOf(path) != files.stamp;
 }
 
-void startLoading(Shell& shell, const fs::path& path, std::optional<fs::path> restoreFrom) {
+void startLoading(Shell& shell, const std::vector<fs::path>& paths, std::optional<fs::path> restoreFrom) {
   if (shell.files.loading.valid()) {
     tell(shell, ToastKind::info, "Another file is being opened");
     return;
   }
-  shell.files.loadingPath = path;
+  shell.files.loadingPaths = paths;
   shell.files.restoreFrom = std::move(restoreFrom);
-  shell.files.loading =
-      std::async(std::launch::async, [path] { return app::openDocument(path, gltf::Tolerance::warn); });
-  shell.ui.busyText = "Opening " + path.filename().string();
+  shell.files.loadingShare = std::make_shared<std::atomic<float>>(-1.0F);
+  shell.files.loading = std::async(std::launch::async, [paths, share = shell.files.loadingShare] {
+    return app::openAny(paths, [&share](double done) { *share = static_cast<float>(done); });
+  });
+  shell.ui.busyText = "Opening " + nameOf(paths.back());
   shell.ui.busyFraction = -1.0F;
 }
 
@@ -62,20 +71,19 @@ void takeRestored(Shell& shell, app::Document document) {
   tell(shell, ToastKind::success, "The unsaved work is back");
 }
 
-void takeLoaded(Shell& shell) {
+void takeSequence(Shell& shell, app::SequenceDocument document) {
+  shell.files.path = app::pathOf(document);
+  rememberRecent(shell.ui, shell.files.path);
+  showSequence(shell, std::move(document));
+}
+
+void takeDocument(Shell& shell, app::Document document) {
   FileWork& files = shell.files;
-  Result<app::Document> loaded = files.loading.get();
-  files.loading = {};
-  shell.ui.busyText.clear();
-  if (!loaded) {
-    tell(shell, ToastKind::error, loaded.error().line());
-    return;
-  }
   const std::optional<fs::path> restoreFrom = std::exchange(files.restoreFrom, std::nullopt);
-  closeFile(shell);
-  const std::vector<std::string> warnings = loaded->warnings;
-  shell.session = std::make_unique<app::Session>(std::move(loaded).value());
-  files.path = files.loadingPath;
+  const std::vector<std::string> warnings = document.warnings;
+  shell.sequence.reset();
+  shell.session = std::make_unique<app::Session>(std::move(document));
+  files.path = files.loadingPaths.back();
   stampFile(files, files.path);
   rememberRecent(shell.ui, files.path);
   showNewFile(shell, files.path);
@@ -94,6 +102,22 @@ void takeLoaded(Shell& shell) {
     }
   } else {
     offerAutosave(shell, files.path);
+  }
+}
+
+void takeLoaded(Shell& shell) {
+  Result<app::Opened> loaded = shell.files.loading.get();
+  shell.files.loading = {};
+  shell.ui.busyText.clear();
+  if (!loaded) {
+    tell(shell, ToastKind::error, loaded.error().line());
+    return;
+  }
+  closeFile(shell);
+  if (auto* document = std::get_if<app::Document>(&loaded.value())) {
+    takeDocument(shell, std::move(*document));
+  } else {
+    takeSequence(shell, std::get<app::SequenceDocument>(std::move(loaded).value()));
   }
 }
 
@@ -136,12 +160,16 @@ void answerUnsaved(Shell& shell, UnsavedChoice choice) {
 }
 
 void answerFile(Shell& shell, const FileChoice& choice) {
+  if (shell.sequence != nullptr && choice.purpose != FilePurpose::openModel) {
+    answerSequenceFile(shell, choice);
+    return;
+  }
   if (shell.session == nullptr && choice.purpose != FilePurpose::openModel) {
     return;
   }
   switch (choice.purpose) {
   case FilePurpose::openModel:
-    openFile(shell, choice.path);
+    openFile(shell, {choice.path});
     break;
   case FilePurpose::saveModel:
     saveFileAs(shell, choice.path, false);
@@ -156,6 +184,9 @@ void answerFile(Shell& shell, const FileChoice& choice) {
     saveRecipeFile(shell, choice.path);
     break;
   case FilePurpose::saveFrames:
+  case FilePurpose::exportSequence:
+  case FilePurpose::openModuli:
+  case FilePurpose::saveModuli:
     break;
   }
 }
@@ -175,7 +206,7 @@ void answerRestore(Shell& shell, bool restore) {
       tell(shell, ToastKind::error, restored.error().line());
     }
   } else {
-    startLoading(shell, source, autosave);
+    startLoading(shell, {source}, autosave);
   }
 }
 
@@ -190,6 +221,15 @@ void takeAnswers(Shell& shell) {
   if (answers.restoreAutosave) {
     answerRestore(shell, *std::exchange(answers.restoreAutosave, std::nullopt));
   }
+}
+
+/// What a drop of several files stands for: a mesh and its cache together, else the first one, which may be
+/// one of many frames.
+std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
+  if (drops.size() == 2 && drops[0].extension() != drops[1].extension()) {
+    return drops;
+  }
+  return {drops.front()};
 }
 
 /// Writes unsaved work aside, a few seconds after the last change.
@@ -234,13 +274,13 @@ bool hasUnsavedWork(const Shell& shell) {
   return shell.session != nullptr && !shell.session->history().isSaved();
 }
 
-void openFile(Shell& shell, const fs::path& path) {
+void openFile(Shell& shell, const std::vector<fs::path>& paths) {
   if (hasUnsavedWork(shell)) {
-    shell.files.pendingOpen = path;
+    shell.files.pendingOpen = paths;
     askAboutUnsaved(shell, AfterUnsaved::open);
     return;
   }
-  startLoading(shell, path, std::nullopt);
+  startLoading(shell, paths, std::nullopt);
 }
 
 void askForFile(Shell& shell, FilePurpose purpose) {
@@ -248,7 +288,7 @@ void askForFile(Shell& shell, FilePurpose purpose) {
   dialog = {};
   dialog.open = true;
   dialog.purpose = purpose;
-  const bool saving = purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe;
+  const bool saving = isSaving(purpose);
   std::error_code ignored;
   const fs::path near = shell.session != nullptr ? shell.session->proposedSavePath() : shell.files.path;
   dialog.folder =
@@ -261,6 +301,10 @@ void askForFile(Shell& shell, FilePurpose purpose) {
       proposed = near.stem().string() + "-recipe.json";
     }
     dialog.typed = proposed.string();
+  }
+  if (shell.sequence != nullptr && saving) {
+    const std::string name = shell.sequence->document.mesh->name;
+    dialog.typed = name + (purpose == FilePurpose::saveModuli ? "-moduli.json" : ".glb");
   }
 }
 
@@ -331,10 +375,13 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   if (shell.files.loading.valid() &&
       shell.files.loading.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     takeLoaded(shell);
+  } else if (shell.files.loading.valid()) {
+    shell.ui.busyFraction = *shell.files.loadingShare;
   }
+  updateSequence(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
-    openFile(shell, input.drops.front());
+    openFile(shell, droppedPaths(input.drops));
   }
   if (input.closeAsked) {
     askToQuit(shell);
@@ -372,6 +419,9 @@ void closeFile(Shell& shell) {
 }
 
 std::string windowTitle(const Shell& shell) {
+  if (shell.sequence != nullptr) {
+    return nameOf(shell.files.path) + " \xE2\x80\x93 Stretch-Engine";
+  }
   if (shell.session == nullptr) {
     return "Stretch-Engine";
   }

@@ -5,8 +5,9 @@
 
 namespace stretch::ui {
 
-/// Opens a file beside the running window; asks first when work would be lost.
-void openFile(Shell& shell, const std::filesystem::path& path);
+/// Opens a character or a mesh sequence (a path, or a base mesh and its cache) beside the running window;
+/// asks first when work would be lost.
+void openFile(Shell& shell, const std::vector<std::filesystem::path>& paths);
 
 /// Saves where it was saved before, else asks for a name: the source is never overwritten by the first save.
 void saveFile(Shell& shell);

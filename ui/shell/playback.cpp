@@ -7,27 +7,37 @@
 
 namespace stretch::ui {
 
-void play(Shell& shell, double secondsPassed) {
-  if (shell.session == nullptr || !shell.ui.timeline.playing) {
-    return;
-  }
-  const app::Document& document = shell.session->document();
-  app::ViewState& view = shell.session->view();
-  const double last = app::lastFrame(document, view.clip);
+namespace {
+
+/// Moves a playhead by the time that passed; answers whether it goes on playing.
+bool advance(const TimelineState& time, double& playhead, double last, double framesPerSecond,
+             double secondsPassed) {
   if (last <= 0.0) {
-    shell.ui.timeline.playing = false;
+    return false;
+  }
+  // A pause of the program is no leap of the motion.
+  const double frame = playhead + std::min(secondsPassed, 0.25) * framesPerSecond * time.speed;
+  playhead = frame <= last ? frame : time.loop ? std::fmod(frame, last) : last;
+  return frame <= last || time.loop;
+}
+
+} // namespace
+
+void play(Shell& shell, double secondsPassed) {
+  TimelineState& time = shell.ui.timeline;
+  if (!time.playing) {
     return;
   }
-  const double rate = app::clipOf(document, view.clip).framesPerSecond * shell.ui.timeline.speed;
-  // A pause of the program is no leap of the motion.
-  const double frame = view.frame + std::min(secondsPassed, 0.25) * rate;
-  if (frame <= last) {
-    view.frame = frame;
-  } else if (shell.ui.timeline.loop) {
-    view.frame = std::fmod(frame, last);
-  } else {
-    view.frame = last;
-    shell.ui.timeline.playing = false;
+  if (shell.sequence != nullptr) {
+    time.playing = advance(time, shell.sequence->view.frame, app::lastFrame(*shell.sequence),
+                           shell.sequence->document.mesh->framesPerSecond, secondsPassed);
+  } else if (shell.session != nullptr) {
+    const app::Document& document = shell.session->document();
+    app::ViewState& view = shell.session->view();
+    time.playing =
+        advance(time, view.frame, app::lastFrame(document, view.clip),
+                app::hasClip(document, view.clip) ? app::clipOf(document, view.clip).framesPerSecond : 0.0,
+                secondsPassed);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "ui/shell/script_state.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -118,6 +119,33 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   return trail == nullptr ? std::nullopt : trailState(*trail, name);
 }
 
+std::string nameOf(app::SequenceColours colours) {
+  constexpr std::array<const char*, 3> names{"plain", "error", "thickness"};
+  return names[static_cast<std::size_t>(colours)];
+}
+
+std::optional<std::string> sequenceState(const app::SequenceSession& session, std::string_view name) {
+  const app::SequenceDocument& document = session.document;
+  const std::map<std::string_view, std::string> states{
+      {"sequence", document.mesh->name},
+      {"sequence.frames", std::to_string(document.mesh->frameCount())},
+      {"sequence.compressed", yesNo(document.result != nullptr)},
+      {"sequence.outdated", yesNo(app::isOutdated(document))},
+      {"sequence.bones", document.result == nullptr
+                             ? "none"
+                             : std::to_string(document.result->compressed.skinned.bones.size())},
+      {"sequence.original", yesNo(session.view.showOriginal)},
+      {"sequence.skinned", yesNo(session.view.showSkinned)},
+      {"sequence.colours", nameOf(session.view.colours)},
+      {"sequence.skip", std::to_string(document.settings.body.firstFittedFrame)},
+      {"sequence.moduli", std::to_string(document.settings.body.moduli.ranges.size())},
+      {"frame", number(session.view.frame)},
+      {"last-frame", number(app::lastFrame(session))},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -125,6 +153,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"file", shell.files.path.filename().string()},
       {"unsaved", yesNo(hasUnsavedWork(shell))},
       {"busy", yesNo(shell.files.loading.valid())},
+      {"compressing", yesNo(shell.sequence != nullptr && shell.sequence->job != nullptr)},
       {"modal", shell.ui.modalText},
       {"playing", yesNo(shell.ui.timeline.playing)},
       {"ghosts", yesNo(shell.ui.overlays.ghosts)},
@@ -143,6 +172,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second;
+  }
+  if (shell.sequence != nullptr) {
+    return sequenceState(*shell.sequence, name);
   }
   return shell.session == nullptr ? std::nullopt : sessionState(shell, name);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -9,6 +10,8 @@
 
 #include "app/commands/command.h"
 #include "app/commands/keymap.h"
+#include "app/sequence/open_any.h"
+#include "app/sequence/sequence_session.h"
 #include "app/session.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"
@@ -24,12 +27,13 @@ enum class AfterUnsaved { nothing, quit, open };
 
 /// Opening, saving and autosaving of the one file that is edited.
 struct FileWork {
-  std::filesystem::path path;                 ///< As opened; empty: none is.
-  std::future<Result<app::Document>> loading; ///< Runs beside the window.
-  std::filesystem::path loadingPath;
+  std::filesystem::path path;               ///< As opened; empty: none is.
+  std::future<Result<app::Opened>> loading; ///< Runs beside the window.
+  std::vector<std::filesystem::path> loadingPaths;
+  std::shared_ptr<std::atomic<float>> loadingShare; ///< Done, 0..1; < 0 unknown.
   std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up once `loading` is done.
   AfterUnsaved afterUnsaved = AfterUnsaved::nothing;
-  std::filesystem::path pendingOpen;
+  std::vector<std::filesystem::path> pendingOpen;
   std::filesystem::path offeredAutosave; ///< What ui.restoreOffer is about.
   std::filesystem::path offeredSource;   ///< The file that it belongs to.
   std::filesystem::path stampedPath;     ///< File whose stamp is kept.
@@ -45,7 +49,8 @@ struct FileWork {
 
 /// The editor's state: plain parts that functions join. The session is the only door to the document.
 struct Shell {
-  std::unique_ptr<app::Session> session; ///< Null: no file is open.
+  std::unique_ptr<app::Session> session;          ///< Null: no character is open.
+  std::unique_ptr<app::SequenceSession> sequence; ///< A mesh sequence instead; never both.
   UiState ui;
   Theme theme;
   ItemRegistry items;

@@ -7,6 +7,7 @@
 #include "ui/panels/command_ids.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
+#include "ui/shell/sequence_work.h"
 #include "ui/shell/viewport_scene.h"
 
 namespace stretch::ui {
@@ -20,6 +21,9 @@ bool always(const Shell&) {
 }
 bool hasFile(const Shell& shell) {
   return shell.session != nullptr;
+}
+bool hasPicture(const Shell& shell) {
+  return shell.session != nullptr || shell.sequence != nullptr;
 }
 
 /// A command of the document as one of the shell: a file must be open, and a running tool is kept first.
@@ -59,7 +63,7 @@ ShellCommand paneCommand(const char* id, const char* label, const char* help, co
 
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
-  return {id, label, help, {key}, hasFile, [direction](Shell& shell) -> Status {
+  return {id, label, help, {key}, hasPicture, [direction](Shell& shell) -> Status {
             shell.viewport.camera =
                 lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
             return Success{};
@@ -139,6 +143,21 @@ void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+/// While a mesh sequence is open the command does what it means there.
+void giveSequenceMeaning(ShellCommand& command) {
+  for (const SequenceMeaning& meaning : sequenceMeanings()) {
+    if (command.id != meaning.commandId) {
+      continue;
+    }
+    command.enabled = [enabled = command.enabled, meaning](const Shell& shell) {
+      return shell.sequence != nullptr ? meaning.enabled(*shell.sequence) : enabled(shell);
+    };
+    command.run = [run = command.run, meaning](Shell& shell) {
+      return shell.sequence != nullptr ? meaning.run(shell) : run(shell);
+    };
+  }
+}
+
 } // namespace
 
 std::vector<ShellCommand> fileCommands() {
@@ -151,7 +170,7 @@ std::vector<ShellCommand> fileCommands() {
   return {
       {command::fileOpen,
        "Open",
-       "Opens a character: .glb or .gltf.",
+       "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
        {"Ctrl+O"},
        always,
        ask(FilePurpose::openModel)},
@@ -236,7 +255,7 @@ std::vector<ShellCommand> toolCommands() {
        {"J"},
        hasFile,
        pickChain},
-      {command::timePlay, "Play", "Plays and stops.", {"Space"}, hasFile, togglePlay},
+      {command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, togglePlay},
   };
 }
 
@@ -262,7 +281,7 @@ std::vector<ShellCommand> viewCommands() {
        "Frame the selection",
        "Moves the camera to the selected limb and trail.",
        {"F"},
-       hasFile,
+       hasPicture,
        [](Shell& shell) -> Status {
          shell.viewport.frameSelectionPending = true;
          return Success{};
@@ -271,7 +290,7 @@ std::vector<ShellCommand> viewCommands() {
        "Frame everything",
        "Moves the camera so that the whole character is seen.",
        {"A"},
-       hasFile,
+       hasPicture,
        [](Shell& shell) -> Status {
          shell.viewport.framePending = true;
          return Success{};
@@ -357,8 +376,12 @@ std::vector<ShellCommand> editorCommands() {
     all.push_back(fromDocument(std::move(command)));
   }
   append(all, toolCommands());
+  append(all, sequenceCommands());
   append(all, viewCommands());
   append(all, helpCommands());
+  for (ShellCommand& command : all) {
+    giveSequenceMeaning(command);
+  }
   return all;
 }
 
@@ -375,6 +398,8 @@ bool isChecked(const Shell& shell, std::string_view id) {
       {command::viewFrameNumbers, overlays.trailFrameNumbers},
       {command::viewSideBySide, overlays.sideBySide},
       {command::timePlay, shell.ui.timeline.playing},
+      {command::sequenceOriginal, shell.sequence != nullptr && shell.sequence->view.showOriginal},
+      {command::sequenceSkinned, shell.sequence != nullptr && shell.sequence->view.showSkinned},
       {command::trailShowOriginal, shownOriginal},
       {"view.left-pane", shell.panes.leftOpen},
       {"view.bottom-pane", shell.panes.bottomOpen},

@@ -228,6 +228,22 @@ void hoverLimbs(Shell& shell) {
   }
 }
 
+/// On a mesh sequence nothing can be picked: the left button alone turns the view as well.
+void lookAround(Shell& shell, bool pressed, bool held) {
+  ViewportState& viewport = shell.viewport;
+  if (pressed) {
+    viewport.pressPixels = viewport.lastPixels = viewport.mousePixels;
+    viewport.gesture = navigationGesture(shell.ui.navigation, ImGui::GetIO());
+    if (viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+      viewport.gesture = ViewportGesture::orbit;
+    }
+  } else if (held) {
+    navigate(viewport);
+  } else {
+    viewport.gesture = ViewportGesture::none;
+  }
+}
+
 } // namespace
 
 void updateHover(Shell& shell) {
@@ -264,14 +280,13 @@ void handleViewportMouse(Shell& shell, bool hovered, bool held) {
   viewport.lastPixels = viewport.mousePixels;
   viewport.mousePixels =
       viewport.pixelsPerUnit * Vec2(io.MousePos.x - viewport.box.min.x, io.MousePos.y - viewport.box.min.y);
-  if (shell.session == nullptr) {
-    return;
-  }
   updateHover(shell);
   const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Right));
-  if (pressed) {
+  if (shell.session == nullptr) {
+    lookAround(shell, pressed, held);
+  } else if (pressed) {
     beginGesture(shell);
   } else if (held) {
     continueGesture(shell);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <imgui.h>
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panels.h"
+#include "ui/shell/content_key.h"
+#include "ui/shell/sequence_viewport.h"
 #include "ui/shell/viewport_labels.h"
 #include "ui/shell/viewport_mouse.h"
 #include "ui/shell/viewport_scene.h"
@@ -16,37 +17,6 @@
 namespace stretch::ui {
 
 namespace {
-
-/// FNV-1a over plain memory.
-class ContentKey {
-public:
-  template <typename Plain>
-  void add(const Plain& value) {
-    addBytes(&value, sizeof(value));
-  }
-  template <typename Plain>
-  void addAll(const std::vector<Plain>& values) {
-    add(values.size());
-    addBytes(values.data(), values.size() * sizeof(Plain));
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
-private:
-  void addBytes(const void* data, std::size_t bytes) {
-    const auto* from = static_cast<const unsigned char*>(data);
-    std::size_t i = 0;
-    for (; i + 8 <= bytes; i += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, from + i, 8);
-      hash_ = (hash_ ^ word) * 1099511628211ULL;
-      hash_ ^= hash_ >> 29U;
-    }
-    for (; i < bytes; ++i) {
-      hash_ = (hash_ ^ from[i]) * 1099511628211ULL;
-    }
-  }
-  std::uint64_t hash_ = 1469598103934665603ULL;
-};
 
 void addFrame(ContentKey& key, const FrameState& frame) {
   key.addAll(frame.worlds);
@@ -99,18 +69,6 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const Scen
   return key.value();
 }
 
-Palette paletteOf(ThemeKind theme) {
-  switch (theme) {
-  case ThemeKind::light:
-    return lightPalette();
-  case ThemeKind::highContrast:
-    return highContrastPalette();
-  case ThemeKind::dark:
-    break;
-  }
-  return darkPalette();
-}
-
 SceneStyle styleOf(const Shell& shell, const ViewportGpu& gpu) {
   SceneStyle style;
   style.palette = paletteOf(shell.theme.kind);
@@ -124,18 +82,6 @@ SceneStyle styleOf(const Shell& shell, const ViewportGpu& gpu) {
   return style;
 }
 
-/// Draws a picture unless it would be the same again.
-void drawPicture(Shell& shell, ViewportGpu& gpu, DrawnPicture& drawn, const ViewportPicture& picture) {
-  const std::uint64_t key = keyOf(shell.viewport.view, picture, gpu.uploaded.get(), shell.theme.kind);
-  if (key == drawn.contentKey && drawn.target.textureId() != 0) {
-    return;
-  }
-  const Status done = gpu.renderer.draw(drawn.target, shell.viewport.view, picture);
-  drawn.contentKey = done ? key : 0;
-  tellProblem(shell, done);
-  gpu.drewPicture = true;
-}
-
 void uploadScene(Shell& shell, ViewportGpu& gpu) {
   const app::Document& document = shell.session->document();
   if (gpu.uploaded == document.scene) {
@@ -145,12 +91,6 @@ void uploadScene(Shell& shell, ViewportGpu& gpu) {
   gpu.uploaded = document.scene;
   gpu.bounds.emplace(*document.scene);
   gpu.floorHeight = floorHeightOf(gpu.bounds->boxOf(*document.scene, shell.session->originalAt(0.0)));
-}
-
-void showPicture(const DrawnPicture& drawn, const Rect& box) {
-  // The target's rows run from the bottom.
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(drawn.target.textureId()));
-  ImGui::GetWindowDrawList()->AddImage(texture, box.min, box.max, {0.0F, 1.0F}, {1.0F, 0.0F});
 }
 
 /// The place of the picture that is worked on: the right half while the original stands beside it.
@@ -208,6 +148,15 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
   const bool hovered = ImGui::IsItemHovered();
   const bool held = ImGui::IsItemActive();
   updateView(shell);
+  if (shell.sequence != nullptr) {
+    if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
+      frameSequence(shell);
+    }
+    handleViewportMouse(shell, hovered, held);
+    updateView(shell);
+    drawSequenceScene(shell, context, gpu, picture);
+    return;
+  }
   if (shell.session == nullptr) {
     drawEmptyViewport(shell, context, picture);
     return;
@@ -227,13 +176,42 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
 
 } // namespace
 
+Palette paletteOf(ThemeKind theme) {
+  switch (theme) {
+  case ThemeKind::light:
+    return lightPalette();
+  case ThemeKind::highContrast:
+    return highContrastPalette();
+  case ThemeKind::dark:
+    break;
+  }
+  return darkPalette();
+}
+
+void drawPicture(Shell& shell, ViewportGpu& gpu, DrawnPicture& drawn, const ViewportPicture& picture) {
+  const std::uint64_t key = keyOf(shell.viewport.view, picture, gpu.uploaded.get(), shell.theme.kind);
+  if (key == drawn.contentKey && drawn.target.textureId() != 0) {
+    return;
+  }
+  const Status done = gpu.renderer.draw(drawn.target, shell.viewport.view, picture);
+  drawn.contentKey = done ? key : 0;
+  tellProblem(shell, done);
+  gpu.drewPicture = true;
+}
+
+void showPicture(const DrawnPicture& drawn, const Rect& box) {
+  // The target's rows run from the bottom.
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(drawn.target.textureId()));
+  ImGui::GetWindowDrawList()->AddImage(texture, box.min, box.max, {0.0F, 1.0F}, {1.0F, 0.0F});
+}
+
 Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
   Result<ViewportRenderer> renderer = ViewportRenderer::create();
   if (!renderer) {
     return renderer.error();
   }
   return std::unique_ptr<ViewportGpu>(new ViewportGpu{
-      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, 0.0, false});
+      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, 0.0, 0, false});
 }
 
 void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& rect,

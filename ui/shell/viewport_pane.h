@@ -26,10 +26,17 @@ struct ViewportGpu {
   std::shared_ptr<const Scene> uploaded;
   std::optional<BoundsSampler> bounds;
   double floorHeight = 0.0;
-  bool drewPicture = false; ///< In this frame: tells the governor whether the frame's time counts.
+  std::uint64_t sequenceKey = 0; ///< Of the frame of a mesh sequence that `uploaded` holds.
+  bool drewPicture = false;      ///< In this frame: tells the governor whether the frame's time counts.
 };
 
 [[nodiscard]] Result<std::unique_ptr<ViewportGpu>> createViewportGpu();
+
+[[nodiscard]] Palette paletteOf(ThemeKind theme);
+/// Draws a picture unless it would be the same again.
+void drawPicture(Shell& shell, ViewportGpu& gpu, DrawnPicture& drawn, const ViewportPicture& picture);
+/// Puts it into the current window.
+void showPicture(const DrawnPicture& drawn, const Rect& box);
 
 /// The viewport with its bar, mouse and overlays, in `rect` (window units).
 void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& rect,

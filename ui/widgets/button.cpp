@@ -97,14 +97,36 @@ bool toggle(const WidgetContext& context, const std::string& id, const std::stri
   return control.clicked;
 }
 
+namespace {
+
+/// Equal widths, or where a text would be cut widths that follow the texts.
+std::vector<float> segmentWidths(const Theme& theme, const std::vector<Choice>& choices, float available) {
+  std::vector<float> texts;
+  float sum = 0.0F;
+  float widest = 0.0F;
+  for (const Choice& choice : choices) {
+    texts.push_back(textSize(theme.fonts.label, choice.text).x + theme.px(12.0F));
+    sum += texts.back();
+    widest = std::max(widest, texts.back());
+  }
+  const float equal = std::floor(available / static_cast<float>(choices.size()));
+  std::vector<float> widths(choices.size(), equal);
+  for (std::size_t i = 0; i < widths.size() && widest > equal; ++i) {
+    widths[i] = std::floor(available * texts[i] / sum);
+  }
+  return widths;
+}
+
+} // namespace
+
 int segmented(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
               int selected) {
   const Theme& theme = context.theme;
   const float gap = theme.px(1.0F);
   const float available = ImGui::GetContentRegionAvail().x;
   const int count = static_cast<int>(choices.size());
-  const float width =
-      std::floor((available - gap * static_cast<float>(count - 1)) / static_cast<float>(count));
+  const std::vector<float> widths =
+      segmentWidths(theme, choices, available - gap * static_cast<float>(count - 1));
   int clicked = -1;
   for (int i = 0; i < count; ++i) {
     const Choice& choice = choices[static_cast<std::size_t>(i)];
@@ -112,7 +134,8 @@ int segmented(const WidgetContext& context, const std::string& id, const std::ve
       ImGui::SameLine(0.0F, gap);
     }
     const Control control =
-        takePlace(context, id + "/" + choice.text, {width, theme.rowHeight()}, choice.enabled);
+        takePlace(context, id + "/" + choice.text, {widths[static_cast<std::size_t>(i)], theme.rowHeight()},
+                  choice.enabled);
     if (control.visible) {
       const ThemeColours& colours = theme.colours;
       const bool lit = control.hovered && choice.enabled;

@@ -74,21 +74,20 @@ void PanelDriver::drawPanes(ui::PanelContext& context) const {
     ImGui::EndMainMenuBar();
   }
   beginPane("left", 0.0F, 40.0F, 264.0F, 2200.0F);
-  ui::drawLimbPanel(context);
-  ui::drawRigPanel(context);
+  const ui::PanelSet panels = ui::panelSetOf(context);
+  panels.left(context);
   ImGui::End();
   beginPane("right", 976.0F, 40.0F, 304.0F, 2200.0F);
-  ui::drawTrailsPanel(context);
-  ui::drawTrailSettingsPanel(context);
+  panels.right(context);
   ImGui::End();
   beginPane("bottom", 0.0F, 2240.0F, width, 400.0F);
-  ui::drawBottomPanel(context);
+  panels.bottom(context);
   ImGui::End();
   beginPane("status", 0.0F, 2640.0F, width, 40.0F);
   ui::drawStatusBar(context);
   ImGui::End();
   beginPane("bar", 264.0F, 40.0F, 712.0F, 60.0F);
-  ui::drawViewportBar(context);
+  panels.viewportBar(context);
   ImGui::End();
   ui::drawDialogs(context);
 }

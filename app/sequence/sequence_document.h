@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/mesh_sequence.h"
+#include "skinning/compress/compress.h"
+#include "skinning/export/encode_gltf.h"
+#include "skinning/sequence/read_sequence.h"
+
+namespace stretch::app {
+
+/// What is measured of a body before anything is compressed.
+struct SequenceAnalysis {
+  std::vector<double> vertexDiameters;   ///< Shape diameter around each vertex, mesh units; empty where the
+                                         ///< surface encloses nothing.
+  std::vector<std::vector<Vec3>> joints; ///< The centre line of each frame; empty for a body without one.
+  std::vector<skinning::CurvatureLength> measured; ///< Of the centre line, one a frame.
+  std::string problem;                             ///< Why something is missing, one line; empty otherwise.
+  Vec3 low{0.0};                                   ///< The box around all frames.
+  Vec3 high{0.0};
+};
+
+/// A sequence as a skinned clip, as the editor keeps it.
+struct Compression {
+  skinning::CompressSettings settings; ///< That it was made with.
+  skinning::CompressedSequence compressed;
+  std::array<skinning::EncodedClip, 2> encoded; ///< In single precision, and quantised.
+};
+
+/// A mesh sequence that is open: a value whose large parts are shared and never change.
+struct SequenceDocument {
+  std::vector<std::filesystem::path> paths; ///< As opened: a folder or file, or a base mesh and its cache.
+  std::shared_ptr<const MeshSequence> mesh;
+  std::shared_ptr<const SequenceAnalysis> analysis;
+  skinning::CompressSettings settings;       ///< For the next compression.
+  bool quantise = true;                      ///< Of what is exported.
+  std::shared_ptr<const Compression> result; ///< Null: nothing was compressed yet.
+};
+
+/// The path that names the sequence: the folder, the file, or the cache.
+[[nodiscard]] const std::filesystem::path& pathOf(const SequenceDocument& document);
+
+[[nodiscard]] Result<SequenceDocument> openSequence(const std::vector<std::filesystem::path>& named,
+                                                    const skinning::Progress& progress = {});
+
+/// Centre line of the paper's 30 segments and shape diameters. What a body has not stays empty.
+[[nodiscard]] SequenceAnalysis analyseSequence(const MeshSequence& mesh);
+
+/// Curvature and length of every frame, as the result measured them or else the analysis; empty for a body
+/// without a centre line.
+[[nodiscard]] const std::vector<skinning::CurvatureLength>& measuredFrames(const SequenceDocument& document);
+
+/// The line and the monotone curve over the frames that the settings use.
+[[nodiscard]] skinning::LengthFunction fittedLength(const SequenceDocument& document);
+
+/// Joints of the bones in a frame: the result's, or else the centre line's; empty where there is neither.
+[[nodiscard]] std::vector<Vec3> jointsAt(const SequenceDocument& document, std::size_t frame);
+
+/// Whether the settings differ from those that the result was made with.
+[[nodiscard]] bool isOutdated(const SequenceDocument& document);
+
+[[nodiscard]] Result<Compression> makeCompression(const MeshSequence& mesh,
+                                                  const skinning::CompressSettings& settings,
+                                                  const skinning::Proceed& proceed = {});
+
+/// Bytes a frame and joints of the result as it would be exported; the result must exist.
+[[nodiscard]] const skinning::EncodedClip& exported(const SequenceDocument& document);
+
+/// Writes the result as .glb or .gltf. An error without a result.
+[[nodiscard]] Status exportResult(const SequenceDocument& document, const std::filesystem::path& path);
+
+} // namespace stretch::app

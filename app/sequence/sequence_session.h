@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/sequence/compression_job.h"
+
+namespace stretch::app {
+
+/// What colours the surface of a sequence.
+enum class SequenceColours {
+  plain,    ///< Red for the original, green for the skinned result.
+  error,    ///< How far the result is from the original, vertex by vertex.
+  thickness ///< The shape diameter.
+};
+
+/// What is looked at: not part of the document.
+struct SequenceView {
+  double frame = 0.0; ///< Playhead.
+  bool showOriginal = true;
+  bool showSkinned = true; ///< Where there is a result.
+  SequenceColours colours = SequenceColours::plain;
+};
+
+/// An open mesh sequence: the document, what is looked at, and the compression that is being made.
+struct SequenceSession {
+  SequenceDocument document;
+  SequenceView view;
+  std::unique_ptr<CompressionJob> job; ///< Null: nothing is being made.
+};
+
+/// The last frame, >= 0.
+[[nodiscard]] double lastFrame(const SequenceSession& session);
+/// The frame that is shown: sequences are not interpolated.
+[[nodiscard]] std::size_t shownFrame(const SequenceSession& session);
+
+/// Compresses with the document's settings, beside the caller; refused while a compression is being made.
+Status startCompression(SequenceSession& session);
+
+/// Takes up what a finished compression made. Empty while there is none to take; an error when it failed, not
+/// when it was cancelled.
+[[nodiscard]] std::optional<Status> takeCompression(SequenceSession& session);
+
+} // namespace stretch::app

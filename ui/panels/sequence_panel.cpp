@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/sequence_rows.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+template <typename Enum>
+void choiceRow(PanelContext& context, const char* id, const char* label, std::vector<Choice> choices,
+               Enum& value) {
+  const WidgetContext widgets = widgetsOf(context);
+  labelledRow(widgets, label, choices[static_cast<std::size_t>(value)].help);
+  const int chosen = segmented(widgets, id, choices, static_cast<int>(value));
+  value = chosen >= 0 ? static_cast<Enum>(chosen) : value;
+}
+
+template <typename Number>
+void countRow(PanelContext& context, const SliderSpec& given, const char* label, Number& value) {
+  const WidgetContext widgets = widgetsOf(context);
+  SliderSpec spec = given;
+  spec.step = 1.0;
+  spec.decimals = 0;
+  labelledRow(widgets, label, spec.help);
+  auto number = static_cast<double>(value);
+  if (slider(widgets, spec, number).changed) {
+    value = static_cast<Number>(std::llround(number));
+  }
+}
+
+void optionRows(PanelContext& context) {
+  app::SequenceDocument& document = context.sequence->document;
+  skinning::CompressSettings& settings = document.settings;
+  const bool hasLine = !document.analysis->joints.empty();
+  const auto mostBones =
+      static_cast<double>(std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000));
+  countRow(context,
+           {.id = "sequence/bones",
+            .minimum = 1.0,
+            .maximum = std::min(100.0, mostBones),
+            .defaultValue = 30.0,
+            .hardMaximum = mostBones,
+            .help = {"Bones", "In a row along the body.", {}}},
+           "Bones", settings.bones);
+  choiceRow(
+      context, "sequence/stretch", "Stretch",
+      {{"None", {"No stretch", "Bones turn; the body keeps its length and thickness.", {}}},
+       {"Elastic",
+        {"Elastic", "By the physical model: gravity flattens, curvature shortens. A handful of numbers.", {}},
+        hasLine},
+       {"Measured",
+        {"Measured", "Scales fitted frame by frame: the best that bones with scales can do.", {}}}},
+      settings.stretch);
+  choiceRow(
+      context, "sequence/weights", "Weights",
+      {{"Geodesic", {"Geodesic", "By distance over the surface, from the first frame alone.", {}}, hasLine},
+       {"Fitted", {"Fitted", "By least squares over the frames.", {}}}},
+      settings.weights);
+  choiceRow(
+      context, "sequence/model", "Length",
+      {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
+       {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
+      settings.body.lengthModel);
+  countRow(context,
+           {.id = "sequence/skip",
+            .maximum = std::max(1.0, app::lastFrame(*context.sequence)),
+            .suffix = " frames",
+            .defaultValue = 0.0,
+            .help = {"Skip",
+                     "Settling frames at the start that no fit uses. They are in the clip all the same.",
+                     {}}},
+           "Skip", settings.body.firstFittedFrame);
+}
+
+void progressRow(PanelContext& context) {
+  const Theme& theme = context.theme;
+  const WidgetContext widgets = widgetsOf(context);
+  const float cancelWidth = theme.px(84.0F);
+  const Control place =
+      takePlace(widgets, "sequence/progress",
+                {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
+  const double share = context.sequence->job->share();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
+  list->AddRectFilled(place.box.min,
+                      {place.box.min.x + static_cast<float>(share) * place.box.width(), place.box.max.y},
+                      theme.colours.accentQuiet, theme.corner());
+  drawText(widgets, theme.fonts.label, place.box, theme.colours.text,
+           fmt::format("Compressing {:.0f} %", 100.0 * share), 0.5F);
+  ImGui::SameLine();
+  commandButton(context, {.command = command::sequenceCancel, .text = "Cancel", .width = cancelWidth});
+}
+
+void compressRow(PanelContext& context) {
+  verticalSpace(widgetsOf(context), 4.0F);
+  if (context.sequence->job != nullptr) {
+    progressRow(context);
+    return;
+  }
+  const bool next =
+      context.sequence->document.result == nullptr || app::isOutdated(context.sequence->document);
+  commandButton(context, {.command = command::sequenceCompress,
+                          .icon = icon::bolt,
+                          .text = "Compress",
+                          .emphasis = next ? Emphasis::primary : Emphasis::normal,
+                          .width = ImGui::GetContentRegionAvail().x});
+}
+
+void sizeRows(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  app::SequenceDocument& document = context.sequence->document;
+  const double source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
+  const double bytes = app::exported(document).bytesPerFrame;
+  valueRow(widgets, "Frame",
+           bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",
+           {"Bytes a frame",
+            fmt::format("All that a client needs for each frame, instead of {:.0f} bytes of "
+                        "positions.",
+                        source),
+            {}});
+  labelledRow(widgets, "Quantise",
+              {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}});
+  if (toggle(widgets, "sequence/quantise", document.quantise ? "On" : "Off", document.quantise,
+             {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}})) {
+    document.quantise = !document.quantise;
+  }
+}
+
+void errorRows(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const skinning::SequenceMetrics& metrics = context.sequence->document.result->compressed.metrics;
+  valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
+           {"Root of the mean squared error",
+            "Over all frames and vertices, in percent of the first frame's "
+            "box diagonal.",
+            {}});
+  valueRow(widgets, "MSE", fmt::format("{:.4g} units\xC2\xB2", metrics.mse),
+           {"Mean squared error", "Over all frames and vertices, in squared units of the mesh.", {}});
+  valueRow(widgets, "Largest", fmt::format("{:.3g} %", metrics.largestPercent),
+           {"Largest error", "Of any vertex in any frame, in percent of the diagonal.", {}});
+  valueRow(widgets, "STED", fmt::format("{:.4g}", metrics.sted),
+           {"Spatio-temporal edge difference", "Vasa and Skala 2011: what the eye sees of it.", {}});
+  valueRow(widgets, "KG", fmt::format("{:.4g} %", metrics.kgError), {"Karni and Gotsman's error", "", {}});
+}
+
+void resultSection(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const app::SequenceDocument& document = context.sequence->document;
+  if (!section(widgets, "sequence/result", "Result", context.ui.closedSections)) {
+    return;
+  }
+  if (app::isOutdated(document)) {
+    notice(widgets, NoticeKind::info, "Made with other settings. Compress again to see these.");
+  }
+  errorRows(context);
+  sizeRows(context);
+  for (const std::string& warning : document.result->compressed.warnings) {
+    notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
+  }
+  verticalSpace(widgets, 4.0F);
+  commandButton(context, {.command = command::fileExportClean,
+                          .icon = icon::save,
+                          .text = "Export",
+                          .emphasis = app::isOutdated(document) ? Emphasis::normal : Emphasis::primary,
+                          .width = ImGui::GetContentRegionAvail().x});
+}
+
+} // namespace
+
+void drawSequencePanel(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  panelTitle(widgets, icon::skeleton, "Skinned clip");
+  optionRows(context);
+  compressRow(context);
+  if (context.sequence->document.result != nullptr) {
+    resultSection(context);
+  }
+  const bool hasLine = !context.sequence->document.analysis->joints.empty();
+  if (hasLine && section(widgets, "sequence/elastic", "Elastic model", context.ui.closedSections)) {
+    elasticModelRows(context);
+  }
+}
+
+} // namespace stretch::ui

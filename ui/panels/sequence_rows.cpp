@@ -1,0 +1,187 @@
+#include "ui/panels/sequence_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+std::optional<double> positiveNumber(const std::string& text) {
+  std::istringstream stream(text);
+  double value = 0.0;
+  std::string rest;
+  const bool read = static_cast<bool>(stream >> value) && !(stream >> rest);
+  return read && std::isfinite(value) && value > 0.0 ? std::optional(value) : std::nullopt;
+}
+
+/// A number that may be left to the program: the text, its meaning when it is right.
+bool numberField(PanelContext& context, const std::string& id, const char* label, const std::string& hint,
+                 const Help& help, std::string& text) {
+  const WidgetContext widgets = widgetsOf(context);
+  labelledRow(widgets, label, help);
+  return textField(widgets, id, hint, text);
+}
+
+void complain(PanelContext& context, const std::string& text, bool right, const char* wanted) {
+  if (!text.empty() && !right) {
+    notice(widgetsOf(context), NoticeKind::error, wanted);
+  }
+}
+
+/// What the program chose where nothing is typed, once it is known.
+std::string chosen(const PanelContext& context, double skinning::BodyStretch::*value, const char* unit,
+                   const char* before) {
+  const auto& result = context.sequence->document.result;
+  return result != nullptr && result->compressed.model && (*result->compressed.model).*value > 0.0
+             ? fmt::format("{}: {:.4g} {}", before, (*result->compressed.model).*value, unit)
+             : before;
+}
+
+void optionalRow(PanelContext& context, const std::string& id, const char* label, const std::string& hint,
+                 const Help& help, std::string& text, std::optional<double>& value) {
+  if (numberField(context, id, label, hint, help, text)) {
+    value = positiveNumber(text);
+  }
+  complain(context, text, value.has_value(), "A number above 0, as 3770 or 5.8e-10.");
+}
+
+void scaleRow(PanelContext& context) {
+  std::string& text = context.ui.sequencePanel.metresPerUnit;
+  double& metres = context.sequence->document.settings.body.metresPerUnit;
+  if (numberField(context, "sequence/scale", "Scale", "1 metre a unit",
+                  {"Metres a unit", "How long a unit of the mesh is.", {}}, text)) {
+    metres = positiveNumber(text).value_or(1.0);
+  }
+  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, as 2.03e-6.");
+}
+
+void gravityRow(PanelContext& context) {
+  std::string& text = context.ui.sequencePanel.gravity;
+  Vec3& gravity = context.sequence->document.settings.body.gravity;
+  if (numberField(context, "sequence/gravity", "Gravity", "0, -9.81, 0 m/s\xC2\xB2",
+                  {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}}, text)) {
+    gravity = parseThree(text).value_or(skinning::BodyStretchSettings{}.gravity);
+  }
+  complain(context, text, parseThree(text).has_value(), "Three numbers, as 0, -9.81, 0.");
+}
+
+void segmentSlider(PanelContext& context, const std::string& id, const char* prefix, double most,
+                   std::size_t& value) {
+  SliderSpec spec{.id = id,
+                  .maximum = std::max(1.0, most),
+                  .step = 1.0,
+                  .decimals = 0,
+                  .prefix = prefix,
+                  .showsFill = false,
+                  .width = context.theme.px(64.0F)};
+  spec.help = {"Segment", "Counted from 0 at the body's first end. Both ends belong to the range.", {}};
+  auto number = static_cast<double>(value);
+  if (slider(widgetsOf(context), spec, number).changed) {
+    value = static_cast<std::size_t>(std::llround(number));
+  }
+  ImGui::SameLine(0.0F, context.theme.px(4.0F));
+}
+
+/// One range of segments; true when it is to go.
+bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli::Range& range) {
+  const std::string id = fmt::format("sequence/moduli/{}", index);
+  const double most = static_cast<double>(context.sequence->document.settings.bones - 1);
+  segmentSlider(context, id + "/from", "", most, range.first);
+  segmentSlider(context, id + "/to", "\xE2\x80\x93 ", most, range.last);
+  range.last = std::max(range.first, range.last);
+  SliderSpec spec{.id = id + "/young",
+                  .minimum = 0.01,
+                  .maximum = 10000.0,
+                  .step = 0.01,
+                  .suffix = " Pa",
+                  .hardMinimum = 1e-6,
+                  .hardMaximum = 1e15,
+                  .showsFill = false,
+                  .width = ImGui::GetContentRegionAvail().x - context.theme.px(34.0F)};
+  spec.help = {"Young's modulus", "Of these segments. Double click to type.", {}};
+  slider(widgetsOf(context), spec, range.youngModulus);
+  ImGui::SameLine(0.0F, context.theme.px(4.0F));
+  ButtonSpec remove{.id = id + "/remove",
+                    .icon = icon::close,
+                    .emphasis = Emphasis::quiet,
+                    .width = context.theme.px(30.0F),
+                    .fallback = "x"};
+  remove.help = {"Remove", "These segments are then as stiff as the rest.", {}};
+  return button(widgetsOf(context), remove);
+}
+
+void addRange(PanelContext& context) {
+  const app::SequenceDocument& document = context.sequence->document;
+  skinning::SegmentModuli::Range range;
+  range.last = static_cast<std::size_t>(std::max(0, std::min(4, document.settings.bones - 1)));
+  const bool known = document.result != nullptr && document.result->compressed.model &&
+                     document.result->compressed.model->youngModulus > 0.0;
+  range.youngModulus = known ? 10.0 * document.result->compressed.model->youngModulus : 1000.0;
+  context.sequence->document.settings.body.moduli.ranges.push_back(range);
+}
+
+void moduliRows(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  std::vector<skinning::SegmentModuli::Range>& ranges =
+      context.sequence->document.settings.body.moduli.ranges;
+  note(widgets,
+       ranges.empty() ? "Segments: all are as stiff as the body." : "Segments with a modulus of their own");
+  std::optional<std::size_t> removed;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    removed = rangeRow(context, i, ranges[i]) ? std::optional(i) : removed;
+  }
+  if (removed) {
+    ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(*removed));
+  }
+  const float width = columnWidth(3);
+  ButtonSpec add{.id = "sequence/moduli/add", .icon = icon::plus, .text = "Add", .width = width};
+  add.help = {"Stiffer or softer segments", "Names a range of segments with a modulus of its own.", {}};
+  if (button(widgets, add)) {
+    addRange(context);
+  }
+  ImGui::SameLine();
+  commandButton(context, {.command = command::moduliLoad, .text = "Load", .width = width});
+  ImGui::SameLine();
+  commandButton(context, {.command = command::moduliSave, .text = "Save", .width = width});
+}
+
+} // namespace
+
+std::optional<Vec3> parseThree(const std::string& text) {
+  std::string spaced = text;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::istringstream stream(spaced);
+  Vec3 value(0.0);
+  std::string rest;
+  const bool read = static_cast<bool>(stream >> value.x >> value.y >> value.z) && !(stream >> rest);
+  const bool finite = std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+  return read && finite ? std::optional(value) : std::nullopt;
+}
+
+void elasticModelRows(PanelContext& context) {
+  SequencePanelState& typed = context.ui.sequencePanel;
+  skinning::BodyStretchSettings& body = context.sequence->document.settings.body;
+  optionalRow(context, "sequence/young", "Young",
+              chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
+              {"Young's modulus", "Pa. Left empty, the one that explains the frames best.", {}}, typed.young,
+              body.youngModulus);
+  optionalRow(
+      context, "sequence/mass", "Mass", chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
+      {"Mass of the body", "kg. Left empty, that of water in the body's volume.", {}}, typed.mass, body.mass);
+  scaleRow(context);
+  gravityRow(context);
+  moduliRows(context);
+}
+
+} // namespace stretch::ui

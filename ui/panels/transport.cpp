@@ -1,0 +1,141 @@
+#include "ui/panels/transport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/commands/frames.h"
+#include "ui/panels/clip_chooser.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/panels/timeline_model.h"
+#include "ui/widgets/dropdown.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+void jumps(PanelContext& context) {
+  const bool hasKeys = context.sequence == nullptr;
+  iconButton(context, command::timeStart, icon::toStart, "|<");
+  if (hasKeys) {
+    iconButton(context, command::timePreviousKey, icon::previousKey, "<k");
+  }
+  iconButton(context, command::timeBack, icon::stepBack, "<");
+  commandButton(context, {.command = command::timePlay,
+                          .icon = context.ui.timeline.playing ? icon::pause : icon::play,
+                          .text = " ",
+                          .width = context.theme.px(40.0F),
+                          .fallback = context.ui.timeline.playing ? "||" : ">"});
+  ImGui::SameLine(0.0F, context.theme.px(2.0F));
+  iconButton(context, command::timeForward, icon::stepForward, ">");
+  if (hasKeys) {
+    iconButton(context, command::timeNextKey, icon::nextKey, "k>");
+  }
+  iconButton(context, command::timeEnd, icon::toEnd, ">|");
+}
+
+void loopSwitch(PanelContext& context) {
+  ButtonSpec loop{.id = "timeline/loop",
+                  .icon = icon::loop,
+                  .emphasis = Emphasis::quiet,
+                  .on = context.ui.timeline.loop,
+                  .width = context.theme.px(30.0F),
+                  .fallback = "L"};
+  loop.help = {"Loop", "Plays from the start again at the end.", {}};
+  if (button(widgetsOf(context), loop)) {
+    context.ui.timeline.loop = !context.ui.timeline.loop;
+  }
+  ImGui::SameLine(0.0F, context.theme.unit());
+}
+
+void frameField(PanelContext& context, const ShownTime& time) {
+  SliderSpec spec{.id = "timeline/frame",
+                  .maximum = std::max(1.0, time.last),
+                  .step = 1.0,
+                  .decimals = 0,
+                  .showsFill = false,
+                  .width = context.theme.px(56.0F)};
+  spec.help = {"Frame", "Drag, or double click to type the frame to go to.", {}};
+  double frame = *time.frame;
+  if (slider(widgetsOf(context), spec, frame).changed) {
+    *time.frame = frame;
+  }
+  ImGui::SameLine(0.0F, context.theme.unit());
+}
+
+void speedChooser(PanelContext& context) {
+  constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
+  TimelineState& time = context.ui.timeline;
+  std::vector<Choice> choices;
+  int selected = 3;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    choices.push_back({"\xC3\x97" + shortNumber(speeds[i])});
+    selected = std::abs(speeds[i] - time.speed) < 1e-9 ? static_cast<int>(i) : selected;
+  }
+  const int chosen = dropdown(widgetsOf(context), "timeline/speed", choices, selected,
+                              {"Playback speed", "Of real time.", {}}, context.theme.px(72.0F));
+  time.speed = chosen >= 0 ? speeds[static_cast<std::size_t>(chosen)] : time.speed;
+  ImGui::SameLine(0.0F, context.theme.unit());
+}
+
+std::string rangeText(const PanelContext& context) {
+  if (context.sequence != nullptr) {
+    const MeshSequence& mesh = *context.sequence->document.mesh;
+    const std::size_t frame = app::shownFrame(*context.sequence);
+    return frame < mesh.frameNames.size() ? mesh.frameNames[frame] : std::string();
+  }
+  const Span range = shownRange(*context.session);
+  return "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" + shortNumber(range.end, 1);
+}
+
+Help rangeHelp(const PanelContext& context) {
+  if (context.sequence != nullptr) {
+    return {
+        "Frame, time and rate", "Mesh sequences carry no rate of their own unless their file says one.", {}};
+  }
+  return {"Working range, time and rate",
+          "New trails take the working range. Set it with the keys or by dragging its ends in the ruler.",
+          keyOf(context, command::rangeStart) + "  " + keyOf(context, command::rangeEnd)};
+}
+
+void timeText(PanelContext& context, const ShownTime& time) {
+  const WidgetContext widgets = widgetsOf(context);
+  const std::string text = rangeText(context) + "   " + shortNumber(*time.frame / time.framesPerSecond) +
+                           " s   " + shortNumber(time.framesPerSecond) + " fps";
+  const float width = ImGui::GetContentRegionAvail().x;
+  const Control place =
+      takePlace(widgets, "timeline/text", {std::max(1.0F, width), context.theme.rowHeight()}, false);
+  drawText(widgets, context.theme.fonts.label, place.box, context.theme.colours.quietText, text, 1.0F);
+  tooltip(widgets, rangeHelp(context));
+}
+
+} // namespace
+
+ShownTime shownTime(PanelContext& context) {
+  if (context.sequence != nullptr) {
+    return {&context.sequence->view.frame, app::lastFrame(*context.sequence),
+            context.sequence->document.mesh->framesPerSecond};
+  }
+  app::Session& session = *context.session;
+  const app::Document& document = session.document();
+  const int clip = session.view().clip;
+  return {&session.view().frame, app::lastFrame(document, clip), app::clipOf(document, clip).framesPerSecond};
+}
+
+void drawTransport(PanelContext& context) {
+  const ShownTime time = shownTime(context);
+  jumps(context);
+  loopSwitch(context);
+  frameField(context, time);
+  speedChooser(context);
+  if (context.session != nullptr && context.session->document().clips->size() > 1) {
+    clipChooser(context, "timeline/clip", context.theme.px(150.0F));
+    ImGui::SameLine(0.0F, context.theme.unit());
+  }
+  timeText(context, time);
+}
+
+} // namespace stretch::ui

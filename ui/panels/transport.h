@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "ui/panels/panel_context.h"
+
+namespace stretch::ui {
+
+/// Time as play controls show it, of whatever is open.
+struct ShownTime {
+  double* frame = nullptr; ///< The playhead, to be moved.
+  double last = 0.0;       ///< Frame.
+  double framesPerSecond = 30.0;
+};
+
+/// The open clip's or sequence's; a viewed clip or a sequence must be there.
+[[nodiscard]] ShownTime shownTime(PanelContext& context);
+
+/// Play controls in a row: jumps, play, loop, frame, speed, clip, and a line of text about range and time.
+void drawTransport(PanelContext& context);
+
+} // namespace stretch::ui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/shell/viewport_pane.h"
+
+namespace stretch::ui {
+
+// The viewport while a mesh sequence is open.
+
+/// Moves the camera so that all frames are seen.
+void frameSequence(Shell& shell);
+
+/// The frame at the playhead, the result over it, bones and legend, in `picture` (window units).
+void drawSequenceScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture);
+
+} // namespace stretch::ui
