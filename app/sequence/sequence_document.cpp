@@ -32,7 +32,7 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
     analysis.problem = skeleton.error().what;
     return;
   }
-  const skinning::JointTracker tracker(*skeleton);
+  const skinning::JointTracker tracker(*skeleton, mesh.frame(0));
   for (std::size_t frame = 0; frame < mesh.frameCount(); ++frame) {
     analysis.joints.push_back(tracker.joints(mesh.frame(frame)));
     const std::vector<Vec3>& joints = analysis.joints.back();

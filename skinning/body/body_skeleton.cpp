@@ -314,30 +314,35 @@ Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vert
   return skeleton;
 }
 
-JointTracker::JointTracker(const BodySkeleton& skeleton) : parts_(skeleton.joints.size()) {
+JointTracker::JointTracker(const BodySkeleton& skeleton, const glm::vec3* positions)
+    : parts_(skeleton.joints.size()) {
   const double spacing =
       (skeleton.stations.back() - skeleton.stations.front()) / static_cast<double>(skeleton.segmentCount());
   for (std::size_t j = 0; j < parts_.size(); ++j) {
     double reach = 0.6 * spacing;
-    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
     for (int widened = 0; widened < 8 && parts_[j].size() < 8; ++widened, reach *= 1.5) {
       parts_[j].clear();
-      moments.setZero();
       for (std::uint32_t v = 0; v < skeleton.along.size(); ++v) {
-        const double offset = (skeleton.along[v] - skeleton.stations[j]) / spacing;
-        const double kernel = 1.0 - std::abs(offset) * spacing / reach;
+        const double kernel = 1.0 - std::abs(skeleton.along[v] - skeleton.stations[j]) / reach;
         if (kernel > 0.0) {
           parts_[j].push_back({v, kernel});
-          moments += kernel * Eigen::Vector2d(1.0, offset) * Eigen::RowVector2d(1.0, offset);
         }
       }
     }
-    // A straight line through the cross-sections, read at the joint: at the tips, where all vertices lie on
-    // one side, a plain mean would pull the joint inwards.
-    moments(1, 1) += 1e-6 * moments(0, 0);
-    const Eigen::Vector2d line = moments.inverse() * Eigen::Vector2d(1.0, 0.0);
+    // Moving least squares: the mean is made exact for every affine map of the bind pose, so that a joint
+    // begins on the curve however unevenly vertices lie around it, at the tips with all of them on one side.
+    Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+    const auto offsetOf = [&](const Part& part) {
+      const Vec3 away = (Vec3(positions[part.vertex]) - skeleton.joints[j]) / spacing;
+      return Eigen::Vector4d(1.0, away.x, away.y, away.z);
+    };
+    for (const Part& part : parts_[j]) {
+      moments += part.weight * offsetOf(part) * offsetOf(part).transpose();
+    }
+    moments.diagonal().tail<3>().array() += 1e-9 * moments.trace();
+    const Eigen::Vector4d affine = moments.ldlt().solve(Eigen::Vector4d::UnitX());
     for (Part& part : parts_[j]) {
-      part.weight *= line(0) + line(1) * (skeleton.along[part.vertex] - skeleton.stations[j]) / spacing;
+      part.weight *= affine.dot(offsetOf(part));
     }
   }
 }

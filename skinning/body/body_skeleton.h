@@ -34,7 +34,8 @@ struct BodySkeleton {
 /// cross-section, the same material in every frame, so nothing drifts along or around the body.
 class JointTracker {
 public:
-  explicit JointTracker(const BodySkeleton& skeleton);
+  /// `positions` are those that the skeleton was made of; in them the joints are the skeleton's.
+  JointTracker(const BodySkeleton& skeleton, const glm::vec3* positions);
 
   [[nodiscard]] std::vector<Vec3> joints(const glm::vec3* positions) const;
 

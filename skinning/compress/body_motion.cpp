@@ -153,7 +153,7 @@ Result<BodyMotion> analyseBody(const MeshSequence& sequence, int segmentCount) {
   body.widths = meanByGroup(sequence.frame(0), sequence.triangles, diameters->faces,
                             segmentsOfTriangles(body.skeleton, sequence.triangles), body.segmentCount());
   body.volumes = segmentVolumes(sequence, body.skeleton);
-  const JointTracker tracker(body.skeleton);
+  const JointTracker tracker(body.skeleton, sequence.frame(0));
   const auto members = membersOf(body.skeleton);
   body.joints.resize(sequence.frameCount());
   body.segments.resize(sequence.frameCount() * body.segmentCount());
