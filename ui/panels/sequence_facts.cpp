@@ -88,7 +88,7 @@ void lengthSection(PanelContext& context) {
   app::SequenceSession& session = *context.sequence;
   const skinning::LengthFunction fit = app::fittedLength(session.document);
   const ScatterPlotModel model = modelOf(context, fit);
-  if (const auto clicked = scatterPlot(widgets, "sequence/plot", model, context.theme.px(230.0F))) {
+  if (const auto clicked = scatterPlot(widgets, "sequence/plot", model, context.theme.px(196.0F))) {
     session.view.frame = static_cast<double>(*clicked);
   }
   fitRow(context, "sequence/fit-line", lineColour,

@@ -125,7 +125,7 @@ struct FileDialogState {
   std::filesystem::path listedFolder; ///< What `entries` lists.
   std::vector<FileEntry> entries;
   bool listsSequence = false; ///< The listed folder can be opened as a mesh sequence.
-  bool wasOpen = false; ///< In the frame before.
+  bool wasOpen = false;       ///< In the frame before.
 };
 
 struct PaletteState {

@@ -188,7 +188,7 @@ void frameSequence(Shell& shell) {
   Box box;
   box.add(analysis.low);
   box.add(analysis.high);
-  shell.viewport.camera = fitted(shell.viewport.camera, shell.viewport.view.viewport, box, 0.1);
+  shell.viewport.camera = fitted(shell.viewport.camera, shell.viewport.view.viewport, box, 0.06);
 }
 
 void drawSequenceScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture) {

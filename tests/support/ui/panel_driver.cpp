@@ -20,7 +20,8 @@ std::vector<ui::CommandInfo> allCommands(const app::Session* session) {
                      command.keys.empty() ? "" : command.keys.front(), enabled, false});
   }
   for (const char* id :
-       {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate, ui::command::pickChain}) {
+       {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate, ui::command::pickChain,
+        ui::command::sequenceCompress, ui::command::sequenceCancel, ui::command::fileExportClean}) {
     infos.push_back({id, id, "Of the editor.", "", true, false});
   }
   return infos;
@@ -96,7 +97,8 @@ void PanelDriver::frame() {
   ImGui::GetIO().KeyShift = shift;
   commands = allCommands(session ? &*session : nullptr);
   ImGui::NewFrame();
-  ui::PanelContext context{session ? &*session : nullptr, ui, theme, commands, requested, items};
+  ui::PanelContext context{session ? &*session : nullptr,  ui, theme, commands, requested, items,
+                           sequence ? &*sequence : nullptr};
   ui::beginPanels(context);
   drawPanes(context);
   ImGui::Render();

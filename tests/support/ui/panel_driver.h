@@ -43,6 +43,7 @@ public:
   void type(const std::string& text);
 
   std::optional<app::Session> session;
+  std::optional<app::SequenceSession> sequence; ///< Set it to have a mesh sequence open instead.
   ui::UiState ui;
   ui::Theme theme;
   ui::ItemRegistry items;

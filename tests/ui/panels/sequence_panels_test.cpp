@@ -1,0 +1,166 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/ui/panel_driver.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/sequence_rows.h"
+#include "ui/widgets/scatter_plot.h"
+
+using namespace stretch;
+using test::PanelDriver;
+
+namespace {
+
+/// The panels with a bending tube of 12 frames open.
+struct SequencePanels {
+  SequencePanels() : driver(std::nullopt) {
+    app::SequenceDocument document;
+    document.paths = {"tube"};
+    document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(12, 2.0, 0.06, 0.1));
+    document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
+    document.settings.bones = 8;
+    driver.sequence.emplace();
+    driver.sequence->document = std::move(document);
+    driver.frames(3);
+  }
+  void compress() {
+    auto made = app::makeCompression(*driver.sequence->document.mesh, settings());
+    REQUIRE(made);
+    driver.sequence->document.result = std::make_shared<const app::Compression>(std::move(made).value());
+    driver.frames(3);
+  }
+  [[nodiscard]] skinning::CompressSettings& settings() { return driver.sequence->document.settings; }
+
+  PanelDriver driver;
+};
+
+} // namespace
+
+TEST_CASE("A sequence has panels of its own in the places of the character's") {
+  SequencePanels panels;
+  CHECK(panels.driver.find("sequence/bones") != nullptr);
+  CHECK(panels.driver.find("sequence/plot") != nullptr);
+  CHECK(panels.driver.find("timeline") != nullptr);
+  CHECK(panels.driver.find("limb/left-arm") == nullptr);
+  CHECK(panels.driver.find("trail/scale") == nullptr);
+}
+
+TEST_CASE("Stretch, weights and length are chosen by click") {
+  SequencePanels panels;
+  panels.driver.click("sequence/stretch/Measured");
+  CHECK(panels.settings().stretch == skinning::StretchOption::measured);
+  panels.driver.click("sequence/stretch/None");
+  CHECK(panels.settings().stretch == skinning::StretchOption::none);
+  panels.driver.click("sequence/weights/Geodesic");
+  CHECK(panels.settings().weights == skinning::WeightOption::geodesic);
+  panels.driver.click("sequence/model/Monotone");
+  CHECK(panels.settings().body.lengthModel == skinning::LengthModel::monotone);
+  panels.driver.drag("sequence/bones", 60.0F, 0.0F);
+  CHECK(panels.settings().bones > 8);
+}
+
+TEST_CASE("Compress is asked for by its command; the result shows metrics and can be exported") {
+  SequencePanels panels;
+  CHECK(panels.driver.find(ui::command::fileExportClean) == nullptr);
+  panels.driver.click(ui::command::sequenceCompress);
+  CHECK(panels.driver.requested == std::vector<std::string>{ui::command::sequenceCompress});
+  panels.compress();
+  CHECK(panels.driver.find("sequence/quantise") != nullptr);
+  const bool before = panels.driver.sequence->document.quantise;
+  panels.driver.click("sequence/quantise");
+  CHECK(panels.driver.sequence->document.quantise != before);
+  panels.driver.click(ui::command::fileExportClean);
+  CHECK(panels.driver.requested.back() == ui::command::fileExportClean);
+}
+
+TEST_CASE("While a compression is made there is progress and a way to stop it") {
+  SequencePanels panels;
+  REQUIRE(app::startCompression(*panels.driver.sequence));
+  panels.driver.frames(2);
+  CHECK(panels.driver.find("sequence/progress") != nullptr);
+  CHECK(panels.driver.find(ui::command::sequenceCancel) != nullptr);
+  CHECK(panels.driver.find(ui::command::sequenceCompress) == nullptr);
+}
+
+TEST_CASE("Numbers of the elastic model are typed, and an empty field leaves them to the program") {
+  SequencePanels panels;
+  panels.driver.click("sequence/young");
+  panels.driver.type("3770");
+  panels.driver.frames(2);
+  CHECK(panels.settings().body.youngModulus == 3770.0);
+  panels.driver.click("sequence/gravity");
+  panels.driver.type("0 0 -9.8");
+  panels.driver.frames(2);
+  CHECK(panels.settings().body.gravity == Vec3(0.0, 0.0, -9.8));
+  panels.driver.click("sequence/mass");
+  panels.driver.type("heavy");
+  panels.driver.frames(2);
+  CHECK_FALSE(panels.settings().body.mass);
+}
+
+TEST_CASE("Segments get a modulus of their own, and lose it") {
+  SequencePanels panels;
+  panels.driver.click("sequence/moduli/add");
+  REQUIRE(panels.settings().body.moduli.ranges.size() == 1);
+  panels.driver.drag("sequence/moduli/0/to", 40.0F, 0.0F);
+  CHECK(panels.settings().body.moduli.ranges[0].last > 4);
+  CHECK(panels.settings().body.moduli.ranges[0].last < 8);
+  panels.driver.click("sequence/moduli/0/remove");
+  CHECK(panels.settings().body.moduli.ranges.empty());
+}
+
+TEST_CASE("What colours the surface is chosen over the viewport; the error needs a result") {
+  SequencePanels panels;
+  panels.driver.click("sequence/colours/Error");
+  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::plain);
+  panels.driver.click("sequence/colours/Thickness");
+  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::thickness);
+  panels.compress();
+  panels.driver.click("sequence/colours/Error");
+  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::error);
+}
+
+TEST_CASE("A click on a point of the plot goes to its frame") {
+  SequencePanels panels;
+  const ui::Item* plot = panels.driver.find("sequence/plot");
+  REQUIRE(plot != nullptr);
+  // The straight body, frame 0, is the longest and the least bent: the point at the top left.
+  panels.driver.sequence->view.frame = 7.0;
+  int found = 0;
+  for (float x = plot->min.x + 42.0F; x < plot->min.x + 80.0F && found == 0; x += 4.0F) {
+    for (float y = plot->min.y + 18.0F; y < plot->min.y + 60.0F && found == 0; y += 4.0F) {
+      ImGui::GetIO().MousePos = {x, y};
+      panels.driver.frame();
+      panels.driver.pressMouse();
+      panels.driver.releaseMouse();
+      found = panels.driver.sequence->view.frame == 0.0 ? 1 : 0;
+    }
+  }
+  CHECK(found == 1);
+}
+
+TEST_CASE("Dragging the start of the range leaves settling frames out of the fits") {
+  SequencePanels panels;
+  panels.driver.drag("timeline/range-start", 300.0F, 0.0F);
+  CHECK(panels.settings().body.firstFittedFrame > 0);
+  CHECK(panels.settings().body.firstFittedFrame < 12);
+}
+
+TEST_CASE("Three numbers are read with commas or without") {
+  CHECK(ui::parseThree("0, -9.81, 0") == Vec3(0.0, -9.81, 0.0));
+  CHECK(ui::parseThree("1 2 3") == Vec3(1.0, 2.0, 3.0));
+  CHECK_FALSE(ui::parseThree("1 2"));
+  CHECK_FALSE(ui::parseThree("1 2 3 4"));
+  CHECK_FALSE(ui::parseThree("a b c"));
+}
+
+TEST_CASE("A plot covers points and lines with a margin, and one point all the same") {
+  ui::ScatterPlotModel model;
+  model.points = {{Vec2(1.0, 10.0)}};
+  const ui::Span single = ui::plottedSpan(model, 0);
+  CHECK(single.start < 1.0);
+  CHECK(single.end > 1.0);
+  model.lines = {{0, {Vec2(0.0, 20.0), Vec2(4.0, 0.0)}}};
+  CHECK(ui::plottedSpan(model, 0).end > 4.0);
+  CHECK(ui::plottedSpan(model, 1).start < 0.0);
+}
