@@ -51,6 +51,14 @@ TrailSettings usable(TrailSettings settings, const Clip& clip) {
   return settings;
 }
 
+double lengthOf(const std::vector<Vec3>& polyline) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    length += glm::length(polyline[i] - polyline[i - 1]);
+  }
+  return length;
+}
+
 void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes) {
   std::vector<int> nodes = solved.limb.joints;
   nodes.push_back(solved.limb.endNode >= 0 ? solved.limb.endNode : solved.limb.joints.back());
@@ -71,7 +79,17 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
     points.push_back(solved.path.toSpace(sample, sample.end));
     times.push_back(time);
   }
+  // A path that only trembles has no length to go by.
+  constexpr double trembling = 1e-3; // of the limb's rest length
+  if (lengthOf(points) < trembling * solved.limb.restLength) {
+    points.assign(points.size(), points.front());
+  }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
+  // A planted foot stands still at the keys only: between them it slides about.
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    sampler.sample(0.5 * (times[i - 1] + times[i]), frame);
+    solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.biped->hips, frame));
+  }
 }
 
 void solveTipOf(SolvedTrail& solved) {
@@ -80,6 +98,9 @@ void solveTipOf(SolvedTrail& solved) {
   TipProblem problem;
   for (const LimbSample& sample : solved.path.samples) {
     problem.points.push_back(solved.path.toSpace(sample, sample.end));
+  }
+  for (const LimbSample& sample : solved.path.between) {
+    problem.between.push_back(solved.path.toSpace(sample, sample.end));
   }
   const double poseLength = glm::length(tipSample.end - tipSample.base);
   problem.basePosition = solved.path.toSpace(tipSample, tipSample.base);

@@ -12,10 +12,12 @@ namespace stretch::rig {
 
 /// What the tip is solved from: one path in the trail's space (spec/exaggeration.md, section 1).
 struct TipProblem {
-  std::vector<Vec3> points; ///< The original path in time order; at least one.
-  Vec3 basePosition{0.0};   ///< P0: the limb's base at the tip's time.
-  double limbLength = 0.0;  ///< L: the length that `scale` multiplies (pose or rest), > 0.
-  double scale = 1.0;       ///< S.
+  std::vector<Vec3> points;  ///< The original path in time order; at least one.
+  std::vector<Vec3> between; ///< Further points of it: they count for how far it gets from the pivot, no
+                             ///< more.
+  Vec3 basePosition{0.0};    ///< P0: the limb's base at the tip's time.
+  double limbLength = 0.0;   ///< L: the length that `scale` multiplies (pose or rest), > 0.
+  double scale = 1.0;        ///< S.
   std::array<bool, 3> axes{true, true, true};
   Pivot pivot = Pivot::start;
   bool pull = true;

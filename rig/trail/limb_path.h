@@ -51,6 +51,7 @@ struct LimbSample {
 struct LimbPath {
   std::vector<LimbSample> samples; ///< At every frame and every key time of the range; at least one.
   std::vector<double> ratios;      ///< r of each sample (section 2).
+  std::vector<LimbSample> between; ///< Halfway from each sample to the next: how far the path strays there.
   Mat3 axes{1.0};                  ///< Columns: the axes of the trail's space, in world space.
 
   [[nodiscard]] Vec3 toSpace(const LimbSample& sample, const Vec3& world) const;

@@ -127,6 +127,29 @@ TEST_CASE("a limb that does not move has nothing to scale") {
   CHECK(solution.tip == Vec3(1, 0, 0));
 }
 
+TEST_CASE("a planted foot has nothing to scale, whatever it trembles") {
+  TipProblem problem;
+  problem.points = {Vec3(0.0), Vec3(0.5e-4, 0.0, 0.0), Vec3(1e-4, 0.0, 0.0)};
+  problem.basePosition = Vec3(0.0, 1.0, 0.0);
+  problem.limbLength = 1.0;
+  problem.scale = 2.0;
+  CHECK(solveTip(problem).outcome == TipOutcome::nothingToScale);
+}
+
+TEST_CASE("a foot that stands still at its keys only is moved, not scaled by hundreds") {
+  TipProblem problem;
+  problem.points = {Vec3(0.0), Vec3(1e-3, 0.0, 0.0), Vec3(2e-3, 0.0, 0.0)};
+  problem.basePosition = Vec3(0.0, 1.0, 0.0);
+  problem.limbLength = 1.0;
+  problem.scale = 2.0;
+  CHECK(solveTip(problem).trailScale.value_or(0.0) > 500.0);
+  problem.between = {Vec3(0.0, 0.01, 0.0), Vec3(0.01, 0.0, 0.0)};
+  const TipSolution solution = solveTip(problem);
+  CHECK(solution.moved);
+  CHECK_FALSE(solution.trailScale);
+  CHECK(glm::length(solution.tip - problem.basePosition) == Approx(2.0));
+}
+
 TEST_CASE("the remap is monotone and stays between 0 and 1 for every ease") {
   for (const double in : {0.0, 0.2, 0.6, 0.95}) {
     for (const double out : {0.0, 0.3, 0.9}) {
