@@ -20,8 +20,9 @@ struct LineFit {
 
 [[nodiscard]] LineFit fitLine(const std::vector<CurvatureLength>& frames);
 
-/// Non-increasing curve through the frames (pool adjacent violators): least squares among all curves along
-/// which length never grows with curvature. Copes with a length that saturates.
+/// Non-increasing curve through the frames: knots are the means of blocks of frames (pool adjacent violators,
+/// least squares among all curves along which length never grows with curvature), joined by straight lines.
+/// Copes with a length that saturates.
 struct MonotoneFit {
   std::vector<double> curvatures; ///< Ascending, strictly.
   std::vector<double> lengths; ///< Descending; between the knots the curve is straight, beyond them constant.

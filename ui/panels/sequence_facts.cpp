@@ -24,11 +24,11 @@ void facts(PanelContext& context) {
   valueRow(widgets, "Vertices", std::to_string(mesh.vertexCount));
   valueRow(widgets, "Triangles", std::to_string(mesh.triangles.size()));
   for (const std::string& warning : mesh.warnings) {
-    notice(widgets, NoticeKind::warning, warning);
+    notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }
   if (!context.sequence->document.analysis->problem.empty()) {
     notice(widgets, NoticeKind::info,
-           context.sequence->document.analysis->problem +
+           capitalised(context.sequence->document.analysis->problem) +
                ": it can be measured with fitted weights, but has no elastic model.");
   }
 }

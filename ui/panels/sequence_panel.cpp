@@ -65,11 +65,13 @@ void optionRows(PanelContext& context) {
       {{"Geodesic", {"Geodesic", "By distance over the surface, from the first frame alone.", {}}, hasLine},
        {"Fitted", {"Fitted", "By least squares over the frames.", {}}}},
       settings.weights);
-  choiceRow(
-      context, "sequence/model", "Length",
-      {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
-       {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
-      settings.body.lengthModel);
+  if (hasLine) {
+    choiceRow(
+        context, "sequence/model", "Length",
+        {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
+         {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
+        settings.body.lengthModel);
+  }
   countRow(context,
            {.id = "sequence/skip",
             .maximum = std::max(1.0, app::lastFrame(*context.sequence)),

@@ -57,6 +57,9 @@ void drawGrid(const WidgetContext& context, const Plot& plot) {
   for (const double value : marks(plot.y, stepY)) {
     const float y = plot.y.toPixel(value);
     list->AddLine({plot.box.min.x, y}, {plot.box.max.x, y}, line);
+    if (y - half < plot.box.min.y) {
+      continue; // The label of the axis stands there.
+    }
     drawText(
         context, theme.fonts.label,
         {{plot.box.min.x - theme.px(valueColumn), y - half}, {plot.box.min.x - theme.px(5.0F), y + half}},
