@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -10,7 +11,10 @@
 #include "app/document.h"
 #include "app/evaluate.h"
 #include "app/recipe.h"
+#include "app/sequence/open_any.h"
 #include "app/trail_description.h"
+#include "skinning/sequence/read_sequence.h"
+#include "ui/batch/sequence_pictures.h"
 #include "ui/render/picture.h"
 #include "ui/render/png.h"
 
@@ -27,6 +31,7 @@ struct RenderArguments {
   std::string size = "1280x720";
   std::string view = "three-quarter";
   std::string trails;
+  std::string over;
   double framesPerSecond = 0.0;
   int ghosts = 0;
   bool sheet = false;
@@ -91,8 +96,8 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
   return frames;
 }
 
-Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app::Document& document,
-                                     int clip) {
+/// `lastFrame` of what is drawn; < 0: nothing moves.
+Result<std::vector<double>> framesOf(const RenderArguments& arguments, double lastFrame) {
   if (!arguments.frames.empty()) {
     return parseFrames(arguments.frames);
   }
@@ -101,15 +106,14 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, const app
     return frame ? Result<std::vector<double>>(std::vector<double>{*frame})
                  : Result<std::vector<double>>(frame.error());
   }
-  if (!arguments.sheet || clip < 0) {
+  if (!arguments.sheet || lastFrame < 0.0) {
     return std::vector<double>{0.0};
   }
   // A sheet without frames shows the whole clip in twelve pictures.
-  const double last = app::clipOf(document, clip).endSeconds * app::clipOf(document, clip).framesPerSecond;
   constexpr int pictures = 12;
   std::vector<double> frames;
   for (int i = 0; i < pictures; ++i) {
-    frames.push_back(std::round(last * i / (pictures - 1)));
+    frames.push_back(std::round(lastFrame * i / (pictures - 1)));
   }
   return frames;
 }
@@ -215,12 +219,57 @@ Status draw(const RenderArguments& arguments, const Scene& scene, const std::vec
   });
 }
 
-Status runRender(const RenderArguments& arguments) {
-  Result<app::Document> document = app::openDocument(arguments.input);
+Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   const Result<PixelSize> size = parseSize(arguments.size);
   const Result<ViewDirection> view = parseView(arguments.view);
-  if (!document || !size || !view) {
-    return !document ? document.error() : !size ? size.error() : view.error();
+  if (!size || !view) {
+    return size ? view.error() : size.error();
+  }
+  PictureOptions options;
+  options.widthPixels = size->width;
+  options.heightPixels = size->height;
+  options.view = *view;
+  options.skeleton = arguments.skeleton;
+  return options;
+}
+
+Status renderSequence(const RenderArguments& arguments) {
+  if (!arguments.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 || arguments.skeleton) {
+    return Error{"a mesh sequence has no clips, trails, ghosts or skeleton", "render",
+                 "leave --clip, --trails, --ghosts and --skeleton out"};
+  }
+  Result<PictureOptions> options = optionsOf(arguments);
+  const Result<MeshSequence> sequence = skinning::readSequence({arguments.input.file});
+  if (!options || !sequence) {
+    return options ? sequence.error() : options.error();
+  }
+  std::optional<MeshSequence> over;
+  if (!arguments.over.empty()) {
+    Result<MeshSequence> read = skinning::readAnimatedGltf(arguments.over);
+    if (!read) {
+      return read.error();
+    }
+    over = std::move(read).value();
+  }
+  const Result<std::vector<double>> frames =
+      framesOf(arguments, static_cast<double>(sequence->frameCount() - 1));
+  if (!frames) {
+    return frames.error();
+  }
+  const Result<SequencePictures> pictures =
+      picturesOfSequence(*sequence, over ? &*over : nullptr, *frames, *options);
+  if (!pictures) {
+    return pictures.error();
+  }
+  options->camera = pictures->camera;
+  return draw(arguments, pictures->scene, *frames, pictures->pictures, *options);
+}
+
+Status renderCharacter(const RenderArguments& arguments) {
+  Result<app::Document> document = app::openDocument(arguments.input);
+  const Result<PictureOptions> options = optionsOf(arguments);
+  if (!document || !options) {
+    return document ? options.error() : document.error();
   }
   if (arguments.framesPerSecond > 0.0) {
     app::setFramesPerSecond(*document, arguments.framesPerSecond);
@@ -236,24 +285,34 @@ Status runRender(const RenderArguments& arguments) {
   if (const Status trails = takeTrails(arguments, *document, clip); !trails) {
     return trails;
   }
-  const Result<std::vector<double>> frames = framesOf(arguments, *document, clip);
+  const double lastFrame =
+      clip < 0 ? -1.0
+               : app::clipOf(*document, clip).endSeconds * app::clipOf(*document, clip).framesPerSecond;
+  const Result<std::vector<double>> frames = framesOf(arguments, lastFrame);
   if (!frames) {
     return frames.error();
   }
-  PictureOptions options;
-  options.widthPixels = size->width;
-  options.heightPixels = size->height;
-  options.view = *view;
-  options.skeleton = arguments.skeleton;
   const rig::MotionState motion = app::prepareMotion(*document, clip);
   return draw(arguments, *document->scene, *frames, picturesOf(*document, motion, *frames, arguments),
-              options);
+              *options);
+}
+
+Status runRender(const RenderArguments& arguments) {
+  if (app::namesSequence({arguments.input.file})) {
+    return renderSequence(arguments);
+  }
+  if (!arguments.over.empty()) {
+    return Error{"--over lies over a mesh sequence", arguments.input.file,
+                 "give a folder of frames or a .pc2 cache to draw it over"};
+  }
+  return renderCharacter(arguments);
 }
 
 } // namespace
 
 app::Verb renderVerb() {
-  return {"render", "Draws a file without a display: a frame, a numbered series, a contact sheet.",
+  return {"render",
+          "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
           [](CLI::App& program) {
             const auto arguments = std::make_shared<RenderArguments>();
             app::addFileArguments(program, arguments->input);
@@ -275,6 +334,8 @@ app::Verb renderVerb() {
             program.add_option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
             program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
                 ->check(CLI::Range(0, 20));
+            program.add_option("--over", arguments->over,
+                               "A clip that was compressed from a mesh sequence, drawn over it");
             program.add_flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
             return [arguments] { return runRender(*arguments); };
           }};

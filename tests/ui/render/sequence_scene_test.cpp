@@ -1,6 +1,10 @@
 #include <catch2/catch.hpp>
 
+#include <glm/geometric.hpp>
+
+#include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/shapes.h"
+#include "ui/batch/sequence_pictures.h"
 #include "ui/render/picture.h"
 #include "ui/render/sequence_scene.h"
 #include "ui/render/value_colors.h"
@@ -71,6 +75,29 @@ TEST_CASE("a frame becomes a scene: one node a mesh, smooth normals, colours as 
   for (std::size_t v = 0; v < ball.positions.size(); ++v) {
     CHECK(glm::dot(primitive.normals[v], ball.positions[v]) > 0.99F);
   }
+}
+
+TEST_CASE("pictures of a sequence show the frames that were asked for, one scene for all") {
+  const MeshSequence tube = test::shorteningTube(6, 2.0, 0.0, 0.0);
+  const auto pictures = picturesOfSequence(tube, &tube, {0.0, 5.0}, {});
+  REQUIRE(pictures);
+  REQUIRE(pictures->pictures.size() == 2);
+  REQUIRE(pictures->scene.meshes.size() == 2);
+  const Primitive& primitive = pictures->scene.meshes[1].primitives[0];
+  REQUIRE(primitive.morphTargets.size() == 2);
+  const std::vector<float>& weights = pictures->pictures[1].frame.pose.weights[1];
+  CHECK(weights == std::vector<float>{0.0F, 1.0F});
+  const std::size_t vertex = tube.vertexCount / 2;
+  CHECK(glm::distance(primitive.positions[vertex] + primitive.morphTargets[1].positions[vertex],
+                      tube.frame(5)[vertex]) < 1e-5F);
+}
+
+TEST_CASE("frames that are not there and clips of other meshes are refused") {
+  const MeshSequence tube = test::shorteningTube(6, 2.0, 0.0, 0.0);
+  const MeshSequence shorter = test::shorteningTube(5, 2.0, 0.0, 0.0);
+  CHECK_FALSE(picturesOfSequence(tube, nullptr, {6.0}, {}));
+  CHECK_FALSE(picturesOfSequence(tube, nullptr, {-1.0}, {}));
+  CHECK_FALSE(picturesOfSequence(tube, &shorter, {0.0}, {}));
 }
 
 TEST_CASE("Picture: the wrong half of a body is red, the right one grey") {

@@ -1,0 +1,107 @@
+#include "ui/batch/sequence_pictures.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "ui/render/sequence_scene.h"
+#include "ui/render/value_colors.h"
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr ImU32 clay = IM_COL32(0xB9, 0xB4, 0xAC, 255);
+
+glm::vec4 toLinear(ImU32 colour) {
+  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
+  return linearLight({value.x, value.y, value.z, value.w});
+}
+
+PlainMesh meshOf(const MeshSequence& sequence, std::size_t frame, ImU32 colour) {
+  return {{sequence.frame(frame), sequence.vertexCount}, sequence.triangles, {toLinear(colour)}};
+}
+
+/// Makes the frames morph targets of the primitive, which is the first frame.
+void addTargets(const MeshSequence& sequence, const std::vector<std::size_t>& frames, Primitive& primitive) {
+  for (const std::size_t frame : frames) {
+    const PlainMesh mesh = meshOf(sequence, frame, clay);
+    const Primitive posed = sceneOfMeshes(std::span(&mesh, 1)).meshes[0].primitives[0];
+    MorphTarget target;
+    for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
+      target.positions.push_back(posed.positions[v] - primitive.positions[v]);
+      target.normals.push_back(posed.normals[v] - primitive.normals[v]);
+    }
+    primitive.morphTargets.push_back(std::move(target));
+  }
+}
+
+Result<std::vector<std::size_t>> wholeFrames(const MeshSequence& sequence,
+                                             const std::vector<double>& frames) {
+  std::vector<std::size_t> whole;
+  for (const double frame : frames) {
+    if (!(frame >= 0.0) || std::round(frame) >= static_cast<double>(sequence.frameCount())) {
+      return Error{fmt::format("there is no frame {:g}", frame), sequence.name,
+                   fmt::format("give frames from 0 to {}", sequence.frameCount() - 1)};
+    }
+    whole.push_back(static_cast<std::size_t>(std::round(frame)));
+  }
+  return whole;
+}
+
+Camera cameraOf(const MeshSequence& sequence, const std::vector<std::size_t>& frames,
+                const PictureOptions& options) {
+  Box box;
+  for (const std::size_t frame : frames) {
+    for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
+      box.add(Vec3(sequence.frame(frame)[v]));
+    }
+  }
+  // A body that lies along z is looked at from its side.
+  const double yaw = box.size().z > box.size().x ? 0.5 * pi : 0.0;
+  const Viewport viewport{static_cast<double>(options.widthPixels), static_cast<double>(options.heightPixels),
+                          1.0};
+  return fitted(lookFrom(Camera{}, options.view, yaw), viewport, box, 0.06);
+}
+
+} // namespace
+
+Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence, const MeshSequence* over,
+                                            const std::vector<double>& frames,
+                                            const PictureOptions& options) {
+  const Result<std::vector<std::size_t>> whole = wholeFrames(sequence, frames);
+  if (!whole) {
+    return whole.error();
+  }
+  if (over != nullptr &&
+      (over->vertexCount != sequence.vertexCount || over->frameCount() != sequence.frameCount())) {
+    return Error{fmt::format("{} vertices and {} frames over {} and {}", over->vertexCount,
+                             over->frameCount(), sequence.vertexCount, sequence.frameCount()),
+                 over->name, "give what was compressed from this sequence"};
+  }
+  SequencePictures result;
+  std::vector<PlainMesh> meshes{meshOf(sequence, 0, over != nullptr ? originalMeshColour : clay)};
+  if (over != nullptr) {
+    meshes.push_back(meshOf(*over, 0, skinnedMeshColour));
+  }
+  result.scene = sceneOfMeshes(meshes);
+  addTargets(sequence, *whole, result.scene.meshes[0].primitives[0]);
+  if (over != nullptr) {
+    addTargets(*over, *whole, result.scene.meshes[1].primitives[0]);
+  }
+  for (std::size_t i = 0; i < whole->size(); ++i) {
+    PictureFrame picture;
+    picture.frame = restOf(result.scene);
+    for (std::vector<float>& weights : picture.frame.pose.weights) {
+      weights.assign(whole->size(), 0.0F);
+      weights[i] = 1.0F;
+    }
+    picture.label = whole->size() > 1 ? fmt::format("frame {}", whole.value()[i]) : std::string();
+    result.pictures.push_back(std::move(picture));
+  }
+  result.camera = cameraOf(sequence, *whole, options);
+  return result;
+}
+
+} // namespace stretch::ui
