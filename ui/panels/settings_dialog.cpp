@@ -30,7 +30,7 @@ void scaleRow(PanelContext& context) {
   std::vector<Choice> choices;
   int selected = -1;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::string percent = shortNumber(static_cast<double>(sizes[i]) * 100.0, 0) + " %";
+    const std::string percent = shortNumber(static_cast<double>(sizes[i]) * 100.0, 0) + "%";
     choices.push_back({percent, {"Size " + percent, "On top of the screen's own scale.", {}}});
     selected = std::abs(sizes[i] - ui.scale) < 0.01F ? static_cast<int>(i) : selected;
   }

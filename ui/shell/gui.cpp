@@ -21,7 +21,7 @@ Result<Gui> Gui::create(Window& window) {
   installCallbacks(window.handle(), window.input());
   Gui gui;
   gui.alive_ = true;
-  if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+  if (!ImGui_ImplOpenGL3_Init("#version 330 core") || !ImGui_ImplOpenGL3_CreateDeviceObjects()) {
     return Error{"OpenGL 3.3 is not there", "display", "update the graphics driver"};
   }
   return gui;
@@ -40,8 +40,10 @@ Gui::~Gui() {
 Theme Gui::setTheme(ThemeKind kind, float scale) {
   const Theme theme = makeTheme(kind, scale);
   applyStyle(theme);
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();
-  ImGui_ImplOpenGL3_CreateDeviceObjects();
+  // The texture alone: the backend of Dear ImGui 1.86 does not forget the sizes of its vertex buffers when it
+  // destroys them, and draws nothing from then on.
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
   return theme;
 }
 

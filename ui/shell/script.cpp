@@ -75,6 +75,16 @@ Image readWindow(const WindowSize& size) {
   return image;
 }
 
+bool isBlank(const Image& image) {
+  const auto& rgba = image.rgba;
+  for (std::size_t i = 4; i < rgba.size(); ++i) {
+    if (rgba[i] != rgba[i % 4]) {
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 Result<Script> Script::read(const std::filesystem::path& path) {
@@ -307,9 +317,10 @@ void Script::afterFrame(Shell& shell, const WindowSize& size) {
   }
   const Step check = *std::exchange(check_, std::nullopt);
   if (check.verb == "picture") {
-    const Status written = writePng(joined(check.words, 0), readWindow(size));
-    if (!written) {
-      fail(written.error().line());
+    const Image image = readWindow(size);
+    const Status written = writePng(joined(check.words, 0), image);
+    if (!written || isBlank(image)) {
+      fail(written ? "the window shows nothing" : written.error().line());
     }
     return;
   }

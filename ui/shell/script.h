@@ -26,7 +26,7 @@ namespace stretch::ui {
 ///   wait FRAMES
 ///   until NAME VALUE            waits (at most half a minute) until a state is so
 ///   expect NAME VALUE           fails unless the state is so; numbers agree within a thousandth
-///   picture FILE.png            what the window shows
+///   picture FILE.png            what the window shows; fails when that is one colour
 ///   touch FILE                  as another program would change it
 ///   quit                        ends the program without questions
 ///   abandon                     ends it as a crash would: nothing is closed

@@ -161,6 +161,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"dialog", yesNo(shell.ui.fileDialog.open)},
       {"palette", yesNo(shell.ui.palette.open)},
       {"keys", yesNo(shell.ui.keys.open)},
+      {"settings", yesNo(shell.ui.settingsOpen)},
       {"asks-unsaved", yesNo(shell.ui.unsavedOpen)},
       {"asks-overwrite", yesNo(!shell.files.changedSavePath.empty())},
       {"offers-restore", yesNo(!shell.ui.restoreOffer.empty())},
