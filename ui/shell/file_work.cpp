@@ -73,6 +73,8 @@ void takeRestored(Shell& shell, app::Document document) {
 
 void takeSequence(Shell& shell, app::SequenceDocument document) {
   shell.files.path = app::pathOf(document);
+  shell.files.stampedPath.clear(); // Nothing is saved over a sequence: changes by others do not matter.
+  shell.files.stamp.reset();
   rememberRecent(shell.ui, shell.files.path);
   showSequence(shell, std::move(document));
 }
