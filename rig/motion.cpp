@@ -128,7 +128,12 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
     solved.warnings.push_back(
         fmt::format("not reachable: the limb gets to {:.4g} of {:.4g}", tip.reachedLength, tip.wantedLength));
   }
-  if (tip.moved) {
+  const std::size_t tipIndex =
+      solved.settings.pivot == Pivot::start ? solved.path.samples.size() - 1 : std::size_t{0};
+  if (tip.moved && at(tip.farthestSample) == tipIndex) {
+    solved.warnings.emplace_back(
+        "the limb's end strays between the frames from where it is on them: its path is moved as a whole");
+  } else if (tip.moved) {
     const double frame = solved.path.samples[at(tip.farthestSample)].timeSeconds * framesPerSecond;
     solved.warnings.push_back(
         fmt::format("the path comes back on itself and is moved as a whole; a range that ends at frame "

@@ -166,6 +166,18 @@ std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, doub
   return times;
 }
 
+// How far a node, and the mesh that follows it, is from where it should be.
+double nodeMiss(const Mat4& world, const Mat4& wanted, double reach) {
+  const Mat4 difference = world - wanted;
+  double turned = 0.0;
+  for (int column = 0; column < 3; ++column) {
+    const Vec3 axis(difference[column]);
+    turned += glm::dot(axis, axis);
+  }
+  // Of a turn by a small angle the squares of the three axes' ways add up to twice the angle's.
+  return glm::length(Vec3(difference[3])) + reach * std::sqrt(0.5 * turned);
+}
+
 // How far the joints are from the exact motion where the channels run along these spans.
 double jointMiss(ExactMotion& exact, const TrailKeys& keys, const std::vector<ChannelSpan>& spans,
                  double time) {
@@ -178,7 +190,7 @@ double jointMiss(ExactMotion& exact, const TrailKeys& keys, const std::vector<Ch
   const std::vector<Mat4> worlds = worldMatrices(exact.scene(), pose);
   double miss = 0.0;
   for (std::size_t node = 0; node < worlds.size(); ++node) {
-    miss = std::max(miss, glm::length(positionOf(worlds[node]) - positionOf(wanted.worlds[node])));
+    miss = std::max(miss, nodeMiss(worlds[node], wanted.worlds[node], exact.reachOf(node)));
   }
   return miss;
 }

@@ -9,8 +9,8 @@
 namespace stretch::rig {
 
 struct RekeyOptions {
-  /// How far any joint may be from the exact motion at every frame and half frame, world units (1e-4 of the
-  /// height).
+  /// How far any joint, and the mesh that turns with it, may be from the exact motion at every frame and half
+  /// frame, world units (1e-4 of the height).
   double tolerance = 1e-4;
   bool keyEveryFrame = false;
 };

@@ -45,7 +45,8 @@ void styleRow(PanelContext& context) {
 
 void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
   const auto sample = static_cast<std::size_t>(std::max(0, solved.tip.farthestSample));
-  if (sample >= solved.path.samples.size()) {
+  const std::size_t tip = solved.settings.pivot == rig::Pivot::start ? solved.path.samples.size() - 1 : 0;
+  if (sample >= solved.path.samples.size() || sample == tip) {
     return;
   }
   const double rate = app::clipOf(context.session->document(), solved.trail.clip).framesPerSecond;
