@@ -117,6 +117,13 @@ void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology
   }
 }
 
+// The joint and what rides on its bone, stretched; the nodes on the path are up to date then.
+void stretchBone(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Mat3& stretch) {
+  moveByStretch(writer, bone, stretch);
+  moveNestedTwists(writer, scene, bone, stretch);
+  writer.addStretch(bone.joint, stretch);
+}
+
 struct KeptTransform {
   int node = -1;
   Mat4 world{1.0};
@@ -152,9 +159,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
     if (glm::length(offset) > 0.0) {
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
-      moveByStretch(writer, bone, stretch);
-      moveNestedTwists(writer, scene, bone, stretch);
-      writer.addStretch(bone.joint, stretch);
+      stretchBone(writer, scene, bone, stretch);
     }
     for (const int node : bone.pathNodes) {
       writer.refresh(node);
@@ -176,6 +181,33 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   if (!topology.endIsDescendant) {
     writer.refreshSubtree(limb.endNode);
   }
+}
+
+void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
+                 const std::vector<Mat3>& stretches, FrameState& frame) {
+  PoseWriter writer(scene, frame);
+  const Vec3 end = endPosition(limb, frame);
+  for (std::size_t i = 0; i < topology.bones.size(); ++i) {
+    const BoneTopology& bone = topology.bones[i];
+    writer.refresh(bone.joint);
+    stretchBone(writer, scene, bone, stretches[i]);
+    for (const int node : bone.pathNodes) {
+      writer.refresh(node);
+    }
+  }
+  if (!topology.endIsDescendant) {
+    const int last = limb.joints.back();
+    const Vec3 offset = transformPoint(inverseOf(writer.worldBefore(last)), end);
+    writer.setWorldPosition(limb.endNode, transformPoint(frame.worlds[at(last)], stretches.back() * offset));
+    writer.refreshSubtree(limb.endNode);
+  }
+  writer.refreshSubtree(limb.joints.front());
+}
+
+void moveNode(const Scene& scene, int node, const Vec3& positionWorld, FrameState& frame) {
+  PoseWriter writer(scene, frame);
+  writer.setWorldPosition(node, positionWorld);
+  writer.refreshSubtree(node);
 }
 
 } // namespace stretch::rig

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
 #include "rig/ik/limb_shape.h"
@@ -22,5 +24,14 @@ struct DeformOptions {
 /// was solved for; its worlds are kept up to date.
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
                 const DeformOptions& options, FrameState& frame);
+
+/// Stretches the bones of a limb, one K each in its joint's space that has the bone as an axis, without
+/// turning anything: what hangs on a bone moves by K, the joints that deform with it get it, the end keeps
+/// its orientation.
+void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
+                 const std::vector<Mat3>& stretches, FrameState& frame);
+
+/// Brings a node, and what hangs on it, to a place in the world; its orientation stays.
+void moveNode(const Scene& scene, int node, const Vec3& positionWorld, FrameState& frame);
 
 } // namespace stretch::rig

@@ -253,6 +253,21 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   return solved;
 }
 
+bool isLeg(const Limb& limb) {
+  return limb.kind == LimbKind::leftLeg || limb.kind == LimbKind::rightLeg;
+}
+
+const Limb* limbOf(const MotionInput& input, const std::string& id) {
+  const auto found =
+      std::find_if(input.limbs.begin(), input.limbs.end(), [&](const Limb& limb) { return limb.id == id; });
+  return found != input.limbs.end() && !found->joints.empty() ? &*found : nullptr;
+}
+
+bool fits(const LimbFlesh& flesh, const Limb& limb) {
+  return std::all_of(flesh.samples.begin(), flesh.samples.end(),
+                     [&](const FleshSample& sample) { return sample.strains.size() == limb.joints.size(); });
+}
+
 } // namespace
 
 MotionState solveMotion(const MotionInput& input) {
@@ -264,9 +279,7 @@ MotionState solveMotion(const MotionInput& input) {
   motion.hips = input.biped->hips;
   motion.loops = input.loops;
   for (const Trail& trail : input.trails) {
-    const auto limb = std::find_if(input.limbs.begin(), input.limbs.end(),
-                                   [&](const Limb& l) { return l.id == trail.limb; });
-    if (limb != input.limbs.end() && !limb->joints.empty()) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
       motion.trails.push_back(solveTrail(input, trail, *limb));
     }
   }
@@ -276,6 +289,32 @@ MotionState solveMotion(const MotionInput& input) {
                             std::pair(solveOrder(b.limb.kind), b.startSeconds);
                    });
   return motion;
+}
+
+void setFlesh(const MotionInput& input, std::vector<LimbFlesh> flesh, MotionState& motion) {
+  std::erase_if(flesh, [&](const LimbFlesh& one) {
+    const Limb* const limb = limbOf(input, one.limb);
+    return limb == nullptr || !fits(one, *limb);
+  });
+  const auto has = [&](const std::string& id) {
+    return std::any_of(flesh.begin(), flesh.end(), [&](const LimbFlesh& one) { return one.limb == id; });
+  };
+  const bool anyLeg = std::any_of(flesh.begin(), flesh.end(),
+                                  [&](const LimbFlesh& one) { return isLeg(*limbOf(input, one.limb)); });
+  for (const Limb& limb : input.limbs) {
+    if (anyLeg && isLeg(limb) && !limb.joints.empty() && !has(limb.id)) {
+      flesh.push_back({limb.id, {}, 0.0, 0.0, 0.0, 0.0});
+    }
+  }
+  const std::vector<Mat4> bindWorlds = bindPoseWorlds(*input.scene);
+  motion.flesh.clear();
+  for (LimbFlesh& one : flesh) {
+    const Limb& limb = *limbOf(input, one.limb);
+    motion.flesh.push_back({std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, bindWorlds)});
+  }
+  std::stable_sort(motion.flesh.begin(), motion.flesh.end(), [](const SolvedFlesh& a, const SolvedFlesh& b) {
+    return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
+  });
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

@@ -10,6 +10,7 @@
 #include "rig/bend_normal.h"
 #include "rig/biped/detection.h"
 #include "rig/limb.h"
+#include "rig/limb_flesh.h"
 #include "rig/limb_topology.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
@@ -50,6 +51,7 @@ struct MotionState {
   bool loops = false;
   int hips = -1; ///< What the space "root" is measured from.
   std::vector<SolvedTrail> trails;
+  std::vector<SolvedFlesh> flesh; ///< From the root outwards, on top of the trails (setFlesh).
 };
 
 struct MotionInput {
@@ -66,7 +68,12 @@ struct MotionInput {
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// The character at one time with every active trail applied.
+/// Lets limbs give way on top of the trails. A leg that has no flesh of its own keeps its foot where it is
+/// when the other one moves the hips. Flesh of limbs that are missing, or that has not one strain a bone, is
+/// left out.
+void setFlesh(const MotionInput& input, std::vector<LimbFlesh> flesh, MotionState& motion);
+
+/// The character at one time with every active trail and all flesh applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 

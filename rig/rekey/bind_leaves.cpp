@@ -39,9 +39,21 @@ Leaf newLeaf(const Scene& scene, const StretchKeys& stretch) {
   return leaf;
 }
 
-bool sameAxis(const Quat& a, const Quat& b) {
+// Across the axis all directions are scaled alike: turning A about it changes nothing.
+bool hasOneAxis(const StretchKeys& stretch) {
+  constexpr double negligible = 1e-6;
+  return std::all_of(stretch.scales.begin(), stretch.scales.end(),
+                     [](const Vec3& scale) { return std::abs(scale.y - scale.z) < negligible; });
+}
+
+// Whether the stretch can be told in these axes as well as in its own fixed ones.
+bool fitsAxes(const StretchKeys& stretch, const Quat& axes) {
   constexpr double negligibleRadians = 1e-6;
-  return angleBetween(a * Vec3(1, 0, 0), b * Vec3(1, 0, 0)) < negligibleRadians;
+  const auto sameDirection = [&](const Vec3& v) {
+    return angleBetween(stretch.axes.front() * v, axes * v) < negligibleRadians;
+  };
+  return stretch.axisIsFixed() && sameDirection(Vec3(1, 0, 0)) &&
+         (hasOneAxis(stretch) || sameDirection(Vec3(0, 1, 0)));
 }
 
 std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>& clips) {
@@ -49,8 +61,7 @@ std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>&
   for (const ClipStretches& clip : clips) {
     for (const StretchKeys& stretch : clip.stretches) {
       Leaf& leaf = leaves.try_emplace(stretch.node, newLeaf(scene, stretch)).first->second;
-      leaf.axisIsFixed =
-          leaf.axisIsFixed && stretch.axisIsFixed() && sameAxis(leaf.axis, stretch.axes.front());
+      leaf.axisIsFixed = leaf.axisIsFixed && fitsAxes(stretch, leaf.axis);
     }
   }
   std::vector<Leaf> ordered;

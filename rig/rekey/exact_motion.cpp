@@ -1,10 +1,6 @@
 #include "rig/rekey/exact_motion.h"
 
-#include <array>
-#include <cmath>
-
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "core/base/check.h"
 
@@ -51,38 +47,6 @@ void setChannelValue(Pose& pose, int node, Channel channel, const Vec4& value) {
   } else {
     local.rotation = glm::normalize(Quat(value.w, value.x, value.y, value.z));
   }
-}
-
-StretchParts partsOf(const Mat3& stretch) {
-  // K has the eigenvalues s, q, q: trace = s + 2 q, trace of K K = s^2 + 2 q^2, determinant = s q^2.
-  const double trace = stretch[0][0] + stretch[1][1] + stretch[2][2];
-  const Mat3 squared = stretch * stretch;
-  const double traceOfSquare = squared[0][0] + squared[1][1] + squared[2][2];
-  const double root = std::sqrt(std::max(0.0, 6.0 * traceOfSquare - 2.0 * trace * trace));
-  const double determinant = glm::determinant(stretch);
-  StretchParts best;
-  double leastMiss = -1.0;
-  for (const double sign : {-1.0, 1.0}) {
-    const double across = (2.0 * trace + sign * root) / 6.0;
-    const double along = trace - 2.0 * across;
-    const double miss = std::abs(along * across * across - determinant);
-    if (leastMiss < 0.0 || miss < leastMiss) {
-      leastMiss = miss;
-      best.along = along;
-      best.across = across;
-    }
-  }
-  // K - q I = (s - q) a a^T: any of its columns points along the axis, the longest does so best.
-  const Mat3 rankOne = stretch - Mat3(best.across);
-  Vec3 longest(0.0);
-  for (std::size_t column = 0; column < 3; ++column) {
-    if (glm::length(rankOne[column]) > glm::length(longest)) {
-      longest = rankOne[column];
-    }
-  }
-  constexpr double noAxis = 1e-9;
-  best.axis = std::abs(best.along - best.across) > noAxis ? glm::normalize(longest) : Vec3(0.0);
-  return best;
 }
 
 } // namespace stretch::rig

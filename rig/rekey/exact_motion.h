@@ -37,12 +37,4 @@ private:
 [[nodiscard]] Vec4 channelValue(const Pose& pose, int node, Channel channel);
 void setChannelValue(Pose& pose, int node, Channel channel, const Vec4& value);
 
-/// Axis and factors of a stretch matrix K = A diag(along, across, across) A^T.
-struct StretchParts {
-  Vec3 axis{0.0}; ///< Unit; zero where along and across are equal and K has no axis.
-  double along = 1.0;
-  double across = 1.0;
-};
-[[nodiscard]] StretchParts partsOf(const Mat3& stretch);
-
 } // namespace stretch::rig

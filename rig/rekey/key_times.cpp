@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/rekey/span_fit.h"
+#include "rig/rekey/stretch_build.h"
 
 namespace stretch::rig {
 
@@ -18,59 +19,6 @@ std::size_t at(int index) {
 const Track* trackOf(const Clip& clip, int node, Channel channel) {
   const int index = findTrack(clip, node, channel);
   return index < 0 ? nullptr : &*clip.tracks[at(index)];
-}
-
-Window windowOf(const MotionState& motion, double start, double end) {
-  const double first = std::min(0.0, motion.startSeconds);
-  Window window{asKeyTime(std::max(start, first)), asKeyTime(std::min(end, motion.endSeconds)), false, false};
-  window.endSeconds = std::max(window.endSeconds, window.startSeconds);
-  return window;
-}
-
-void mergeOverlaps(std::vector<Window>& windows) {
-  std::sort(windows.begin(), windows.end(),
-            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
-  std::vector<Window> merged;
-  for (const Window& window : windows) {
-    if (!merged.empty() && window.startSeconds <= merged.back().endSeconds) {
-      merged.back().endSeconds = std::max(merged.back().endSeconds, window.endSeconds);
-      merged.back().jumpsAfter = window.jumpsAfter;
-    } else {
-      merged.push_back(window);
-    }
-  }
-  windows = std::move(merged);
-}
-
-void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector<Window>& windows) {
-  const double turn = motion.endSeconds - motion.startSeconds;
-  if (motion.loops && trail.windowEndSeconds > motion.endSeconds) {
-    windows.push_back(windowOf(motion, motion.startSeconds, trail.windowEndSeconds - turn));
-  }
-  if (motion.loops && trail.windowStartSeconds < std::min(0.0, motion.startSeconds)) {
-    windows.push_back(windowOf(motion, trail.windowStartSeconds + turn, motion.endSeconds));
-  }
-}
-
-std::vector<Window> windowsOf(const MotionState& motion, const SolvedTrail& trail) {
-  Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
-  const bool noRelease = !(trail.release.seconds() > 0.0);
-  const bool forwards = trail.settings.pivot == Pivot::start;
-  own.jumpsAfter = noRelease && forwards && own.endSeconds < motion.endSeconds - sameKey;
-  own.jumpsBefore = noRelease && !forwards && own.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
-  std::vector<Window> windows{own};
-  addWrapped(motion, trail, windows);
-  if (trail.settings.stayInWorld) {
-    // Such a limb works against whatever carries it, wherever that moves.
-    for (const SolvedTrail& inner : motion.trails) {
-      if (&inner == &trail) {
-        break;
-      }
-      windows.push_back(windowOf(motion, inner.windowStartSeconds, inner.windowEndSeconds));
-    }
-  }
-  mergeOverlaps(windows);
-  return windows;
 }
 
 std::vector<double> allTimes(ExactMotion& exact, const std::vector<Window>& windows) {
@@ -116,9 +64,9 @@ bool isCubicSource(const ChangedChannel& channel) {
   return channel.source != nullptr && channel.source->interpolation == Interpolation::cubicSpline;
 }
 
-void findChanges(ExactMotion& exact, TrailKeys& keys) {
-  const std::vector<double> times = allTimes(exact, keys.windows);
-  for (const int node : touchedNodes(keys.trail->limb, keys.trail->topology)) {
+void findChanges(ExactMotion& exact, PartKeys& keys) {
+  const std::vector<double> times = allTimes(exact, keys.part->windows);
+  for (const int node : keys.part->nodes) {
     for (const Channel channel : {Channel::translation, Channel::rotation, Channel::scale}) {
       if (isChanged(exact, times, node, channel)) {
         keys.channels.push_back({node, channel, trackOf(exact.clip(), node, channel), false});
@@ -135,7 +83,7 @@ void findChanges(ExactMotion& exact, TrailKeys& keys) {
 }
 
 // Key times of the source win over times of ours that are almost the same.
-std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, double framesPerSecond,
+std::vector<double> firstTimes(const Window& window, const PartKeys& keys, double framesPerSecond,
                                bool everyFrame) {
   std::vector<double> times{window.startSeconds, window.endSeconds};
   for (const ChangedChannel& channel : keys.channels) {
@@ -151,7 +99,7 @@ std::vector<double> firstTimes(const Window& window, const TrailKeys& keys, doub
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  std::vector<double> wanted{asKeyTime(keys.trail->startSeconds), asKeyTime(keys.trail->endSeconds)};
+  std::vector<double> wanted = keys.part->keySeconds;
   for (double frame = std::ceil(window.startSeconds * framesPerSecond);
        everyFrame && frame / framesPerSecond < window.endSeconds; frame += 1.0) {
     wanted.push_back(asKeyTime(frame / framesPerSecond));
@@ -179,7 +127,7 @@ double nodeMiss(const Mat4& world, const Mat4& wanted, double reach) {
 }
 
 // How far the joints are from the exact motion where the channels run along these spans.
-double jointMiss(ExactMotion& exact, const TrailKeys& keys, const std::vector<ChannelSpan>& spans,
+double jointMiss(ExactMotion& exact, const PartKeys& keys, const std::vector<ChannelSpan>& spans,
                  double time) {
   const FrameState& wanted = exact.at(time);
   Pose pose = wanted.pose;
@@ -195,26 +143,38 @@ double jointMiss(ExactMotion& exact, const TrailKeys& keys, const std::vector<Ch
   return miss;
 }
 
-Mat3 stretchAt(ExactMotion& exact, int node, double time) {
-  const FrameState& frame = exact.at(time);
-  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
-}
-
-// How far the end of a bone is moved where its stretch runs straight between two keys.
-double stretchMiss(ExactMotion& exact, const TrailKeys& keys, double start, double end, double time) {
-  const Limb& limb = keys.trail->limb;
-  const double boneLength = limb.restLength / static_cast<double>(limb.joints.size());
-  const double t = (time - start) / (end - start);
-  double miss = 0.0;
-  for (const int node : keys.stretchedNodes) {
-    const Mat3 straight = stretchAt(exact, node, start) * (1.0 - t) + stretchAt(exact, node, end) * t;
-    const Mat3 difference = straight - stretchAt(exact, node, time);
-    for (std::size_t column = 0; column < 3; ++column) {
-      miss = std::max(miss, glm::length(difference[column]) * boneLength);
+// How far the end of a bone is moved where its stretch runs between two keys as a player plays them.
+class StretchSpan {
+public:
+  StretchSpan(ExactMotion& exact, const PartKeys& keys, const FramesOfNodes& frames, double start, double end)
+      : exact_(exact), keys_(keys), start_(start), end_(end) {
+    for (const int node : keys.stretchedNodes) {
+      const StretchFrames& ofNode = frames.at(node);
+      ends_.emplace_back(ofNode.at(exact, start), ofNode.at(exact, end));
     }
   }
-  return miss;
-}
+
+  [[nodiscard]] double missAt(double time) const {
+    const FrameState& frame = exact_.at(time);
+    double miss = 0.0;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const Mat3 wanted = frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(keys_.stretchedNodes[i])];
+      const Mat3 difference =
+          between(ends_[i].first, ends_[i].second, (time - start_) / (end_ - start_)) - wanted;
+      for (int column = 0; column < 3; ++column) {
+        miss = std::max(miss, glm::length(difference[column]) * keys_.part->boneLength);
+      }
+    }
+    return miss;
+  }
+
+private:
+  ExactMotion& exact_;
+  const PartKeys& keys_;
+  double start_ = 0.0;
+  double end_ = 0.0;
+  std::vector<std::pair<StretchFrame, StretchFrame>> ends_;
+};
 
 // The whole frame beside a half frame that is missed by more, if the span has one inside: animators key whole
 // frames, and readers guess the frame rate from the keys.
@@ -269,10 +229,32 @@ std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double
 
 } // namespace
 
-TrailKeys chooseKeys(ExactMotion& exact, const SolvedTrail& trail, const RekeyOptions& options) {
-  TrailKeys keys;
-  keys.trail = &trail;
-  keys.windows = windowsOf(exact.motion(), trail);
+FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts) {
+  std::map<int, std::vector<double>> timesOfNodes;
+  for (const KeyedPart& part : parts) {
+    const std::vector<double> times = allTimes(exact, part.windows);
+    for (const int node : part.nodes) {
+      std::vector<double>& ofNode = timesOfNodes[node];
+      ofNode.insert(ofNode.end(), times.begin(), times.end());
+      const std::vector<double> brought = sourceStretchTimes(exact, node);
+      ofNode.insert(ofNode.end(), brought.begin(), brought.end());
+    }
+  }
+  FramesOfNodes frames;
+  for (auto& [node, times] : timesOfNodes) {
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (isStretched(exact, times, node)) {
+      frames.emplace(node, StretchFrames(exact, node, times));
+    }
+  }
+  return frames;
+}
+
+PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNodes& frames,
+                    const RekeyOptions& options) {
+  PartKeys keys;
+  keys.part = &part;
   findChanges(exact, keys);
   const auto missOfJoints = [&](double start, double end) {
     std::vector<ChannelSpan> spans;
@@ -284,10 +266,10 @@ TrailKeys chooseKeys(ExactMotion& exact, const SolvedTrail& trail, const RekeyOp
     };
   };
   const auto missOfStretch = [&](double start, double end) {
-    return [&exact, &keys, start, end](double time) { return stretchMiss(exact, keys, start, end, time); };
+    return [span = StretchSpan(exact, keys, frames, start, end)](double time) { return span.missAt(time); };
   };
   const double framesPerSecond = exact.motion().framesPerSecond;
-  for (const Window& window : keys.windows) {
+  for (const Window& window : part.windows) {
     const std::vector<double> first = firstTimes(window, keys, framesPerSecond, options.keyEveryFrame);
     keys.times.push_back(refined(missOfJoints, framesPerSecond, options.tolerance, first));
     keys.stretchTimes.push_back(refined(missOfStretch, framesPerSecond, options.tolerance, first));

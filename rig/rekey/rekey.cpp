@@ -1,6 +1,7 @@
 #include "rig/rekey/rekey.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rig/rekey/exact_motion.h"
 #include "rig/rekey/key_times.h"
@@ -11,51 +12,77 @@ namespace stretch::rig {
 
 namespace {
 
-struct Piece {
-  Window window;
-  std::vector<double> times;
-};
-
-// Windows of two trails that change the same property and overlap become one, with the keys of both.
-void mergePieces(std::vector<Piece>& pieces) {
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& a, const Piece& b) { return a.window.startSeconds < b.window.startSeconds; });
-  std::vector<Piece> merged;
-  for (Piece& piece : pieces) {
-    if (merged.empty() || piece.window.startSeconds > merged.back().window.endSeconds) {
-      merged.push_back(std::move(piece));
-      continue;
-    }
-    Piece& into = merged.back();
-    if (piece.window.endSeconds >= into.window.endSeconds) {
-      into.window.endSeconds = piece.window.endSeconds;
-      into.window.jumpsAfter = piece.window.jumpsAfter;
-    }
-    into.times.insert(into.times.end(), piece.times.begin(), piece.times.end());
-    std::sort(into.times.begin(), into.times.end());
-    into.times.erase(std::unique(into.times.begin(), into.times.end()), into.times.end());
-  }
-  pieces = std::move(merged);
+// Right beside a border where the motion jumps, but far enough to be on the other side of it.
+double beyond(double borderSeconds, double direction) {
+  constexpr double aside = 4e-7;
+  return asKeyTime(borderSeconds + direction * aside * std::max(1.0, std::abs(borderSeconds)));
 }
 
-ChannelKeys keysOfChannel(const ChangedChannel& channel, const std::vector<TrailKeys>& trails) {
-  std::vector<Piece> pieces;
-  for (const TrailKeys& trail : trails) {
-    const bool changes =
-        std::any_of(trail.channels.begin(), trail.channels.end(), [&](const ChangedChannel& other) {
-          return other.node == channel.node && other.channel == channel.channel;
-        });
-    for (std::size_t i = 0; changes && i < trail.windows.size(); ++i) {
-      pieces.push_back({trail.windows[i], trail.times[i]});
+// A jump at a border that comes to lie inside a larger window keeps its two keys.
+void keepInnerJumps(const Window& part, const Window& whole, std::vector<double>& times) {
+  if (part.jumpsBefore && part.startSeconds > whole.startSeconds) {
+    times.push_back(beyond(part.startSeconds, -1.0));
+  }
+  if (part.jumpsAfter && part.endSeconds < whole.endSeconds) {
+    times.push_back(beyond(part.endSeconds, 1.0));
+  }
+}
+
+void addInto(KeyWindow& into, const KeyWindow& piece) {
+  const Window before = into.window;
+  if (piece.window.endSeconds >= into.window.endSeconds) {
+    into.window.endSeconds = piece.window.endSeconds;
+    into.window.jumpsAfter = piece.window.jumpsAfter;
+  }
+  into.times.insert(into.times.end(), piece.times.begin(), piece.times.end());
+  keepInnerJumps(before, into.window, into.times);
+  keepInnerJumps(piece.window, into.window, into.times);
+  std::sort(into.times.begin(), into.times.end());
+  into.times.erase(std::unique(into.times.begin(), into.times.end()), into.times.end());
+}
+
+// Windows of two parts that change the same and overlap become one, with the keys of both.
+std::vector<KeyWindow> merged(std::vector<KeyWindow> pieces) {
+  std::sort(pieces.begin(), pieces.end(), [](const KeyWindow& a, const KeyWindow& b) {
+    return a.window.startSeconds < b.window.startSeconds;
+  });
+  std::vector<KeyWindow> windows;
+  for (KeyWindow& piece : pieces) {
+    if (windows.empty() || piece.window.startSeconds > windows.back().window.endSeconds) {
+      windows.push_back(std::move(piece));
+    } else {
+      addInto(windows.back(), piece);
     }
   }
-  mergePieces(pieces);
-  ChannelKeys keys{channel, {}, {}};
-  for (Piece& piece : pieces) {
-    keys.windows.push_back(piece.window);
-    keys.times.push_back(std::move(piece.times));
+  return windows;
+}
+
+bool changes(const PartKeys& keys, const ChangedChannel& channel) {
+  return std::any_of(keys.channels.begin(), keys.channels.end(), [&](const ChangedChannel& other) {
+    return other.node == channel.node && other.channel == channel.channel;
+  });
+}
+
+ChannelKeys keysOfChannel(const ChangedChannel& channel, const std::vector<PartKeys>& parts) {
+  std::vector<KeyWindow> pieces;
+  for (const PartKeys& keys : parts) {
+    for (std::size_t i = 0; changes(keys, channel) && i < keys.times.size(); ++i) {
+      pieces.push_back({keys.part->windows[i], keys.times[i]});
+    }
   }
-  return keys;
+  return {channel, merged(std::move(pieces))};
+}
+
+std::vector<KeyWindow> windowsOfStretch(int node, const std::vector<PartKeys>& parts) {
+  std::vector<KeyWindow> pieces;
+  for (const PartKeys& keys : parts) {
+    const bool stretches =
+        std::find(keys.stretchedNodes.begin(), keys.stretchedNodes.end(), node) != keys.stretchedNodes.end();
+    for (std::size_t i = 0; stretches && i < keys.stretchTimes.size(); ++i) {
+      pieces.push_back({keys.part->windows[i], keys.stretchTimes[i]});
+    }
+  }
+  return merged(std::move(pieces));
 }
 
 bool hasTrack(const std::vector<Track>& tracks, const ChangedChannel& channel) {
@@ -64,33 +91,29 @@ bool hasTrack(const std::vector<Track>& tracks, const ChangedChannel& channel) {
   });
 }
 
-bool hasStretch(const std::vector<StretchKeys>& stretches, int node) {
-  return std::any_of(stretches.begin(), stretches.end(),
-                     [&](const StretchKeys& keys) { return keys.node == node; });
-}
-
 } // namespace
 
 RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
                   const RekeyOptions& options) {
   ExactMotion exact(scene, clip, motion);
-  std::vector<TrailKeys> trails;
-  for (const SolvedTrail& trail : motion.trails) {
-    if (trail.active) {
-      trails.push_back(chooseKeys(exact, trail, options));
-    }
+  const std::vector<KeyedPart> parts = keyedParts(motion);
+  const FramesOfNodes frames = framesOfNodes(exact, parts);
+  std::vector<PartKeys> keysOfParts;
+  for (const KeyedPart& part : parts) {
+    keysOfParts.push_back(chooseKeys(exact, part, frames, options));
   }
   RekeyedClip rekeyed;
-  for (const TrailKeys& trail : trails) {
-    for (const ChangedChannel& channel : trail.channels) {
+  for (const PartKeys& keys : keysOfParts) {
+    for (const ChangedChannel& channel : keys.channels) {
       if (!hasTrack(rekeyed.tracks, channel)) {
-        rekeyed.tracks.push_back(buildTrack(exact, keysOfChannel(channel, trails)));
+        rekeyed.tracks.push_back(buildTrack(exact, keysOfChannel(channel, keysOfParts)));
       }
     }
-    for (const int node : trail.stretchedNodes) {
-      if (!hasStretch(rekeyed.stretches, node)) {
-        rekeyed.stretches.push_back(buildStretch(exact, trails, node));
-      }
+  }
+  for (const auto& [node, ofNode] : frames) {
+    const std::vector<KeyWindow> windows = windowsOfStretch(node, keysOfParts);
+    if (!windows.empty()) {
+      rekeyed.stretches.push_back(buildStretch(exact, ofNode, node, windows));
     }
   }
   return rekeyed;

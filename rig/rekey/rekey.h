@@ -15,30 +15,30 @@ struct RekeyOptions {
   bool keyEveryFrame = false;
 };
 
-/// The stretch of one joint over a clip, for its bind leaf: K(t) = A(t) diag(s, q, q) A(t)^T in the joint's
-/// space. Between keys linear; held before the first and after the last, where K is the identity unless the
-/// clip ends stretched.
+/// The stretch of one joint over a clip, for its bind leaf: K(t) = A(t) diag(scales) A(t)^T in the joint's
+/// space. Between keys scales run straight and axes turn evenly; held before the first and after the last,
+/// where K is the identity unless the clip begins or ends stretched.
 struct StretchKeys {
   int node = -1;
   std::vector<float> times; ///< Seconds, strictly increasing.
-  std::vector<Quat> axes;   ///< A: turns the x axis onto the stretch axis. One entry when the axis is fixed,
-                            ///< else one a key.
-  std::vector<Vec3> scales; ///< (s, q, q), one a key.
+  std::vector<Quat> axes; ///< A: turns the x axis onto the bone. One entry when the axes are fixed, else one
+                          ///< a key.
+  std::vector<Vec3> scales; ///< One a key; of a trail alone (s, q, q).
 
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }
 };
 
-/// A clip with its active trails keyed in.
+/// A clip with its active trails and its flesh keyed in.
 struct RekeyedClip {
   std::vector<Track> tracks; ///< The tracks that change, whole: keys outside range and release are the
                              ///< source's bit for bit.
   std::vector<StretchKeys> stretches;
 };
 
-/// Turns the active trails into keys (spec/exaggeration.md, section 7): every key time of the limb's channels
-/// in range and release, the tip, the ends, and as few between as the tolerance needs. LINEAR stays LINEAR,
-/// CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its steps kept outside as pairs
-/// of neighbouring keys.
+/// Turns the active trails and the flesh into keys (spec/exaggeration.md, section 7): every key time of the
+/// limb's channels in range and release, the tip, the ends, and as few between as the tolerance needs. LINEAR
+/// stays LINEAR, CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its steps kept
+/// outside as pairs of neighbouring keys.
 [[nodiscard]] RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
                                 const RekeyOptions& options);
 

@@ -2,12 +2,18 @@
 
 #include <vector>
 
-#include "rig/rekey/key_times.h"
+#include "rig/rekey/rekey.h"
+#include "rig/rekey/stretch_frames.h"
+#include "rig/rekey/track_build.h"
 
 namespace stretch::rig {
 
-/// The stretch of one joint as keys: over the windows of all trails that stretch it, and outside them at the
-/// keys of the stretch that the source has already.
-[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const std::vector<TrailKeys>& trails, int node);
+/// Key times of the stretch that the source has already at a node (Scene::bindChains); empty without one.
+[[nodiscard]] std::vector<double> sourceStretchTimes(const ExactMotion& exact, int node);
+
+/// The stretch of one joint as keys: at the times of its windows, and outside them at those of the stretch
+/// that the source has already.
+[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, int node,
+                                       const std::vector<KeyWindow>& windows);
 
 } // namespace stretch::rig

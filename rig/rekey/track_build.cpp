@@ -17,9 +17,9 @@ std::size_t widthOf(Channel channel) {
   return channel == Channel::rotation ? 4 : 3;
 }
 
-bool insideAny(const std::vector<Window>& windows, double time) {
-  return std::any_of(windows.begin(), windows.end(), [&](const Window& window) {
-    return time >= window.startSeconds - sameKey && time <= window.endSeconds + sameKey;
+bool insideAny(const std::vector<KeyWindow>& windows, double time) {
+  return std::any_of(windows.begin(), windows.end(), [&](const KeyWindow& keys) {
+    return time >= keys.window.startSeconds - sameKey && time <= keys.window.endSeconds + sameKey;
   });
 }
 
@@ -103,9 +103,9 @@ void joinOutside(const ChannelKeys& keys, std::size_t index, const Key& cut, int
     const auto next = static_cast<std::size_t>(after - source.times.begin());
     const bool windowFirst =
         index + 1 < keys.windows.size() &&
-        keys.windows[index + 1].startSeconds <= static_cast<double>(source.times[next]) + sameKey;
+        keys.windows[index + 1].window.startSeconds <= static_cast<double>(source.times[next]) + sameKey;
     curve.addJoints(cut,
-                    windowFirst ? curve.cutAt(static_cast<float>(keys.windows[index + 1].startSeconds))
+                    windowFirst ? curve.cutAt(static_cast<float>(keys.windows[index + 1].window.startSeconds))
                                 : keyOfSource(source, next),
                     out);
   }
@@ -130,7 +130,7 @@ Key borderCut(const Track& source, float time, int outside) {
 // One border of a window: the curve outside comes to it, in a key that both share or in one of its own where
 // the motion jumps or the source steps.
 void addBorder(const ChannelKeys& keys, std::size_t index, int outside, Key& border, std::vector<Key>& out) {
-  const Window& window = keys.windows[index];
+  const Window& window = keys.windows[index].window;
   if (keys.channel.source == nullptr) {
     return;
   }
@@ -155,8 +155,8 @@ void addRest(ExactMotion& exact, const ChangedChannel& channel, float time, std:
 }
 
 void addWindowKeys(ExactMotion& exact, const ChannelKeys& keys, std::size_t index, std::vector<Key>& out) {
-  const Window& window = keys.windows[index];
-  std::vector<Key> inside = exactKeys(exact, keys.channel, keys.times[index]);
+  const Window& window = keys.windows[index].window;
+  std::vector<Key> inside = exactKeys(exact, keys.channel, keys.windows[index].times);
   addBorder(keys, index, -1, inside.front(), out);
   addBorder(keys, index, 1, inside.back(), out);
   if (keys.channel.source == nullptr && window.jumpsBefore) {

@@ -6,11 +6,16 @@
 
 namespace stretch::rig {
 
-/// New keys of one property: those of the trails that change it, in time order.
+/// A window and the times of the keys in it, ascending, its ends included.
+struct KeyWindow {
+  Window window;
+  std::vector<double> times;
+};
+
+/// New keys of one property: those of the parts that change it.
 struct ChannelKeys {
   ChangedChannel channel;
-  std::vector<Window> windows;            ///< Disjoint, ascending.
-  std::vector<std::vector<double>> times; ///< One list a window, ascending, ends included.
+  std::vector<KeyWindow> windows; ///< Disjoint, ascending.
 };
 
 /// The whole track: keys of the source outside the windows bit for bit, the exact motion inside.

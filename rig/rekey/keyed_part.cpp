@@ -1,0 +1,116 @@
+#include "rig/rekey/keyed_part.h"
+
+#include <algorithm>
+
+namespace stretch::rig {
+
+namespace {
+
+Window windowOf(const MotionState& motion, double start, double end) {
+  const double first = std::min(0.0, motion.startSeconds);
+  Window window{asKeyTime(std::max(start, first)), asKeyTime(std::min(end, motion.endSeconds)), false, false};
+  window.endSeconds = std::max(window.endSeconds, window.startSeconds);
+  return window;
+}
+
+void mergeOverlaps(std::vector<Window>& windows) {
+  std::sort(windows.begin(), windows.end(),
+            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
+  std::vector<Window> merged;
+  for (const Window& window : windows) {
+    if (!merged.empty() && window.startSeconds <= merged.back().endSeconds) {
+      merged.back().endSeconds = std::max(merged.back().endSeconds, window.endSeconds);
+      merged.back().jumpsAfter = window.jumpsAfter;
+    } else {
+      merged.push_back(window);
+    }
+  }
+  windows = std::move(merged);
+}
+
+void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector<Window>& windows) {
+  const double turn = motion.endSeconds - motion.startSeconds;
+  if (motion.loops && trail.windowEndSeconds > motion.endSeconds) {
+    windows.push_back(windowOf(motion, motion.startSeconds, trail.windowEndSeconds - turn));
+  }
+  if (motion.loops && trail.windowStartSeconds < std::min(0.0, motion.startSeconds)) {
+    windows.push_back(windowOf(motion, trail.windowStartSeconds + turn, motion.endSeconds));
+  }
+}
+
+std::vector<Window> windowsOf(const MotionState& motion, const SolvedTrail& trail) {
+  Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
+  const bool noRelease = !(trail.release.seconds() > 0.0);
+  const bool forwards = trail.settings.pivot == Pivot::start;
+  own.jumpsAfter = noRelease && forwards && own.endSeconds < motion.endSeconds - sameKey;
+  own.jumpsBefore = noRelease && !forwards && own.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  std::vector<Window> windows{own};
+  addWrapped(motion, trail, windows);
+  if (trail.settings.stayInWorld) {
+    // Such a limb works against whatever carries it, wherever that moves.
+    for (const SolvedTrail& inner : motion.trails) {
+      if (&inner == &trail) {
+        break;
+      }
+      windows.push_back(windowOf(motion, inner.windowStartSeconds, inner.windowEndSeconds));
+    }
+  }
+  mergeOverlaps(windows);
+  return windows;
+}
+
+double boneLength(const Limb& limb) {
+  return limb.restLength / static_cast<double>(limb.joints.size());
+}
+
+KeyedPart partOf(const MotionState& motion, const SolvedTrail& trail) {
+  return {touchedNodes(trail.limb, trail.topology),
+          boneLength(trail.limb),
+          windowsOf(motion, trail),
+          {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
+}
+
+bool isLeg(const Limb& limb) {
+  return limb.kind == LimbKind::leftLeg || limb.kind == LimbKind::rightLeg;
+}
+
+Window windowOf(const MotionState& motion, const LimbFlesh& flesh) {
+  Window window = windowOf(motion, flesh.startSeconds, flesh.endSeconds);
+  window.jumpsBefore =
+      flesh.fadeInSeconds <= 0.0 && window.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  window.jumpsAfter = flesh.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
+  return window;
+}
+
+// A leg moves the hips, and with them the other leg: each is keyed wherever one of them is.
+KeyedPart partOf(const MotionState& motion, const SolvedFlesh& solved) {
+  KeyedPart part{touchedNodes(solved.limb, solved.topology), boneLength(solved.limb), {}, {}};
+  for (const SolvedFlesh& other : motion.flesh) {
+    const bool counts = &other == &solved || (isLeg(other.limb) && isLeg(solved.limb));
+    if (counts && !other.flesh.samples.empty()) {
+      part.windows.push_back(windowOf(motion, other.flesh));
+    }
+  }
+  if (isLeg(solved.limb) && motion.hips >= 0) {
+    part.nodes.push_back(motion.hips);
+  }
+  mergeOverlaps(part.windows);
+  return part;
+}
+
+} // namespace
+
+std::vector<KeyedPart> keyedParts(const MotionState& motion) {
+  std::vector<KeyedPart> parts;
+  for (const SolvedTrail& trail : motion.trails) {
+    if (trail.active) {
+      parts.push_back(partOf(motion, trail));
+    }
+  }
+  for (const SolvedFlesh& flesh : motion.flesh) {
+    parts.push_back(partOf(motion, flesh));
+  }
+  return parts;
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,164 @@
+#include "rig/limb_flesh.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/soft_limbs.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+std::size_t at(int node) {
+  return static_cast<std::size_t>(node);
+}
+
+Vec3 endOf(const MovingBiped& moving, const std::string& limb, const FrameState& frame) {
+  return endPosition(moving.limb(limb), frame);
+}
+
+SoftBones none(double /*frame*/) {
+  return {};
+}
+
+SoftBones longer(double /*frame*/) {
+  return {1.2, 0.9, 1.0, Vec3(0.3, 1.0, 0.2), 0.0};
+}
+
+// A leg that stands and gives way more and more.
+SoftBones squashed(double frame) {
+  const double along = 1.0 - 0.006 * frame;
+  return {along, 1.0 / std::sqrt(along), 1.0 / std::sqrt(along), Vec3(0.0, 0.0, 1.0), 1.0};
+}
+
+} // namespace
+
+TEST_CASE("flesh that does not give way leaves every number of the clip alone") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion =
+      softMotion(moving, {}, {softLimb(moving, "left-arm", none), softLimb(moving, "left-leg", none)});
+  for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState soft = atFrame(moving, motion, frame);
+    CHECK(soft.worlds == source.worlds);
+    CHECK(soft.stretch.empty());
+  }
+}
+
+TEST_CASE("each bone is stretched by its factors and carries the hand along") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-arm", longer)});
+  const Limb& arm = moving.limb("left-arm");
+  for (const double frame : {0.0, 5.0, 12.0, 24.0}) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState soft = atFrame(moving, motion, frame);
+    const std::vector<Vec3> before = limbPoints(arm, source);
+    const std::vector<Vec3> after = limbPoints(arm, soft);
+    for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+      CHECK(glm::length(after[i + 1] - after[i] - 1.2 * (before[i + 1] - before[i])) < 1e-9);
+      const Mat3& stretch = soft.stretch[at(arm.joints[i])];
+      CHECK(glm::determinant(stretch) == Approx(1.2 * 0.9));
+      CHECK(stretch[0][1] == Approx(stretch[1][0]).margin(1e-12));
+    }
+    const Mat4& hand = soft.worlds[at(arm.endNode)];
+    CHECK(glm::length(Vec3(hand[0] - source.worlds[at(arm.endNode)][0])) < 1e-9);
+    CHECK(glm::length(endOf(moving, "right-arm", soft) - endOf(moving, "right-arm", source)) == 0.0);
+  }
+}
+
+TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
+  const MovingBiped moving = punchingBiped();
+  const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};
+  const Limb& arm = moving.limb("left-arm");
+  LimbFlesh flesh{"left-arm", {}, 0.0, 1.0, 0.0, 0.0};
+  const MotionState alone = softMotion(moving, trails, {});
+  for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
+    flesh.samples.push_back(softSample(arm, atFrame(moving, alone, frame), longer(frame)));
+  }
+  const MotionState both = softMotion(moving, trails, {flesh});
+  for (const double frame : {3.0, 12.0, 14.0}) {
+    const FrameState with = atFrame(moving, both, frame);
+    CHECK(lengthOf(arm, with) == Approx(1.2 * lengthOf(arm, atFrame(moving, alone, frame))));
+    for (const int joint : arm.joints) {
+      const Mat3& stretch = with.stretch[at(joint)];
+      for (int i = 0; i < 3; ++i) {
+        CHECK(stretch[i][(i + 1) % 3] == Approx(stretch[(i + 1) % 3][i]).margin(1e-12));
+      }
+    }
+  }
+}
+
+TEST_CASE("a leg that stands and gives way lowers the hips and keeps its foot") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion =
+      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", none)});
+  for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState soft = atFrame(moving, motion, frame);
+    const double height = moving.biped.height;
+    CHECK(glm::length(endOf(moving, "right-leg", soft) - endOf(moving, "right-leg", source)) < 1e-6 * height);
+    CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) < 1e-6 * height);
+    const double drop = source.worlds[at(moving.biped.hips)][3].y - soft.worlds[at(moving.biped.hips)][3].y;
+    const double wanted = 0.006 * frame * lengthOf(moving.limb("right-leg"), source);
+    CHECK(drop == Approx(wanted).epsilon(0.05).margin(1e-9));
+  }
+}
+
+TEST_CASE("a leg without weight keeps its foot when the other one lowers the hips") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "right-leg", squashed)});
+  const FrameState soft = atFrame(moving, motion, 20.0);
+  const FrameState source = sourceAtFrame(moving, 20.0);
+  CHECK(soft.worlds[at(moving.biped.hips)][3].y < source.worlds[at(moving.biped.hips)][3].y);
+  CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
+        1e-6 * moving.biped.height);
+}
+
+TEST_CASE("a leg in the air is stretched without moving the hips") {
+  const MovingBiped moving = punchingBiped();
+  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-leg", longer)});
+  const FrameState source = sourceAtFrame(moving, 12.0);
+  const FrameState soft = atFrame(moving, motion, 12.0);
+  CHECK(soft.worlds[at(moving.biped.hips)] == source.worlds[at(moving.biped.hips)]);
+  CHECK(lengthOf(moving.limb("left-leg"), soft) ==
+        Approx(1.2 * lengthOf(moving.limb("left-leg"), source)).epsilon(1e-6));
+}
+
+TEST_CASE("outside its range flesh does nothing, inside it fades in and out without a jump") {
+  const MovingBiped moving = punchingBiped();
+  LimbFlesh flesh = softLimb(moving, "left-arm", longer);
+  flesh.startSeconds = 0.25;
+  flesh.endSeconds = 0.75;
+  flesh.fadeInSeconds = 0.125;
+  flesh.fadeOutSeconds = 0.125;
+  const MotionState motion = softMotion(moving, {}, {flesh});
+  const Limb& arm = moving.limb("left-arm");
+  double before = 1.0;
+  for (double frame = 0.0; frame <= 24.0; frame += 0.125) {
+    const double ratio =
+        lengthOf(arm, atFrame(moving, motion, frame)) / lengthOf(arm, sourceAtFrame(moving, frame));
+    if (frame <= 6.0 || frame >= 18.0) {
+      CHECK(ratio == Approx(1.0).epsilon(1e-12));
+    }
+    if (frame >= 9.0 && frame <= 15.0) {
+      CHECK(ratio == Approx(1.2).epsilon(1e-9));
+    }
+    CHECK(std::abs(ratio - before) < 0.02);
+    before = ratio;
+  }
+}
+
+TEST_CASE("flesh of a limb that is missing or has other bones is left out") {
+  const MovingBiped moving = punchingBiped();
+  LimbFlesh wrong = softLimb(moving, "left-arm", longer);
+  wrong.samples.front().strains.pop_back();
+  LimbFlesh missing = softLimb(moving, "left-arm", longer);
+  missing.limb = "tail";
+  CHECK(softMotion(moving, {}, {wrong, missing}).flesh.empty());
+}

@@ -1,0 +1,38 @@
+#include "tests/support/rig/soft_limbs.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace stretch::test {
+
+rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame, const SoftBones& bones) {
+  rig::FleshSample sample{frame.timeSeconds, {}, bones.planted};
+  const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
+  for (std::size_t i = 0; i < limb.joints.size(); ++i) {
+    const Mat4 toJoint = glm::inverse(frame.worlds[static_cast<std::size_t>(limb.joints[i])]);
+    const Vec3 along = glm::normalize(transformVector(toJoint, points[i + 1] - points[i]));
+    const Vec3 load = transformVector(toJoint, bones.acrossWorld);
+    const Vec3 across = glm::normalize(load - glm::dot(load, along) * along);
+    const Vec3 sideways = glm::cross(along, across);
+    sample.strains.push_back((bones.along - 1.0) * glm::outerProduct(along, along) +
+                             (bones.withLoad - 1.0) * glm::outerProduct(across, across) +
+                             (bones.sideways - 1.0) * glm::outerProduct(sideways, sideways));
+  }
+  return sample;
+}
+
+rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
+                            const std::vector<rig::LimbFlesh>& flesh) {
+  rig::MotionInput input;
+  input.scene = &moving.scene;
+  input.clip = &moving.clip;
+  input.clipIndex = 0;
+  input.biped = &moving.biped;
+  input.limbs = moving.biped.limbs;
+  input.trails = trails;
+  rig::MotionState motion = rig::solveMotion(input);
+  rig::setFlesh(input, flesh, motion);
+  return motion;
+}
+
+} // namespace stretch::test

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "rig/motion.h"
+#include "tests/support/rig/moving_biped.h"
+
+namespace stretch::test {
+
+/// Factors of every bone of a limb along itself, and across it along and perpendicular to `acrossWorld`.
+struct SoftBones {
+  double along = 1.0;
+  double withLoad = 1.0;
+  double sideways = 1.0;
+  Vec3 acrossWorld{0.0, 1.0, 0.0};
+  double planted = 0.0;
+};
+
+/// The flesh of a limb over the whole clip, a sample a frame; `bonesAt(frame)` answers its SoftBones.
+template <typename BonesAt>
+rig::LimbFlesh softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt);
+
+/// One sample from the limb as it stands in a frame.
+[[nodiscard]] rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame,
+                                          const SoftBones& bones);
+
+/// Trails and flesh, solved.
+[[nodiscard]] rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
+                                          const std::vector<rig::LimbFlesh>& flesh);
+
+template <typename BonesAt>
+rig::LimbFlesh softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt) {
+  rig::LimbFlesh flesh{limb, {}, moving.clip.startSeconds, moving.clip.endSeconds, 0.0, 0.0};
+  for (double frame = 0.0; frame <= moving.clip.endSeconds * moving.clip.framesPerSecond + 1e-6;
+       frame += 1.0) {
+    flesh.samples.push_back(softSample(moving.limb(limb), sourceAtFrame(moving, frame), bonesAt(frame)));
+  }
+  return flesh;
+}
+
+} // namespace stretch::test
