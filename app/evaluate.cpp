@@ -30,8 +30,7 @@ const Clip& clipOrStill(const Document& document, int clip, const Clip& still) {
                                                                               : still;
 }
 
-rig::MotionState solvedMotion(const Document& document, int clip, const rig::MotionState* previous) {
-  const Clip still;
+rig::MotionInput inputOf(const Document& document, int clip, const Clip& still) {
   rig::MotionInput input;
   input.scene = document.scene.get();
   input.clip = &clipOrStill(document, clip, still);
@@ -40,8 +39,27 @@ rig::MotionState solvedMotion(const Document& document, int clip, const rig::Mot
   input.limbs = allLimbs(document);
   input.trails = trailsOf(document, clip);
   input.loops = loops(document, clip);
+  return input;
+}
+
+// The trails alone.
+rig::MotionState solvedTrails(const Document& document, int clip, const rig::MotionState* previous) {
+  const Clip still;
+  rig::MotionInput input = inputOf(document, clip, still);
   input.previous = previous;
   return rig::solveMotion(input);
+}
+
+std::vector<ElasticLimb> elasticOf(const Document& document, int clip) {
+  std::vector<ElasticLimb> elastic;
+  std::copy_if(document.elastic.begin(), document.elastic.end(), std::back_inserter(elastic),
+               [&](const ElasticLimb& entry) { return entry.clip == clip; });
+  return elastic;
+}
+
+bool sameLimbs(const std::vector<ElasticLimb>& a, const std::vector<ElasticLimb>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const ElasticLimb& x, const ElasticLimb& y) { return x.limb == y.limb; });
 }
 
 // The trails that the paths of one of a motion's trails come from, its own included.
@@ -105,7 +123,23 @@ std::vector<TrailPaths> pathsOf(const Document& document, const rig::MotionState
 } // namespace
 
 rig::MotionState prepareMotion(const Document& document, int clip) {
-  return solvedMotion(document, clip, nullptr);
+  rig::MotionState motion = solvedTrails(document, clip, nullptr);
+  if (hasElastic(document, clip)) {
+    const Clip still;
+    LimbSizes sizes;
+    ElasticMotion elastic = elasticMotion(document, sampleClip(document, motion), clip, sizes);
+    rig::setFlesh(inputOf(document, clip, still), std::move(elastic.flesh), motion);
+  }
+  return motion;
+}
+
+std::vector<ElasticReport> elasticReports(const Document& document, int clip) {
+  if (!hasElastic(document, clip)) {
+    return {};
+  }
+  LimbSizes sizes;
+  const rig::MotionState motion = solvedTrails(document, clip, nullptr);
+  return elasticMotion(document, sampleClip(document, motion), clip, sizes).reports;
 }
 
 FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds) {
@@ -132,14 +166,42 @@ EvaluationCache::Ground EvaluationCache::groundOf(const Document& document, int 
 std::shared_ptr<const rig::MotionState> EvaluationCache::motion(const Document& document, int clip) {
   Ground ground = groundOf(document, clip);
   std::vector<rig::Trail> trails = trailsOf(document, clip);
+  std::vector<ElasticLimb> elastic = elasticOf(document, clip);
   const bool sameGround = motion_ != nullptr && ground == ground_;
-  if (!sameGround || trails != trails_) {
+  const bool sameTrails = sameGround && trails == trails_;
+  if (!sameTrails || elastic != elastic_) {
     const rig::MotionState* previous = sameGround ? motion_.get() : nullptr;
-    motion_ = std::make_shared<const rig::MotionState>(solvedMotion(document, clip, previous));
+    rig::MotionState motion = sameTrails ? *motion_ : solvedTrails(document, clip, previous);
+    if (!sameTrails || !sameLimbs(elastic, elastic_)) {
+      sampled_.reset();
+    }
+    giveWay(document, clip, motion);
+    motion_ = std::make_shared<const rig::MotionState>(std::move(motion));
     ground_ = std::move(ground);
     trails_ = std::move(trails);
+    elastic_ = std::move(elastic);
   }
   return motion_;
+}
+
+void EvaluationCache::giveWay(const Document& document, int clip, rig::MotionState& motion) {
+  motion.flesh.clear();
+  elasticReports_.clear();
+  if (!hasElastic(document, clip)) {
+    return;
+  }
+  if (!sampled_) {
+    sampled_ = sampleClip(document, motion);
+  }
+  const Clip still;
+  ElasticMotion elastic = elasticMotion(document, *sampled_, clip, sizes_);
+  rig::setFlesh(inputOf(document, clip, still), std::move(elastic.flesh), motion);
+  elasticReports_ = std::move(elastic.reports);
+}
+
+const std::vector<ElasticReport>& EvaluationCache::elasticReports(const Document& document, int clip) {
+  static_cast<void>(motion(document, clip));
+  return elasticReports_;
 }
 
 const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,

@@ -1,20 +1,25 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/document.h"
+#include "app/elastic.h"
 #include "core/anim/frame_state.h"
 #include "rig/motion.h"
 
 namespace stretch::app {
 
-/// The trails of one clip, prepared for evaluation at any time. Active trails only move the character; the
-/// others are prepared too, so that their paths can be drawn.
+/// The trails and the weight of limbs of one clip, prepared for evaluation at any time. Active trails only
+/// move the character; the others are prepared too, so that their paths can be drawn.
 [[nodiscard]] rig::MotionState prepareMotion(const Document& document, int clip);
 
-/// The character at one time (seconds of the clip), trails included. The one function that renderer, panels,
-/// batch and tests read.
+/// What the limbs of a clip that have weight come to.
+[[nodiscard]] std::vector<ElasticReport> elasticReports(const Document& document, int clip);
+
+/// The character at one time (seconds of the clip), trails and weight included. The one function that
+/// renderer, panels, batch and tests read.
 [[nodiscard]] FrameState evaluate(const Document& document, const rig::MotionState& motion,
                                   double timeSeconds);
 
@@ -38,6 +43,8 @@ struct TrailPaths {
 class EvaluationCache {
 public:
   [[nodiscard]] std::shared_ptr<const rig::MotionState> motion(const Document& document, int clip);
+  /// Of the limbs with weight, in the order of Document::elastic.
+  [[nodiscard]] const std::vector<ElasticReport>& elasticReports(const Document& document, int clip);
   [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
   [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
   /// One a trail of motion(); the clip must be there.
@@ -57,8 +64,14 @@ private:
   };
   [[nodiscard]] static Ground groundOf(const Document& document, int clip);
 
+  void giveWay(const Document& document, int clip, rig::MotionState& motion);
+
   Ground ground_;
   std::vector<rig::Trail> trails_;
+  std::vector<ElasticLimb> elastic_;
+  std::optional<SampledClip> sampled_; ///< Of the trails alone: a drag of a limb's softness keeps it.
+  LimbSizes sizes_;
+  std::vector<ElasticReport> elasticReports_;
   std::shared_ptr<const rig::MotionState> motion_;
   std::shared_ptr<const rig::MotionState> frameMotion_;
   double frameSeconds_ = 0.0;

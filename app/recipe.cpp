@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/elastic_description.h"
 #include "app/trail_json.h"
 #include "rig/motion.h"
 
@@ -27,7 +28,7 @@ Status checkKeys(const Json& json) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return unknownKey(key);
     }
-    if ((key == "props" || key == "elastic") && !(value.is_array() && value.empty())) {
+    if (key == "props" && !(value.is_array() && value.empty())) {
       return Error{"is not played by this version", key, "leave it out or give an empty list"};
     }
   }
@@ -37,6 +38,9 @@ Status checkKeys(const Json& json) {
   }
   if (!json.contains("trails") || !json["trails"].is_array()) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
+  }
+  if (json.contains("elastic") && !json["elastic"].is_array()) {
+    return Error{"is no list", "elastic", "give a list of {\"limb\": ..., settings}"};
   }
   return Success{};
 }
@@ -91,6 +95,19 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   return trail;
 }
 
+Result<ElasticLimb> elasticOf(const Json& json, int clip, Document& document) {
+  if (!json.is_object() || !json.contains("limb") || !json["limb"].is_string()) {
+    return Error{"an entry names no limb", "elastic", "give \"limb\", such as \"left-arm\""};
+  }
+  const Result<rig::Limb> limb = findOrAddLimb(document, json["limb"].get<std::string>());
+  if (!limb) {
+    return limb.error();
+  }
+  ElasticLimb entry{limb->id, clip, true, {}};
+  const Status read = elasticFromJson(json, {"limb"}, entry.settings);
+  return read ? Result<ElasticLimb>(std::move(entry)) : Result<ElasticLimb>(read.error());
+}
+
 } // namespace
 
 Result<Recipe> recipeFromJson(const Json& json, Document& document) {
@@ -117,6 +134,13 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
       return trail.error();
     }
     recipe.trails.push_back(std::move(*trail));
+  }
+  for (const Json& entry : json.value("elastic", Json::array())) {
+    Result<ElasticLimb> limb = elasticOf(entry, *clip, document);
+    if (!limb) {
+      return limb.error();
+    }
+    recipe.elastic.push_back(std::move(*limb));
   }
   return recipe;
 }
@@ -145,6 +169,13 @@ Json recipeToJson(const Document& document, int clip) {
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
       json["trails"].push_back(std::move(entry));
+    }
+  }
+  for (const ElasticLimb& limb : document.elastic) {
+    if (limb.clip == clip && limb.on) {
+      Json entry = elasticToJson(limb.settings);
+      entry["limb"] = limb.limb;
+      json["elastic"].push_back(std::move(entry));
     }
   }
   return json;

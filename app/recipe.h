@@ -10,7 +10,8 @@ namespace stretch::app {
 /// A recipe (spec/commands.md): an edit that can be replayed on another clip or character.
 struct Recipe {
   int clip = 0;
-  std::vector<rig::Trail> trails; ///< Without ids; limbs exist in the document.
+  std::vector<rig::Trail> trails;   ///< Without ids; limbs exist in the document.
+  std::vector<ElasticLimb> elastic; ///< Limbs with weight.
 };
 
 /// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns
@@ -19,7 +20,7 @@ struct Recipe {
 [[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document);
 [[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document);
 
-/// The trails of one clip as a recipe.
+/// The trails and the weight of limbs of one clip as a recipe.
 [[nodiscard]] gltf::Json recipeToJson(const Document& document, int clip);
 
 } // namespace stretch::app

@@ -23,8 +23,13 @@ Document appliedOnly(Document document) {
   return document;
 }
 
-std::set<int> clipsWithTrails(const Document& document) {
+std::set<int> clipsToKey(const Document& document) {
   std::set<int> clips;
+  for (const ElasticLimb& entry : document.elastic) {
+    if (hasElastic(document, entry.clip)) {
+      clips.insert(entry.clip);
+    }
+  }
   for (const rig::Trail& trail : document.trails) {
     clips.insert(trail.clip);
   }
@@ -42,7 +47,7 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   // rounded to single precision on their way into the file.
   rekeyOptions.tolerance = 0.4 * toleranceOfHeight * document.biped.height;
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
-  for (const int clip : clipsWithTrails(applied)) {
+  for (const int clip : clipsToKey(applied)) {
     rig::RekeyedClip rekeyed =
         rig::rekey(*applied.scene, clipOf(applied, clip), prepareMotion(applied, clip), rekeyOptions);
     edits.clips.push_back({clip, std::move(rekeyed.tracks)});

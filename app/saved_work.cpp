@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/elastic_description.h"
 #include "app/trail_json.h"
 
 namespace stretch::app {
@@ -118,6 +119,26 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   return limb;
 }
 
+Json elasticLimbToJson(const ElasticLimb& entry) {
+  Json json = elasticToJson(entry.settings);
+  json["limb"] = entry.limb;
+  json["clip"] = entry.clip;
+  json["on"] = entry.on;
+  return json;
+}
+
+Result<ElasticLimb> elasticLimbFromJson(const Json& json, const Document& document) {
+  ElasticLimb entry;
+  if (const Status read = elasticFromJson(json, {"limb", "clip", "on"}, entry.settings); !read) {
+    return read.error();
+  }
+  entry.limb = json.at("limb").get<std::string>();
+  entry.clip = json.at("clip").get<int>();
+  entry.on = json.at("on").get<bool>();
+  const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
+  return clipExists ? Result<ElasticLimb>(std::move(entry)) : Result<ElasticLimb>(malformed("elastic.clip"));
+}
+
 Status restoreParts(const Json& work, Document& document) {
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
@@ -141,6 +162,13 @@ Status restoreParts(const Json& work, Document& document) {
     document.nextTrailId = std::max(document.nextTrailId, trail->id + 1);
     document.trails.push_back(std::move(*trail));
   }
+  for (const Json& json : work.value("elastic", Json::array())) {
+    Result<ElasticLimb> entry = elasticLimbFromJson(json, document);
+    if (!entry) {
+      return entry.error();
+    }
+    document.elastic.push_back(std::move(*entry));
+  }
   document.loopingClips = work.at("loops").get<std::vector<int>>();
   return Success{};
 }
@@ -148,8 +176,8 @@ Status restoreParts(const Json& work, Document& document) {
 } // namespace
 
 Json workOf(const Document& document) {
-  if (document.trails.empty() && document.chains.empty() && document.loopingClips.empty() &&
-      !document.limbsCorrected) {
+  if (document.trails.empty() && document.elastic.empty() && document.chains.empty() &&
+      document.loopingClips.empty() && !document.limbsCorrected) {
     return nullptr;
   }
   Json work;
@@ -162,6 +190,9 @@ Json workOf(const Document& document) {
   work["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     work["trails"].push_back(trailToJson(trail));
+  }
+  for (const ElasticLimb& entry : document.elastic) {
+    work["elastic"].push_back(elasticLimbToJson(entry));
   }
   work["loops"] = document.loopingClips;
   return work;

@@ -81,6 +81,10 @@ const std::vector<TrailPaths>& Session::paths(std::size_t samplesPerFrame) {
   return cache_.paths(document(), view_.clip, samplesPerFrame);
 }
 
+const std::vector<ElasticReport>& Session::elasticReports() {
+  return cache_.elasticReports(document(), view_.clip);
+}
+
 std::filesystem::path Session::proposedSavePath() const {
   if (!savePath_.empty()) {
     return savePath_;

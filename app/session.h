@@ -52,9 +52,9 @@ public:
   bool undo(); ///< Cancels a drag first.
   bool redo();
 
-  /// The character at a frame of the viewed clip, trails included; cached by identity.
+  /// The character at a frame of the viewed clip, trails and weight included; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
-  /// The same without any trail.
+  /// The same without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
@@ -62,6 +62,9 @@ public:
   [[nodiscard]] std::shared_ptr<const rig::MotionState> sharedMotion();
   /// The paths of these trails, one a trail of motion(). The document has clips.
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
+
+  /// What the limbs of the viewed clip that have weight come to.
+  [[nodiscard]] const std::vector<ElasticReport>& elasticReports();
 
   /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the
   /// first save.

@@ -1,9 +1,7 @@
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -39,16 +37,6 @@ struct CompressArguments {
   bool quantise = false;
   bool json = false;
 };
-
-Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{"cannot be opened", path, "check the path"};
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return skinning::parseModuli(text.str());
-}
 
 Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments) {
   skinning::CompressSettings settings;

@@ -6,9 +6,11 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/batch/elastic_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
+#include "app/edits/elastic_edits.h"
 #include "app/evaluate.h"
 #include "app/quality.h"
 #include "app/recipe.h"
@@ -137,8 +139,8 @@ bool overlapInTime(const rig::Trail& a, const rig::Trail& b) {
          b.settings.startFrame < a.settings.endFrame;
 }
 
-// Puts the new trails in, applied. A trail that the file already carries on the same limb at the same time is
-// replaced.
+// Puts the new trails and the weight of limbs in, applied. A trail that the file already carries on the same
+// limb at the same time is replaced.
 Result<std::vector<int>> applyTrails(const Recipe& plan, Document& document) {
   std::vector<int> ids;
   for (const rig::Trail& wanted : plan.trails) {
@@ -155,6 +157,13 @@ Result<std::vector<int>> applyTrails(const Recipe& plan, Document& document) {
     trail.applied = trail.settings;
     ids.push_back(trail.id);
     document.trails.push_back(std::move(trail));
+  }
+  for (const ElasticLimb& wanted : plan.elastic) {
+    Result<Document> changed = setElastic(document, wanted);
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(*changed);
   }
   return ids;
 }
@@ -192,13 +201,17 @@ Json reportOf(const Document& document, int clip, const std::vector<int>& ids) {
   Json report;
   report["clip"] = clipOf(document, clip).name;
   report["trails"] = Json::array();
-  const rig::MotionState motion = prepareMotion(document, clip);
+  rig::MotionState motion = prepareMotion(document, clip);
+  motion.flesh.clear(); // What the trails do by themselves.
   for (const int id : ids) {
     const auto solved = std::find_if(motion.trails.begin(), motion.trails.end(),
                                      [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
     if (solved != motion.trails.end()) {
       report["trails"].push_back(trailReport(document, motion, *solved));
     }
+  }
+  if (hasElastic(document, clip)) {
+    report["elastic"] = elasticJson(document, clip);
   }
   report["warnings"] = document.warnings;
   return report;
@@ -213,6 +226,9 @@ void printText(const Json& report) {
     for (const Json& warning : trail["warnings"]) {
       fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     }
+  }
+  if (report.contains("elastic")) {
+    printElastic(report["elastic"]);
   }
 }
 

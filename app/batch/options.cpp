@@ -1,6 +1,8 @@
 #include "app/batch/options.h"
 
 #include <charconv>
+#include <fstream>
+#include <sstream>
 
 #include <fmt/core.h>
 
@@ -62,6 +64,16 @@ Result<Vec3> parseVector(const std::string& text, const std::string& where) {
     start = comma + 1;
   }
   return vector;
+}
+
+Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) {
+    return Error{"cannot be opened", path, "check the path"};
+  }
+  std::stringstream text;
+  text << file.rdbuf();
+  return skinning::parseModuli(text.str());
 }
 
 std::string clipList(const Document& document) {

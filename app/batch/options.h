@@ -6,6 +6,7 @@
 
 #include "app/document.h"
 #include "core/base/result.h"
+#include "skinning/elastic/moduli.h"
 
 namespace stretch::app {
 
@@ -32,6 +33,9 @@ void addFileArguments(CLI::App& app, FileArguments& arguments);
 
 /// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.
 [[nodiscard]] Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text);
+
+/// Reads a file of moduli; an error names the file.
+[[nodiscard]] Result<skinning::SegmentModuli> loadModuli(const std::string& path);
 
 /// "3 clips: walk, run, jump": for messages.
 [[nodiscard]] std::string clipList(const Document& document);

@@ -19,8 +19,8 @@ int report(const Error& error) {
 } // namespace
 
 std::vector<Verb> batchVerbs() {
-  return {infoVerb(),  trailVerb(),    exaggerateVerb(), resaveVerb(),
-          checkVerb(), compressVerb(), compareVerb()};
+  return {infoVerb(),   trailVerb(), exaggerateVerb(), elasticVerb(),
+          resaveVerb(), checkVerb(), compressVerb(),   compareVerb()};
 }
 
 int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {

@@ -31,5 +31,6 @@ struct Verb {
 [[nodiscard]] Verb checkVerb();
 [[nodiscard]] Verb compressVerb();
 [[nodiscard]] Verb compareVerb();
+[[nodiscard]] Verb elasticVerb();
 
 } // namespace stretch::app

@@ -29,7 +29,8 @@ std::vector<Command<Session>> historyCommands() {
 
 std::vector<Command<Session>> documentCommands() {
   std::vector<Command<Session>> all;
-  for (const auto table : {historyCommands, limbCommands, timeCommands, trailCommands, sphereCommands}) {
+  for (const auto table :
+       {historyCommands, limbCommands, timeCommands, trailCommands, sphereCommands, weightCommands}) {
     std::vector<Command<Session>> commands = table();
     std::move(commands.begin(), commands.end(), std::back_inserter(all));
   }

@@ -17,5 +17,6 @@ namespace stretch::app {
 [[nodiscard]] std::vector<Command<Session>> timeCommands();
 [[nodiscard]] std::vector<Command<Session>> trailCommands();
 [[nodiscard]] std::vector<Command<Session>> sphereCommands();
+[[nodiscard]] std::vector<Command<Session>> weightCommands();
 
 } // namespace stretch::app

@@ -102,6 +102,15 @@ std::vector<int> targetTrails(const Session& session) {
   return targets;
 }
 
+std::vector<std::string> targetLimbs(const Session& session) {
+  std::vector<std::string> limbs = session.view().selectedLimbs;
+  const rig::Trail* const trail = selectedTrail(session);
+  if (limbs.empty() && trail != nullptr) {
+    limbs.push_back(trail->limb);
+  }
+  return limbs;
+}
+
 const rig::Trail* selectedTrail(const Session& session) {
   const rig::Trail* trail = findTrail(session.document(), session.view().selectedTrail);
   return trail != nullptr && trail->clip == session.view().clip ? trail : nullptr;

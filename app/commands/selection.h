@@ -22,6 +22,9 @@ void selectTrail(Session& session, int trailId);
 /// else each limb's only one.
 [[nodiscard]] std::vector<int> targetTrails(const Session& session);
 
+/// The limbs that commands about a limb's weight act on: the selected ones, else the selected trail's.
+[[nodiscard]] std::vector<std::string> targetLimbs(const Session& session);
+
 /// Null when none is selected.
 [[nodiscard]] const rig::Trail* selectedTrail(const Session& session);
 

@@ -1,5 +1,6 @@
 #include "app/edits/recipe_edits.h"
 
+#include "app/edits/elastic_edits.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {
@@ -16,6 +17,13 @@ Result<Document> withRecipe(const Document& document, const Recipe& recipe) {
     rig::Trail& trail = *findTrail(changed, created->trailId);
     trail.colour = wanted.colour;
     trail.controlFrames = wanted.controlFrames;
+  }
+  for (const ElasticLimb& wanted : recipe.elastic) {
+    Result<Document> next = setElastic(changed, wanted);
+    if (!next) {
+      return next.error();
+    }
+    changed = std::move(*next);
   }
   return changed;
 }

@@ -226,6 +226,7 @@ std::vector<double> plantedWeights(const std::vector<Vec3>& end, double framesPe
   for (const Vec3& position : end) {
     lowest = std::min(lowest, glm::dot(position, up));
   }
+  lowest = settings.ground.value_or(lowest);
   std::vector<double> stands;
   for (std::ptrdiff_t k = 0; k < frames; ++k) {
     const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(k - 1, 0));

@@ -61,9 +61,10 @@ limbElasticity(const std::vector<LimbSegment>& segments, const LimbMotion& motio
                const LimbElasticity& settings);
 
 struct PlantedSettings {
-  double speed = 0.35;     ///< Limb lengths a second: a planted end moves slower.
-  double height = 0.06;    ///< Limb lengths: and is no higher than this above its lowest.
-  int crossFadeFrames = 2; ///< Frames over which planted and free fade into each other, on either side.
+  double speed = 0.35;          ///< Limb lengths a second: a planted end moves slower.
+  double height = 0.06;         ///< Limb lengths: and is no higher than this above its lowest.
+  std::optional<double> ground; ///< Height of the ground along `up`; empty: the lowest that the end gets.
+  int crossFadeFrames = 2;      ///< Frames over which planted and free fade into each other, on either side.
 };
 
 /// How much the end of a limb stands on the ground in each frame, 0..1: slow and near its lowest height along

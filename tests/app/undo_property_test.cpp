@@ -1,10 +1,12 @@
 #include <memory>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "app/edits/elastic_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate.h"
@@ -41,7 +43,21 @@ Document newTrail(const Document& document, Dice& dice) {
   return created ? created->document : document;
 }
 
+Document randomWeight(const Document& document, Dice& dice) {
+  const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.biped.limbs.size())));
+  const std::string& limb = document.biped.limbs[index].id;
+  if (dice.below(3) == 0) {
+    return removeElastic(document, limb, 0);
+  }
+  ElasticLimb entry{limb, 0, dice.below(4) > 0, {}};
+  entry.settings.stiffness = 0.25 * (1 + dice.below(8));
+  return orUnchanged(document, setElastic(document, entry));
+}
+
 Document randomEdit(const Document& document, Dice& dice) {
+  if (dice.below(8) == 0) {
+    return randomWeight(document, dice);
+  }
   if (document.trails.empty() || dice.below(5) == 0) {
     return newTrail(document, dice);
   }

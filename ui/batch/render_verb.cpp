@@ -193,6 +193,7 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
     trail.connected = true;
     document.trails.push_back(std::move(trail));
   }
+  document.elastic = recipe->elastic;
   return Success{};
 }
 

@@ -42,6 +42,9 @@ inline constexpr const char* trailDeleteAll = "trail.delete-all";
 inline constexpr const char* trailBlend = "trail.blend";
 inline constexpr const char* trailShowOriginal = "trail.show-original";
 inline constexpr const char* trailMatchHand = "trail.match-hand";
+inline constexpr const char* weightToggle = "weight.toggle";
+inline constexpr const char* weightAll = "weight.all";
+inline constexpr const char* weightRemove = "weight.remove";
 inline constexpr const char* sphereNext = "sphere.next";
 inline constexpr const char* spherePrevious = "sphere.previous";
 

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "app/commands/selection.h"
+#include "app/elastic.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -55,7 +56,12 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   if (const rig::Trail* trail = trailOf(session, state.id)) {
     state.trail = trailColour(trail->colour);
   }
+  const app::ElasticLimb* const weight = app::findElastic(session.document(), state.id, session.view().clip);
+  state.hasWeight = weight != nullptr && weight->on;
   state.help.text = "Click selects it, Shift+click adds it.";
+  if (state.hasWeight) {
+    state.help.text += " It has weight.";
+  }
   if (state.lowConfidence) {
     state.help.text += " Its joints are a guess (" + shortNumber(limb->confidence * 100.0, 0) +
                        " %): check them in the rig panel.";

@@ -77,7 +77,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"Limb",
             {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck,
-             selectNone, "", pickChain, detectAgain}},
+             selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
            false);
   drawMenu(
       context,

@@ -6,6 +6,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
+#include "ui/panels/weight_section.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/remap_editor.h"
@@ -127,6 +128,24 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
     spaceRows(context, trail);
     stopRows(context, trail);
   }
+  weightSection(context, trail.limb);
+}
+
+// Without a trail there is still the weight of the selected limb.
+void drawLimbSettings(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const std::vector<std::string> limbs = app::targetLimbs(*context.session);
+  if (limbs.empty()) {
+    panelTitle(widgets, icon::sliders, "Settings");
+    note(widgets, "Select a limb or a trail to see its settings.");
+    return;
+  }
+  const std::size_t also = limbs.size() - 1;
+  panelTitle(widgets, icon::sliders,
+             limbHeading(context.session->document(), limbs.front()) +
+                 (also > 0 ? " and " + std::to_string(also) + " more" : ""));
+  note(widgets, "Make a trail to see its range, scale, axes and transition.");
+  weightSection(context, limbs.front());
 }
 
 } // namespace
@@ -141,8 +160,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   app::Session& session = *context.session;
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
-    panelTitle(widgets, icon::sliders, "Settings");
-    note(widgets, "Select a trail to see its range, scale, axes and transition.");
+    drawLimbSettings(context);
     return;
   }
   const rig::Trail trail = *selected; // a copy: rows edit the document while the others are drawn

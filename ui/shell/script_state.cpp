@@ -88,6 +88,24 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// Limbs with weight in the viewed clip: "left-arm left-leg".
+std::string heavyLimbs(const app::Session& session) {
+  std::vector<std::string> limbs;
+  for (const app::ElasticLimb& entry : session.document().elastic) {
+    if (entry.on && entry.clip == session.view().clip) {
+      limbs.push_back(entry.limb);
+    }
+  }
+  return joined(limbs);
+}
+
+std::string heavyStiffness(const app::Session& session) {
+  const std::vector<std::string> limbs = app::targetLimbs(session);
+  const app::ElasticLimb* const entry =
+      limbs.empty() ? nullptr : app::findElastic(session.document(), limbs.front(), session.view().clip);
+  return entry == nullptr ? "none" : number(entry->settings.stiffness);
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.session;
   const app::ViewState& view = session.view();
@@ -110,6 +128,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
          const FileWork& files = shell.files;
          return yesNo(files.hasAutosave && app::sameDocument(files.autosaved, session.document()));
        }},
+      {"weight.limbs", [&] { return heavyLimbs(session); }},
+      {"weight.stiffness", [&] { return heavyStiffness(session); }},
       {"chains", [&] { return std::to_string(session.document().chains.size()); }},
   };
   if (const auto found = states.find(name); found != states.end()) {

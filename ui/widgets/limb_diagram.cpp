@@ -155,6 +155,17 @@ void drawMarks(const WidgetContext& context, const Figure& figure, BodyPart part
            state.keyText, 0.5F);
 }
 
+// A small weight that hangs on the limb: it points down.
+void drawWeight(const WidgetContext& context, const ImVec2& centre, bool onFill) {
+  const Theme& theme = context.theme;
+  const float half = theme.px(4.5F);
+  const ImVec2 left{centre.x - half, centre.y - 0.7F * half};
+  const ImVec2 right{centre.x + half, centre.y - 0.7F * half};
+  const ImVec2 tip{centre.x, centre.y + half};
+  ImGui::GetWindowDrawList()->AddTriangleFilled(left, right, tip,
+                                                onFill ? theme.colours.onAccent : theme.colours.text);
+}
+
 } // namespace
 
 std::optional<BodyPart> bodyPartAt(const Rect& box, const ImVec2& point) {
@@ -203,6 +214,9 @@ std::optional<BodyPart> limbDiagram(const WidgetContext& context, const std::str
     const BodyPartState& state = parts[static_cast<std::size_t>(i)];
     drawMarks(context, figure, part, state);
     const ImVec2 centre = bodyPartCentre(control.box, part);
+    if (state.hasWeight) {
+      drawWeight(context, centre, state.selected);
+    }
     const float half = theme.px(4.0F);
     context.items.add(id + "/" + state.id, {centre.x - half, centre.y - half},
                       {centre.x + half, centre.y + half}, state.found);

@@ -17,6 +17,7 @@ struct BodyPartState {
   bool selected = false;
   bool lowConfidence = false;
   std::optional<ImU32> trail = {}; ///< Colour of the limb's trail.
+  bool hasWeight = false;          ///< Gives way by its own load: marked with a weight.
   std::string id = {};             ///< "left-arm": names the widget.
   std::string keyText = {};        ///< Shown at the limb.
   Help help = {};

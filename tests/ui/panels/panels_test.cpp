@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/selection.h"
+#include "app/edits/elastic_edits.h"
 #include "app/edits/trail_edits.h"
+#include "app/elastic.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/command_ids.h"
 
@@ -274,4 +276,47 @@ TEST_CASE("Another clip starts at its first frame, with nothing selected in time
   CHECK(panels.driver.session->view().clip == 1);
   CHECK(panels.driver.session->view().frame == 0.0);
   CHECK(panels.driver.session->view().selectedTrail == 0);
+}
+
+TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, one undo step a drag") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.commands.push_back({ui::command::weightToggle, "Weight on or off", "Help.", "", true, false});
+  driver.click("limb/left-arm");
+  driver.click("weight/on");
+  CHECK(driver.requested == std::vector<std::string>{ui::command::weightToggle});
+  const Result<app::Document> heavy =
+      app::switchElastic(driver.session->document(), {"left-arm", "left-leg"}, 0, true);
+  REQUIRE(heavy.ok());
+  driver.session->edit(*heavy, "Give weight");
+  driver.frames(2);
+  const auto settings = [&](const char* limb) -> const app::ElasticSettings& {
+    return app::findElastic(driver.session->document(), limb, 0)->settings;
+  };
+  driver.drag("weight/stiffness", 30.0F, 0.0F);
+  CHECK(settings("left-arm").stiffness > 1.05);
+  CHECK(settings("left-leg").stiffness == 1.0);
+  REQUIRE(driver.session->undo());
+  CHECK(settings("left-arm").stiffness == 1.0);
+  driver.drag("weight/bone-1", 20.0F, 0.0F);
+  REQUIRE(settings("left-arm").moduli.size() == 1);
+  CHECK(settings("left-arm").moduli.front().first == 1);
+  driver.click("weight/young-auto");
+  CHECK(settings("left-arm").youngModulus.has_value());
+  driver.click("weight/young-auto");
+  CHECK_FALSE(settings("left-arm").youngModulus.has_value());
+  driver.drag("weight/range-start", 20.0F, 0.0F);
+  CHECK(settings("left-arm").rangeFrames.has_value());
+}
+
+TEST_CASE("Weight is shaped for all selected limbs that have it") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.session->edit(*app::switchElastic(driver.session->document(), {"left-arm", "right-arm"}, 0, true),
+                       "Give weight");
+  driver.session->view().selectedLimbs = {"left-arm", "right-arm", "spine"};
+  driver.frames(2);
+  driver.drag("weight/amount", -40.0F, 0.0F);
+  CHECK(app::findElastic(driver.session->document(), "left-arm", 0)->settings.amount < 1.0);
+  CHECK(app::findElastic(driver.session->document(), "right-arm", 0)->settings.amount ==
+        app::findElastic(driver.session->document(), "left-arm", 0)->settings.amount);
+  CHECK(app::findElastic(driver.session->document(), "spine", 0) == nullptr);
 }

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "app/batch/elastic_report.h"
+#include "app/batch/options.h"
+#include "app/batch/verb.h"
+#include "app/document.h"
+#include "app/edits/elastic_edits.h"
+#include "app/elastic_description.h"
+#include "app/save.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct ElasticArguments {
+  FileArguments input;
+  std::string output;
+  std::string clip;
+  std::vector<std::string> limbs;
+  std::string range;
+  std::string moduli;
+  std::map<std::string, std::string> settings; ///< By option.
+  double framesPerSecond = 0.0;
+  SaveOptions save;
+  bool json = false;
+};
+
+Status readModuli(const std::string& path, ElasticSettings& settings) {
+  const Result<skinning::SegmentModuli> moduli = loadModuli(path);
+  if (!moduli) {
+    return moduli.error();
+  }
+  settings.moduli = moduli->ranges;
+  settings.youngModulus = moduli->youngModulus ? moduli->youngModulus : settings.youngModulus;
+  return Success{};
+}
+
+Result<ElasticSettings> settingsOf(const ElasticArguments& arguments) {
+  ElasticSettings settings;
+  if (!arguments.moduli.empty()) {
+    if (const Status read = readModuli(arguments.moduli, settings); !read) {
+      return read.error();
+    }
+  }
+  for (const ElasticSetting& setting : elasticSettings()) {
+    const auto given = arguments.settings.find(setting.option);
+    if (given == arguments.settings.end() || given->second.empty()) {
+      continue;
+    }
+    const Result<Json> value = parseElasticText(setting, given->second);
+    if (!value) {
+      return value.error();
+    }
+    if (const Status set = setElasticSetting(setting, *value, settings); !set) {
+      return set.error();
+    }
+  }
+  if (!arguments.range.empty()) {
+    const Result<Vec2> range = parseRange(arguments.range);
+    if (!range) {
+      return range.error();
+    }
+    settings.rangeFrames = *range;
+  }
+  return settings;
+}
+
+std::vector<std::string> armsAndLegs(const Document& document) {
+  std::vector<std::string> limbs;
+  for (const rig::Limb& limb : document.biped.limbs) {
+    const bool counts = limb.kind == rig::LimbKind::leftArm || limb.kind == rig::LimbKind::rightArm ||
+                        limb.kind == rig::LimbKind::leftLeg || limb.kind == rig::LimbKind::rightLeg;
+    if (counts) {
+      limbs.push_back(limb.id);
+    }
+  }
+  return limbs;
+}
+
+Status addLimbs(const ElasticArguments& arguments, int clip, const ElasticSettings& settings,
+                Document& document) {
+  const std::vector<std::string> wanted = arguments.limbs.empty() ? armsAndLegs(document) : arguments.limbs;
+  if (wanted.empty()) {
+    return Error{"no arm or leg was found", document.source->path.string(),
+                 "name a chain, such as --limb JOINT_A..JOINT_B"};
+  }
+  for (const std::string& name : wanted) {
+    const Result<rig::Limb> limb = findOrAddLimb(document, name);
+    if (!limb) {
+      return limb.error();
+    }
+    Result<Document> changed = setElastic(document, {limb->id, clip, true, settings});
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(*changed);
+  }
+  return Success{};
+}
+
+Status runElastic(const ElasticArguments& arguments) {
+  Result<Document> document = openDocument(arguments.input);
+  if (!document) {
+    return document.error();
+  }
+  if (arguments.framesPerSecond > 0.0) {
+    setFramesPerSecond(*document, arguments.framesPerSecond);
+  }
+  const Result<int> clip = findClip(*document, arguments.clip);
+  if (!clip) {
+    return clip.error();
+  }
+  const Result<ElasticSettings> settings = settingsOf(arguments);
+  if (!settings) {
+    return settings.error();
+  }
+  if (const Status added = addLimbs(arguments, *clip, *settings, *document); !added) {
+    return added;
+  }
+  Json report;
+  report["clip"] = clipOf(*document, *clip).name;
+  report["elastic"] = elasticJson(*document, *clip);
+  report["warnings"] = document->warnings;
+  if (const Status saved = saveDocument(*document, arguments.output, arguments.save); !saved) {
+    return saved;
+  }
+  if (arguments.json) {
+    std::cout << report.dump(1) << '\n';
+  } else {
+    printElastic(report["elastic"]);
+  }
+  return Success{};
+}
+
+// A value that no limb can have is a wrong argument: found before any file is opened.
+std::string problemOf(const ElasticSetting& setting, const std::string& text) {
+  const Result<Json> value = parseElasticText(setting, text);
+  if (!value) {
+    return value.error().line();
+  }
+  ElasticSettings scratch;
+  const Status set = setElasticSetting(setting, *value, scratch);
+  return set ? std::string() : set.error().line();
+}
+
+std::string rangeProblem(const std::string& text) {
+  const Result<Vec2> range = parseRange(text);
+  if (!range) {
+    return range.error().line();
+  }
+  return range->x < range->y ? std::string() : "--range: the range has no length";
+}
+
+void addSettings(CLI::App& app, ElasticArguments& arguments) {
+  for (const ElasticSetting& setting : elasticSettings()) {
+    app.add_option(setting.option, arguments.settings[setting.option])
+        ->description(setting.help + (setting.unit.empty() ? "" : " [" + setting.unit + "]"))
+        ->check([&setting](const std::string& text) { return problemOf(setting, text); })
+        ->group("Weight");
+  }
+  app.add_option("--moduli", arguments.moduli, "Moduli of single bones (JSON), counted from the limb's base")
+      ->group("Weight");
+}
+
+} // namespace
+
+Verb elasticVerb() {
+  return {
+      "elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
+      [](CLI::App& app) {
+        const auto arguments = std::make_shared<ElasticArguments>();
+        app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+        app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+        app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+        app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
+            ->check(CLI::PositiveNumber);
+        app.add_option("--limb", arguments->limbs, "A limb, as often as wanted; default: all arms and legs")
+            ->take_all()
+            ->expected(1);
+        app.add_option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
+            ->check(rangeProblem);
+        addSettings(app, *arguments);
+        app.add_flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
+        app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
+                     "Stretch through translations only: no bind joints");
+        app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+        app.add_flag("--json", arguments->json, "Print one JSON document");
+        return [arguments] { return runElastic(*arguments); };
+      }};
+}
+
+} // namespace stretch::app

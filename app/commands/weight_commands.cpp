@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "app/commands/document_commands.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/elastic_edits.h"
+#include "app/elastic.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hasClip(const Session& session) {
+  const int clip = session.view().clip;
+  return clip >= 0 && static_cast<std::size_t>(clip) < session.document().clips->size();
+}
+
+bool hasTargets(const Session& session) {
+  return hasClip(session) && !targetLimbs(session).empty();
+}
+
+bool isOn(const Session& session, const std::string& limb) {
+  const ElasticLimb* const entry = findElastic(session.document(), limb, session.view().clip);
+  return entry != nullptr && entry->on;
+}
+
+Status toggleWeight(Session& session) {
+  const std::vector<std::string> limbs = targetLimbs(session);
+  if (!hasTargets(session)) {
+    return Error{"no limb is selected", "", "select one first"};
+  }
+  const bool allOn =
+      std::all_of(limbs.begin(), limbs.end(), [&](const std::string& limb) { return isOn(session, limb); });
+  return finish(session, switchElastic(session.document(), limbs, session.view().clip, !allOn),
+                allOn ? "Switch weight off" : "Give weight");
+}
+
+bool hasWeight(const Session& session) {
+  const std::vector<std::string> limbs = targetLimbs(session);
+  return hasClip(session) && std::any_of(limbs.begin(), limbs.end(), [&](const std::string& limb) {
+           return findElastic(session.document(), limb, session.view().clip) != nullptr;
+         });
+}
+
+Status removeWeight(Session& session) {
+  if (!hasWeight(session)) {
+    return Error{"the selected limb has no weight in this clip", "", "give it weight first"};
+  }
+  Document changed = session.document();
+  for (const std::string& limb : targetLimbs(session)) {
+    changed = removeElastic(changed, limb, session.view().clip);
+  }
+  return finish(session, changed, "Take the weight away");
+}
+
+Status weightForAll(Session& session) {
+  std::vector<std::string> limbs;
+  for (const rig::Limb& limb : session.document().biped.limbs) {
+    if (limb.kind != rig::LimbKind::spine && limb.kind != rig::LimbKind::neck) {
+      limbs.push_back(limb.id);
+    }
+  }
+  if (!hasClip(session) || limbs.empty()) {
+    return Error{"there is no clip with arms or legs", "", "open a character with an animation"};
+  }
+  return finish(session, switchElastic(session.document(), limbs, session.view().clip, true),
+                "Give arms and legs weight");
+}
+
+} // namespace
+
+std::vector<Command<Session>> weightCommands() {
+  return {
+      {"weight.toggle",
+       "Weight on or off",
+       "Lets the selected limbs sag, squash and stretch by their own load, or stops that.",
+       {},
+       hasTargets,
+       toggleWeight},
+      {"weight.all",
+       "Weight for arms and legs",
+       "Lets all arms and legs of this clip sag, squash and stretch by their own load.",
+       {},
+       hasClip,
+       weightForAll},
+      {"weight.remove",
+       "Take the weight away",
+       "Takes the weight of the selected limbs away, with its settings.",
+       {},
+       hasWeight,
+       removeWeight},
+  };
+}
+
+} // namespace stretch::app

@@ -1,0 +1,294 @@
+#include "app/elastic.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/batch/verb.h"
+#include "app/edits/elastic_edits.h"
+#include "app/edits/recipe_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/elastic_description.h"
+#include "app/evaluate.h"
+#include "app/history.h"
+#include "app/recipe.h"
+#include "app/save.h"
+#include "skinning/linear_blend_skinning.h"
+
+namespace fs = std::filesystem;
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+const char* const dummyPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+const std::vector<std::string> armsAndLegs{"left-arm", "right-arm", "left-leg", "right-leg"};
+
+class Folder {
+public:
+  Folder() : path_(fs::temp_directory_path() / ("stretch-elastic-" + std::to_string(getpid()))) {
+    fs::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+
+private:
+  fs::path path_;
+};
+
+Document opened(const std::string& path) {
+  Result<Document> document = openDocument(path);
+  REQUIRE(document.ok());
+  return std::move(document).value();
+}
+
+Document heavy(const ElasticSettings& settings = {}, const std::vector<std::string>& limbs = armsAndLegs) {
+  Document document = opened(dummyPath);
+  for (const std::string& limb : limbs) {
+    Result<Document> changed = setElastic(document, {limb, 0, true, settings});
+    REQUIRE(changed.ok());
+    document = *changed;
+  }
+  return document;
+}
+
+/// Largest distance of any vertex at every frame and half frame of the second one, in heights of the
+/// character. (A written clip may be keyed on half frames, and its rate is guessed from its keys.)
+double worstDifference(const Document& a, const Document& b) {
+  const rig::MotionState motionA = prepareMotion(a, 0);
+  const rig::MotionState motionB = prepareMotion(b, 0);
+  const Clip& clip = clipOf(b, 0);
+  double worst = 0.0;
+  for (double frame = 0.0; frame <= clip.endSeconds * clip.framesPerSecond + 1e-6; frame += 0.5) {
+    const double seconds = frame / clip.framesPerSecond;
+    const std::vector<Vec3> left = skinning::skinnedPositions(*a.scene, evaluate(a, motionA, seconds));
+    const std::vector<Vec3> right = skinning::skinnedPositions(*b.scene, evaluate(b, motionB, seconds));
+    REQUIRE(left.size() == right.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      worst = std::max(worst, glm::length(left[i] - right[i]));
+    }
+  }
+  return worst / a.biped.height;
+}
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+int run(const std::vector<const char*>& words) {
+  std::vector<const char*> arguments{"stretch-engine"};
+  for (const char* const word : words) {
+    arguments.push_back(word);
+  }
+  return runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+}
+
+} // namespace
+
+TEST_CASE("a file saved with weight plays as the editor shows it, and opens as it was left") {
+  const Folder folder;
+  Document document = heavy();
+  NewTrail punch{"left-arm", 0, {}, true, true};
+  punch.settings.startFrame = 21.0;
+  punch.settings.endFrame = 27.0;
+  punch.settings.scale = 2.0;
+  const Result<CreatedTrail> created = createTrail(document, punch);
+  REQUIRE(created.ok());
+  document = *applyTrail(created->document, created->trailId);
+  REQUIRE(saveDocument(document, folder.file("clean.glb"), {.clean = true}));
+  CHECK(worstDifference(opened(folder.file("clean.glb")), document) < 1e-4);
+  REQUIRE(saveDocument(document, folder.file("work.glb"), {}));
+  const Document again = opened(folder.file("work.glb"));
+  CHECK(again.elastic == document.elastic);
+  CHECK(worstDifference(again, document) < 1e-6);
+}
+
+TEST_CASE("weight that is taken away again gives the source back, after saving and opening too") {
+  const Folder folder;
+  REQUIRE(saveDocument(heavy(), folder.file("heavy.glb"), {}));
+  Document again = opened(folder.file("heavy.glb"));
+  for (const std::string& limb : armsAndLegs) {
+    again = removeElastic(again, limb, 0);
+  }
+  CHECK(worstDifference(again, opened(dummyPath)) < 1e-9);
+  REQUIRE(saveDocument(again, folder.file("light.glb"), {.clean = true}));
+  CHECK(worstDifference(opened(folder.file("light.glb")), opened(dummyPath)) < 1e-6);
+}
+
+TEST_CASE("with amount zero, or off, nothing moves at all") {
+  ElasticSettings none;
+  none.amount = 0.0;
+  CHECK(worstDifference(heavy(none), opened(dummyPath)) == 0.0);
+  const Result<Document> off = switchElastic(heavy(), armsAndLegs, 0, false);
+  REQUIRE(off.ok());
+  CHECK(worstDifference(*off, opened(dummyPath)) == 0.0);
+}
+
+TEST_CASE("a standing pose sags by a percent or two, its feet stay on the ground") {
+  const Document document = heavy();
+  const FrameState source = evaluateOriginal(document, 0, 0.0);
+  const FrameState soft = evaluate(document, prepareMotion(document, 0), 0.0);
+  const double height = document.biped.height;
+  for (const char* const id : {"left-leg", "right-leg"}) {
+    const rig::Limb& leg = *findLimb(document, id);
+    CHECK(glm::length(rig::endPosition(leg, soft) - rig::endPosition(leg, source)) < 1e-3 * height);
+  }
+  const auto hips = static_cast<std::size_t>(document.biped.hips);
+  const double drop = source.worlds[hips][3].y - soft.worlds[hips][3].y;
+  CHECK(drop > 0.001 * height);
+  CHECK(drop < 0.02 * height);
+}
+
+TEST_CASE("a punch stretches the arm visibly, and stiffness holds it back") {
+  const auto longest = [](double stiffness) {
+    ElasticSettings settings;
+    settings.stiffness = stiffness;
+    return elasticReports(heavy(settings, {"right-arm"}), 0).front().longest;
+  };
+  CHECK(longest(1.0) > 1.05);
+  CHECK(longest(1.0) < 1.6);
+  CHECK(longest(20.0) < 1.0 + 0.25 * (longest(1.0) - 1.0));
+}
+
+TEST_CASE("the unit of the file does not matter") {
+  const Document metres = heavy();
+  Document hundredths = metres;
+  Scene scene = *metres.scene;
+  Node larger;
+  larger.rest.scale = Vec3(100.0);
+  larger.children = scene.roots;
+  for (const int root : scene.roots) {
+    scene.nodes[static_cast<std::size_t>(root)].parent = static_cast<int>(scene.nodes.size());
+  }
+  scene.roots = {static_cast<int>(scene.nodes.size())};
+  scene.nodes.push_back(larger);
+  hundredths.scene = std::make_shared<const Scene>(scene);
+  hundredths.biped = rig::detectBiped(scene);
+  REQUIRE(hundredths.biped.height == Approx(100.0 * metres.biped.height));
+  const std::vector<ElasticReport> one = elasticReports(metres, 0);
+  const std::vector<ElasticReport> other = elasticReports(hundredths, 0);
+  REQUIRE(one.size() == other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    CHECK(other[i].youngModulus == Approx(one[i].youngModulus));
+    CHECK(other[i].longest == Approx(one[i].longest));
+    CHECK(other[i].shortest == Approx(one[i].shortest));
+  }
+}
+
+TEST_CASE("a range changes nothing outside and begins and ends without a jump") {
+  ElasticSettings settings;
+  settings.rangeFrames = Vec2(15.0, 35.0);
+  const Document document = heavy(settings);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const double fps = clipOf(document, 0).framesPerSecond;
+  for (const double frame : {0.0, 14.5, 15.0, 35.0, 40.0}) {
+    CHECK(evaluate(document, motion, frame / fps).worlds ==
+          evaluateOriginal(document, 0, frame / fps).worlds);
+  }
+  CHECK_FALSE(evaluate(document, motion, 25.0 / fps).stretch.empty());
+}
+
+TEST_CASE("a model that is too soft says at which frame it no longer holds") {
+  ElasticSettings jelly;
+  jelly.youngModulus = 1000.0;
+  const std::vector<ElasticReport> reports = elasticReports(heavy(jelly, {"left-arm"}), 0);
+  REQUIRE(reports.size() == 1);
+  REQUIRE_FALSE(reports.front().warnings.empty());
+  CHECK_THAT(reports.front().warnings.front(), Catch::Contains("frame"));
+}
+
+TEST_CASE("recipes hold weight and give it to another document") {
+  ElasticSettings settings;
+  settings.stiffness = 0.5;
+  settings.youngModulus = 2e5;
+  settings.gravity = Vec3(0.0, -1.62, 0.0);
+  settings.moduli = {{0, 0, 3e5}};
+  settings.rangeFrames = Vec2(3.0, 30.0);
+  const Document document = heavy(settings, {"right-arm"});
+  Document plain = opened(dummyPath);
+  const Result<Recipe> recipe = recipeFromJson(recipeToJson(document, 0), plain);
+  REQUIRE(recipe.ok());
+  const Result<Document> taken = withRecipe(plain, *recipe);
+  REQUIRE(taken.ok());
+  CHECK(taken->elastic == document.elastic);
+  gltf::Json wrong = recipeToJson(document, 0);
+  wrong["elastic"][0]["stifness"] = 2.0;
+  const Result<Recipe> refused = recipeFromJson(wrong, plain);
+  REQUIRE_FALSE(refused.ok());
+  CHECK_THAT(refused.error().line(), Catch::Contains("stifness"));
+}
+
+TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
+  History history(opened(dummyPath));
+  const Document start = history.current();
+  history.push(*switchElastic(start, {"left-arm"}, 0, true), "Weight");
+  CHECK(history.current().elastic.size() == 1);
+  history.undo();
+  CHECK(sameDocument(history.current(), start));
+  history.redo();
+  CHECK(history.current().elastic.front().on);
+  CHECK_FALSE(setElastic(start, {"tail", 0, true, {}}));
+  CHECK_FALSE(setElastic(start, {"left-arm", 7, true, {}}));
+  ElasticSettings wrong;
+  wrong.amount = 1.5;
+  CHECK_FALSE(setElastic(start, {"left-arm", 0, true, wrong}));
+  wrong = {};
+  wrong.rangeFrames = Vec2(9.0, 9.0);
+  CHECK_FALSE(setElastic(start, {"left-arm", 0, true, wrong}));
+}
+
+TEST_CASE("every setting of weight goes through text and JSON") {
+  for (const ElasticSetting& setting : elasticSettings()) {
+    INFO(setting.name);
+    const std::string text = setting.kind == ElasticKind::vector ? "1,-2.5,0" : "1";
+    const Result<gltf::Json> value = parseElasticText(setting, text);
+    REQUIRE(value.ok());
+    ElasticSettings settings;
+    REQUIRE(setElasticSetting(setting, *value, settings));
+    CHECK(setting.read(settings) == *value);
+    CHECK_FALSE(setElasticSetting(setting, "much", settings));
+    ElasticSettings read;
+    REQUIRE(elasticFromJson(elasticToJson(settings), {}, read));
+    CHECK(read == settings);
+  }
+}
+
+TEST_CASE("the verb elastic writes a file that check accepts, the same bytes each time") {
+  const Folder folder;
+  const std::string first = folder.file("a.glb");
+  const std::string second = folder.file("b.glb");
+  REQUIRE(run({"elastic", dummyPath, "-o", first.c_str(), "--stiffness", "0.7", "--json"}) == 0);
+  REQUIRE(run({"elastic", dummyPath, "-o", second.c_str(), "--stiffness", "0.7"}) == 0);
+  CHECK(bytesOf(first) == bytesOf(second));
+  CHECK(run({"check", first.c_str()}) == 0);
+  CHECK(opened(first).elastic.size() == 4);
+  CHECK(opened(first).elastic.front().settings.stiffness == 0.7);
+  const std::string translated = folder.file("c.glb");
+  REQUIRE(run({"elastic", dummyPath, "-o", translated.c_str(), "--limb", "left-arm", "--range", "20:30",
+               "--keep-skeleton", "--clean"}) == 0);
+  CHECK(opened(translated).scene->nodes.size() == opened(dummyPath).scene->nodes.size());
+}
+
+TEST_CASE("wrong arguments of the verb elastic are told before anything is written") {
+  const Folder folder;
+  const std::string out = folder.file("out.glb");
+  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--amount", "2"}) == 2);
+  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--gravity", "down"}) == 2);
+  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--range", "9:9"}) == 2);
+  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--limb", "tail"}) == 1);
+  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--moduli", out.c_str()}) == 1);
+  CHECK_FALSE(fs::exists(out));
+}

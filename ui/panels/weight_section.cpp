@@ -1,0 +1,333 @@
+#include "ui/panels/weight_section.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+#include "app/edits/elastic_edits.h"
+#include "app/elastic.h"
+#include "app/elastic_description.h"
+#include "ui/panels/command_ids.h"
+#include "ui/panels/panel_support.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
+
+namespace stretch::ui {
+
+namespace {
+
+using app::ElasticLimb;
+using app::ElasticSettings;
+using Change = std::function<void(ElasticSettings&)>;
+
+constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
+
+Help helpOf(const std::string& setting, const std::string& title) {
+  const std::vector<app::ElasticSetting>& table = app::elasticSettings();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const app::ElasticSetting& s) { return s.name == setting; });
+  return {title, found != table.end() ? found->help : std::string(), {}};
+}
+
+Help dragHelp(Help help) {
+  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
+  return help;
+}
+
+void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
+                const Change& change) {
+  const int clip = context.session->view().clip;
+  const std::vector<std::string> limbs = app::targetLimbs(*context.session);
+  editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
+    app::Document document = start;
+    for (const std::string& limb : limbs) {
+      const ElasticLimb* const present = app::findElastic(start, limb, clip);
+      if (present == nullptr) {
+        continue;
+      }
+      ElasticLimb entry = *present;
+      change(entry.settings);
+      Result<app::Document> changed = app::setElastic(document, entry);
+      if (!changed) {
+        return changed;
+      }
+      document = std::move(changed).value();
+    }
+    return document;
+  });
+}
+
+struct WeightRow {
+  std::string setting; ///< Name in recipes; the widget is "weight/" + it.
+  std::string label;
+  std::string undoLabel;
+  double maximum = 1.0;
+  double hardMaximum = 1.0;
+  double defaultValue = 1.0;
+  double minimum = 0.0;
+  const char* suffix = "";
+  int decimals = 2;
+  double factor = 1.0;
+};
+
+void weightRow(PanelContext& context, const WeightRow& row, const ElasticSettings& settings,
+               double ElasticSettings::*member) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Help help = helpOf(row.setting, row.label);
+  labelledRow(widgets, row.label, help);
+  SliderSpec spec{.id = "weight/" + row.setting,
+                  .minimum = row.minimum,
+                  .maximum = row.maximum,
+                  .decimals = row.decimals,
+                  .suffix = row.suffix,
+                  .displayFactor = row.factor,
+                  .defaultValue = row.defaultValue};
+  spec.hardMaximum = row.hardMaximum;
+  spec.step = row.maximum > 100.0 ? 10.0 : 0.01;
+  spec.help = dragHelp(help);
+  double value = settings.*member;
+  const EditPhase phase = slider(widgets, spec, value);
+  editWeight(context, phase, row.undoLabel, [&](ElasticSettings& s) { s.*member = value; });
+}
+
+const ElasticSettings& defaults() {
+  static const ElasticSettings settings;
+  return settings;
+}
+
+void mainRows(PanelContext& context, const ElasticSettings& settings) {
+  const auto percent = [&](const char* setting, const char* label, const char* undo,
+                           double ElasticSettings::*member) {
+    weightRow(context,
+              {.setting = setting,
+               .label = label,
+               .undoLabel = undo,
+               .defaultValue = defaults().*member,
+               .suffix = " %",
+               .decimals = 0,
+               .factor = 100.0},
+              settings, member);
+  };
+  percent("amount", "Amount", "Change the amount of weight", &ElasticSettings::amount);
+  weightRow(context,
+            {.setting = "stiffness",
+             .label = "Stiffness",
+             .undoLabel = "Change the stiffness",
+             .maximum = 5.0,
+             .hardMaximum = 100.0,
+             .defaultValue = defaults().stiffness,
+             .minimum = 0.05},
+            settings, &ElasticSettings::stiffness);
+  weightRow(context,
+            {.setting = "damping",
+             .label = "Damping",
+             .undoLabel = "Change the damping",
+             .maximum = 2.0,
+             .hardMaximum = 10.0,
+             .defaultValue = defaults().damping},
+            settings, &ElasticSettings::damping);
+  percent("inertia", "Inertia", "Change the inertia", &ElasticSettings::inertia);
+}
+
+void gravityRow(PanelContext& context, const ElasticSettings& settings) {
+  const WidgetContext widgets = widgetsOf(context);
+  const double size = glm::length(settings.gravity);
+  const Vec3 direction = size > 0.0 ? settings.gravity / size : Vec3(0.0, -1.0, 0.0);
+  const Help help{"Gravity", "How strongly the limb is pulled down; 0 leaves inertia alone.", {}};
+  labelledRow(widgets, "Gravity", help);
+  SliderSpec spec{.id = "weight/gravity",
+                  .maximum = 30.0,
+                  .suffix = " m/s\xC2\xB2",
+                  .defaultValue = glm::length(defaults().gravity)};
+  spec.hardMaximum = 500.0;
+  spec.help = dragHelp(help);
+  double value = size;
+  const EditPhase phase = slider(widgets, spec, value);
+  editWeight(context, phase, "Change the gravity",
+             [&](ElasticSettings& s) { s.gravity = value * direction; });
+}
+
+SliderSpec modulusSlider(const std::string& id, double used) {
+  SliderSpec spec{.id = id,
+                  .minimum = 1e3,
+                  .maximum = std::max(2e6, 3.0 * used),
+                  .step = 1e3,
+                  .decimals = 0,
+                  .suffix = " kPa",
+                  .displayFactor = pascalsShown,
+                  .defaultValue = used};
+  spec.hardMinimum = 1.0;
+  spec.hardMaximum = 1e12;
+  return spec;
+}
+
+void modulusRow(PanelContext& context, const ElasticSettings& settings, double used) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Help help = helpOf("young", "Modulus");
+  labelledRow(widgets, "Modulus", help);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float autoWidth = context.theme.px(72.0F);
+  SliderSpec spec = modulusSlider("weight/young", used);
+  spec.width = width - autoWidth;
+  spec.help = dragHelp(help);
+  double value = used;
+  const EditPhase phase = slider(widgets, spec, value);
+  editWeight(context, phase, "Change the modulus", [&](ElasticSettings& s) { s.youngModulus = value; });
+  ImGui::SameLine();
+  const bool automatic = !settings.youngModulus;
+  if (toggle(widgets, "weight/young-auto", "Auto", automatic,
+             {"Automatic modulus",
+              "As stiff as lets the limb at rest give way by two and a half percent where it is weakest.",
+              {}})) {
+    editWeight(context, {true, true}, "Change the modulus", [&](ElasticSettings& s) {
+      s.youngModulus = automatic ? std::optional<double>(used) : std::nullopt;
+    });
+  }
+}
+
+void setBoneModulus(std::size_t bone, std::optional<double> young, ElasticSettings& settings) {
+  std::vector<skinning::SegmentModuli::Range> kept;
+  for (const skinning::SegmentModuli::Range& range : settings.moduli) {
+    // A range over several bones is taken apart, so that one of them can change alone.
+    for (std::size_t i = range.first; i <= range.last && i < range.first + 64; ++i) {
+      if (i != bone) {
+        kept.push_back({i, i, range.youngModulus});
+      }
+    }
+  }
+  if (young) {
+    kept.push_back({bone, bone, *young});
+  }
+  settings.moduli = std::move(kept);
+}
+
+void boneRows(PanelContext& context, const ElasticLimb& entry, double used) {
+  const WidgetContext widgets = widgetsOf(context);
+  const app::Document& document = context.session->document();
+  const rig::Limb* const limb = app::findLimb(document, entry.limb);
+  if (limb == nullptr) {
+    return;
+  }
+  skinning::SegmentModuli moduli;
+  moduli.ranges = entry.settings.moduli;
+  for (std::size_t bone = 0; bone < limb->joints.size(); ++bone) {
+    const std::string name = nodeName(*document.scene, limb->joints[bone]);
+    const Help help{name, "Modulus of this bone alone; right click gives it the limb's own.", {}};
+    labelledRow(widgets, name, help);
+    SliderSpec spec = modulusSlider("weight/bone-" + std::to_string(bone), used);
+    spec.help = dragHelp(help);
+    double value = moduli.at(bone, used);
+    const EditPhase phase = slider(widgets, spec, value);
+    editWeight(context, phase, "Change a bone's modulus", [&](ElasticSettings& s) {
+      setBoneModulus(bone, value == used ? std::nullopt : std::optional<double>(value), s);
+    });
+  }
+}
+
+void rangeRow(PanelContext& context, const ElasticSettings& settings) {
+  const WidgetContext widgets = widgetsOf(context);
+  const double last = app::lastFrame(context.session->document(), context.session->view().clip);
+  const Help help{"Range", "First and last frame with weight; inside the clip it fades in and out.", {}};
+  labelledRow(widgets, "Range", help);
+  const Vec2 range = settings.rangeFrames.value_or(Vec2(0.0, last));
+  const auto set = [&](const EditPhase& phase, const Vec2& wanted) {
+    editWeight(context, phase, "Change the range of the weight", [&](ElasticSettings& s) {
+      const bool whole = wanted.x <= 0.0 && wanted.y >= last;
+      s.rangeFrames = whole ? std::nullopt : std::optional<Vec2>(wanted);
+    });
+  };
+  SliderSpec spec{.id = "weight/range-start",
+                  .maximum = last,
+                  .step = 1.0,
+                  .decimals = 0,
+                  .defaultValue = 0.0,
+                  .showsFill = false,
+                  .width = columnWidth(2)};
+  spec.help = dragHelp({"First frame", help.text, {}});
+  double start = range.x;
+  const EditPhase first = slider(widgets, spec, start);
+  set(first, {std::min(start, range.y - 1.0), range.y});
+  ImGui::SameLine();
+  spec.id = "weight/range-end";
+  spec.defaultValue = last;
+  spec.help = dragHelp({"Last frame", help.text, {}});
+  double end = range.y;
+  const EditPhase second = slider(widgets, spec, end);
+  set(second, {range.x, std::max(end, range.x + 1.0)});
+}
+
+const app::ElasticReport* reportOf(PanelContext& context, const std::string& limbId) {
+  const std::vector<app::ElasticReport>& reports = context.session->elasticReports();
+  const auto found = std::find_if(reports.begin(), reports.end(),
+                                  [&](const app::ElasticReport& report) { return report.limb == limbId; });
+  return found == reports.end() ? nullptr : &*found;
+}
+
+void outcomeRows(PanelContext& context, const app::ElasticReport& report) {
+  const WidgetContext widgets = widgetsOf(context);
+  valueRow(widgets, "Length",
+           fmt::format("\xC3\x97{:.3f} to \xC3\x97{:.3f}", report.shortest, report.longest),
+           {.title = "Shortest and longest",
+            .text = fmt::format("Along its bones, at frames {:.0f} and {:.0f}.", report.shortestFrame,
+                                report.longestFrame)});
+  for (const std::string& warning : report.warnings) {
+    notice(widgets, NoticeKind::warning, warning);
+  }
+}
+
+void weightSettings(PanelContext& context, const ElasticLimb& entry) {
+  const app::ElasticReport* const report = reportOf(context, entry.limb);
+  if (report != nullptr) {
+    const app::ElasticReport shown = *report; // a copy: the rows change what it was made from
+    outcomeRows(context, shown);
+    mainRows(context, entry.settings);
+    gravityRow(context, entry.settings);
+    weightRow(context,
+              {.setting = "density",
+               .label = "Density",
+               .undoLabel = "Change the density",
+               .maximum = 4000.0,
+               .hardMaximum = 100000.0,
+               .defaultValue = defaults().density,
+               .suffix = " kg/m\xC2\xB3",
+               .decimals = 0},
+              entry.settings, &ElasticSettings::density);
+    modulusRow(context, entry.settings, shown.youngModulus);
+    boneRows(context, entry, shown.youngModulus);
+    rangeRow(context, entry.settings);
+  }
+  commandButton(context, {.command = command::weightRemove,
+                          .text = "Take the weight away",
+                          .emphasis = Emphasis::quiet,
+                          .width = ImGui::GetContentRegionAvail().x});
+}
+
+} // namespace
+
+void weightSection(PanelContext& context, const std::string& limbId) {
+  const WidgetContext widgets = widgetsOf(context);
+  if (!section(widgets, "weight/section", "Weight", context.ui.closedSections)) {
+    return;
+  }
+  const ElasticLimb* const present =
+      app::findElastic(context.session->document(), limbId, context.session->view().clip);
+  const bool on = present != nullptr && present->on;
+  const Help help{"Weight",
+                  "The limb sags, squashes when it lands and stretches when it swings, by its own load. "
+                  "Seen at once, and saved with the clip.",
+                  {}};
+  labelledRow(widgets, "Weight", help);
+  if (toggle(widgets, "weight/on", on ? "On" : "Off", on, help)) {
+    request(context, command::weightToggle);
+  }
+  if (on) {
+    const ElasticLimb entry = *present; // a copy: rows edit the document while the others are drawn
+    weightSettings(context, entry);
+  }
+}
+
+} // namespace stretch::ui
