@@ -72,16 +72,19 @@ double volumeAboveLegs(const Document& document, LimbSizes& sizes) {
   return std::max(leastShare * bodyVolume, bodyVolume - legs);
 }
 
-// The largest pressure that the limb at rest bears in one of its bones, Pa.
+// The pressure that the limb at rest bears, Pa: the mean along its length, which is what its length shows.
 double stillPressure(const std::vector<skinning::LimbSegment>& segments, double density, double carriedMass) {
-  double largest = 0.0;
+  double sum = 0.0;
+  double length = 0.0;
   double mass = carriedMass;
   for (const skinning::LimbSegment& segment : segments) {
     const double own = density * segment.volume;
-    largest = std::max(largest, (mass + 0.5 * own) * earthGravity * segment.length / segment.volume);
+    const double area = segment.volume / segment.length;
+    sum += segment.length * (mass + 0.5 * own) * earthGravity / area;
+    length += segment.length;
     mass += own;
   }
-  return largest;
+  return sum / length;
 }
 
 double modulusOf(const ElasticSettings& settings, const rig::Limb& limb,

@@ -32,18 +32,19 @@ ElasticSetting number(std::string name, double minimum, double maximum, std::str
 }
 
 ElasticSetting young() {
-  return {"young",
-          "--young",
-          ElasticKind::optionalNumber,
-          softestModulus,
-          hardestModulus,
-          "Pa",
-          fmt::format("Young's modulus of the flesh; default: a limb at rest gives way by {:g} %.",
-                      100.0 * stillSag),
-          [](const S& s) { return s.youngModulus ? Json(*s.youngModulus) : Json(nullptr); },
-          [](const Json& v, S& s) {
-            s.youngModulus = v.is_null() ? std::optional<double>() : std::optional<double>(v.get<double>());
-          }};
+  return {
+      "young",
+      "--young",
+      ElasticKind::optionalNumber,
+      softestModulus,
+      hardestModulus,
+      "Pa",
+      fmt::format("Young's modulus of the flesh; default: a limb at rest gives way by {:g} % of its length.",
+                  100.0 * stillSag),
+      [](const S& s) { return s.youngModulus ? Json(*s.youngModulus) : Json(nullptr); },
+      [](const Json& v, S& s) {
+        s.youngModulus = v.is_null() ? std::optional<double>() : std::optional<double>(v.get<double>());
+      }};
 }
 
 ElasticSetting gravity() {

@@ -14,7 +14,7 @@ namespace stretch::app {
 /// the same on every character.
 struct ElasticSettings {
   /// Pa. Empty: so stiff that the limb at rest (an arm hanging, a leg under half the body) gives way by
-  /// stillSag where it is weakest.
+  /// stillSag of its length.
   std::optional<double> youngModulus;
   double density = 1000.0;       ///< kg/m^3
   Vec3 gravity{0.0, -9.81, 0.0}; ///< m/s^2

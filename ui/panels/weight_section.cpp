@@ -181,7 +181,7 @@ void modulusRow(PanelContext& context, const ElasticSettings& settings, double u
   const bool automatic = !settings.youngModulus;
   if (toggle(widgets, "weight/young-auto", "Auto", automatic,
              {"Automatic modulus",
-              "As stiff as lets the limb at rest give way by two and a half percent where it is weakest.",
+              "As stiff as lets the limb at rest give way by two and a half percent of its length.",
               {}})) {
     editWeight(context, {true, true}, "Change the modulus", [&](ElasticSettings& s) {
       s.youngModulus = automatic ? std::optional<double>(used) : std::nullopt;

@@ -133,3 +133,21 @@ TEST_CASE("a stretch round across its bone keeps one fixed set of axes and one l
   addBindLeaves(moving.scene, {{0, rekeyed.keys.stretches}}, edits);
   CHECK(edits.addedNodes.size() == rekeyed.keys.stretches.size());
 }
+
+TEST_CASE("flesh over a whole clip of stepped keys has no key before the clip begins") {
+  MovingBiped moving = punchingBiped(Interpolation::step);
+  for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+    leaf.edit([](Track& track) {
+      for (float& time : track.times) {
+        time += 0.125F;
+      }
+    });
+  }
+  moving.clip.startSeconds = 0.125;
+  moving.clip.endSeconds = 1.125;
+  LimbFlesh flesh = softLimb(moving, "left-leg", standing);
+  flesh.startSeconds = 0.0;
+  for (const Track& track : keyed(moving, softMotion(moving, {}, {flesh})).keys.tracks) {
+    CHECK(track.times.front() >= 0.0F);
+  }
+}
