@@ -130,9 +130,9 @@ FleshSample fleshAt(const LimbFlesh& flesh, double timeSeconds) {
   if (flesh.samples.empty() || fade <= 0.0) {
     return {timeSeconds, {}, 0.0};
   }
-  const auto after = std::find_if(flesh.samples.begin(), flesh.samples.end(), [&](const FleshSample& sample) {
-    return sample.timeSeconds >= timeSeconds;
-  });
+  const auto after = std::lower_bound(
+      flesh.samples.begin(), flesh.samples.end(), timeSeconds,
+      [](const FleshSample& sample, double seconds) { return sample.timeSeconds < seconds; });
   FleshSample sample = flesh.samples.back();
   if (after == flesh.samples.begin()) {
     sample = flesh.samples.front();

@@ -176,7 +176,7 @@ Verb elasticVerb() {
       "elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
       [](CLI::App& app) {
         const auto arguments = std::make_shared<ElasticArguments>();
-        app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
+        addFileArguments(app, arguments->input);
         app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
         app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
         app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")

@@ -269,12 +269,10 @@ PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNod
     return [span = StretchSpan(exact, keys, frames, start, end)](double time) { return span.missAt(time); };
   };
   const double framesPerSecond = exact.motion().framesPerSecond;
-  constexpr double stretchShare = 0.5; // What the stretch misses comes on top of what its joint does.
   for (const Window& window : part.windows) {
     const std::vector<double> first = firstTimes(window, keys, framesPerSecond, options.keyEveryFrame);
     keys.times.push_back(refined(missOfJoints, framesPerSecond, options.tolerance, first));
-    keys.stretchTimes.push_back(
-        refined(missOfStretch, framesPerSecond, stretchShare * options.tolerance, first));
+    keys.stretchTimes.push_back(refined(missOfStretch, framesPerSecond, options.tolerance, first));
   }
   return keys;
 }

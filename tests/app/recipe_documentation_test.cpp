@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
+#include "app/elastic_description.h"
 #include "app/recipe.h"
 #include "app/trail_description.h"
 #include "app/trail_json.h"
@@ -100,6 +101,22 @@ TEST_CASE("the documentation of recipes has a row for every setting, as the prog
       CHECK_THAT(cells[2], Catch::Contains(value));
     }
     CHECK(plain(cells[3]) == defaultText(setting.read(rig::TrailSettings{})));
+  }
+}
+
+TEST_CASE("the documentation of recipes has a row for every setting of a limb's weight") {
+  const std::string text = textOf(documentation);
+  for (const ElasticSetting& setting : elasticSettings()) {
+    INFO(setting.name);
+    const std::vector<std::string> cells = rowOf(text, setting.name);
+    REQUIRE(cells.size() == 5);
+    CHECK(plain(cells[1]) == setting.option);
+    CHECK_THAT(cells[2], Catch::Contains(fmt::format("{:g} to {:g}", setting.minimum, setting.maximum)));
+    const gltf::Json value = setting.read(ElasticSettings{});
+    CHECK(plain(cells[3]) == (value.is_array() ? "[0, -9.81, 0]" : defaultText(value)));
+  }
+  for (const char* const key : {"moduli", "elastic"}) {
+    CHECK_FALSE(rowOf(text, key).empty());
   }
 }
 

@@ -1,0 +1,49 @@
+#include "app/standing.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+SampledClip::OfLimb leg(rig::LimbKind kind, const std::vector<double>& lowest) {
+  SampledClip::OfLimb one;
+  one.limb.kind = kind;
+  one.limb.id = std::string(rig::limbName(kind));
+  one.limb.restLength = 0.9;
+  one.lowest = lowest;
+  return one;
+}
+
+Standing standing(const std::vector<double>& left, const std::vector<double>& right) {
+  Document document;
+  document.biped.height = characterHeightMetres;
+  SampledClip sampled;
+  sampled.samplesPerSecond = 30.0;
+  sampled.limbs = {leg(rig::LimbKind::leftLeg, left), leg(rig::LimbKind::rightLeg, right)};
+  return standingOf(document, sampled);
+}
+
+} // namespace
+
+TEST_CASE("two legs on the ground share the body, one alone carries it") {
+  std::vector<double> lifted(40, 0.0);
+  for (std::size_t k = 15; k < 40; ++k) {
+    lifted[k] = 0.3;
+  }
+  const Standing legs = standing(std::vector<double>(40, 0.0), lifted);
+  const std::size_t left = legs.indexOf("left-leg");
+  const std::size_t right = legs.indexOf("right-leg");
+  CHECK(legs.shares[left][3] == Approx(0.5));
+  CHECK(legs.shares[right][3] == Approx(0.5));
+  CHECK(legs.shares[left][30] == Approx(1.0));
+  CHECK(legs.planted[right][30] == 0.0);
+  CHECK(legs.indexOf("left-arm") == legs.legs.size());
+}
+
+TEST_CASE("a foot that is held up all the time does not stand, however still it is") {
+  const Standing legs = standing(std::vector<double>(20, 0.02), std::vector<double>(20, 0.35));
+  CHECK(legs.planted[legs.indexOf("left-leg")][10] == 1.0);
+  CHECK(legs.planted[legs.indexOf("right-leg")][10] == 0.0);
+}
