@@ -170,7 +170,7 @@ void modulusRow(PanelContext& context, const ElasticSettings& settings, double u
   const Help help = helpOf("young", "Modulus");
   labelledRow(widgets, "Modulus", help);
   const float width = ImGui::GetContentRegionAvail().x;
-  const float autoWidth = context.theme.px(72.0F);
+  const float autoWidth = context.theme.px(80.0F);
   SliderSpec spec = modulusSlider("weight/young", used);
   spec.width = width - autoWidth;
   spec.help = dragHelp(help);
