@@ -33,6 +33,8 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
       document.warnings.push_back("the work kept in the file could not be taken up: " +
                                   restored.error().line());
+    } else {
+      document.carriedWork = true;
     }
   }
   return document;
@@ -74,6 +76,13 @@ void setFramesPerSecond(Document& document, double framesPerSecond) {
     clip.framesPerSecond = framesPerSecond;
   }
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+}
+
+std::size_t unappliedTrails(const Document& document) {
+  return static_cast<std::size_t>(
+      std::count_if(document.trails.begin(), document.trails.end(), [](const rig::Trail& trail) {
+        return trail.connected && trail.applied != trail.settings;
+      }));
 }
 
 bool isActive(const rig::Trail& trail) {

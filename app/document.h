@@ -24,6 +24,7 @@ struct Document {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
   std::vector<std::string> warnings; ///< Of opening the file.
+  bool carriedWork = false;          ///< The file was one of ours: saving goes back to it.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
@@ -50,6 +51,9 @@ struct Document {
 
 /// Reads all clips at another frame rate: frames, ranges and ticks count in it.
 void setFramesPerSecond(Document& document, double framesPerSecond);
+
+/// Trails that the character follows in the editor and that saving does not key, or not as they stand.
+[[nodiscard]] std::size_t unappliedTrails(const Document& document);
 
 /// Whether the character follows this trail: it is connected, or it was applied.
 [[nodiscard]] bool isActive(const rig::Trail& trail);

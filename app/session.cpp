@@ -8,7 +8,11 @@
 
 namespace stretch::app {
 
-Session::Session(Document document) : history_(std::move(document)) {}
+Session::Session(Document document) : history_(std::move(document)) {
+  if (history_.current().carriedWork) {
+    savePath_ = history_.current().source->path;
+  }
+}
 
 bool Session::edit(Document changed, std::string label) {
   if (isDragging()) {

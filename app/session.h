@@ -66,8 +66,8 @@ public:
   /// What the limbs of the viewed clip that have weight come to.
   [[nodiscard]] const std::vector<ElasticReport>& elasticReports();
 
-  /// Where the next plain save goes; empty until the user saved once: the source is never overwritten by the
-  /// first save.
+  /// Where the next plain save goes: back to a file that carries our work; else empty until the user saved
+  /// once, so that the source is never overwritten by the first save.
   [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);

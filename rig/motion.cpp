@@ -112,6 +112,11 @@ void solveTipOf(SolvedTrail& solved) {
   solved.tip = solveTip(problem);
 }
 
+// Of two frames, beyond the rounding of key times.
+bool differs(double frame, double other) {
+  return std::abs(frame - other) > 0.01;
+}
+
 void explainTip(SolvedTrail& solved, double framesPerSecond) {
   const TipSolution& tip = solved.tip;
   if (solved.trail.settings.scale < smallestScale) {
@@ -120,6 +125,10 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
   }
   if (solved.settings.endFrame - solved.settings.startFrame >= longestFrames) {
     solved.warnings.push_back(fmt::format("the range is cut to {:g} frames", longestFrames));
+  } else if (differs(solved.settings.startFrame, solved.trail.settings.startFrame) ||
+             differs(solved.settings.endFrame, solved.trail.settings.endFrame)) {
+    solved.warnings.push_back(fmt::format("the range is cut to the frames {:g} to {:g}, which the clip has",
+                                          solved.settings.startFrame, solved.settings.endFrame));
   }
   if (tip.outcome == TipOutcome::nothingToScale) {
     solved.warnings.emplace_back(

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -84,7 +85,15 @@ std::vector<TrailRequest> requestsOf(const CLI::App& app) {
   return requests;
 }
 
+bool namesScale(const TrailRequest& request) {
+  return std::any_of(request.settings.begin(), request.settings.end(),
+                     [](const auto& named) { return named.first->name == "scale"; });
+}
+
 Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& document) {
+  if (!namesScale(request)) {
+    return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
+  }
   const Result<rig::Limb> limb = findOrAddLimb(document, request.limb);
   if (!limb) {
     return limb.error();
@@ -94,7 +103,7 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   trail.clip = clip;
   const Result<Vec2> range =
       request.range.empty() ? Result<Vec2>(rig::defaultRange(*document.scene, clipOf(document, clip), *limb))
-                            : parseRange(request.range);
+                            : rangeOf(request.range, clipOf(document, clip));
   if (!range) {
     return range.error();
   }
@@ -272,20 +281,26 @@ std::string optionHelp(const TrailSetting& setting) {
          (setting.unit.empty() ? "" : " [" + setting.unit + "]");
 }
 
-std::string problemOf(const Status& status) {
-  return status ? std::string() : status.error().line();
+// The command line names the option itself.
+std::string withoutPlace(Error error) {
+  error.where.clear();
+  return error.line();
 }
 
 // A value that no trail can have is a wrong argument: found before any file is opened.
 std::string checkSettingText(const TrailSetting& setting, const std::string& text) {
   const Result<Json> value = parseSettingText(setting, text);
   rig::TrailSettings scratch;
-  return value ? problemOf(setTrailSetting(setting, *value, scratch)) : value.error().line();
+  if (!value) {
+    return withoutPlace(value.error());
+  }
+  const Status set = setTrailSetting(setting, *value, scratch);
+  return set ? std::string() : withoutPlace(set.error());
 }
 
 std::string checkRangeText(const std::string& text) {
   const Result<Vec2> range = parseRange(text);
-  return range ? std::string() : range.error().line();
+  return range ? std::string() : withoutPlace(range.error());
 }
 
 void addTrailOptions(CLI::App& app) {

@@ -1,6 +1,7 @@
 #include "app/batch/options.h"
 
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -29,7 +30,24 @@ void addFileArguments(CLI::App& app, FileArguments& arguments) {
 }
 
 Result<Document> openDocument(const FileArguments& arguments) {
-  return openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+  Result<Document> document =
+      openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+  if (document || document.error().where == arguments.file) {
+    return document;
+  }
+  Error error = document.error();
+  error.where = arguments.file + (error.where.empty() ? "" : ": ") + error.where;
+  return error;
+}
+
+Result<Vec2> rangeOf(const std::string& text, const Clip& clip) {
+  const Result<Vec2> range = parseRange(text);
+  const double last = std::round(clip.endSeconds * clip.framesPerSecond);
+  if (range && (range->x > last || range->y < 0.0)) {
+    return Error{fmt::format("{} lies outside the clip, which has the frames 0 to {:g}", text, last),
+                 "--range", "give frames of the clip"};
+  }
+  return range;
 }
 
 Result<Vec2> parseRange(const std::string& text) {

@@ -24,6 +24,9 @@ void addFileArguments(CLI::App& app, FileArguments& arguments);
 /// "A:B": first and last frame, real numbers, A <= B.
 [[nodiscard]] Result<Vec2> parseRange(const std::string& text);
 
+/// The same for a clip: an error when all of it lies outside.
+[[nodiscard]] Result<Vec2> rangeOf(const std::string& text, const Clip& clip);
+
 /// "x,y,z": three numbers; `where` names the option in errors.
 [[nodiscard]] Result<Vec3> parseVector(const std::string& text, const std::string& where);
 

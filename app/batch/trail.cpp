@@ -54,7 +54,7 @@ Status runTrail(const TrailArguments& arguments) {
   }
   Vec2 range = rig::defaultRange(*document->scene, clipOf(*document, *clip), *limb);
   if (!arguments.range.empty()) {
-    const Result<Vec2> given = parseRange(arguments.range);
+    const Result<Vec2> given = rangeOf(arguments.range, clipOf(*document, *clip));
     if (!given) {
       return given.error();
     }

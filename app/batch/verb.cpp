@@ -28,6 +28,7 @@ int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* cons
                    "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf|SEQUENCE]"};
   program.name("stretch-engine");
   program.require_subcommand(1);
+  program.set_version_flag("--version", "stretch-engine " STRETCH_VERSION);
   std::function<Status()> chosen;
   for (const Verb& verb : verbs) {
     CLI::App* const subcommand = program.add_subcommand(verb.name, verb.help);

@@ -78,7 +78,9 @@ bool moveIntoPlace(const OutputFile& file, Undo& undo) {
 Result<Bytes> readFile(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) {
-    return Error{"there is no such file", path.string(), "check the path"};
+    std::error_code ignored;
+    return fs::is_directory(path, ignored) ? Error{"is a folder", path.string(), "give a file"}
+                                           : Error{"there is no such file", path.string(), "check the path"};
   }
   const std::uintmax_t size = fs::file_size(path, failure);
   if (failure || size >= std::numeric_limits<std::uint32_t>::max()) {

@@ -216,6 +216,11 @@ Status save(const Source& source, const fs::path& path) {
   if (!isText && extension != ".glb" && extension != ".vrm" && extension != ".vrma") {
     return Error{"an output has to end in .glb or .gltf", path.string(), "give it such a name"};
   }
+  std::error_code ignored;
+  const fs::path folder = path.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+    return Error{"there is no such folder", folder.string(), "make it, or save elsewhere"};
+  }
   try {
     const Result<std::vector<OutputFile>> files = Saving(source, path, !isText).files();
     return files ? writeFiles(*files) : Status(files.error());

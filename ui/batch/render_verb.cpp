@@ -226,6 +226,9 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   if (!size || !view) {
     return size ? view.error() : size.error();
   }
+  if (std::filesystem::path(arguments.output).extension() != ".png") {
+    return Error{"a picture has to end in .png", arguments.output, "give it such a name"};
+  }
   PictureOptions options;
   options.widthPixels = size->width;
   options.heightPixels = size->height;

@@ -1,6 +1,7 @@
 #include <initializer_list>
 
 #include "ui/panels/command_ids.h"
+#include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 
@@ -58,6 +59,9 @@ void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
       recentFiles(context);
     }
     first = false;
+  }
+  if (keyPressed(ImGuiKey_Escape)) {
+    ImGui::CloseCurrentPopup();
   }
   ImGui::EndMenu();
 }

@@ -91,9 +91,11 @@ void drawNavigationQuestion(PanelContext& context) {
   const bool blender = card(context, "navigation/blender", "As in Blender",
                             {"Middle: orbit", "Shift + middle: pan", "Wheel: zoom"}, width);
   verticalSpace(widgetsOf(context), 8.0F);
-  note(widgetsOf(context), "Settings change it at any time.");
-  if (maya || blender) {
-    ui.navigation = maya ? NavigationStyle::maya : NavigationStyle::blender;
+  note(widgetsOf(context), "Enter or Escape: as in Maya. Settings change it at any time.");
+  const bool answered =
+      keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter) || keyPressed(ImGuiKey_Escape);
+  if (maya || blender || answered) {
+    ui.navigation = blender ? NavigationStyle::blender : NavigationStyle::maya;
     ui.answers.navigation = ui.navigation;
     ui.navigationChoiceOpen = false;
     ImGui::CloseCurrentPopup();

@@ -136,12 +136,17 @@ void takeAnswers(Editor& editor) {
   }
 }
 
+/// Dialogs, text fields, open menus and lists.
+bool widgetsTakeKeys(const Shell& shell) {
+  return widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty() ||
+         ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 void takeKeys(Editor& editor) {
   Shell& shell = editor.shell;
   shell.ui.pressedKey.clear();
   for (const KeyInput& input : editor.window.input().keys) {
-    const bool owned =
-        widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty();
+    const bool owned = widgetsTakeKeys(shell);
     if (!owned || !input.down) {
       dispatchKey(shell, input);
     } else if (input.down) {
@@ -286,13 +291,13 @@ void drawFrame(Editor& editor) {
   editor.gpu->drewPicture = false;
   drawEverything(editor);
   runRequested(shell);
-  editor.window.input().guiTakesKeys =
-      widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty();
+  editor.window.input().guiTakesKeys = widgetsTakeKeys(shell);
   editor.window.setTitle(windowTitle(shell));
   editor.gui.endFrame(shell.theme, editor.window.size());
   if (editor.script) {
     editor.script->afterFrame(shell, editor.window.size());
   }
+  releaseTappedKeys(editor.window.input(), editor.window.handle());
   editor.window.present();
   if (editor.gpu->drewPicture && !editor.script) {
     editor.gpu->governor.frameTook(clockSeconds() - began);

@@ -112,7 +112,8 @@ void takeLoaded(Shell& shell) {
   shell.files.loading = {};
   shell.ui.busyText.clear();
   if (!loaded) {
-    tell(shell, ToastKind::error, loaded.error().line());
+    tell(shell, ToastKind::error,
+         shell.files.loadingPaths.back().filename().string() + ": " + loaded.error().line());
     return;
   }
   closeFile(shell);
@@ -126,6 +127,12 @@ void takeLoaded(Shell& shell) {
 void saved(Shell& shell, const fs::path& path, bool clean) {
   tell(shell, ToastKind::success,
        fmt::format("{} {}", clean ? "Exported" : "Saved", path.filename().string()));
+  if (const std::size_t waiting = app::unappliedTrails(shell.session->document()); waiting > 0) {
+    tell(shell, ToastKind::warning,
+         fmt::format("{} {} not applied: other programs play the file without {}. Enter applies the selected "
+                     "one.",
+                     waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
+  }
   if (clean) {
     return;
   }

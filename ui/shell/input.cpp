@@ -1,5 +1,6 @@
 #include "ui/shell/input.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
@@ -129,9 +130,13 @@ void installCallbacks(GLFWwindow* window, InputQueue& queue) {
 
 void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, int action, int mods) {
   queue.anything = true;
+  const auto& pressed = queue.pressedKeys;
   // The widgets would take Tab and others for themselves while no text field is open.
-  if (queue.guiTakesKeys || isModifier(key) || action == GLFW_RELEASE) {
+  if (action == GLFW_RELEASE && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {
+    queue.lateReleases.push_back(key);
+  } else if (queue.guiTakesKeys || isModifier(key) || action == GLFW_RELEASE) {
     ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+    queue.pressedKeys.push_back(key);
   }
   KeyInput input;
   input.press.chord.key = fromGlfwKey(key);
@@ -145,6 +150,15 @@ void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, in
   input.down = action != GLFW_RELEASE;
   input.repeat = action == GLFW_REPEAT;
   queue.keys.push_back(input);
+}
+
+void releaseTappedKeys(InputQueue& queue, GLFWwindow* window) {
+  for (const int key : queue.lateReleases) {
+    ImGui_ImplGlfw_KeyCallback(window, key, 0, GLFW_RELEASE, 0);
+  }
+  queue.anything = queue.anything || !queue.lateReleases.empty();
+  queue.lateReleases.clear();
+  queue.pressedKeys.clear();
 }
 
 void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepoint) {

@@ -26,6 +26,10 @@ struct InputQueue {
   bool focusGained = false;
   bool anything = true;      ///< Something happened that may change the picture.
   bool guiTakesKeys = false; ///< A text field or a dialog is open: keys go to the widgets as well.
+  /// Keys pressed since the last drawn frame (GLFW's codes), and those of them that came up again: the
+  /// widgets look at keys once a frame and would miss a quick tap.
+  std::vector<int> pressedKeys;
+  std::vector<int> lateReleases;
 
   void clear();
 };
@@ -35,6 +39,8 @@ void installCallbacks(GLFWwindow* window, InputQueue& queue);
 
 /// A key as GLFW reports it (its key, scancode, action and mods).
 void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, int action, int mods);
+/// After a drawn frame: lets keys come up for the widgets that were pressed and released before it.
+void releaseTappedKeys(InputQueue& queue, GLFWwindow* window);
 /// A typed character.
 void receiveCharacter(InputQueue& queue, GLFWwindow* window, unsigned int codepoint);
 

@@ -48,6 +48,9 @@ int choiceList(const WidgetContext& context, const std::string& id, const std::v
                                             : faded(colours.text, 0.4F);
       drawText(context, theme.fonts.body, text, colour, choice.text);
     }
+    if (isSelected && ImGui::IsWindowAppearing()) {
+      ImGui::SetScrollHereY(0.5F);
+    }
     tooltip(context, choice.help);
     chosen = row.clicked ? static_cast<int>(i) : chosen;
   }
@@ -60,6 +63,18 @@ float listWidth(const Theme& theme, const std::vector<Choice>& choices, float le
     width = std::max(width, textSize(theme.fonts.body, choice.text).x + theme.unit() * 2.0F + theme.px(4.0F));
   }
   return width;
+}
+
+/// Below the field, or above it where there is more room; as long as the screen lets it be.
+void placeList(const Theme& theme, const Rect& field, std::size_t count) {
+  const float gap = theme.px(2.0F);
+  const float wanted = static_cast<float>(count) * (theme.rowHeight() + theme.px(1.0F)) + theme.px(8.0F);
+  const float above = field.min.y - gap - theme.unit();
+  const float below = ImGui::GetIO().DisplaySize.y - field.max.y - gap - theme.unit();
+  const bool isBelow = wanted <= below || below >= above;
+  const float height = std::min({wanted, isBelow ? below : above, theme.px(480.0F)});
+  ImGui::SetNextWindowPos({field.min.x, isBelow ? field.max.y + gap : field.min.y - gap - height});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {theme.px(480.0F), height});
 }
 
 } // namespace
@@ -80,11 +95,13 @@ int dropdown(const WidgetContext& context, const std::string& id, const std::vec
     ImGui::OpenPopup(popup.c_str());
   }
   int chosen = -1;
-  ImGui::SetNextWindowPos({control.box.min.x, control.box.max.y + theme.px(2.0F)});
-  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {theme.px(480.0F), theme.px(360.0F)});
+  placeList(theme, control.box, choices.size());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(4.0F), theme.px(4.0F)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, theme.px(1.0F)));
   if (ImGui::BeginPopup(popup.c_str())) {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+      ImGui::CloseCurrentPopup();
+    }
     chosen =
         choiceList(context, id, choices, selected, listWidth(theme, choices, fieldWidth - theme.px(8.0F)));
     if (chosen >= 0) {
