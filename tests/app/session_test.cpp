@@ -120,3 +120,25 @@ TEST_CASE("The first save proposes another name, a clean export does not count a
   CHECK(session.history().isSaved());
   CHECK(session.proposedSavePath() == folder / "work.glb");
 }
+
+TEST_CASE("A file that carries our work is saved back to itself") {
+  const Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  const test::TemporaryFolder folder;
+  Session first(withTrail(*opened, 2.0));
+  REQUIRE(first.save(folder / "work.glb", false));
+  const Result<Document> ours = openDocument(folder / "work.glb");
+  REQUIRE(ours);
+  CHECK(Session(*ours).savePath() == folder / "work.glb");
+  CHECK(Session(*opened).savePath().empty());
+}
+
+TEST_CASE("A trail waits to be applied from its connecting on, and after each change") {
+  const Document connected = withTrail(test::boxer(), 2.0);
+  CHECK(unappliedTrails(test::boxer()) == 0);
+  CHECK(unappliedTrails(connected) == 1);
+  const Result<Document> applied = applyTrail(connected, connected.trails.front().id);
+  REQUIRE(applied);
+  CHECK(unappliedTrails(*applied) == 0);
+  CHECK(unappliedTrails(scaled(*applied, 3.0)) == 1);
+}

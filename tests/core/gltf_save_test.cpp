@@ -84,6 +84,7 @@ TEST_CASE("Chunks that nobody knows stay in the GLB") {
 TEST_CASE("Files beside a .gltf come along into another folder") {
   const TemporaryFolder folder;
   writeSeparateFiles(folder.path() / "in");
+  fs::create_directories(folder / "out/deep");
   saveOrFail(*sourceAt(folder / "in/model.gltf"), folder / "out/deep/copy.gltf");
   CHECK(test::readBytes(folder / "out/deep/my data.bin") == armBuilder().binary);
   CHECK(test::readBytes(folder / "out/deep/textures/skin.png") == gltf::Bytes{1, 2, 3});
@@ -108,10 +109,20 @@ TEST_CASE("An image outside the folder is refused when it would have to be copie
   test::writeBytes(folder / "skin.png", {1, 2, 3});
   const auto source = sourceAt(folder / "in/model.glb");
   CHECK(gltf::save(*source, folder / "in/beside.glb").ok());
+  fs::create_directories(folder / "elsewhere/deep");
   const Status refused = gltf::save(*source, folder / "elsewhere/deep/model.glb");
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.error().where == "images[0]");
-  CHECK_FALSE(fs::exists(folder / "elsewhere"));
+  CHECK(fs::is_empty(folder / "elsewhere/deep"));
+}
+
+TEST_CASE("A folder that is not there is told and not made") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path());
+  const Status refused = gltf::save(*sourceAt(folder / "model.gltf"), folder / "mistyped/copy.glb");
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().where == (folder / "mistyped").string());
+  CHECK_FALSE(fs::exists(folder / "mistyped"));
 }
 
 TEST_CASE("A file of another model with the same name is not overwritten") {
