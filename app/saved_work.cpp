@@ -136,7 +136,14 @@ Result<ElasticLimb> elasticLimbFromJson(const Json& json, const Document& docume
   entry.clip = json.at("clip").get<int>();
   entry.on = json.at("on").get<bool>();
   const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
-  return clipExists ? Result<ElasticLimb>(std::move(entry)) : Result<ElasticLimb>(malformed("elastic.clip"));
+  const bool isRepeated =
+      std::any_of(document.elastic.begin(), document.elastic.end(), [&](const ElasticLimb& other) {
+        return other.limb == entry.limb && other.clip == entry.clip;
+      });
+  if (!clipExists || isRepeated) {
+    return malformed("elastic");
+  }
+  return entry;
 }
 
 Status restoreParts(const Json& work, Document& document) {
@@ -198,13 +205,25 @@ Json workOf(const Document& document) {
   return work;
 }
 
+Document withoutWork(Document document) {
+  document.trails.clear();
+  document.elastic.clear();
+  document.chains.clear();
+  document.loopingClips.clear();
+  if (document.limbsCorrected) {
+    document.biped = rig::detectBiped(*document.scene);
+    document.limbsCorrected = false;
+  }
+  return document;
+}
+
 Status restoreWork(const Json& work, Document& document) {
   try {
     if (!work.is_object() || work.value("version", 0) != workVersion) {
       return Error{"the work is of a version that this program does not know", "extras.stretch_engine",
                    "open it with the program that wrote it"};
     }
-    Document restored = document;
+    Document restored = withoutWork(document);
     restored.limbsCorrected = work.value("limbs_corrected", false);
     if (const Status parts = restoreParts(work, restored); !parts) {
       return parts;

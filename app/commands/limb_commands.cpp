@@ -52,6 +52,7 @@ Status selectNone(Session& session) {
 Status detectAgain(Session& session) {
   Document changed = session.document();
   changed.biped = rig::detectBiped(*changed.scene);
+  changed.limbsCorrected = false;
   return finish(session, changed, "Find the limbs again");
 }
 

@@ -26,6 +26,7 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
     return valid.error();
   }
   Document changed = document;
+  changed.limbsCorrected = true;
   limb.id = std::string(rig::limbName(limb.kind));
   limb.confidence = 1.0;
   limb.reasons = {"set by hand"};

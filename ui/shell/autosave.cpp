@@ -77,11 +77,7 @@ Result<app::Document> withAutosave(const app::Document& document, const fs::path
   if (json.is_null()) {
     return Error{"the unsaved work cannot be read", autosave.string(), "go on with the file as it was saved"};
   }
-  app::Document restored = document;
-  restored.trails.clear();
-  restored.chains.clear();
-  restored.loopingClips.clear();
-  restored.biped = rig::detectBiped(*document.scene);
+  app::Document restored = app::withoutWork(document);
   if (json["work"].is_null()) {
     return restored;
   }

@@ -36,11 +36,6 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
     const float x = layout.frames.toPixel(frame);
     list->AddLine({x, layout.ruler.max.y - theme.px(8.0F)}, {x, layout.ruler.max.y}, colours.quietText);
     list->AddLine({x, layout.ruler.max.y}, {x, layout.track.max.y}, faded(colours.border, 0.45F));
-    char text[24];
-    std::snprintf(text, sizeof text, "%.0f", frame);
-    const float half = theme.px(26.0F);
-    const Rect place{{x - half, layout.ruler.min.y}, {x + half, layout.ruler.max.y - theme.px(7.0F)}};
-    drawText(context, theme.fonts.label, place, colours.quietText, text, 0.5F);
   }
   // Frames that the clip does not have are covered.
   const float first =
@@ -50,6 +45,14 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
   const ImU32 outside = faded(colours.background, 0.55F);
   list->AddRectFilled(layout.track.min, {first, layout.track.max.y}, outside);
   list->AddRectFilled({last, layout.track.min.y}, layout.track.max, outside);
+  for (const double frame : marks(layout.frames, numbered)) {
+    const float half = theme.px(26.0F);
+    const float x = layout.frames.toPixel(frame);
+    char text[24];
+    std::snprintf(text, sizeof text, "%.0f", frame);
+    const Rect place{{x - half, layout.ruler.min.y}, {x + half, layout.ruler.max.y - theme.px(7.0F)}};
+    drawText(context, theme.fonts.label, place, colours.quietText, text, 0.5F);
+  }
 }
 
 void drawRange(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {

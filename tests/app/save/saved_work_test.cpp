@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/edits/limb_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate.h"
 #include "app/saved_work.h"
@@ -28,12 +29,12 @@ Document trailed() {
   trail.settings.stopAt = rig::StopPlane{Vec3(0.0, 2.0, 0.0), Vec3(0.0, 1.0, 0.0)};
   const Result<CreatedTrail> second = createTrail(first->document, trail);
   REQUIRE(second);
-  return *applyTrail(second->document, first->trailId);
-}
-
-// What a file with this work opens as.
-Document withoutWork() {
-  return test::boxer();
+  Document document = *applyTrail(second->document, first->trailId);
+  ElasticLimb weight;
+  weight.limb = "right-arm";
+  weight.settings.stiffness = 0.5;
+  document.elastic.push_back(weight);
+  return document;
 }
 
 void collect(Json& json, std::vector<Json*>& values) {
@@ -77,12 +78,34 @@ void checkPlayable(const Document& document) {
 
 TEST_CASE("Work comes back as it was saved") {
   const Document document = trailed();
-  Document restored = withoutWork();
+  Document restored = test::boxer();
   REQUIRE(restoreWork(workOf(document), restored));
   CHECK(restored.trails == document.trails);
   CHECK(restored.loopingClips == document.loopingClips);
+  CHECK(restored.elastic == document.elastic);
   CHECK(restored.nextTrailId == document.nextTrailId);
   CHECK(workOf(restored) == workOf(document));
+}
+
+TEST_CASE("Work takes the place of what is there, and nothing is left without it") {
+  Document document = trailed();
+  REQUIRE(restoreWork(workOf(trailed()), document));
+  CHECK(document.trails == trailed().trails);
+  CHECK(document.elastic.size() == 1);
+  CHECK(workOf(withoutWork(document)).is_null());
+}
+
+TEST_CASE("A limb corrected by hand is work, even without a trail") {
+  const Document found = test::boxer();
+  rig::Limb arm = *findLimb(found, "left-arm");
+  arm.joints.erase(arm.joints.begin());
+  const Result<Document> corrected = correctLimb(found, arm);
+  REQUIRE(corrected);
+  REQUIRE_FALSE(workOf(*corrected).is_null());
+  Document restored = found;
+  REQUIRE(restoreWork(workOf(*corrected), restored));
+  CHECK(restored.limbsCorrected);
+  CHECK(findLimb(restored, "left-arm")->joints == arm.joints);
 }
 
 TEST_CASE("A document without work saves none") {
@@ -104,17 +127,20 @@ TEST_CASE(
   SECTION("a trail twice") {
     work["trails"][1]["id"] = work["trails"][0]["id"];
   }
+  SECTION("the weight of a limb twice") {
+    work["elastic"].push_back(work["elastic"][0]);
+  }
   SECTION("a clip that is not there") {
     work["trails"][0]["clip"] = 7;
   }
   SECTION("another version") {
     work["version"] = 2;
   }
-  Document document = withoutWork();
+  Document document = test::boxer();
   const Status restored = restoreWork(work, document);
   REQUIRE_FALSE(restored);
   CHECK_FALSE(restored.error().line().empty());
-  CHECK(document.biped.limbs == withoutWork().biped.limbs);
+  CHECK(document.biped.limbs == test::boxer().biped.limbs);
   CHECK(workOf(document).is_null());
 }
 
@@ -127,7 +153,7 @@ TEST_CASE("Whatever the work of a file holds, it is refused or it plays") {
     std::vector<Json*> values;
     collect(broken, values);
     *values[random() % values.size()] = oddValue(random);
-    Document document = withoutWork();
+    Document document = test::boxer();
     if (restoreWork(broken, document)) {
       ++taken;
       checkPlayable(document);
