@@ -27,7 +27,6 @@ struct ElasticArguments {
   std::string range;
   std::string moduli;
   std::map<std::string, std::string> settings; ///< By option.
-  double framesPerSecond = 0.0;
   SaveOptions save;
   bool json = false;
 };
@@ -110,9 +109,6 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!document) {
     return document.error();
   }
-  if (arguments.framesPerSecond > 0.0) {
-    setFramesPerSecond(*document, arguments.framesPerSecond);
-  }
   const Result<int> clip = findClip(*document, arguments.clip);
   if (!clip) {
     return clip.error();
@@ -172,28 +168,27 @@ void addSettings(CLI::App& app, ElasticArguments& arguments) {
 } // namespace
 
 Verb elasticVerb() {
-  return {
-      "elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
-      [](CLI::App& app) {
-        const auto arguments = std::make_shared<ElasticArguments>();
-        addFileArguments(app, arguments->input);
-        app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
-        app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-        app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
-            ->check(CLI::PositiveNumber);
-        app.add_option("--limb", arguments->limbs, "A limb, as often as wanted; default: all arms and legs")
-            ->take_all()
-            ->expected(1);
-        app.add_option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
-            ->check(rangeProblem);
-        addSettings(app, *arguments);
-        app.add_flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
-        app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
-                     "Stretch through translations only: no bind joints");
-        app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-        app.add_flag("--json", arguments->json, "Print one JSON document");
-        return [arguments] { return runElastic(*arguments); };
-      }};
+  return {"elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
+          [](CLI::App& app) {
+            const auto arguments = std::make_shared<ElasticArguments>();
+            addFileArguments(app, arguments->input);
+            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            addFramesPerSecond(app, arguments->input);
+            app.add_option("--limb", arguments->limbs,
+                           "A limb, as often as wanted; default: all arms and legs")
+                ->take_all()
+                ->expected(1);
+            app.add_option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
+                ->check(rangeProblem);
+            addSettings(app, *arguments);
+            app.add_flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
+            app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
+                         "Stretch through translations only: no bind joints");
+            app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments] { return runElastic(*arguments); };
+          }};
 }
 
 } // namespace stretch::app

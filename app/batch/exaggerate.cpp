@@ -29,7 +29,6 @@ struct ExaggerateArguments {
   std::string output;
   std::string clip;
   std::string recipe;
-  double framesPerSecond = 0.0;
   SaveOptions save;
   bool json = false;
 };
@@ -249,9 +248,6 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (!document) {
     return document.error();
   }
-  if (arguments.framesPerSecond > 0.0) {
-    setFramesPerSecond(*document, arguments.framesPerSecond);
-  }
   const Result<Recipe> plan = plannedTrails(arguments, requests, *document);
   if (!plan) {
     return plan.error();
@@ -329,24 +325,23 @@ void addTrailOptions(CLI::App& app) {
 } // namespace
 
 Verb exaggerateVerb() {
-  return {
-      "exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
-        const auto arguments = std::make_shared<ExaggerateArguments>();
-        addFileArguments(app, arguments->input);
-        app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
-        app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-        app.add_option("--fps", arguments->framesPerSecond, "Frames a second; default: guessed from the keys")
-            ->check(CLI::PositiveNumber);
-        app.add_option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
-        addTrailOptions(app);
-        app.add_flag("--key-every-frame", arguments->save.keyEveryFrame,
-                     "A key on every frame of range and release");
-        app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
-                     "Stretch through translations only: no bind joints");
-        app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-        app.add_flag("--json", arguments->json, "Print one JSON document");
-        return [arguments, &app] { return runExaggerate(*arguments, requestsOf(app)); };
-      }};
+  return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
+            const auto arguments = std::make_shared<ExaggerateArguments>();
+            addFileArguments(app, arguments->input);
+            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            addFramesPerSecond(app, arguments->input);
+            app.add_option("--recipe", arguments->recipe,
+                           "A recipe (JSON) instead of --limb and its options");
+            addTrailOptions(app);
+            app.add_flag("--key-every-frame", arguments->save.keyEveryFrame,
+                         "A key on every frame of range and release");
+            app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
+                         "Stretch through translations only: no bind joints");
+            app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+            app.add_flag("--json", arguments->json, "Print one JSON document");
+            return [arguments, &app] { return runExaggerate(*arguments, requestsOf(app)); };
+          }};
 }
 
 } // namespace stretch::app

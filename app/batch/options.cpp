@@ -29,9 +29,17 @@ void addFileArguments(CLI::App& app, FileArguments& arguments) {
                "Take a file that breaks the specification as well as it can be read");
 }
 
+void addFramesPerSecond(CLI::App& app, FileArguments& arguments) {
+  app.add_option("--fps", arguments.framesPerSecond, "Frames a second; default: guessed from the keys")
+      ->check(CLI::PositiveNumber);
+}
+
 Result<Document> openDocument(const FileArguments& arguments) {
   Result<Document> document =
       openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+  if (document && arguments.framesPerSecond > 0.0) {
+    setFramesPerSecond(*document, arguments.framesPerSecond);
+  }
   if (document || document.error().where == arguments.file) {
     return document;
   }

@@ -14,10 +14,14 @@ namespace stretch::app {
 struct FileArguments {
   std::string file;
   bool tolerant = false;
+  double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
 };
 
 /// Declares FILE and --tolerant; `arguments` has to live as long as the subcommand.
 void addFileArguments(CLI::App& app, FileArguments& arguments);
+
+/// Declares --fps, for verbs that count in frames.
+void addFramesPerSecond(CLI::App& app, FileArguments& arguments);
 
 [[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 

@@ -20,7 +20,6 @@ struct TrailArguments {
   std::string limb;
   std::string clip;
   std::string range;
-  double framesPerSecond = 0.0;
   bool json = false;
 };
 
@@ -43,9 +42,6 @@ Status runTrail(const TrailArguments& arguments) {
   Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
-  }
-  if (arguments.framesPerSecond > 0.0) {
-    setFramesPerSecond(*document, arguments.framesPerSecond);
   }
   const Result<int> clip = findClip(*document, arguments.clip);
   const Result<rig::Limb> limb = findOrAddLimb(*document, arguments.limb);
@@ -90,9 +86,7 @@ Verb trailVerb() {
                 ->required();
             app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
             app.add_option("--range", arguments->range, "First and last frame, A:B");
-            app.add_option("--fps", arguments->framesPerSecond,
-                           "Frames a second; default: guessed from the keys")
-                ->check(CLI::PositiveNumber);
+            addFramesPerSecond(app, arguments->input);
             app.add_flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runTrail(*arguments); };
           }};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/edits/trail_edits.h"
 #include "app/elastic.h"
 #include "app/elastic_description.h"
 
@@ -26,14 +27,8 @@ Status validate(const ElasticSettings& settings) {
 } // namespace
 
 Result<Document> setElastic(const Document& document, const ElasticLimb& wanted) {
-  if (findLimb(document, wanted.limb) == nullptr) {
-    return Error{"the character has no such limb", wanted.limb,
-                 "pick a limb that was found, or any chain by its joints"};
-  }
-  if (document.clips == nullptr || wanted.clip < 0 ||
-      wanted.clip >= static_cast<int>(document.clips->size())) {
-    return Error{"the file has no such clip", "clip " + std::to_string(wanted.clip),
-                 "open a file with an animation"};
+  if (const Status known = checkLimbAndClip(document, wanted.limb, wanted.clip); !known) {
+    return known.error();
   }
   if (const Status valid = validate(wanted.settings); !valid) {
     return valid.error();

@@ -91,15 +91,21 @@ const rig::Trail* overlappingTrail(const Document& document, const std::string& 
   return nullptr;
 }
 
-Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted) {
-  if (findLimb(document, wanted.limb) == nullptr) {
-    return Error{"the character has no such limb", wanted.limb,
+Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip) {
+  if (findLimb(document, limbId) == nullptr) {
+    return Error{"the character has no such limb", limbId,
                  "pick a limb that was found, or any chain by its joints"};
   }
-  if (document.clips == nullptr || wanted.clip < 0 ||
-      wanted.clip >= static_cast<int>(document.clips->size())) {
-    return Error{"the file has no such clip", "clip " + std::to_string(wanted.clip),
+  if (document.clips == nullptr || clip < 0 || clip >= static_cast<int>(document.clips->size())) {
+    return Error{"the file has no such clip", "clip " + std::to_string(clip),
                  "open a file with an animation"};
+  }
+  return Success{};
+}
+
+Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted) {
+  if (const Status known = checkLimbAndClip(document, wanted.limb, wanted.clip); !known) {
+    return known.error();
   }
   if (const Status valid = validate(document, wanted.limb, wanted.clip, wanted.settings, 0); !valid) {
     return valid.error();

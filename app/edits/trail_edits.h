@@ -77,6 +77,9 @@ struct TrailDisplay {
 /// Marks a clip as a loop, or not: releases wrap.
 [[nodiscard]] Document setLooping(const Document& document, int clip, bool loops);
 
+/// Whether the document has this limb (or chain) and this clip; the error says which it lacks.
+[[nodiscard]] Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip);
+
 /// The error of every edit that names a trail which is not there.
 [[nodiscard]] Error missingTrail(int trailId);
 

@@ -32,7 +32,6 @@ struct RenderArguments {
   std::string view = "three-quarter";
   std::string trails;
   std::string over;
-  double framesPerSecond = 0.0;
   int ghosts = 0;
   bool sheet = false;
   bool skeleton = false;
@@ -275,9 +274,6 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!document || !options) {
     return document ? options.error() : document.error();
   }
-  if (arguments.framesPerSecond > 0.0) {
-    app::setFramesPerSecond(*document, arguments.framesPerSecond);
-  }
   int clip = document->clips->empty() ? -1 : 0;
   if (!arguments.clip.empty()) {
     const Result<int> named = app::findClip(*document, arguments.clip);
@@ -331,10 +327,7 @@ app::Verb renderVerb() {
             program.add_option("--size", arguments->size, "Pixels of a picture, WxH")->capture_default_str();
             program.add_option("--view", arguments->view, "front, side, top or three-quarter")
                 ->capture_default_str();
-            program
-                .add_option("--fps", arguments->framesPerSecond,
-                            "Frames a second; default: guessed from the keys")
-                ->check(CLI::PositiveNumber);
+            app::addFramesPerSecond(program, arguments->input);
             program.add_option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
             program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
                 ->check(CLI::Range(0, 20));
