@@ -45,7 +45,7 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   rig::RekeyOptions rekeyOptions;
   // Joints and the stretch of a bone may each miss by this, so a vertex by both; and key times and values are
   // rounded to single precision on their way into the file.
-  rekeyOptions.tolerance = 0.4 * toleranceOfHeight * document.biped.height;
+  rekeyOptions.tolerance = 0.33 * toleranceOfHeight * document.biped.height;
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
   for (const int clip : clipsToKey(applied)) {
     rig::RekeyedClip rekeyed =
