@@ -251,7 +251,7 @@ void drawTrailsPanel(PanelContext& context) {
   emptyState(widgets, icon::bolt, limbChosen ? "Ready to exaggerate" : "No trail yet",
              limbChosen ? "Press " + (key.empty() ? std::string("Exaggerate") : key) +
                               " to make the limb's path bigger, or Trail to see the path first."
-                        : "Click a limb in the body picture, then press " +
+                        : "Click a limb on the left and press " +
                               (key.empty() ? std::string("Exaggerate") : key) + ".");
 }
 
