@@ -51,24 +51,33 @@ Help settingHelp(const std::string& setting, const std::string& title) {
 
 void numberRow(PanelContext& context, const NumberRow& row, const TrailSettings& settings,
                double TrailSettings::*member) {
+  double value = settings.*member;
+  const Help help = settingHelp(row.setting, row.label);
+  const EditPhase phase = numberControl(context, "trail/" + row.setting, row, help, value);
+  editSettings(context, phase, row.undoLabel, [&](TrailSettings& s) { s.*member = value; });
+}
+
+Help dragHelp(Help help) {
+  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
+  return help;
+}
+
+EditPhase numberControl(PanelContext& context, const std::string& id, const NumberRow& row, const Help& help,
+                        double& value) {
   const WidgetContext widgets = widgetsOf(context);
-  Help help = settingHelp(row.setting, row.label);
   labelledRow(widgets, row.label, help);
-  SliderSpec spec{.id = "trail/" + row.setting,
+  SliderSpec spec{.id = id,
                   .minimum = row.minimum,
                   .maximum = row.maximum,
-                  .step = 0.01,
+                  .step = row.step,
                   .decimals = row.decimals,
                   .prefix = row.prefix,
                   .suffix = row.suffix,
                   .displayFactor = row.factor,
                   .defaultValue = row.defaultValue};
   spec.hardMaximum = std::max(row.maximum, row.hardMaximum);
-  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
-  spec.help = help;
-  double value = settings.*member;
-  const EditPhase phase = slider(widgets, spec, value);
-  editSettings(context, phase, row.undoLabel, [&](TrailSettings& s) { s.*member = value; });
+  spec.help = dragHelp(help);
+  return slider(widgets, spec, value);
 }
 
 void choiceRow(PanelContext& context, const ChoiceRow& row, int selected,

@@ -17,8 +17,11 @@ namespace stretch::ui {
 /// Help of a setting by its name in recipes ("ease_in").
 [[nodiscard]] Help settingHelp(const std::string& setting, const std::string& title);
 
+/// The help with what the mouse does on a slider.
+[[nodiscard]] Help dragHelp(Help help);
+
 struct NumberRow {
-  std::string setting; ///< Name in recipes; the widget is "trail/" + it.
+  std::string setting; ///< Name in recipes; the widget is "trail/" or "weight/" + it.
   std::string label;
   std::string undoLabel;
   double minimum = 0.0;
@@ -29,7 +32,11 @@ struct NumberRow {
   const char* suffix = "";
   int decimals = 2;
   double factor = 1.0; ///< Shown value = value x factor.
+  double step = 0.01;
 };
+/// Label and slider of a number; answers what the hand does and changes `value`.
+[[nodiscard]] EditPhase numberControl(PanelContext& context, const std::string& id, const NumberRow& row,
+                                      const Help& help, double& value);
 void numberRow(PanelContext& context, const NumberRow& row, const rig::TrailSettings& settings,
                double rig::TrailSettings::*member);
 

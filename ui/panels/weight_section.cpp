@@ -13,6 +13,7 @@
 #include "app/elastic_description.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/setting_rows.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
 
@@ -31,11 +32,6 @@ Help helpOf(const std::string& setting, const std::string& title) {
   const auto found = std::find_if(table.begin(), table.end(),
                                   [&](const app::ElasticSetting& s) { return s.name == setting; });
   return {title, found != table.end() ? found->help : std::string(), {}};
-}
-
-Help dragHelp(Help help) {
-  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
-  return help;
 }
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
@@ -61,36 +57,11 @@ void editWeight(PanelContext& context, const EditPhase& phase, const std::string
   });
 }
 
-struct WeightRow {
-  std::string setting; ///< Name in recipes; the widget is "weight/" + it.
-  std::string label;
-  std::string undoLabel;
-  double maximum = 1.0;
-  double hardMaximum = 1.0;
-  double defaultValue = 1.0;
-  double minimum = 0.0;
-  const char* suffix = "";
-  int decimals = 2;
-  double factor = 1.0;
-};
-
-void weightRow(PanelContext& context, const WeightRow& row, const ElasticSettings& settings,
+void weightRow(PanelContext& context, const NumberRow& row, const ElasticSettings& settings,
                double ElasticSettings::*member) {
-  const WidgetContext widgets = widgetsOf(context);
-  const Help help = helpOf(row.setting, row.label);
-  labelledRow(widgets, row.label, help);
-  SliderSpec spec{.id = "weight/" + row.setting,
-                  .minimum = row.minimum,
-                  .maximum = row.maximum,
-                  .decimals = row.decimals,
-                  .suffix = row.suffix,
-                  .displayFactor = row.factor,
-                  .defaultValue = row.defaultValue};
-  spec.hardMaximum = row.hardMaximum;
-  spec.step = row.maximum > 100.0 ? 10.0 : 0.01;
-  spec.help = dragHelp(help);
   double value = settings.*member;
-  const EditPhase phase = slider(widgets, spec, value);
+  const Help help = helpOf(row.setting, row.label);
+  const EditPhase phase = numberControl(context, "weight/" + row.setting, row, help, value);
   editWeight(context, phase, row.undoLabel, [&](ElasticSettings& s) { s.*member = value; });
 }
 
@@ -117,18 +88,18 @@ void mainRows(PanelContext& context, const ElasticSettings& settings) {
             {.setting = "stiffness",
              .label = "Stiffness",
              .undoLabel = "Change the stiffness",
+             .minimum = 0.05,
              .maximum = 5.0,
-             .hardMaximum = 100.0,
              .defaultValue = defaults().stiffness,
-             .minimum = 0.05},
+             .hardMaximum = 100.0},
             settings, &ElasticSettings::stiffness);
   weightRow(context,
             {.setting = "damping",
              .label = "Damping",
              .undoLabel = "Change the damping",
              .maximum = 2.0,
-             .hardMaximum = 10.0,
-             .defaultValue = defaults().damping},
+             .defaultValue = defaults().damping,
+             .hardMaximum = 10.0},
             settings, &ElasticSettings::damping);
   percent("inertia", "Inertia", "Change the inertia", &ElasticSettings::inertia);
 }
@@ -291,10 +262,11 @@ void weightSettings(PanelContext& context, const ElasticLimb& entry) {
                .label = "Density",
                .undoLabel = "Change the density",
                .maximum = 4000.0,
-               .hardMaximum = 100000.0,
                .defaultValue = defaults().density,
+               .hardMaximum = 100000.0,
                .suffix = " kg/m\xC2\xB3",
-               .decimals = 0},
+               .decimals = 0,
+               .step = 10.0},
               entry.settings, &ElasticSettings::density);
     modulusRow(context, entry.settings, shown.youngModulus);
     boneRows(context, entry, shown.youngModulus);

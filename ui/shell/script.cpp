@@ -183,6 +183,10 @@ void Script::beginKey(const Step& step) {
     fail("there is no key " + joined(step.words, 0));
     return;
   }
+  if (step.verb == "tap") {
+    actions_.push_back({Action::Kind::keyTap, 0.0F, 0.0F, *key, modsOf(*chord)});
+    return;
+  }
   if (step.verb != "release") {
     actions_.push_back({Action::Kind::keyDown, 0.0F, 0.0F, *key, modsOf(*chord)});
   }
@@ -193,7 +197,7 @@ void Script::beginKey(const Step& step) {
 
 void Script::begin(const Step& step, Shell& shell) {
   const std::string& verb = step.verb;
-  if (verb == "key" || verb == "hold" || verb == "release") {
+  if (verb == "key" || verb == "tap" || verb == "hold" || verb == "release") {
     beginKey(step);
   } else if (verb == "click" || verb == "rightclick" || verb == "doubleclick" || verb == "move") {
     beginMouse(step, shell);
@@ -255,6 +259,10 @@ void Script::act(const Action& action, Window& window) {
     break;
   case Action::Kind::keyDown:
     receiveKey(input, window.handle(), action.value, 0, GLFW_PRESS, action.mods);
+    break;
+  case Action::Kind::keyTap:
+    receiveKey(input, window.handle(), action.value, 0, GLFW_PRESS, action.mods);
+    receiveKey(input, window.handle(), action.value, 0, GLFW_RELEASE, action.mods);
     break;
   case Action::Kind::keyUp:
     receiveKey(input, window.handle(), action.value, 0, GLFW_RELEASE, action.mods);

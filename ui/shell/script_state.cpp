@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <imgui.h>
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
@@ -182,6 +183,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"palette", yesNo(shell.ui.palette.open)},
       {"keys", yesNo(shell.ui.keys.open)},
       {"settings", yesNo(shell.ui.settingsOpen)},
+      {"popup", yesNo(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))},
       {"asks-unsaved", yesNo(shell.ui.unsavedOpen)},
       {"asks-overwrite", yesNo(!shell.files.changedSavePath.empty())},
       {"offers-restore", yesNo(!shell.ui.restoreOffer.empty())},

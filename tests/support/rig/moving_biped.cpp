@@ -172,7 +172,7 @@ rig::Trail connectedTrail(const std::string& limb, double startFrame, double end
   return trail;
 }
 
-rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>& trails, bool loops) {
+rig::MotionInput motionInput(const MovingBiped& moving, const std::vector<rig::Trail>& trails, bool loops) {
   rig::MotionInput input;
   input.scene = &moving.scene;
   input.clip = &moving.clip;
@@ -181,7 +181,11 @@ rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>
   input.limbs = moving.biped.limbs;
   input.trails = trails;
   input.loops = loops;
-  return rig::solveMotion(input);
+  return input;
+}
+
+rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>& trails, bool loops) {
+  return rig::solveMotion(motionInput(moving, trails, loops));
 }
 
 FrameState atFrame(const MovingBiped& moving, const rig::MotionState& motion, double frame) {

@@ -47,6 +47,10 @@ void addPunch(MovingBiped& moving, Interpolation interpolation);
 [[nodiscard]] rig::Trail connectedTrail(const std::string& limb, double startFrame, double endFrame,
                                         double scale);
 
+/// What solving the trails over the biped's clip starts from.
+[[nodiscard]] rig::MotionInput motionInput(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
+                                           bool loops = false);
+
 [[nodiscard]] rig::MotionState solved(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
                                       bool loops = false);
 

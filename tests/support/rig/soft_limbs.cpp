@@ -23,13 +23,7 @@ rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame, cons
 
 rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
                             const std::vector<rig::LimbFlesh>& flesh) {
-  rig::MotionInput input;
-  input.scene = &moving.scene;
-  input.clip = &moving.clip;
-  input.clipIndex = 0;
-  input.biped = &moving.biped;
-  input.limbs = moving.biped.limbs;
-  input.trails = trails;
+  const rig::MotionInput input = motionInput(moving, trails);
   rig::MotionState motion = rig::solveMotion(input);
   rig::setFlesh(input, flesh, motion);
   return motion;
