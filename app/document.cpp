@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/saved_work.h"
+#include "app/files/saved_work.h"
 #include "core/base/check.h"
 
 namespace stretch::app {
@@ -29,7 +29,7 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
   document.warnings = std::move(loaded->warnings);
   document.biped = rig::detectBiped(*document.scene);
-  if (!loaded->savedWork.is_null()) {
+  if (!loaded->savedWork.isNull()) {
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
       document.warnings.push_back("the work kept in the file could not be taken up: " +
                                   restored.error().line());

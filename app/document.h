@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/elastic_settings.h"
+#include "app/weight/elastic_settings.h"
 #include "core/anim/clip.h"
 #include "core/base/result.h"
 #include "core/gltf/source.h"
 #include "core/scene/scene.h"
-#include "rig/biped/detection.h"
+#include "rig/body/detection.h"
 #include "rig/limb.h"
 #include "rig/trail/trail.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/save.h"
+#include "app/files/save.h"
 #include "core/base/check.h"
 
 namespace stretch::app {

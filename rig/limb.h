@@ -13,6 +13,10 @@ enum class LimbKind { leftArm, rightArm, leftLeg, rightLeg, spine, neck, chain }
 /// "left-arm" ... "neck"; "chain" for any other chain.
 [[nodiscard]] std::string_view limbName(LimbKind kind);
 
+[[nodiscard]] constexpr bool isLeg(LimbKind kind) {
+  return kind == LimbKind::leftLeg || kind == LimbKind::rightLeg;
+}
+
 /// A chain of joints that is stretched as one.
 struct Limb {
   LimbKind kind = LimbKind::chain;
@@ -29,5 +33,9 @@ struct Limb {
 
   friend bool operator==(const Limb&, const Limb&) = default;
 };
+
+[[nodiscard]] inline bool isLeg(const Limb& limb) {
+  return isLeg(limb.kind);
+}
 
 } // namespace stretch::rig

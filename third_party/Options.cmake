@@ -1,8 +1,17 @@
-# How every file of the project is compiled: strict warnings, which are errors, and the sanitizers of the dev preset.
+# How every file of the project is compiled: strict warnings, which the dev preset makes errors, and its sanitizers.
 add_library(stretch_options INTERFACE)
-target_compile_options(stretch_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                       -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-qual -Wduplicated-cond
-                       -Wnull-dereference -Wimplicit-fallthrough -Werror)
+target_compile_options(stretch_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
+                       -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-qual -Wimplicit-fallthrough
+                       $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond;-Wnull-dereference>)
+# Between sources that are compiled together (stretch_unity) a local name may repeat a helper's.
+if(STRETCH_UNITY)
+  target_compile_options(stretch_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+else()
+  target_compile_options(stretch_options INTERFACE -Wshadow)
+endif()
+if(STRETCH_STRICT)
+  target_compile_options(stretch_options INTERFACE -Werror)
+endif()
 target_include_directories(stretch_options INTERFACE ${CMAKE_SOURCE_DIR})
 # GLM: no implicit conversions of scalars, sizes as std::size_t; radians are GLM's only unit.
 target_compile_definitions(stretch_options INTERFACE GLM_FORCE_EXPLICIT_CTOR GLM_FORCE_SIZE_T_LENGTH GLM_ENABLE_EXPERIMENTAL)

@@ -30,6 +30,12 @@ set(STRETCH_LINKS_skinning stretch_core embree Eigen3::Eigen OpenMeshCore)
 set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11)
 set(STRETCH_LINKS_ui stretch_app glfw PkgConfig::IMGUI stb PkgConfig::EPOXY PkgConfig::FREETYPE Fontconfig::Fontconfig)
 
+# Sources of one target share the cost of the headers that they all read, a few large compilations for each target: so a
+# helper's name is its room's own, even in an unnamed namespace. The dev preset compiles each source by itself.
+function(stretch_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${STRETCH_UNITY} UNITY_BUILD_BATCH_SIZE 14)
+endfunction()
+
 # stretch_room(name): the library stretch_<name> of every source in that folder; app/main.cpp belongs to the program.
 function(stretch_room room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${room}/*.cpp)
@@ -41,6 +47,7 @@ function(stretch_room room)
   endif()
   add_library(stretch_${room} STATIC ${sources})
   target_link_libraries(stretch_${room} PUBLIC stretch_options ${STRETCH_LINKS_${room}})
+  stretch_unity(stretch_${room})
 endfunction()
 
 # The one executable: joins the program without a screen (app) with the editor and the pictures (ui).

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "app/batch/verb.h"
+#include "core/gltf/json.h"
 #include "core/gltf/report.h"
 
 namespace stretch::app {
@@ -41,7 +42,7 @@ void printJson(const std::vector<gltf::Problem>& problems) {
   std::cout << Json{{"problems", list}}.dump(1) << '\n';
 }
 
-void printText(const std::vector<gltf::Problem>& problems) {
+void printProblems(const std::vector<gltf::Problem>& problems) {
   for (const gltf::Problem& problem : problems) {
     fmt::print("{}: {}\n", severityName(problem.severity),
                Error{problem.what, problem.where, problem.remedy}.line());
@@ -51,7 +52,7 @@ void printText(const std::vector<gltf::Problem>& problems) {
 
 Status runCheck(const CheckArguments& arguments) {
   const std::vector<gltf::Problem> problems = gltf::diagnose(arguments.file);
-  arguments.json ? printJson(problems) : printText(problems);
+  arguments.json ? printJson(problems) : printProblems(problems);
   const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
     return problem.severity == gltf::Severity::error;
   });
@@ -65,10 +66,10 @@ Status runCheck(const CheckArguments& arguments) {
 
 Verb checkVerb() {
   return {"check", "Reports every problem of a file, residual shear of stretched files included.",
-          [](CLI::App& app) {
+          [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
-            app.add_option("FILE", arguments->file, "A .glb, .gltf or .vrm file")->required();
-            app.add_flag("--json", arguments->json, "Print one JSON document");
+            line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
+            line.flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runCheck(*arguments); };
           }};
 }

@@ -7,6 +7,7 @@
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
+#include "core/gltf/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/point_cache.h"
@@ -135,24 +136,24 @@ Status runCompare(const CompareArguments& arguments) {
 } // namespace
 
 Verb compareVerb() {
-  return {"compare", "Compares two animated files or sequences with the same topology.", [](CLI::App& app) {
-            const auto arguments = std::make_shared<CompareArguments>();
-            app.add_option("FILES", arguments->words,
-                           "The reference and what is compared with it: each an animated glTF, a folder of "
-                           "frames, or BASE.obj CACHE.pc2")
-                ->required()
-                ->expected(2, 4);
-            app.add_flag("--flattening", arguments->flattening,
-                         "A ran with gravity, B without: how flat A is, and the modulus that explains it");
-            app.add_option("--gravity", arguments->gravity, "Of A: x,y,z [m/s^2]; default: 0,-9.81,0");
-            app.add_option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water")
-                ->check(CLI::PositiveNumber);
-            app.add_option("--metres-per-unit", arguments->metresPerUnit, "Scale of the meshes")
-                ->check(CLI::PositiveNumber)
-                ->capture_default_str();
-            app.add_flag("--json", arguments->json, "Print one JSON document");
-            return [arguments] { return runCompare(*arguments); };
-          }};
+  return {
+      "compare", "Compares two animated files or sequences with the same topology.", [](CommandLine& line) {
+        const auto arguments = std::make_shared<CompareArguments>();
+        line.options("FILES", arguments->words,
+                     "The reference and what is compared with it: each an animated glTF, a folder of "
+                     "frames, or BASE.obj CACHE.pc2")
+            .required()
+            .takes(2, 4);
+        line.flag("--flattening", arguments->flattening,
+                  "A ran with gravity, B without: how flat A is, and the modulus that explains it");
+        line.option("--gravity", arguments->gravity, "Of A: x,y,z [m/s^2]; default: 0,-9.81,0");
+        line.option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water").positive();
+        line.option("--metres-per-unit", arguments->metresPerUnit, "Scale of the meshes")
+            .positive()
+            .showDefault();
+        line.flag("--json", arguments->json, "Print one JSON document");
+        return [arguments] { return runCompare(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

@@ -9,8 +9,9 @@
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
-#include "app/trail_description.h"
+#include "app/schema/trail_description.h"
 #include "core/gltf/edits.h"
+#include "core/gltf/json.h"
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/export/encode_gltf.h"
@@ -124,43 +125,39 @@ Status runCompress(const CompressArguments& arguments) {
 } // namespace
 
 Verb compressVerb() {
-  return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CLI::App& app) {
-            const auto arguments = std::make_shared<CompressArguments>();
-            app.add_option("SEQUENCE", arguments->sequence,
-                           "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
-                           "Sibernetic folder")
-                ->required()
-                ->expected(1, 2);
-            app.add_option("-o,--output", arguments->output, "The .glb to write")->required();
-            app.add_option("--bones", arguments->bones, "Bones along the body")
-                ->check(CLI::Range(1, 1000))
-                ->capture_default_str();
-            app.add_option("--stretch", arguments->stretch, "none, elastic (the model) or measured")
-                ->check(CLI::IsMember({"none", "elastic", "measured"}))
-                ->capture_default_str();
-            app.add_option("--weights", arguments->weights, "geodesic or fitted to the frames")
-                ->check(CLI::IsMember({"geodesic", "fitted"}))
-                ->capture_default_str();
-            app.add_option("--length", arguments->length,
-                           "Length as a function of curvature: the paper's line, or a monotone curve")
-                ->check(CLI::IsMember({"line", "monotone"}))
-                ->capture_default_str();
-            app.add_option("--skip", arguments->skip, "Settling frames that no fit uses");
-            app.add_option("--young", arguments->young, "Young's modulus [Pa]; default: fitted")
-                ->check(CLI::PositiveNumber);
-            app.add_option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water")
-                ->check(CLI::PositiveNumber);
-            app.add_option("--moduli", arguments->moduli, "JSON of moduli by segment");
-            app.add_option("--gravity", arguments->gravity, "x,y,z [m/s^2]; default: 0,-9.81,0");
-            app.add_option("--metres-per-unit", arguments->metresPerUnit, "Scale of the mesh")
-                ->check(CLI::PositiveNumber)
-                ->capture_default_str();
-            app.add_option("--fps", arguments->framesPerSecond, "Frames a second of the clip")
-                ->check(CLI::PositiveNumber);
-            app.add_flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
-            app.add_flag("--json", arguments->json, "Print one JSON document");
-            return [arguments] { return runCompress(*arguments); };
-          }};
+  return {
+      "compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
+        const auto arguments = std::make_shared<CompressArguments>();
+        line.options("SEQUENCE", arguments->sequence,
+                     "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
+                     "Sibernetic folder")
+            .required()
+            .takes(1, 2);
+        line.option("-o,--output", arguments->output, "The .glb to write").required();
+        line.option("--bones", arguments->bones, "Bones along the body").between(1, 1000).showDefault();
+        line.option("--stretch", arguments->stretch, "none, elastic (the model) or measured")
+            .oneOf({"none", "elastic", "measured"})
+            .showDefault();
+        line.option("--weights", arguments->weights, "geodesic or fitted to the frames")
+            .oneOf({"geodesic", "fitted"})
+            .showDefault();
+        line.option("--length", arguments->length,
+                    "Length as a function of curvature: the paper's line, or a monotone curve")
+            .oneOf({"line", "monotone"})
+            .showDefault();
+        line.option("--skip", arguments->skip, "Settling frames that no fit uses");
+        line.option("--young", arguments->young, "Young's modulus [Pa]; default: fitted").positive();
+        line.option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water").positive();
+        line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
+        line.option("--gravity", arguments->gravity, "x,y,z [m/s^2]; default: 0,-9.81,0");
+        line.option("--metres-per-unit", arguments->metresPerUnit, "Scale of the mesh")
+            .positive()
+            .showDefault();
+        line.option("--fps", arguments->framesPerSecond, "Frames a second of the clip").positive();
+        line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
+        line.flag("--json", arguments->json, "Print one JSON document");
+        return [arguments] { return runCompress(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

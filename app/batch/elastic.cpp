@@ -10,8 +10,9 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/elastic_edits.h"
-#include "app/elastic_description.h"
-#include "app/save.h"
+#include "app/files/save.h"
+#include "app/schema/elastic_description.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 
@@ -154,39 +155,37 @@ std::string rangeProblem(const std::string& text) {
   return range->x < range->y ? std::string() : "--range: the range has no length";
 }
 
-void addSettings(CLI::App& app, ElasticArguments& arguments) {
+void addSettings(CommandLine& line, ElasticArguments& arguments) {
   for (const ElasticSetting& setting : elasticSettings()) {
-    app.add_option(setting.option, arguments.settings[setting.option])
-        ->description(setting.help + (setting.unit.empty() ? "" : " [" + setting.unit + "]"))
-        ->check([&setting](const std::string& text) { return problemOf(setting, text); })
-        ->group("Weight");
+    line.option(setting.option, arguments.settings[setting.option],
+                setting.help + (setting.unit.empty() ? "" : " [" + setting.unit + "]"))
+        .check([&setting](const std::string& text) { return problemOf(setting, text); })
+        .group("Weight");
   }
-  app.add_option("--moduli", arguments.moduli, "Moduli of single bones (JSON), counted from the limb's base")
-      ->group("Weight");
+  line.option("--moduli", arguments.moduli, "Moduli of single bones (JSON), counted from the limb's base")
+      .group("Weight");
 }
 
 } // namespace
 
 Verb elasticVerb() {
   return {"elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
-          [](CLI::App& app) {
+          [](CommandLine& line) {
             const auto arguments = std::make_shared<ElasticArguments>();
-            addFileArguments(app, arguments->input);
-            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
-            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            addFramesPerSecond(app, arguments->input);
-            app.add_option("--limb", arguments->limbs,
-                           "A limb, as often as wanted; default: all arms and legs")
-                ->take_all()
-                ->expected(1);
-            app.add_option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
-                ->check(rangeProblem);
-            addSettings(app, *arguments);
-            app.add_flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
-            app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
-                         "Stretch through translations only: no bind joints");
-            app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-            app.add_flag("--json", arguments->json, "Print one JSON document");
+            addFileArguments(line, arguments->input);
+            line.option("-o,--output", arguments->output, "The .glb or .gltf to write").required();
+            line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            addFramesPerSecond(line, arguments->input);
+            line.repeated("--limb", arguments->limbs,
+                          "A limb, as often as wanted; default: all arms and legs");
+            line.option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
+                .check(rangeProblem);
+            addSettings(line, *arguments);
+            line.flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
+            line.flag("--keep-skeleton", arguments->save.keepSkeleton,
+                      "Stretch through translations only: no bind joints");
+            line.flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+            line.flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runElastic(*arguments); };
           }};
 }

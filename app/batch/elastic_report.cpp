@@ -2,7 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "app/evaluate.h"
+#include "app/evaluate/evaluate.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 

@@ -12,11 +12,12 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/elastic_edits.h"
-#include "app/evaluate.h"
-#include "app/quality.h"
-#include "app/recipe.h"
-#include "app/save.h"
-#include "app/trail_json.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/quality.h"
+#include "app/files/save.h"
+#include "app/recipe/recipe.h"
+#include "app/schema/trail_json.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 
@@ -41,33 +42,14 @@ struct TrailRequest {
   bool noPull = false;
 };
 
-// Options in the order in which they stand on the command line, each with its own text.
-class OrderedOptions {
-public:
-  OrderedOptions(const CLI::App& app) : app_(&app) {}
-
-  template <typename Visit>
-  void forEach(Visit&& visit) const {
-    std::map<const CLI::Option*, std::size_t> seen;
-    for (const CLI::Option* option : app_->parse_order()) {
-      const std::vector<std::string> results = option->results();
-      const std::size_t index = seen[option]++;
-      visit(option->get_name(), index < results.size() ? results[index] : std::string());
-    }
-  }
-
-private:
-  const CLI::App* app_;
-};
-
-std::vector<TrailRequest> requestsOf(const CLI::App& app) {
+std::vector<TrailRequest> requestsOf(const CommandLine& line) {
   TrailRequest common;
   std::vector<TrailRequest> requests;
-  OrderedOptions(app).forEach([&](const std::string& name, const std::string& text) {
+  for (const auto& [name, text] : line.inOrder()) {
     if (name == "--limb") {
       requests.push_back(common);
       requests.back().limb = text;
-      return;
+      continue;
     }
     TrailRequest& request = requests.empty() ? common : requests.back();
     if (name == "--range") {
@@ -80,7 +62,7 @@ std::vector<TrailRequest> requestsOf(const CLI::App& app) {
         request.settings.emplace_back(&setting, text);
       }
     }
-  });
+  }
   return requests;
 }
 
@@ -225,7 +207,7 @@ Json reportOf(const Document& document, int clip, const std::vector<int>& ids) {
   return report;
 }
 
-void printText(const Json& report) {
+void printTrails(const Json& report) {
   for (const Json& trail : report["trails"]) {
     fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}\n", trail["limb"].get<std::string>(),
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
@@ -263,7 +245,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
   } else {
-    printText(report);
+    printTrails(report);
   }
   return Success{};
 }
@@ -299,48 +281,46 @@ std::string checkRangeText(const std::string& text) {
   return range ? std::string() : withoutPlace(range.error());
 }
 
-void addTrailOptions(CLI::App& app) {
+void addTrailOptions(CommandLine& line) {
   constexpr const char* group = "Trail (each --limb starts the next)";
-  const auto add = [&](const std::string& name, const std::string& help) {
-    return app.add_option(name)->description(help)->take_all()->expected(1)->group(group);
-  };
-  add("--limb", "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B");
-  add("--range",
-      "First and last frame, A:B; default: to the frame at which the limb's end is farthest from its start")
-      ->check(checkRangeText);
+  line.ordered("--limb", "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
+      .group(group);
+  line.ordered("--range", "First and last frame, A:B; default: to the frame at which the limb's end is "
+                          "farthest from its start")
+      .check(checkRangeText)
+      .group(group);
   for (const TrailSetting& setting : trailSettings()) {
     if (setting.kind == SettingKind::flag && !setting.option.empty()) {
-      app.add_flag(setting.option)->description(optionHelp(setting))->group(group);
+      line.orderedFlag(setting.option, optionHelp(setting)).group(group);
     } else if (!setting.option.empty()) {
-      add(setting.option, optionHelp(setting))->check([&setting](const std::string& text) {
-        return checkSettingText(setting, text);
-      });
+      line.ordered(setting.option, optionHelp(setting))
+          .check([&setting](const std::string& text) { return checkSettingText(setting, text); })
+          .group(group);
     }
   }
-  app.add_flag("--no-pull")
-      ->description("Leave the tip at the closest approach where its line does not reach the wanted length")
-      ->group(group);
+  line.orderedFlag("--no-pull",
+                   "Leave the tip at the closest approach where its line does not reach the wanted length")
+      .group(group);
 }
 
 } // namespace
 
 Verb exaggerateVerb() {
-  return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CLI::App& app) {
+  return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CommandLine& line) {
             const auto arguments = std::make_shared<ExaggerateArguments>();
-            addFileArguments(app, arguments->input);
-            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
-            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            addFramesPerSecond(app, arguments->input);
-            app.add_option("--recipe", arguments->recipe,
-                           "A recipe (JSON) instead of --limb and its options");
-            addTrailOptions(app);
-            app.add_flag("--key-every-frame", arguments->save.keyEveryFrame,
-                         "A key on every frame of range and release");
-            app.add_flag("--keep-skeleton", arguments->save.keepSkeleton,
-                         "Stretch through translations only: no bind joints");
-            app.add_flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-            app.add_flag("--json", arguments->json, "Print one JSON document");
-            return [arguments, &app] { return runExaggerate(*arguments, requestsOf(app)); };
+            addFileArguments(line, arguments->input);
+            line.option("-o,--output", arguments->output, "The .glb or .gltf to write").required();
+            line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            addFramesPerSecond(line, arguments->input);
+            line.option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
+            addTrailOptions(line);
+            line.flag("--key-every-frame", arguments->save.keyEveryFrame,
+                      "A key on every frame of range and release");
+            line.flag("--keep-skeleton", arguments->save.keepSkeleton,
+                      "Stretch through translations only: no bind joints");
+            line.flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
+            line.flag("--json", arguments->json, "Print one JSON document");
+            return [arguments, line] { return runExaggerate(*arguments, requestsOf(line)); };
           }};
 }
 

@@ -6,6 +6,7 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 
@@ -102,7 +103,7 @@ std::string jointNames(const Json& limb) {
   return limb["end"] == "estimated" ? names + " > (end estimated)" : names;
 }
 
-void printText(const Json& info) {
+void printInfo(const Json& info) {
   for (const Json& mesh : info["meshes"]) {
     fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(),
                mesh["vertices"].get<int>(), mesh["triangles"].get<int>());
@@ -133,7 +134,7 @@ Status runInfo(const InfoArguments& arguments) {
   if (arguments.json) {
     std::cout << info.dump(1) << '\n';
   } else {
-    printText(info);
+    printInfo(info);
   }
   return Success{};
 }
@@ -142,10 +143,10 @@ Status runInfo(const InfoArguments& arguments) {
 
 Verb infoVerb() {
   return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.",
-          [](CLI::App& app) {
+          [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();
-            addFileArguments(app, arguments->input);
-            app.add_flag("--json", arguments->json, "Print one JSON document");
+            addFileArguments(line, arguments->input);
+            line.flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runInfo(*arguments); };
           }};
 }

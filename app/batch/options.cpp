@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "app/trail_description.h"
+#include "app/schema/trail_description.h"
 
 namespace stretch::app {
 
@@ -23,15 +23,15 @@ std::string limbList(const Document& document) {
 
 } // namespace
 
-void addFileArguments(CLI::App& app, FileArguments& arguments) {
-  app.add_option("FILE", arguments.file, "A .glb, .gltf or .vrm file")->required();
-  app.add_flag("--tolerant", arguments.tolerant,
-               "Take a file that breaks the specification as well as it can be read");
+void addFileArguments(CommandLine& line, FileArguments& arguments) {
+  line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
+  line.flag("--tolerant", arguments.tolerant,
+            "Take a file that breaks the specification as well as it can be read");
 }
 
-void addFramesPerSecond(CLI::App& app, FileArguments& arguments) {
-  app.add_option("--fps", arguments.framesPerSecond, "Frames a second; default: guessed from the keys")
-      ->check(CLI::PositiveNumber);
+void addFramesPerSecond(CommandLine& line, FileArguments& arguments) {
+  line.option("--fps", arguments.framesPerSecond, "Frames a second; default: guessed from the keys")
+      .positive();
 }
 
 Result<Document> openDocument(const FileArguments& arguments) {

@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/batch/command_line.h"
 #include "app/document.h"
 #include "core/base/result.h"
 #include "skinning/elastic/moduli.h"
@@ -18,10 +17,10 @@ struct FileArguments {
 };
 
 /// Declares FILE and --tolerant; `arguments` has to live as long as the subcommand.
-void addFileArguments(CLI::App& app, FileArguments& arguments);
+void addFileArguments(CommandLine& line, FileArguments& arguments);
 
 /// Declares --fps, for verbs that count in frames.
-void addFramesPerSecond(CLI::App& app, FileArguments& arguments);
+void addFramesPerSecond(CommandLine& line, FileArguments& arguments);
 
 [[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 

@@ -3,7 +3,7 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
-#include "app/save.h"
+#include "app/files/save.h"
 
 namespace stretch::app {
 
@@ -23,10 +23,10 @@ Status runResave(const ResaveArguments& arguments) {
 
 Verb resaveVerb() {
   return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).",
-          [](CLI::App& app) {
+          [](CommandLine& line) {
             const auto arguments = std::make_shared<ResaveArguments>();
-            addFileArguments(app, arguments->input);
-            app.add_option("-o,--output", arguments->output, "The .glb or .gltf to write")->required();
+            addFileArguments(line, arguments->input);
+            line.option("-o,--output", arguments->output, "The .glb or .gltf to write").required();
             return [arguments] { return runResave(*arguments); };
           }};
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/gltf/json.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {

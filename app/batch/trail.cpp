@@ -6,8 +6,9 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
-#include "app/evaluate.h"
-#include "app/trail_json.h"
+#include "app/evaluate/evaluate.h"
+#include "app/schema/trail_json.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 
@@ -78,16 +79,16 @@ Status runTrail(const TrailArguments& arguments) {
 } // namespace
 
 Verb trailVerb() {
-  return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CLI::App& app) {
+  return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CommandLine& line) {
             const auto arguments = std::make_shared<TrailArguments>();
-            addFileArguments(app, arguments->input);
-            app.add_option("--limb", arguments->limb,
-                           "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
-                ->required();
-            app.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            app.add_option("--range", arguments->range, "First and last frame, A:B");
-            addFramesPerSecond(app, arguments->input);
-            app.add_flag("--json", arguments->json, "Print one JSON document");
+            addFileArguments(line, arguments->input);
+            line.option("--limb", arguments->limb,
+                        "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
+                .required();
+            line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+            line.option("--range", arguments->range, "First and last frame, A:B");
+            addFramesPerSecond(line, arguments->input);
+            line.flag("--json", arguments->json, "Print one JSON document");
             return [arguments] { return runTrail(*arguments); };
           }};
 }

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace stretch::app {
@@ -32,7 +33,8 @@ int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* cons
   std::function<Status()> chosen;
   for (const Verb& verb : verbs) {
     CLI::App* const subcommand = program.add_subcommand(verb.name, verb.help);
-    const std::function<Status()> run = verb.declare(*subcommand);
+    CommandLine line(*subcommand);
+    const std::function<Status()> run = verb.declare(line);
     subcommand->callback([&chosen, run] { chosen = run; });
   }
   try {

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/batch/command_line.h"
 #include "core/base/result.h"
 
 namespace stretch::app {
@@ -14,7 +13,7 @@ namespace stretch::app {
 struct Verb {
   std::string name;
   std::string help; ///< One sentence.
-  std::function<std::function<Status()>(CLI::App&)> declare;
+  std::function<std::function<Status()>(CommandLine&)> declare;
 };
 
 /// The verbs that need no screen. `render` is registered by the program from ui/.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 

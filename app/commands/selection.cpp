@@ -155,4 +155,13 @@ double nudgeUnits(const Document& document) {
   return document.biped.height / 200.0;
 }
 
+bool hasSelectedTrail(const Session& session) {
+  return selectedTrail(session) != nullptr;
+}
+
+bool isSelected(const Session& session, const std::string& limbId) {
+  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  return std::find(limbs.begin(), limbs.end(), limbId) != limbs.end();
+}
+
 } // namespace stretch::app

@@ -27,6 +27,9 @@ void selectTrail(Session& session, int trailId);
 
 /// Null when none is selected.
 [[nodiscard]] const rig::Trail* selectedTrail(const Session& session);
+[[nodiscard]] bool hasSelectedTrail(const Session& session);
+
+[[nodiscard]] bool isSelected(const Session& session, const std::string& limbId);
 
 /// The prepared trail; null when it is not in the viewed clip.
 [[nodiscard]] const rig::SolvedTrail* solvedTrail(Session& session, int trailId);

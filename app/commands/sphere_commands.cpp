@@ -15,9 +15,6 @@ namespace stretch::app {
 
 namespace {
 
-bool hasSelectedTrail(const Session& session) {
-  return selectedTrail(session) != nullptr;
-}
 bool hasSpheres(const Session& session) {
   return hasSelectedTrail(session) && !session.view().selectedSpheres.empty();
 }

@@ -19,10 +19,6 @@ bool hasTarget(const Session& session) {
 bool hasLimb(const Session& session) {
   return !session.view().selectedLimbs.empty() && hasClip(session.document(), session.view().clip);
 }
-bool hasSelectedTrail(const Session& session) {
-  return selectedTrail(session) != nullptr;
-}
-
 Error noTrail() {
   return {"no trail is selected", "", "select a limb and press T or E to make one"};
 }

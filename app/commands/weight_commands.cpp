@@ -4,19 +4,19 @@
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/edits/elastic_edits.h"
-#include "app/elastic.h"
+#include "app/weight/elastic.h"
 
 namespace stretch::app {
 
 namespace {
 
-bool hasClip(const Session& session) {
+bool viewsClip(const Session& session) {
   const int clip = session.view().clip;
   return clip >= 0 && static_cast<std::size_t>(clip) < session.document().clips->size();
 }
 
 bool hasTargets(const Session& session) {
-  return hasClip(session) && !targetLimbs(session).empty();
+  return viewsClip(session) && !targetLimbs(session).empty();
 }
 
 bool isOn(const Session& session, const std::string& limb) {
@@ -37,7 +37,7 @@ Status toggleWeight(Session& session) {
 
 bool hasWeight(const Session& session) {
   const std::vector<std::string> limbs = targetLimbs(session);
-  return hasClip(session) && std::any_of(limbs.begin(), limbs.end(), [&](const std::string& limb) {
+  return viewsClip(session) && std::any_of(limbs.begin(), limbs.end(), [&](const std::string& limb) {
            return findElastic(session.document(), limb, session.view().clip) != nullptr;
          });
 }
@@ -60,7 +60,7 @@ Status weightForAll(Session& session) {
       limbs.push_back(limb.id);
     }
   }
-  if (!hasClip(session) || limbs.empty()) {
+  if (!viewsClip(session) || limbs.empty()) {
     return Error{"there is no clip with arms or legs", "", "open a character with an animation"};
   }
   return finish(session, switchElastic(session.document(), limbs, session.view().clip, true),
@@ -81,7 +81,7 @@ std::vector<Command<Session>> weightCommands() {
        "Weight for arms and legs",
        "Lets all arms and legs of this clip sag, squash and stretch by their own load.",
        {},
-       hasClip,
+       viewsClip,
        weightForAll},
       {"weight.remove",
        "Take the weight away",

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/edits/trail_edits.h"
-#include "app/elastic.h"
-#include "app/elastic_description.h"
+#include "app/schema/elastic_description.h"
+#include "app/weight/elastic.h"
 
 namespace stretch::app {
 

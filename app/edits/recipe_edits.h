@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document.h"
-#include "app/recipe.h"
+#include "app/recipe/recipe.h"
 
 namespace stretch::app {
 

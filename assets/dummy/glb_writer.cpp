@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <map>
 
-#include <nlohmann/json.hpp>
+#include "core/gltf/json.h"
 
 namespace stretch::assets {
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

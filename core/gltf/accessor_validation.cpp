@@ -7,6 +7,7 @@
 
 #include "core/gltf/accessor_layout.h"
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

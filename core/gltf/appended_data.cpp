@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/gltf/json.h"
+
 namespace stretch::gltf {
 
 namespace {

@@ -41,11 +41,11 @@ struct Edits {
   std::vector<AddedNode> addedNodes;
   std::vector<SkinSlot> skinSlots;
   std::vector<ClipTracks> clips;
-  Json work; ///< The program's own data, kept in root extras beside what restores the source. Null: none (a
-             ///< clean file).
+  JsonDocument work; ///< The program's own data, kept in root extras beside what restores the source. Null:
+                     ///< none (a clean file).
 
   [[nodiscard]] bool empty() const {
-    return addedNodes.empty() && skinSlots.empty() && clips.empty() && work.is_null();
+    return addedNodes.empty() && skinSlots.empty() && clips.empty() && work.isNull();
   }
 };
 

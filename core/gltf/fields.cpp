@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/gltf/json.h"
+
 namespace stretch::gltf {
 
 namespace {
 
-constexpr double largestWhole = 9007199254740992.0; // 2^53: the largest that a JSON number holds exactly
-                                                    // everywhere
+// everywhere
 
 } // namespace
 

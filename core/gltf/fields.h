@@ -10,6 +10,8 @@
 
 namespace stretch::gltf {
 
+inline constexpr double largestWhole = 9007199254740992.0; ///< 2^53: to here a JSON number is exact.
+
 // Reading of JSON that may hold anything: a missing property and one of another type answer the same, never
 // an exception.
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/structure.h"
 
 namespace stretch::gltf {

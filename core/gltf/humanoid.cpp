@@ -2,6 +2,7 @@
 
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

@@ -8,6 +8,7 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

@@ -10,6 +10,7 @@
 #include "core/gltf/fields.h"
 #include "core/gltf/files.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 #include "core/gltf/uri.h"
 
 namespace stretch::gltf {

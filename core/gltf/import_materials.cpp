@@ -4,6 +4,7 @@
 
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

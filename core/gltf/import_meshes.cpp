@@ -6,6 +6,7 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 #include "core/gltf/primitive_parts.h"
 
 namespace stretch::gltf {

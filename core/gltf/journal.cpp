@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

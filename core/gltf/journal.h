@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "core/gltf/json.h"
 #include "core/gltf/source.h"
 
 namespace stretch::gltf {

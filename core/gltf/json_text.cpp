@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "core/gltf/json.h"
+
 namespace stretch::gltf {
 
 namespace {

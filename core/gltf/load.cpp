@@ -1,5 +1,6 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "core/gltf/read.h"
 #include "core/gltf/saved_work.h"

@@ -1,4 +1,5 @@
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 #include "core/gltf/saved_work.h"
 
@@ -24,12 +25,12 @@ void growBuffer(Source& source, std::size_t index, std::size_t start, const Byte
   }
   if (index == source.buffers.size()) {
     source.buffers.emplace_back();
-    source.json["buffers"].push_back(Json::object());
+    (*source.json)["buffers"].push_back(Json::object());
   }
   Bytes& buffer = source.buffers[index];
   buffer.resize(start);
   buffer.insert(buffer.end(), bytes.begin(), bytes.end());
-  Json& json = source.json["buffers"][index];
+  Json& json = (*source.json)["buffers"][index];
   json.erase("uri");
   json["byteLength"] = buffer.size();
   source.hasBinaryChunk = source.hasBinaryChunk || index == 0;
@@ -51,7 +52,7 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   const Bytes bytes = data.finish();
   Source result = source;
   result.json = journal.json();
-  if (!edits.work.is_null()) {
+  if (!edits.work.isNull()) {
     Result<Json> json = withSavedWork(source, edits.work, std::move(journal));
     if (!json) {
       return json.error();

@@ -3,6 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 
 namespace stretch::gltf {

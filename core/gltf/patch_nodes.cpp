@@ -1,4 +1,5 @@
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 
 namespace stretch::gltf {

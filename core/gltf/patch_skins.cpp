@@ -2,6 +2,7 @@
 
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 
 namespace stretch::gltf {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 #include "core/math/finite.h"
 

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

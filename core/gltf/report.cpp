@@ -7,6 +7,7 @@
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
+#include "core/gltf/json.h"
 #include "core/gltf/read.h"
 #include "core/gltf/saved_work.h"
 #include "core/gltf/structure.h"

@@ -6,6 +6,7 @@
 #include "core/gltf/edits.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/files.h"
+#include "core/gltf/json.h"
 #include "core/gltf/problems.h"
 #include "core/gltf/uri.h"
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/uri.h"
 
 namespace stretch::gltf {
@@ -138,7 +139,7 @@ bool restoreFirstBuffer(Source& source, const Json& record) {
   }
   Bytes& buffer = source.buffers[0];
   buffer.resize(std::min(buffer.size(), bytes));
-  Json& target = source.json["buffers"][0];
+  Json& target = (*source.json)["buffers"][0];
   target = *json;
   if (flagOr(record, "embedded", false)) {
     target["uri"] = textOr(target, "uri") + encodeBase64(buffer);
@@ -154,10 +155,10 @@ bool restoreBuffers(Source& source, const Json& record) {
   source.hasBinaryChunk = flagOr(record, "binary_chunk", false);
   source.buffers.resize(count);
   if (!flagOr(record, "is_array", false)) {
-    source.json.erase("buffers");
+    source.json->erase("buffers");
     return true;
   }
-  Json& list = source.json["buffers"];
+  Json& list = (*source.json)["buffers"];
   list.erase(list.begin() + static_cast<std::ptrdiff_t>(count), list.end());
   const Json* first = find(record, "first");
   return count == 0 || (first != nullptr && restoreFirstBuffer(source, *first));
@@ -178,7 +179,7 @@ Result<Json> withSavedWork(const Source& source, const Json& work, Journal journ
     return Error{"its extras are no objects, so the work finds no place in it", "extras",
                  "save without the work (clean)"};
   }
-  const bool isNew = !source.json.contains(*place);
+  const bool isNew = !source.json->contains(*place);
   if (isNew) {
     journal.set(*place, Json::object());
   }

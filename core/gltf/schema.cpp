@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/gltf/fields.h"
+
 namespace stretch::gltf {
 
 namespace {
@@ -11,7 +13,6 @@ using enum PropertyKind;
 constexpr bool required = true;
 constexpr bool optional = false;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double largestWhole = 9007199254740992.0; // 2^53
 constexpr double mostElements = 4294967295.0;
 
 constexpr Property rangeOf(std::string_view owner, std::string_view name, PropertyKind kind, bool isRequired,

@@ -6,22 +6,18 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "core/anim/clip.h"
 #include "core/base/result.h"
 #include "core/gltf/glb.h"
+#include "core/gltf/json_document.h"
 #include "core/scene/scene.h"
 
 namespace stretch::gltf {
 
-/// JSON with the order of its keys kept, as the file has it.
-using Json = nlohmann::ordered_json;
-
 /// A glTF file as it was read: what saving starts from, so that whatever we do not edit comes back the same.
 struct Source {
   std::filesystem::path path; ///< Where it was read from: relative URIs start in its folder.
-  Json json;
+  JsonDocument json;
   /// Bytes of each entry of json["buffers"]; empty for a buffer that could not be read and that nothing
   /// needs.
   std::vector<std::vector<std::uint8_t>> buffers;
@@ -37,7 +33,7 @@ struct Loaded {
   std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;
   std::vector<std::string> warnings; ///< One line each: what in the file is odd and what was made of it.
-  Json savedWork;                    ///< What `Edits::work` held when the file was saved; null without one.
+  JsonDocument savedWork;            ///< What `Edits::work` held when the file was saved; null without one.
 };
 
 /// What becomes of a file that breaks the specification but can be read all the same. What files in use are

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/json.h"
 #include "core/gltf/schema.h"
 
 namespace stretch::gltf {

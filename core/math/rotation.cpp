@@ -36,4 +36,9 @@ double angleBetween(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+Vec3 anyAcross(const Vec3& axis) {
+  const Vec3 helper = std::abs(axis.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+  return glm::normalize(helper - glm::dot(helper, axis) * axis);
+}
+
 } // namespace stretch

@@ -17,4 +17,8 @@ namespace stretch {
 /// Angle between two vectors in radians, accurate near 0 and pi; 0 when either has no length.
 [[nodiscard]] double angleBetween(const Vec3& a, const Vec3& b);
 
+/// A unit vector at right angles to `axis`, which is one too; which one is arbitrary but the same for the
+/// same axis.
+[[nodiscard]] Vec3 anyAcross(const Vec3& axis);
+
 } // namespace stretch

@@ -5,16 +5,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "core/math/rotation.h"
 #include "core/scene/bind_chains.h"
 
 namespace stretch::rig {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 struct Leaf {
   int node = -1;

@@ -5,16 +5,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/index.h"
 #include "rig/rekey/span_fit.h"
 #include "rig/rekey/stretch_build.h"
 
 namespace stretch::rig {
 
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 const Track* trackOf(const Clip& clip, int node, Channel channel) {
   const int index = findTrack(clip, node, channel);

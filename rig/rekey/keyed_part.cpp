@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rig/limb.h"
+
 namespace stretch::rig {
 
 namespace {
@@ -68,10 +70,6 @@ KeyedPart partOf(const MotionState& motion, const SolvedTrail& trail) {
           boneLength(trail.limb),
           windowsOf(motion, trail),
           {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
-}
-
-bool isLeg(const Limb& limb) {
-  return limb.kind == LimbKind::leftLeg || limb.kind == LimbKind::rightLeg;
 }
 
 Window windowOf(const MotionState& motion, const LimbFlesh& flesh) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 
 namespace stretch::rig {
 

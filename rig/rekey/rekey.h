@@ -4,7 +4,7 @@
 
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 
 namespace stretch::rig {
 

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rig/limb_topology.h"
+#include "rig/motion/limb_topology.h"
 
 namespace stretch::rig {
 

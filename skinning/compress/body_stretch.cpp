@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
+
 namespace stretch::skinning {
 namespace {
 
@@ -14,11 +16,6 @@ Vec3 axisOf(const BodyMotion& body, std::size_t segment) {
   const Vec3 along = body.skeleton.joints[segment + 1] - body.skeleton.joints[segment];
   const double length = glm::length(along);
   return length > 0.0 ? along / length : Vec3(1.0, 0.0, 0.0);
-}
-
-Vec3 anyAcross(const Vec3& axis) {
-  const Vec3 helper = std::abs(axis.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-  return glm::normalize(helper - glm::dot(helper, axis) * axis);
 }
 
 /// Gravity as the segment's bind pose sees it in a frame, its part across the axis.

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/finite.h"
+#include "core/math/rotation.h"
 
 namespace stretch::skinning {
 namespace {
@@ -81,11 +82,6 @@ Path loadOn(const Path& path, double framesPerSecond, const LimbElasticity& sett
     value = settings.gravity - settings.inertia * value;
   }
   return throughSpring(load, framesPerSecond, settings);
-}
-
-Vec3 anyAcross(const Vec3& axis) {
-  const Vec3 helper = std::abs(axis.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-  return glm::normalize(helper - glm::dot(helper, axis) * axis);
 }
 
 /// The limb with its loads, ready to be asked frame by frame.

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include "core/gltf/json.h"
 
 namespace stretch::skinning {
 namespace {
 
-using Json = nlohmann::json;
+using gltf::Json;
 
 constexpr const char* remedy = "write {\"young\": E, \"segments\": [{\"from\": 0, \"to\": 4, \"young\": E}]}";
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/gltf/json.h"
 #include "skinning/export/gltf_buffers.h"
 
 namespace stretch::skinning {

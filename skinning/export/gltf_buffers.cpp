@@ -5,6 +5,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/gltf/json.h"
+
 namespace stretch::skinning {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "app/bone_strains.h"
+#include "app/evaluate/bone_strains.h"
 
 #include <cmath>
 

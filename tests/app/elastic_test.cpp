@@ -1,4 +1,4 @@
-#include "app/elastic.h"
+#include "app/weight/elastic.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,11 +16,12 @@
 #include "app/edits/elastic_edits.h"
 #include "app/edits/recipe_edits.h"
 #include "app/edits/trail_edits.h"
-#include "app/elastic_description.h"
-#include "app/evaluate.h"
+#include "app/evaluate/evaluate.h"
+#include "app/files/save.h"
 #include "app/history.h"
-#include "app/recipe.h"
-#include "app/save.h"
+#include "app/recipe/recipe.h"
+#include "app/schema/elastic_description.h"
+#include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace fs = std::filesystem;

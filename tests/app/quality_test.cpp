@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/evaluate.h"
-#include "app/quality.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/quality.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

@@ -8,10 +8,11 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
-#include "app/elastic_description.h"
-#include "app/recipe.h"
-#include "app/trail_description.h"
-#include "app/trail_json.h"
+#include "app/recipe/recipe.h"
+#include "app/schema/elastic_description.h"
+#include "app/schema/trail_description.h"
+#include "app/schema/trail_json.h"
+#include "core/gltf/json.h"
 
 using namespace stretch;
 using namespace stretch::app;

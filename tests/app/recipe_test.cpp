@@ -3,7 +3,8 @@
 
 #include "app/edits/recipe_edits.h"
 #include "app/edits/trail_edits.h"
-#include "app/recipe.h"
+#include "app/recipe/recipe.h"
+#include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "app/standing.h"
+#include "app/weight/standing.h"
 
 #include <catch2/catch.hpp>
 

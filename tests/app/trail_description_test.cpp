@@ -2,8 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/trail_description.h"
-#include "app/trail_json.h"
+#include "app/schema/trail_description.h"
+#include "app/schema/trail_json.h"
+#include "core/gltf/json.h"
 
 using namespace stretch;
 using namespace stretch::app;

@@ -10,8 +10,8 @@
 
 #include "app/document.h"
 #include "app/edits/sphere_edits.h"
-#include "app/evaluate.h"
-#include "app/save.h"
+#include "app/evaluate/evaluate.h"
+#include "app/files/save.h"
 #include "core/base/check.h"
 #include "core/scene/queries.h"
 #include "tests/bench/measure.h"

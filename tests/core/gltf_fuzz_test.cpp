@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "core/gltf/json.h"
 #include "core/gltf/report.h"
 #include "tests/support/core/glb_builder.h"
 

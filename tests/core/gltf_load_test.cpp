@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/gltf/json.h"
 #include "core/gltf/problems.h"
 #include "tests/support/core/glb_builder.h"
 

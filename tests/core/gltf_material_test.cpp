@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/gltf/json.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

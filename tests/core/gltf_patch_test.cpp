@@ -5,6 +5,7 @@
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/edits.h"
+#include "core/gltf/json.h"
 #include "core/gltf/uri.h"
 #include "tests/support/core/glb_builder.h"
 
@@ -191,7 +192,7 @@ TEST_CASE("What VRM says of a mesh's node follows the mesh") {
   const gltf::Loaded file = arm(folder, glb);
   gltf::Edits edits;
   edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   const gltf::Source changed = patchedOrFail(*file.source, edits);
   const Json& vrm = changed.json["extensions"]["VRMC_vrm"];
   CHECK(vrm["firstPerson"]["meshAnnotations"][0]["node"] == 4);
@@ -269,7 +270,7 @@ gltf::Edits randomEdits(const gltf::Loaded& file, std::mt19937& random) {
                            {turnTrack(number(nodes + added)),
                             scaleTrack(number(nodes + added), {0, .25F, 1}, {1, 1, 1, 2, 2, 2, 1, 1, 1})}});
   }
-  edits.work = {{"seed", random()}, {"text", "ö"}, {"list", {1, 2.5, nullptr}}};
+  edits.work = Json{{"seed", random()}, {"text", "ö"}, {"list", {1, 2.5, nullptr}}};
   return edits;
 }
 
@@ -300,7 +301,7 @@ TEST_CASE("Work saved again and again does not pile up") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits = stretchEdits(file);
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   const gltf::Loaded once = reopened(folder, patchedOrFail(*file.source, edits), "out.glb");
   const std::size_t size = test::readBytes(folder / "out.glb").size();
   const gltf::Loaded twice = reopened(folder, patchedOrFail(*once.source, edits), "out.glb");
@@ -323,7 +324,7 @@ TEST_CASE("A .gltf with its data in a URI or beside it comes back through a GLB 
   test::writeBytes(folder / "source.gltf", {text.begin(), text.end()});
   const gltf::Loaded file = opened(folder / "source.gltf");
   gltf::Edits edits = stretchEdits(file);
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   const gltf::Source changed = patchedOrFail(*file.source, edits);
   checkRestored(reopened(folder, changed, "out.glb"), file, edits.work);
   checkRestored(reopened(folder, changed, "out.gltf"), file, edits.work);
@@ -335,7 +336,7 @@ TEST_CASE("Extras that are there already survive the work") {
   glb.json["extras"] = GENERATE(Json("a text"), Json({{"mine", 1}}), Json(nullptr));
   const gltf::Loaded file = arm(folder, glb);
   gltf::Edits edits = stretchEdits(file);
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   const gltf::Source changed = patchedOrFail(*file.source, edits);
   if (glb.json["extras"].is_object()) {
     CHECK(changed.json["extras"]["mine"] == 1);
@@ -349,7 +350,7 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits = stretchEdits(file);
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   gltf::Source changed = patchedOrFail(*file.source, edits);
   SECTION("JSON") {
     changed.json["nodes"][0]["name"] = "renamed";
@@ -361,7 +362,7 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
     changed.json["extras"]["stretch_engine"]["restore"]["steps"][0] = {"cut", "/nowhere", 3};
   }
   const gltf::Loaded result = reopened(folder, changed);
-  CHECK(result.savedWork.is_null());
+  CHECK(result.savedWork.isNull());
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0].find("another program") != std::string::npos);
   CHECK(result.scene->nodes.size() == 7);
@@ -372,7 +373,7 @@ TEST_CASE("A program that only reorders keys and respells numbers does not cost 
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits = stretchEdits(file);
-  edits.work = {{"scale", 2}};
+  edits.work = Json{{"scale", 2}};
   gltf::Source changed = patchedOrFail(*file.source, edits);
   changed.json = Json::parse(nlohmann::json::parse(changed.json.dump()).dump()); // sorted keys
   const gltf::Loaded result = reopened(folder, changed);

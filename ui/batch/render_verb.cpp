@@ -9,10 +9,10 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
-#include "app/evaluate.h"
-#include "app/recipe.h"
+#include "app/evaluate/evaluate.h"
+#include "app/recipe/recipe.h"
+#include "app/schema/trail_description.h"
 #include "app/sequence/open_any.h"
-#include "app/trail_description.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/render/picture.h"
@@ -117,7 +117,7 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, double la
   return frames;
 }
 
-constexpr std::size_t samplesPerFrame = 2;
+constexpr std::size_t pathSamplesPerFrame = 2;
 
 TrailPicture pictureOf(const rig::SolvedTrail& solved, const app::TrailPaths& trailPaths, double frame) {
   const rig::DrawnTrail& paths = trailPaths.drawn;
@@ -126,9 +126,9 @@ TrailPicture pictureOf(const rig::SolvedTrail& solved, const app::TrailPaths& tr
   TrailPicture picture;
   picture.original = paths.original;
   picture.exaggerated = exaggerated ? paths.exaggerated : std::vector<Vec3>{};
-  picture.samplesPerFrame = samplesPerFrame;
+  picture.samplesPerFrame = pathSamplesPerFrame;
   if (frame >= paths.frames.front() && frame <= paths.frames.back()) {
-    picture.currentSample = (frame - paths.frames.front()) * static_cast<double>(samplesPerFrame);
+    picture.currentSample = (frame - paths.frames.front()) * static_cast<double>(pathSamplesPerFrame);
   }
   for (const Vec3& center : exaggerated ? spheres.exaggerated : spheres.original) {
     picture.spheres.push_back({center, false, false});
@@ -158,7 +158,7 @@ std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::M
   std::vector<PictureFrame> pictures;
   const std::vector<app::TrailPaths> paths = motion.trails.empty()
                                                  ? std::vector<app::TrailPaths>{}
-                                                 : app::trailPaths(document, motion, samplesPerFrame);
+                                                 : app::trailPaths(document, motion, pathSamplesPerFrame);
   for (const double frame : frames) {
     PictureFrame picture;
     picture.frame = app::evaluate(document, motion, frame / motion.framesPerSecond);
@@ -311,31 +311,28 @@ Status runRender(const RenderArguments& arguments) {
 } // namespace
 
 app::Verb renderVerb() {
-  return {"render",
-          "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
-          [](CLI::App& program) {
-            const auto arguments = std::make_shared<RenderArguments>();
-            app::addFileArguments(program, arguments->input);
-            program.add_option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN")
-                ->required();
-            program.add_option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            CLI::Option* const frame =
-                program.add_option("--frame", arguments->frame, "One frame; default: 0");
-            program.add_option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP")
-                ->excludes(frame);
-            program.add_flag("--sheet", arguments->sheet, "All frames on one contact sheet");
-            program.add_option("--size", arguments->size, "Pixels of a picture, WxH")->capture_default_str();
-            program.add_option("--view", arguments->view, "front, side, top or three-quarter")
-                ->capture_default_str();
-            app::addFramesPerSecond(program, arguments->input);
-            program.add_option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
-            program.add_option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
-                ->check(CLI::Range(0, 20));
-            program.add_option("--over", arguments->over,
-                               "A clip that was compressed from a mesh sequence, drawn over it");
-            program.add_flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
-            return [arguments] { return runRender(*arguments); };
-          }};
+  return {
+      "render",
+      "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
+      [](app::CommandLine& line) {
+        const auto arguments = std::make_shared<RenderArguments>();
+        app::addFileArguments(line, arguments->input);
+        line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN").required();
+        line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+        const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
+        line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
+        line.flag("--sheet", arguments->sheet, "All frames on one contact sheet");
+        line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
+        line.option("--view", arguments->view, "front, side, top or three-quarter").showDefault();
+        app::addFramesPerSecond(line, arguments->input);
+        line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
+        line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
+            .between(0, 20);
+        line.option("--over", arguments->over,
+                    "A clip that was compressed from a mesh sequence, drawn over it");
+        line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+        return [arguments] { return runRender(*arguments); };
+      }};
 }
 
 } // namespace stretch::ui

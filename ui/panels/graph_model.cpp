@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 #include "ui/panels/panel_support.h"
 
 namespace stretch::ui {

@@ -2,7 +2,7 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
-#include "rig/biped/detection.h"
+#include "rig/body/detection.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/fuzzy.h"

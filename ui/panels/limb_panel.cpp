@@ -1,7 +1,7 @@
 #include <array>
 
 #include "app/commands/selection.h"
-#include "app/elastic.h"
+#include "app/weight/elastic.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -20,11 +20,6 @@ constexpr std::array<const char*, bodyPartCount> limbIds{"left-arm",  "right-arm
 constexpr std::array<const char*, bodyPartCount> limbCommands{command::selectLeftArm, command::selectRightArm,
                                                               command::selectLeftLeg, command::selectRightLeg,
                                                               command::selectSpine,   command::selectNeck};
-
-bool isSelected(const app::Session& session, const std::string& limbId) {
-  const std::vector<std::string>& selected = session.view().selectedLimbs;
-  return std::find(selected.begin(), selected.end(), limbId) != selected.end();
-}
 
 /// The trail that the limb shows: the selected one, else its first in the viewed clip.
 const rig::Trail* trailOf(const app::Session& session, const std::string& limbId) {
@@ -51,7 +46,7 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
     state.help.text = "Not found in this character. Choose its joints in the rig panel.";
     return state;
   }
-  state.selected = isSelected(session, state.id);
+  state.selected = app::isSelected(session, state.id);
   state.lowConfidence = limb->confidence < doubtful;
   if (const rig::Trail* trail = trailOf(session, state.id)) {
     state.trail = trailColour(trail->colour);
@@ -77,7 +72,7 @@ void chainChips(PanelContext& context) {
     chip.id = "limb/" + chain.id;
     chip.icon = icon::link;
     chip.text = chain.id;
-    chip.on = isSelected(session, chain.id);
+    chip.on = app::isSelected(session, chain.id);
     chip.width = ImGui::GetContentRegionAvail().x;
     chip.help = {chain.id, "A chain of your own. Click selects it, Shift+click adds it.", {}};
     if (button(widgets, chip)) {
@@ -86,7 +81,7 @@ void chainChips(PanelContext& context) {
   }
 }
 
-std::string selectionText(const app::Session& session) {
+std::string limbSelectionText(const app::Session& session) {
   const std::vector<std::string>& limbs = session.view().selectedLimbs;
   if (limbs.empty()) {
     return "Click a limb to start.";
@@ -129,7 +124,7 @@ void drawLimbPanel(PanelContext& context) {
   drawText(
       widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},
       session.view().selectedLimbs.empty() ? context.theme.colours.quietText : context.theme.colours.text,
-      selectionText(session), 0.5F);
+      limbSelectionText(session), 0.5F);
   chainChips(context);
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 #include "ui/panels/panel_context.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/control.h"

@@ -10,7 +10,7 @@ namespace stretch::ui {
 
 namespace {
 
-constexpr float labelWidth = 112.0F;
+constexpr float sequenceLabelWidth = 112.0F;
 
 /// The working range is what the fits use: its start is the number of settling frames that are left out.
 TimelineModel modelOf(const PanelContext& context) {
@@ -50,7 +50,7 @@ void drawSequenceTimeline(PanelContext& context) {
   ImGui::BeginChild("timeline", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoScrollWithMouse);
   const float height = std::max(timelineHeight(context.theme, model), ImGui::GetContentRegionAvail().y);
   const TimelineOutcome outcome = timeline(widgetsOf(context), "timeline", model, context.ui.timelineGesture,
-                                           context.theme.px(labelWidth), height);
+                                           context.theme.px(sequenceLabelWidth), height);
   ImGui::EndChild();
   apply(context, outcome);
 }

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/trail_description.h"
+#include "app/schema/trail_description.h"
 #include "ui/widgets/dropdown.h"
 
 namespace stretch::ui {

@@ -23,7 +23,7 @@ void themeRow(PanelContext& context) {
   }
 }
 
-void scaleRow(PanelContext& context) {
+void interfaceScaleRow(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   UiState& ui = context.ui;
   constexpr std::array<float, 5> sizes{0.85F, 1.0F, 1.25F, 1.5F, 2.0F};
@@ -65,7 +65,7 @@ void drawSettingsDialog(PanelContext& context) {
   }
   const WidgetContext widgets = widgetsOf(context);
   themeRow(context);
-  scaleRow(context);
+  interfaceScaleRow(context);
   navigationRow(context);
   labelledRow(widgets, "Timeline", {"Timeline", "What the mouse does in the timeline.", {}});
   if (toggle(widgets, "settings/snap", "Snap to whole frames", ui.timeline.snapToFrames,

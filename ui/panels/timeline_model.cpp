@@ -10,11 +10,6 @@ namespace stretch::ui {
 
 namespace {
 
-bool isSelected(const app::Session& session, const std::string& limbId) {
-  const std::vector<std::string>& limbs = session.view().selectedLimbs;
-  return std::find(limbs.begin(), limbs.end(), limbId) != limbs.end();
-}
-
 std::vector<KeyRow> keyRows(const app::Session& session, RowDetail detail) {
   const app::Document& document = session.document();
   const int clip = session.view().clip;
@@ -28,7 +23,7 @@ std::vector<KeyRow> keyRows(const app::Session& session, RowDetail detail) {
   std::vector<KeyRow> rows{{"All keys", app::keyFrames(document, clip, {}), false}};
   const auto add = [&](const rig::Limb& limb) {
     rows.push_back({limbHeading(document, limb.id), app::keyFrames(document, clip, {limb.id}),
-                    isSelected(session, limb.id)});
+                    app::isSelected(session, limb.id)});
   };
   std::for_each(document.biped.limbs.begin(), document.biped.limbs.end(), add);
   std::for_each(document.chains.begin(), document.chains.end(), add);

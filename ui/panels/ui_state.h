@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/math/types.h"
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 #include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"

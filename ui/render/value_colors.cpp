@@ -12,14 +12,14 @@ namespace stretch::ui {
 
 namespace {
 
-struct Stop {
+struct ShareStop {
   double share;
   std::uint32_t hex; // sRGB
 };
 
-constexpr std::array<Stop, 4> errorStops{
+constexpr std::array<ShareStop, 4> errorStops{
     {{0.0, 0x5B6470}, {0.35, 0xF0E442}, {0.7, 0xE69F00}, {1.0, 0xC1390A}}};
-constexpr std::array<Stop, 4> thicknessStops{
+constexpr std::array<ShareStop, 4> thicknessStops{
     {{0.0, 0x2B2F77}, {0.4, 0x0072B2}, {0.7, 0x35B779}, {1.0, 0xF0E442}}};
 
 glm::vec4 srgbColor(ValueScale scale, double share) {

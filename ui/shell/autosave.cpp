@@ -3,10 +3,10 @@
 #include <csignal>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "app/saved_work.h"
+#include "app/files/saved_work.h"
+#include "core/gltf/json.h"
 #include "ui/shell/user_files.h"
 
 namespace stretch::ui {
@@ -14,7 +14,7 @@ namespace stretch::ui {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using gltf::Json;
 
 fs::path autosaveFolder() {
   return stateFolder() / "autosave";

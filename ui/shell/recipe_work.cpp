@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/edits/recipe_edits.h"
-#include "app/recipe.h"
+#include "app/recipe/recipe.h"
+#include "core/gltf/json.h"
 
 namespace stretch::ui {
 

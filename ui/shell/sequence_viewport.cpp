@@ -10,6 +10,7 @@
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/value_colors.h"
 #include "ui/shell/content_key.h"
+#include "ui/shell/viewport_scene.h"
 #include "ui/widgets/color_legend.h"
 
 namespace stretch::ui {
@@ -17,11 +18,6 @@ namespace stretch::ui {
 namespace {
 
 using app::SequenceColours;
-
-glm::vec4 toColour(ImU32 colour) {
-  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
-  return {value.x, value.y, value.z, value.w};
-}
 
 double diagonalOf(const app::SequenceDocument& document) {
   return boxDiagonal(document.mesh->frame(0), document.mesh->vertexCount);
@@ -113,7 +109,7 @@ void uploadFrame(const app::SequenceSession& session, ViewportGpu& gpu) {
   gpu.sequenceKey = key;
 }
 
-SceneStyle styleOf(const Shell& shell, const ViewportGpu& gpu) {
+SceneStyle sequenceStyleOf(const Shell& shell, const ViewportGpu& gpu) {
   const app::SequenceDocument& document = shell.sequence->document;
   SceneStyle style;
   style.palette = paletteOf(shell.theme.kind);
@@ -193,7 +189,7 @@ void frameSequence(Shell& shell) {
 
 void drawSequenceScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture) {
   uploadFrame(*shell.sequence, gpu);
-  const SceneStyle style = styleOf(shell, gpu);
+  const SceneStyle style = sequenceStyleOf(shell, gpu);
   const Overlay overlay = shell.ui.overlays.skeleton ? bonesOf(*shell.sequence, style.palette) : Overlay{};
   const FrameState frame = restOf(*gpu.uploaded);
   drawPicture(shell, gpu, gpu.picture, {frame, {}, overlay, style});

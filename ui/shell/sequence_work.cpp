@@ -14,7 +14,7 @@ namespace stretch::ui {
 
 namespace {
 
-bool always(const app::SequenceSession& /*session*/) {
+bool alwaysEnabled(const app::SequenceSession& /*session*/) {
   return true;
 }
 bool hasResult(const app::SequenceSession& session) {
@@ -186,16 +186,16 @@ std::vector<app::Command<Shell>> sequenceCommands() {
 
 const std::vector<SequenceMeaning>& sequenceMeanings() {
   static const std::vector<SequenceMeaning> meanings{
-      {command::timeStart, always, [](Shell& shell) { return goTo(shell, 0.0); }},
-      {command::timeEnd, always, [](Shell& shell) { return goTo(shell, app::lastFrame(*shell.sequence)); }},
-      {command::timeBack, always,
+      {command::timeStart, alwaysEnabled, [](Shell& shell) { return goTo(shell, 0.0); }},
+      {command::timeEnd, alwaysEnabled, [](Shell& shell) { return goTo(shell, app::lastFrame(*shell.sequence)); }},
+      {command::timeBack, alwaysEnabled,
        [](Shell& shell) { return goTo(shell, std::ceil(shell.sequence->view.frame) - 1.0); }},
-      {command::timeForward, always,
+      {command::timeForward, alwaysEnabled,
        [](Shell& shell) { return goTo(shell, std::floor(shell.sequence->view.frame) + 1.0); }},
       {command::fileSave, hasResult, askForExport},
       {command::fileSaveAs, hasResult, askForExport},
       {command::fileExportClean, hasResult, askForExport},
-      {command::trailShowOriginal, always, switchOriginal},
+      {command::trailShowOriginal, alwaysEnabled, switchOriginal},
   };
   return meanings;
 }

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "core/gltf/json.h"
 #include "ui/shell/user_files.h"
 
 namespace stretch::ui {
@@ -14,7 +13,7 @@ namespace stretch::ui {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using gltf::Json;
 
 constexpr std::size_t recentFilesKept = 12;
 

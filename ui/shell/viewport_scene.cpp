@@ -44,11 +44,6 @@ std::vector<rig::Limb> allLimbs(const app::Document& document) {
   return limbs;
 }
 
-glm::vec4 toColour(ImU32 colour) {
-  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
-  return {value.x, value.y, value.z, value.w};
-}
-
 /// The paths, and where the playhead is on them.
 TrailPicture pathsOf(const ShownTrail& trail, double frame) {
   TrailPicture picture;
@@ -286,6 +281,11 @@ double facingYaw(const app::Document& document, int clip) {
   // boxer who stands half turned is still seen along the axes.
   const double quarterTurn = 0.5 * pi;
   return quarterTurn * std::round(std::atan2(forward.x, forward.z) / quarterTurn);
+}
+
+glm::vec4 toColour(std::uint32_t colour) {
+  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
+  return {value.x, value.y, value.z, value.w};
 }
 
 } // namespace stretch::ui

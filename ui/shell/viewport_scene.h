@@ -55,4 +55,7 @@ struct LimbBones {
 /// Yaw from which the character is seen from the front at a clip's first frame.
 [[nodiscard]] double facingYaw(const app::Document& document, int clip);
 
+/// A colour of the theme (Dear ImGui's packed sRGB) as shaders take it.
+[[nodiscard]] glm::vec4 toColour(std::uint32_t colour);
+
 } // namespace stretch::ui

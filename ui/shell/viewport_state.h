@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/edits/sphere_edits.h"
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 #include "ui/render/camera.h"
 #include "ui/render/picking.h"
 #include "ui/widgets/control.h"

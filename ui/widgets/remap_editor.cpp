@@ -14,7 +14,7 @@ namespace {
 constexpr double largestPercentSum = 0.98;
 constexpr double offBelow = 0.005;
 
-struct Plot {
+struct RemapPlot {
   Rect box;
 
   [[nodiscard]] ImVec2 toScreen(const Vec2& p) const {
@@ -27,7 +27,7 @@ struct Plot {
   }
 };
 
-void drawGrid(const Theme& theme, const Plot& plot) {
+void drawGrid(const Theme& theme, const RemapPlot& plot) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ThemeColours& colours = theme.colours;
   list->AddRectFilled(plot.box.min, plot.box.max, colours.sunken, theme.corner());
@@ -40,7 +40,7 @@ void drawGrid(const Theme& theme, const Plot& plot) {
   list->AddLine(plot.toScreen({0.0, 0.0}), plot.toScreen({1.0, 1.0}), faded(colours.quietText, 0.35F));
 }
 
-void drawCurve(const Theme& theme, const Plot& plot, const std::function<double(double)>& curve,
+void drawCurve(const Theme& theme, const RemapPlot& plot, const std::function<double(double)>& curve,
                ImU32 colour) {
   std::vector<ImVec2> line;
   constexpr int pieces = 64;
@@ -94,7 +94,7 @@ void drawHandle(const WidgetContext& context, const ImVec2& at, bool off, bool l
   }
 }
 
-EditPhase editHandle(const WidgetContext& context, const std::string& id, const Plot& plot,
+EditPhase editHandle(const WidgetContext& context, const std::string& id, const RemapPlot& plot,
                      const Handle& handle, RemapPoints& points, ImU32 colour) {
   const ImVec2 at = plot.toScreen(handle.place());
   const float reach = context.theme.px(11.0F);
@@ -139,7 +139,7 @@ EditPhase remapEditor(const WidgetContext& context, const std::string& id,
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float margin = theme.px(8.0F);
-  const Plot plot{
+  const RemapPlot plot{
       {{corner.x + margin, corner.y + margin}, {corner.x + width - margin, corner.y + height - margin}}};
   drawGrid(theme, plot);
   drawCurve(theme, plot, curve, colour);

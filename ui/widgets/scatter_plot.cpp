@@ -8,11 +8,11 @@ namespace stretch::ui {
 
 namespace {
 
-constexpr float valueColumn = 40.0F;
+constexpr float scatterValueColumn = 40.0F;
 constexpr float labelRow = 18.0F;
 constexpr float reachOfMouse = 8.0F;
 
-struct Plot {
+struct ScatterArea {
   Rect box;
   Axis x;
   Axis y;
@@ -20,9 +20,9 @@ struct Plot {
   [[nodiscard]] ImVec2 at(const Vec2& point) const { return {x.toPixel(point.x), y.toPixel(point.y)}; }
 };
 
-Plot plotOf(const Theme& theme, const Rect& box, const ScatterPlotModel& model) {
-  Plot plot;
-  plot.box = {{box.min.x + theme.px(valueColumn), box.min.y + theme.px(labelRow)},
+ScatterArea plotOf(const Theme& theme, const Rect& box, const ScatterPlotModel& model) {
+  ScatterArea plot;
+  plot.box = {{box.min.x + theme.px(scatterValueColumn), box.min.y + theme.px(labelRow)},
               {box.max.x - theme.px(6.0F), box.max.y - theme.px(2.0F * labelRow)}};
   const Span across = plottedSpan(model, 0);
   const Span up = plottedSpan(model, 1);
@@ -38,7 +38,7 @@ std::string markText(double value, double step) {
   return text;
 }
 
-void drawGrid(const WidgetContext& context, const Plot& plot) {
+void drawGrid(const WidgetContext& context, const ScatterArea& plot) {
   const Theme& theme = context.theme;
   const ImU32 line = faded(theme.colours.border, 0.45F);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -60,14 +60,14 @@ void drawGrid(const WidgetContext& context, const Plot& plot) {
     if (y - half < plot.box.min.y) {
       continue; // The label of the axis stands there.
     }
-    drawText(
-        context, theme.fonts.label,
-        {{plot.box.min.x - theme.px(valueColumn), y - half}, {plot.box.min.x - theme.px(5.0F), y + half}},
-        theme.colours.quietText, markText(value, stepY), 1.0F);
+    drawText(context, theme.fonts.label,
+             {{plot.box.min.x - theme.px(scatterValueColumn), y - half},
+              {plot.box.min.x - theme.px(5.0F), y + half}},
+             theme.colours.quietText, markText(value, stepY), 1.0F);
   }
 }
 
-void drawLabels(const WidgetContext& context, const Rect& box, const Plot& plot,
+void drawLabels(const WidgetContext& context, const Rect& box, const ScatterArea& plot,
                 const ScatterPlotModel& model) {
   const Theme& theme = context.theme;
   drawText(context, theme.fonts.label, {box.min, {box.max.x, box.min.y + theme.px(labelRow)}},
@@ -76,7 +76,7 @@ void drawLabels(const WidgetContext& context, const Rect& box, const Plot& plot,
            theme.colours.quietText, model.xLabel, 1.0F);
 }
 
-void drawContent(const WidgetContext& context, const Plot& plot, const ScatterPlotModel& model) {
+void drawContent(const WidgetContext& context, const ScatterArea& plot, const ScatterPlotModel& model) {
   const Theme& theme = context.theme;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(plot.box.min, plot.box.max, true);
@@ -103,8 +103,8 @@ void drawContent(const WidgetContext& context, const Plot& plot, const ScatterPl
   list->PopClipRect();
 }
 
-std::optional<std::size_t> pointUnder(const Theme& theme, const Plot& plot, const ScatterPlotModel& model,
-                                      const ImVec2& mouse) {
+std::optional<std::size_t> pointUnder(const Theme& theme, const ScatterArea& plot,
+                                      const ScatterPlotModel& model, const ImVec2& mouse) {
   std::optional<std::size_t> nearest;
   float least = theme.px(reachOfMouse);
   for (std::size_t i = 0; i < model.points.size(); ++i) {
@@ -147,7 +147,7 @@ std::optional<std::size_t> scatterPlot(const WidgetContext& context, const std::
   if (!place.visible) {
     return std::nullopt;
   }
-  const Plot plot = plotOf(context.theme, place.box, model);
+  const ScatterArea plot = plotOf(context.theme, place.box, model);
   drawGrid(context, plot);
   drawLabels(context, place.box, plot, model);
   drawContent(context, plot, model);

@@ -10,6 +10,7 @@
 
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
+#include "core/gltf/json.h"
 #include "core/gltf/source.h"
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"

@@ -8,8 +8,8 @@
 
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
-#include "app/evaluate.h"
-#include "app/save.h"
+#include "app/evaluate/evaluate.h"
+#include "app/files/save.h"
 #include "core/gltf/files.h"
 #include "core/scene/bind_chains.h"
 #include "tests/support/temporary_folder.h"

@@ -4,8 +4,9 @@
 
 #include "app/edits/limb_edits.h"
 #include "app/edits/trail_edits.h"
-#include "app/evaluate.h"
-#include "app/saved_work.h"
+#include "app/evaluate/evaluate.h"
+#include "app/files/saved_work.h"
+#include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

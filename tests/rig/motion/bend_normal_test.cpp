@@ -1,4 +1,4 @@
-#include "rig/bend_normal.h"
+#include "rig/motion/bend_normal.h"
 
 #include <cmath>
 

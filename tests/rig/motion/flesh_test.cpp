@@ -1,4 +1,4 @@
-#include "rig/limb_flesh.h"
+#include "rig/motion/limb_flesh.h"
 
 #include <cmath>
 

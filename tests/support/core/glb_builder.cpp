@@ -7,6 +7,7 @@
 
 #include "core/gltf/files.h"
 #include "core/gltf/glb.h"
+#include "core/gltf/json.h"
 
 namespace stretch::test {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rig/biped/detection.h"
+#include "rig/body/detection.h"
 #include "tests/support/rig/synthetic_biped.h"
 
 namespace stretch::test {

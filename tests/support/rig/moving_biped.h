@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/anim/clip.h"
-#include "rig/biped/detection.h"
-#include "rig/motion.h"
+#include "rig/body/detection.h"
+#include "rig/motion/motion.h"
 #include "tests/support/rig/synthetic_biped.h"
 
 namespace stretch::test {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rig/motion.h"
+#include "rig/motion/motion.h"
 #include "tests/support/rig/moving_biped.h"
 
 namespace stretch::test {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/document.h"
-#include "app/evaluate.h"
+#include "app/evaluate/evaluate.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace {

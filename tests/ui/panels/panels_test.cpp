@@ -6,7 +6,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/elastic_edits.h"
 #include "app/edits/trail_edits.h"
-#include "app/elastic.h"
+#include "app/weight/elastic.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/command_ids.h"
 

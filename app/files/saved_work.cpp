@@ -1,0 +1,239 @@
+#include "app/files/saved_work.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/schema/elastic_description.h"
+#include "app/schema/trail_json.h"
+#include "core/gltf/json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+constexpr int workVersion = 1;
+constexpr double metres = 1.0;
+
+const std::vector<std::string>& keysBesideSettings() {
+  static const std::vector<std::string> keys{"id",        "limb",           "clip",   "exaggerated",
+                                             "connected", "applied",        "colour", "visible",
+                                             "pinned",    "control_frames", "follow"};
+  return keys;
+}
+
+Json trailToJson(const rig::Trail& trail) {
+  Json json = settingsToJson(trail.settings, metres);
+  json["id"] = trail.id;
+  json["limb"] = trail.limb;
+  json["clip"] = trail.clip;
+  json["exaggerated"] = trail.exaggerated;
+  json["connected"] = trail.connected;
+  json["applied"] = trail.applied ? settingsToJson(*trail.applied, metres) : Json(nullptr);
+  json["colour"] = trail.colour;
+  json["visible"] = trail.visible;
+  json["pinned"] = trail.pinned;
+  json["control_frames"] = trail.controlFrames;
+  json["follow"] = trail.follow;
+  return json;
+}
+
+Json limbToJson(const rig::Limb& limb) {
+  return {{"limb", limb.id},
+          {"kind", static_cast<int>(limb.kind)},
+          {"joints", limb.joints},
+          {"end", limb.endNode},
+          {"end_offset", vectorToJson(limb.endOffset)},
+          {"rest_length", limb.restLength},
+          {"confidence", limb.confidence}};
+}
+
+Json limbsToJson(const std::vector<rig::Limb>& limbs) {
+  Json list = Json::array();
+  for (const rig::Limb& limb : limbs) {
+    list.push_back(limbToJson(limb));
+  }
+  return list;
+}
+
+Error malformed(const std::string& where) {
+  return {"is not what this program writes", where, "open the file and set it up again"};
+}
+
+Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
+  rig::Trail trail;
+  if (const Status read = settingsFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
+    return read.error();
+  }
+  trail.id = json.at("id").get<int>();
+  trail.limb = json.at("limb").get<std::string>();
+  trail.clip = json.at("clip").get<int>();
+  trail.exaggerated = json.at("exaggerated").get<bool>();
+  trail.connected = json.at("connected").get<bool>();
+  trail.colour = json.at("colour").get<int>();
+  trail.visible = json.at("visible").get<bool>();
+  trail.pinned = json.at("pinned").get<bool>();
+  trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
+  trail.follow = json.at("follow").get<bool>();
+  if (!json.at("applied").is_null()) {
+    trail.applied = trail.settings;
+    if (const Status read = settingsFromJson(json.at("applied"), metres, {}, *trail.applied); !read) {
+      return read.error();
+    }
+  }
+  const bool clipExists = trail.clip >= 0 && static_cast<std::size_t>(trail.clip) < document.clips->size();
+  if (!clipExists || trail.id <= 0 || trail.colour < 0 || findTrail(document, trail.id) != nullptr) {
+    return malformed("trails");
+  }
+  std::sort(trail.controlFrames.begin(), trail.controlFrames.end());
+  return trail;
+}
+
+bool hasRepeats(std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
+}
+
+Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
+  rig::Limb limb;
+  const auto nodes = static_cast<int>(document.scene->nodes.size());
+  const auto exists = [&](int node) { return node >= 0 && node < nodes; };
+  limb.id = json.at("limb").get<std::string>();
+  const int kind = json.at("kind").get<int>();
+  limb.joints = json.at("joints").get<std::vector<int>>();
+  limb.endNode = json.at("end").get<int>();
+  limb.restLength = json.at("rest_length").get<double>();
+  limb.confidence = json.at("confidence").get<double>();
+  const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
+  const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
+                        !hasRepeats(limb.joints) && (limb.endNode == -1 || exists(limb.endNode));
+  const bool isKind = kind >= 0 && kind <= static_cast<int>(rig::LimbKind::chain);
+  if (!offset || !hasNodes || !isKind || !(limb.restLength > 0.0)) {
+    return malformed("limbs");
+  }
+  limb.kind = static_cast<rig::LimbKind>(kind);
+  limb.endOffset = *offset;
+  limb.reasons = {"kept in the file"};
+  return limb;
+}
+
+Json elasticLimbToJson(const ElasticLimb& entry) {
+  Json json = elasticToJson(entry.settings);
+  json["limb"] = entry.limb;
+  json["clip"] = entry.clip;
+  json["on"] = entry.on;
+  return json;
+}
+
+Result<ElasticLimb> elasticLimbFromJson(const Json& json, const Document& document) {
+  ElasticLimb entry;
+  if (const Status read = elasticFromJson(json, {"limb", "clip", "on"}, entry.settings); !read) {
+    return read.error();
+  }
+  entry.limb = json.at("limb").get<std::string>();
+  entry.clip = json.at("clip").get<int>();
+  entry.on = json.at("on").get<bool>();
+  const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
+  const bool isRepeated =
+      std::any_of(document.elastic.begin(), document.elastic.end(), [&](const ElasticLimb& other) {
+        return other.limb == entry.limb && other.clip == entry.clip;
+      });
+  if (!clipExists || isRepeated) {
+    return malformed("elastic");
+  }
+  return entry;
+}
+
+Status restoreParts(const Json& work, Document& document) {
+  for (const auto& [key, limbs] :
+       {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
+    if (!work.contains(key)) {
+      continue;
+    }
+    limbs->clear();
+    for (const Json& json : work.at(key)) {
+      Result<rig::Limb> limb = limbFromJson(json, document);
+      if (!limb) {
+        return limb.error();
+      }
+      limbs->push_back(std::move(*limb));
+    }
+  }
+  for (const Json& json : work.at("trails")) {
+    Result<rig::Trail> trail = trailFromJson(json, document);
+    if (!trail) {
+      return trail.error();
+    }
+    document.nextTrailId = std::max(document.nextTrailId, trail->id + 1);
+    document.trails.push_back(std::move(*trail));
+  }
+  for (const Json& json : work.value("elastic", Json::array())) {
+    Result<ElasticLimb> entry = elasticLimbFromJson(json, document);
+    if (!entry) {
+      return entry.error();
+    }
+    document.elastic.push_back(std::move(*entry));
+  }
+  document.loopingClips = work.at("loops").get<std::vector<int>>();
+  return Success{};
+}
+
+} // namespace
+
+Json workOf(const Document& document) {
+  if (document.trails.empty() && document.elastic.empty() && document.chains.empty() &&
+      document.loopingClips.empty() && !document.limbsCorrected) {
+    return nullptr;
+  }
+  Json work;
+  work["version"] = workVersion;
+  // Limbs are kept even when they were found: a later version of the detection must not move the trails'
+  // limbs.
+  work["limbs"] = limbsToJson(document.biped.limbs);
+  work["limbs_corrected"] = document.limbsCorrected;
+  work["chains"] = limbsToJson(document.chains);
+  work["trails"] = Json::array();
+  for (const rig::Trail& trail : document.trails) {
+    work["trails"].push_back(trailToJson(trail));
+  }
+  for (const ElasticLimb& entry : document.elastic) {
+    work["elastic"].push_back(elasticLimbToJson(entry));
+  }
+  work["loops"] = document.loopingClips;
+  return work;
+}
+
+Document withoutWork(Document document) {
+  document.trails.clear();
+  document.elastic.clear();
+  document.chains.clear();
+  document.loopingClips.clear();
+  if (document.limbsCorrected) {
+    document.biped = rig::detectBiped(*document.scene);
+    document.limbsCorrected = false;
+  }
+  return document;
+}
+
+Status restoreWork(const Json& work, Document& document) {
+  try {
+    if (!work.is_object() || work.value("version", 0) != workVersion) {
+      return Error{"the work is of a version that this program does not know", "extras.stretch_engine",
+                   "open it with the program that wrote it"};
+    }
+    Document restored = withoutWork(document);
+    restored.limbsCorrected = work.value("limbs_corrected", false);
+    if (const Status parts = restoreParts(work, restored); !parts) {
+      return parts;
+    }
+    document = std::move(restored);
+    return Success{};
+  } catch (const Json::exception&) {
+    return malformed("extras.stretch_engine");
+  }
+}
+
+} // namespace stretch::app

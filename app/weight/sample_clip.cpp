@@ -1,0 +1,103 @@
+#include "app/weight/sample_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+#include "app/evaluate/evaluate.h"
+#include "app/weight/elastic.h"
+#include "core/base/index.h"
+
+namespace stretch::app {
+
+namespace {
+
+// Samples a frame, or frames a sample, so that there are about 24 to 40 samples a second: the model's
+// smoothing is made for that.
+double samplesPerFrame(double framesPerSecond) {
+  constexpr double fewest = 24.0;
+  constexpr double most = 40.0;
+  if (framesPerSecond > most) {
+    return 1.0 / std::max(1.0, std::floor(framesPerSecond / fewest));
+  }
+  constexpr double rough = 20.0;
+  return framesPerSecond < rough ? std::ceil(fewest / framesPerSecond) : 1.0;
+}
+
+std::vector<double> evenSeconds(const Clip& clip, double samplesPerSecond) {
+  constexpr double mostSamples = 100000.0;
+  const double first = std::floor(clip.startSeconds * clip.framesPerSecond + 1e-6) / clip.framesPerSecond;
+  const double start = std::max(0.0, first);
+  const double count =
+      std::clamp(std::floor((clip.endSeconds - start) * samplesPerSecond + 1e-3), 0.0, mostSamples);
+  std::vector<double> seconds;
+  for (double i = 0.0; i <= count; i += 1.0) {
+    seconds.push_back(start + i / samplesPerSecond);
+  }
+  return seconds;
+}
+
+void collectSubtree(const Scene& scene, int node, std::vector<int>& nodes) {
+  nodes.push_back(node);
+  for (const int child : scene.nodes[at(node)].children) {
+    collectSubtree(scene, child, nodes);
+  }
+}
+
+bool isSampled(const Document& document, const rig::Limb& limb, int clip) {
+  const bool isLeg = limb.kind == rig::LimbKind::leftLeg || limb.kind == rig::LimbKind::rightLeg;
+  return !limb.joints.empty() && (isLeg || findElastic(document, limb.id, clip) != nullptr);
+}
+
+// Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.
+void addSample(const FrameState& frame, const std::vector<int>& endNodes, double metresPerUnit,
+               SampledClip::OfLimb& one) {
+  std::vector<Vec3> joints = rig::limbPoints(one.limb, frame);
+  std::vector<Mat3> toJoint;
+  for (const int joint : one.limb.joints) {
+    const Mat3 world(frame.worlds[at(joint)]);
+    toJoint.push_back(glm::determinant(world) != 0.0 ? glm::inverse(world) : Mat3(1.0));
+  }
+  double lowest = joints.back().y;
+  for (const int node : endNodes) {
+    lowest = std::min(lowest, positionOf(frame.worlds[at(node)]).y);
+  }
+  for (Vec3& joint : joints) {
+    joint *= metresPerUnit;
+  }
+  one.lowest.push_back(lowest * metresPerUnit);
+  one.joints.push_back(std::move(joints));
+  one.toJoint.push_back(std::move(toJoint));
+}
+
+} // namespace
+
+SampledClip sampleClip(const Document& document, const rig::MotionState& motion) {
+  const Clip& clip = clipOf(document, motion.clip);
+  SampledClip sampled;
+  sampled.samplesPerSecond = clip.framesPerSecond * samplesPerFrame(clip.framesPerSecond);
+  sampled.seconds = evenSeconds(clip, sampled.samplesPerSecond);
+  std::vector<std::vector<int>> endNodes;
+  for (const std::vector<rig::Limb>* const limbs : {&document.biped.limbs, &document.chains}) {
+    for (const rig::Limb& limb : *limbs) {
+      if (isSampled(document, limb, motion.clip)) {
+        sampled.limbs.push_back({limb, {}, {}, {}});
+        endNodes.emplace_back();
+        if (limb.endNode >= 0) {
+          collectSubtree(*document.scene, limb.endNode, endNodes.back());
+        }
+      }
+    }
+  }
+  const double metresPerUnit = characterHeightMetres / document.biped.height;
+  for (const double seconds : sampled.seconds) {
+    const FrameState frame = evaluate(document, motion, seconds);
+    for (std::size_t i = 0; i < sampled.limbs.size(); ++i) {
+      addSample(frame, endNodes[i], metresPerUnit, sampled.limbs[i]);
+    }
+  }
+  return sampled;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "rig/body/detection.h"
+#include "rig/body/limb_assembly.h"
+
+namespace stretch::rig {
+
+namespace {
+
+Error chainError(const std::string& joint, std::string what, std::string remedy) {
+  return {std::move(what), "joint \"" + joint + "\"", std::move(remedy)};
+}
+
+Result<int> nodeByIndex(const Scene& scene, const std::string& joint) {
+  int index = -1;
+  const char* last = joint.data() + joint.size();
+  const auto [end, problem] = std::from_chars(joint.data() + 1, last, index);
+  if (problem != std::errc{} || end != last || index < 0 ||
+      static_cast<std::size_t>(index) >= scene.nodes.size()) {
+    return chainError(joint, "no node has this index",
+                      fmt::format("the file has {} nodes, counted from #0", scene.nodes.size()));
+  }
+  return index;
+}
+
+std::string indexList(const std::vector<int>& nodes) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(nodes.size(), most); ++i) {
+    text += fmt::format("{}#{}", i == 0 ? "" : ", ", nodes[i]);
+  }
+  return nodes.size() > most ? text + ", ..." : text;
+}
+
+Result<int> findJoint(const Scene& scene, const std::string& joint) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].name == joint) {
+      found.push_back(static_cast<int>(i));
+    }
+  }
+  if (found.empty() && joint.size() > 1 && joint.front() == '#') {
+    return nodeByIndex(scene, joint);
+  }
+  if (found.empty()) {
+    return chainError(joint, "no node has this name", "name a node of the file, or give its index as #N");
+  }
+  // A mesh may share its joint's name: among several nodes the one that a skin uses is meant.
+  std::vector<int> joints;
+  std::ranges::copy_if(found, std::back_inserter(joints), [&](int node) {
+    return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
+      return std::ranges::find(skin.joints, node) != skin.joints.end();
+    });
+  });
+  if (found.size() > 1 && joints.size() != 1) {
+    return chainError(joint, "several nodes have this name", "say which one: " + indexList(found));
+  }
+  return found.size() == 1 ? found.front() : joints.front();
+}
+
+bool isJoint(const Scene& scene, int node) {
+  return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
+    return std::ranges::find(skin.joints, node) != skin.joints.end();
+  });
+}
+
+// Nodes from `top` to above `bottom`, top first; helper nodes that no skin uses are left out where skins say
+// what a joint is.
+std::vector<int> jointsBetween(const Scene& scene, int top, int bottom) {
+  std::vector<int> joints;
+  for (int node = scene.nodes[static_cast<std::size_t>(bottom)].parent; node != top;
+       node = scene.nodes[static_cast<std::size_t>(node)].parent) {
+    if (scene.skins.empty() || isJoint(scene, node)) {
+      joints.push_back(node);
+    }
+  }
+  joints.push_back(top);
+  std::ranges::reverse(joints);
+  return joints;
+}
+
+} // namespace
+
+Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std::string& jointB) {
+  const Result<int> top = findJoint(scene, jointA);
+  if (!top) {
+    return top.error();
+  }
+  const Result<int> bottom = findJoint(scene, jointB);
+  if (!bottom) {
+    return bottom.error();
+  }
+  if (*top == *bottom) {
+    return chainError(jointB, "a chain needs two different joints", "name a joint below the first one");
+  }
+  if (!isAncestorOrSelf(scene, *top, *bottom)) {
+    const bool reversed = isAncestorOrSelf(scene, *bottom, *top);
+    return chainError(jointB, "this joint is not below \"" + jointA + "\"",
+                      reversed ? "name the upper joint first" : "choose two joints of one chain");
+  }
+  Limb limb = biped::makeLimb(LimbKind::chain, jointsBetween(scene, *top, *bottom), {.node = *bottom},
+                              bindPoseWorlds(scene));
+  if (!biped::isSound(limb)) {
+    return chainError(jointB, "the chain has no length in the bind pose", "choose joints that stand apart");
+  }
+  limb.id = jointA + ".." + jointB;
+  limb.reasons = {"chosen by hand"};
+  return limb;
+}
+
+} // namespace stretch::rig

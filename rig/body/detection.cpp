@@ -1,0 +1,193 @@
+#include "rig/body/detection.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/height.h"
+#include "rig/body/humanoid.h"
+#include "rig/body/limb_assembly.h"
+#include "rig/limb.h"
+
+namespace stretch::rig {
+
+namespace biped {
+
+namespace {
+
+constexpr double leastConfidence = 0.25; // below it a limb is not reported
+constexpr double sureConfidence = 0.35;  // from it on a limb counts towards a biped
+constexpr double doubtful = 0.3;         // most that a limb of something else gets
+
+// What one way of choosing candidates found.
+struct Finding {
+  Biped result;
+  bool quadruped = false;
+  Vec3 bodyUp{0.0};
+
+  [[nodiscard]] double weight() const {
+    double sum = 0.0;
+    for (const Limb& limb : result.limbs) {
+      sum += limb.confidence;
+    }
+    return sum;
+  }
+};
+
+const Limb* findLimb(const std::vector<Limb>& limbs, LimbKind kind) {
+  const auto found = std::ranges::find(limbs, kind, &Limb::kind);
+  return found == limbs.end() ? nullptr : &*found;
+}
+
+bool isSure(const std::vector<Limb>& limbs, LimbKind kind) {
+  const Limb* limb = findLimb(limbs, kind);
+  return limb != nullptr && limb->confidence >= sureConfidence;
+}
+
+bool makesBiped(const std::vector<Limb>& limbs) {
+  const bool legs = isSure(limbs, LimbKind::leftLeg) && isSure(limbs, LimbKind::rightLeg);
+  const bool arms = isSure(limbs, LimbKind::leftArm) && isSure(limbs, LimbKind::rightArm);
+  return legs && (arms || isSure(limbs, LimbKind::spine));
+}
+
+Vec3 bodyUpOf(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
+  if (trunk.hips >= 0 && trunk.head >= 0) {
+    return view.at(trunk.head) - view.at(trunk.hips);
+  }
+  if (plan.legs) {
+    return (plan.arms ? meanBase(view, *plan.arms) : meanBase(view, *plan.legs)) - meanEnd(*plan.legs);
+  }
+  return Vec3(0.0);
+}
+
+Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
+  const BodyView view = viewBody(scene, bindPose, candidates);
+  const MirrorPlane plane = findMirrorPlane(view);
+  const BodyPlan plan = planBody(view, plane);
+  Finding finding;
+  if (!plan.arms && !plan.legs) {
+    return finding;
+  }
+  const Sides sides = findSides(view, plane, plan);
+  const Trunk trunk = readTrunk(view, plane, plan);
+  Biped& result = finding.result;
+  result.limbs = limbsOfPlan(scene, view, plan, sides, bindPose);
+  std::ranges::move(limbsOfTrunk(scene, view, plan, trunk, bindPose), std::back_inserter(result.limbs));
+  std::erase_if(result.limbs,
+                [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
+  result.hips = trunk.hips < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.hips)];
+  result.head = trunk.head < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.head)];
+  // Limbs without an upright body between them are no biped's.
+  constexpr double leastRelation = 0.6;
+  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation;
+  result.isBiped = !plan.quadruped && upright && makesBiped(result.limbs);
+  result.warnings = sides.warnings;
+  finding.quadruped = plan.quadruped;
+  finding.bodyUp = bodyUpOf(view, plan, trunk);
+  return finding;
+}
+
+Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
+  std::optional<Finding> best;
+  for (const Candidates candidates :
+       {Candidates::skinJoints, Candidates::nodesNoMeshes, Candidates::allNodes}) {
+    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+      continue;
+    }
+    Finding finding = findWith(scene, bindPose, candidates);
+    if (finding.result.isBiped || finding.quadruped) {
+      return finding;
+    }
+    if (!best || finding.weight() > best->weight() + 1e-9) {
+      best = std::move(finding);
+    }
+  }
+  return *std::move(best);
+}
+
+bool isArm(LimbKind kind) {
+  return kind == LimbKind::leftArm || kind == LimbKind::rightArm;
+}
+// The limb that was found without the table and stands in for one that the table lacks: of the same sort,
+// whichever side it was taken for, and none of the table's own.
+const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table, LimbKind missing) {
+  const auto matches = [&](const Limb& limb) {
+    const bool sameSort =
+        limb.kind == missing || (isArm(limb.kind) && isArm(missing)) || (isLeg(limb.kind) && isLeg(missing));
+    return sameSort && std::ranges::none_of(table, [&](const Limb& entry) {
+             return std::ranges::find(entry.joints, limb.joints.front()) != entry.joints.end();
+           });
+  };
+  const auto match = std::ranges::find_if(found, matches);
+  return match == found.end() ? nullptr : &*match;
+}
+
+// The table's limbs, and what it leaves out as it was found without it.
+void applyHumanoid(Finding& finding, const HumanoidTable& table) {
+  if (table.limbs.empty()) {
+    return;
+  }
+  Biped& result = finding.result;
+  std::vector<Limb> limbs = table.limbs;
+  // The table leaves the neck out where there is none; the others it must name.
+  for (const LimbKind kind :
+       {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg, LimbKind::spine}) {
+    const Limb* limb = findLimb(limbs, kind) == nullptr ? standIn(result.limbs, limbs, kind) : nullptr;
+    if (limb != nullptr) {
+      limbs.push_back(*limb);
+      limbs.back().kind = kind;
+      limbs.back().id = limbName(kind);
+      result.warnings.push_back("the VRM humanoid table names no complete " + limbs.back().id +
+                                ": found without it");
+    }
+  }
+  std::ranges::stable_sort(limbs, {}, &Limb::kind);
+  result.limbs = std::move(limbs);
+  result.hips = table.hips >= 0 ? table.hips : result.hips;
+  result.head = table.head >= 0 ? table.head : result.head;
+  result.isBiped = makesBiped(result.limbs);
+  finding.quadruped = false;
+}
+
+void warn(Finding& finding) {
+  Biped& result = finding.result;
+  if (result.isBiped) {
+    for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
+      if (findLimb(result.limbs, kind) == nullptr) {
+        result.warnings.push_back("no " + std::string(limbName(kind)) + " found");
+      }
+    }
+    return;
+  }
+  for (Limb& limb : result.limbs) {
+    limb.confidence = std::min(limb.confidence, doubtful);
+  }
+  result.warnings.emplace_back(finding.quadruped
+                                   ? "this is no biped: it stands on four legs; its limbs are only a guess"
+                               : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
+                                                      : "no complete biped found: check the limbs by hand");
+}
+
+int topmost(const Scene& scene, int node) {
+  while (node >= 0 && scene.nodes[static_cast<std::size_t>(node)].parent >= 0) {
+    node = scene.nodes[static_cast<std::size_t>(node)].parent;
+  }
+  return node;
+}
+
+} // namespace
+
+} // namespace biped
+
+Biped detectBiped(const Scene& scene) {
+  const biped::BindPose bindPose = biped::placeBindPose(scene);
+  biped::Finding finding = biped::findLimbs(scene, bindPose);
+  biped::applyHumanoid(finding, biped::readHumanoid(scene, bindPose));
+  biped::warn(finding);
+  finding.result.height =
+      biped::characterHeight(scene, bindPose, biped::topmost(scene, finding.result.hips), finding.bodyUp);
+  return std::move(finding.result);
+}
+
+} // namespace stretch::rig

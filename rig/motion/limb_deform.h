@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "core/anim/frame_state.h"
+#include "core/scene/scene.h"
+#include "rig/ik/limb_shape.h"
+#include "rig/limb.h"
+#include "rig/motion/limb_topology.h"
+
+namespace stretch::rig {
+
+/// Stretch of one bone in its joint's space: K = A diag(s, q, q) A^T along a unit axis, q = s^(-volume/2).
+[[nodiscard]] Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume);
+
+struct DeformOptions {
+  double volume = 1.0;  ///< 0..1: volume preservation.
+  bool turnEnd = false; ///< The end joint turns with the limb instead of keeping its world orientation.
+};
+
+/// Brings a solved shape onto the character: turns the limb's joints, moves what hangs on its bones by K,
+/// puts K into FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and
+/// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is the pose that the shape
+/// was solved for; its worlds are kept up to date.
+void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
+                const DeformOptions& options, FrameState& frame);
+
+/// Stretches the bones of a limb, one K each in its joint's space that has the bone as an axis, without
+/// turning anything: what hangs on a bone moves by K, the joints that deform with it get it, the end keeps
+/// its orientation.
+void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
+                 const std::vector<Mat3>& stretches, FrameState& frame);
+
+/// Brings a node, and what hangs on it, to a place in the world; its orientation stays.
+void moveNode(const Scene& scene, int node, const Vec3& positionWorld, FrameState& frame);
+
+} // namespace stretch::rig

@@ -1,0 +1,189 @@
+#include "rig/motion/limb_topology.h"
+
+#include <algorithm>
+#include <set>
+
+#include <glm/geometric.hpp>
+
+#include "core/base/index.h"
+#include "core/scene/queries.h"
+#include "rig/limb.h"
+
+namespace stretch::rig {
+
+namespace {
+
+// Nodes from below `ancestor` down to `node`; empty when `node` is not below it.
+std::vector<int> pathDown(const Scene& scene, int ancestor, int node) {
+  std::vector<int> path;
+  for (int current = node; current != ancestor; current = scene.nodes[at(current)].parent) {
+    if (current < 0) {
+      return {};
+    }
+    path.push_back(current);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+bool contains(const std::vector<int>& nodes, int node) {
+  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
+bool subtreeHolds(const Scene& scene, int root, const std::set<int>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](int node) { return isAncestorOrSelf(scene, root, node); });
+}
+
+// Joints of all limbs other than `limb`, ends included: what is theirs is no twist joint of ours.
+std::set<int> jointsOfOthers(const Limb& limb, const std::vector<Limb>& others) {
+  std::set<int> joints;
+  for (const Limb& other : others) {
+    if (other.id != limb.id) {
+      joints.insert(other.joints.begin(), other.joints.end());
+      joints.insert(other.endNode);
+    }
+  }
+  joints.erase(-1);
+  for (const int own : limb.joints) {
+    joints.erase(own);
+  }
+  joints.erase(limb.endNode);
+  return joints;
+}
+
+struct BoneLine {
+  Vec3 start{0.0};
+  Vec3 end{0.0};
+
+  [[nodiscard]] double length() const { return glm::length(end - start); }
+  [[nodiscard]] double fraction(const Vec3& p) const {
+    const Vec3 axis = end - start;
+    const double squared = glm::dot(axis, axis);
+    return squared > 0.0 ? glm::dot(p - start, axis) / squared : 0.0;
+  }
+  [[nodiscard]] double distance(const Vec3& p) const {
+    return glm::length(p - (start + (end - start) * fraction(p)));
+  }
+};
+
+// A twist, roll or split joint lies along the bone, off its ends' neighbours and close to its line.
+bool liesAlong(const BoneLine& bone, const Vec3& point) {
+  constexpr double slack = 0.02;
+  constexpr double nearness = 0.12;
+  const double fraction = bone.fraction(point);
+  return fraction > -slack && fraction < 1.0 - slack && bone.distance(point) < nearness * bone.length();
+}
+
+void collectTwists(const Scene& scene, int node, const BoneLine& bone, const std::vector<Mat4>& bindWorlds,
+                   const std::set<int>& skinned, const std::set<int>& othersJoints,
+                   std::vector<int>& twists) {
+  if (skinned.count(node) == 0 || subtreeHolds(scene, node, othersJoints) ||
+      !liesAlong(bone, positionOf(bindWorlds[at(node)]))) {
+    return;
+  }
+  twists.push_back(node);
+  for (const int child : scene.nodes[at(node)].children) {
+    collectTwists(scene, child, bone, bindWorlds, skinned, othersJoints, twists);
+  }
+}
+
+std::set<int> legJoints(const std::vector<Limb>& limbs) {
+  std::set<int> joints;
+  for (const Limb& limb : limbs) {
+    if (isLeg(limb)) {
+      joints.insert(limb.joints.begin(), limb.joints.end());
+    }
+  }
+  return joints;
+}
+
+} // namespace
+
+Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds) {
+  return limb.endNode >= 0 ? positionOf(worlds[at(limb.endNode)])
+                           : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
+}
+
+std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) {
+  std::vector<Vec3> points;
+  points.reserve(limb.joints.size() + 1);
+  for (const int joint : limb.joints) {
+    points.push_back(positionOf(worlds[at(joint)]));
+  }
+  points.push_back(endPosition(limb, worlds));
+  return points;
+}
+
+Vec3 endPosition(const Limb& limb, const FrameState& frame) {
+  if (limb.endNode >= 0) {
+    return positionOf(frame.worlds[at(limb.endNode)]);
+  }
+  return transformPoint(meshMatrix(frame, limb.joints.back()), limb.endOffset);
+}
+
+std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame) {
+  std::vector<Vec3> points = limbPoints(limb, frame.worlds);
+  points.back() = endPosition(limb, frame);
+  return points;
+}
+
+double limbLength(const Limb& limb, const FrameState& frame) {
+  return glm::length(endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]));
+}
+
+LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
+                          const std::vector<Mat4>& bindWorlds) {
+  LimbTopology topology;
+  const std::set<int> skinned = skinJoints(scene);
+  const std::set<int> othersJoints = jointsOfOthers(limb, others);
+  const std::set<int> legs = isLeg(limb) ? std::set<int>{} : legJoints(others);
+  const std::vector<Vec3> points = limbPoints(limb, bindWorlds);
+  topology.endIsDescendant = limb.endNode < 0 || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
+  for (std::size_t i = 0; i < limb.joints.size(); ++i) {
+    BoneTopology bone;
+    bone.joint = limb.joints[i];
+    const int next = i + 1 < limb.joints.size() ? limb.joints[i + 1] : limb.endNode;
+    if (next >= 0) {
+      bone.pathNodes = pathDown(scene, bone.joint, next);
+    }
+    const BoneLine line{points[i], points[i + 1]};
+    for (const int child : scene.nodes[at(bone.joint)].children) {
+      const bool onPath = contains(bone.pathNodes, child);
+      if (!onPath && i == 0 && subtreeHolds(scene, child, legs)) {
+        topology.staying.push_back(child);
+        continue;
+      }
+      if (!onPath) {
+        bone.hanging.push_back(child);
+        collectTwists(scene, child, line, bindWorlds, skinned, othersJoints, bone.twistNodes);
+      }
+    }
+    // Nodes between two limb joints that deform the mesh (split limbs) and what lies along the bone below
+    // them.
+    for (std::size_t k = 0; k + 1 < bone.pathNodes.size(); ++k) {
+      const int node = bone.pathNodes[k];
+      if (skinned.count(node) != 0) {
+        bone.twistNodes.push_back(node);
+      }
+    }
+    topology.bones.push_back(std::move(bone));
+  }
+  return topology;
+}
+
+std::vector<int> touchedNodes(const Limb& limb, const LimbTopology& topology) {
+  std::set<int> nodes(limb.joints.begin(), limb.joints.end());
+  for (const BoneTopology& bone : topology.bones) {
+    nodes.insert(bone.pathNodes.begin(), bone.pathNodes.end());
+    nodes.insert(bone.hanging.begin(), bone.hanging.end());
+    nodes.insert(bone.twistNodes.begin(), bone.twistNodes.end());
+  }
+  nodes.insert(topology.staying.begin(), topology.staying.end());
+  if (limb.endNode >= 0) {
+    nodes.insert(limb.endNode);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "rig/motion/apply.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::rig {
+
+namespace {
+
+// The active trails that move the limb of one of the asked trails, in the order in which they act.
+std::vector<const SolvedTrail*> innerTrails(const Scene& scene, const MotionState& motion,
+                                            const std::vector<PathRequest>& requests) {
+  std::vector<const SolvedTrail*> inner;
+  for (const SolvedTrail& trail : motion.trails) {
+    const bool moves = std::any_of(requests.begin(), requests.end(), [&](const PathRequest& request) {
+      return shapesPath(scene, trail, *request.trail);
+    });
+    if (moves) {
+      inner.push_back(&trail);
+    }
+  }
+  return inner;
+}
+
+std::vector<int> nodesOf(const MotionState& motion, const std::vector<const SolvedTrail*>& inner,
+                         const std::vector<PathRequest>& requests) {
+  std::set<int> nodes;
+  const auto add = [&](const SolvedTrail& trail) {
+    const std::vector<int> touched = touchedNodes(trail.limb, trail.topology);
+    nodes.insert(touched.begin(), touched.end());
+  };
+  std::for_each(inner.begin(), inner.end(), [&](const SolvedTrail* trail) { add(*trail); });
+  std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(*request.trail); });
+  if (motion.hips >= 0) {
+    nodes.insert(motion.hips);
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+std::vector<double> framesOfAll(const std::vector<PathRequest>& requests) {
+  std::vector<double> frames;
+  for (const PathRequest& request : requests) {
+    frames.insert(frames.end(), request.frames.begin(), request.frames.end());
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+// Walks through all frames once: a frame that several paths ask for is sampled once.
+class PathSweep {
+public:
+  PathSweep(const Scene& scene, const Clip& clip, const MotionState& motion,
+            const std::vector<PathRequest>& requests)
+      : motion_(motion), requests_(requests), inner_(innerTrails(scene, motion, requests)),
+        sampler_(scene, clip, nodesOf(motion, inner_, requests)), skeleton_(sampler_.skeleton()),
+        order_(requests.size()) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      order_[i] = i;
+    }
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return requests_[a].trail < requests_[b].trail; // their order in the motion: from the root outwards
+    });
+  }
+
+  [[nodiscard]] std::vector<DrawnTrail> run() {
+    std::vector<DrawnTrail> drawn(requests_.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      drawn[i].frames = requests_[i].frames;
+      drawn[i].original.resize(drawn[i].frames.size());
+      drawn[i].exaggerated.resize(drawn[i].frames.size());
+    }
+    for (const double frame : framesOfAll(requests_)) {
+      visit(frame, drawn);
+    }
+    return drawn;
+  }
+
+private:
+  void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
+    sampler_.sample(frameNumber / motion_.framesPerSecond, frame_);
+    source_ = frame_;
+    auto next = inner_.begin();
+    for (const std::size_t i : order_) {
+      const PathRequest& request = requests_[i];
+      for (; next != inner_.end() && *next < request.trail; ++next) {
+        applyTrail(skeleton_, motion_, **next, source_, frame_);
+      }
+      const auto found = std::equal_range(request.frames.begin(), request.frames.end(), frameNumber);
+      if (found.first == found.second) {
+        continue;
+      }
+      const PathPoint point = pathPoint(skeleton_, motion_, *request.trail, source_, frame_);
+      for (auto place = found.first; place != found.second; ++place) {
+        const auto sample = static_cast<std::size_t>(place - request.frames.begin());
+        drawn[i].original[sample] = point.original;
+        drawn[i].exaggerated[sample] = point.exaggerated;
+      }
+    }
+  }
+
+  const MotionState& motion_;
+  const std::vector<PathRequest>& requests_;
+  std::vector<const SolvedTrail*> inner_;
+  NodeSampler sampler_;
+  Scene skeleton_;                 // the sampled nodes only
+  std::vector<std::size_t> order_; // of the requests, as their trails act
+  FrameState frame_;
+  FrameState source_;
+};
+
+} // namespace
+
+bool shapesPath(const Scene& scene, const SolvedTrail& inner, const SolvedTrail& outer) {
+  return inner.active && &inner < &outer &&
+         isAncestorOrSelf(scene, inner.limb.joints.front(), outer.limb.joints.front());
+}
+
+std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                const std::vector<PathRequest>& requests) {
+  return PathSweep(scene, clip, motion, requests).run();
+}
+
+DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+                   const std::vector<double>& frames) {
+  return pathsAt(scene, clip, motion, {{&solved, frames}}).front();
+}
+
+std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std::size_t samplesPerFrame) {
+  const double fps = clip.framesPerSecond;
+  const double start = fps * std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
+  const double end = std::max(start, fps * std::min(solved.windowEndSeconds, clip.endSeconds));
+  const auto perFrame = static_cast<double>(std::max<std::size_t>(1, samplesPerFrame));
+  const auto count = static_cast<std::size_t>(std::floor((end - start) * perFrame + 1e-6)) + 1;
+  std::vector<double> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    frames.push_back(start + static_cast<double>(i) / perFrame);
+  }
+  return frames;
+}
+
+DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
+                      const SolvedTrail& solved, std::size_t samplesPerFrame) {
+  return pathsAt(scene, clip, motion, solved, drawnFrames(clip, solved, samplesPerFrame));
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,89 @@
+#include "rig/body/name_evidence.h"
+
+#include <catch2/catch.hpp>
+
+using namespace stretch::rig::biped;
+
+namespace {
+
+struct Reading {
+  const char* name;
+  Role role;
+  Side side;
+};
+
+} // namespace
+
+TEST_CASE("joint names tell role and side in any spelling") {
+  const auto [name, role, side] = GENERATE(values<Reading>({
+      {"mixamorig:LeftForeArm", Role::foreArm, Side::left},
+      {"upperarm_l", Role::upperArm, Side::left},
+      {"Bip01 R UpperArm", Role::upperArm, Side::right},
+      {"ValveBiped.Bip01_L_Calf", Role::shin, Side::left},
+      {"J_Bip_R_LowerLeg", Role::shin, Side::right},
+      {"DEF-upper_arm.L.001", Role::upperArm, Side::left},
+      {"b_RightForeArm_07", Role::foreArm, Side::right},
+      {"arm_lower.L", Role::foreArm, Side::left},
+      {"lForearmBend", Role::foreArm, Side::left},
+      {"rThigh", Role::thigh, Side::right},
+      {"LARM", Role::upperArm, Side::left},
+      {"hipR", Role::thigh, Side::right},
+      {"cheville_L_04", Role::ankle, Side::left},
+      {"main1_R_019", Role::wrist, Side::right},
+      {"Main.G", Role::wrist, Side::left},
+      {"Oberschenkel_rechts", Role::thigh, Side::right},
+      {"左ひじ", Role::foreArm, Side::left},
+      {"右足首", Role::ankle, Side::right},
+      {"Предплечье_левое", Role::foreArm, Side::left},
+      {"Ｈｅａｄ", Role::head, Side::none},
+      {"Hips", Role::hips, Side::none},
+      {"upper body", Role::spine, Side::none},
+      {"Armature|Neck_01", Role::neck, Side::none},
+  }));
+  CAPTURE(name);
+  const NameEvidence evidence = readName(name);
+  CHECK(evidence.side == side);
+  CHECK(evidence.role(role) >= 0.5);
+  for (const double fit : evidence.roles) {
+    CHECK(fit <= evidence.role(role));
+  }
+}
+
+TEST_CASE("names of handles, tips, fingers, twists and props are told from limb joints") {
+  CHECK(readName("kneeIK.l").control);
+  CHECK(readName("IK-foot.l").control);
+  CHECK(readName("ikfoot_l").control);
+  CHECK(readName("PoleTarget.L").control);
+  CHECK(readName("control-toe-roll.l").control);
+  CHECK(readName("左足ＩＫ").control);
+  CHECK(readName("ball_leaf_l").end);
+  CHECK(readName("HeadTop_End").end);
+  CHECK(readName("Bip01 HeadNub").end);
+  CHECK(readName("LeftHandThumb1").finger);
+  CHECK(readName("index_01_l").finger);
+  CHECK(readName("Palm2.L").palm);
+  CHECK(readName("lowerarm_twist_01_l").twist);
+  CHECK(readName("左腕捩").twist);
+  CHECK(readName("handslot.l").accessory);
+  CHECK(readName("LeftEye").accessory);
+  CHECK_FALSE(readName("spine_middle").finger);
+  CHECK(readName("handslot.l").role(Role::wrist) == 0.0);
+}
+
+TEST_CASE("words that only contain another word say nothing, and broken text does no harm") {
+  for (const char* name : {"", "Bone.012", "charm", "armor_plate", "4770a6aa35bf411daa075147df8a0cc0",
+                           "\xff\xfe\x80", "____", "Object_7"}) {
+    CAPTURE(name);
+    for (const double fit : readName(name).roles) {
+      CHECK(fit == 0.0);
+    }
+  }
+  CHECK(readName(std::string(100000, 'l')).side == Side::none);
+}
+
+TEST_CASE("the names of a mirrored pair share their key") {
+  CHECK(readName("Left arm").key == readName("Right arm").key);
+  CHECK(readName("mixamorig:LeftArm").key == readName("mixamorig:RightArm").key);
+  CHECK(readName("hand.L.001").key == readName("hand.R.001").key);
+  CHECK(readName("hand.L.001").key != readName("hand.R.002").key);
+}
