@@ -43,7 +43,7 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
          a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains &&
-         a.trails == b.trails && a.elastic == b.elastic && a.loopingClips == b.loopingClips;
+         a.trails == b.trails && a.weights == b.weights && a.loopingClips == b.loopingClips;
 }
 
 const rig::Limb* findLimb(const Document& document, const std::string& limbId) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/weight/elastic_settings.h"
+#include "app/weight/weight_settings.h"
 #include "core/anim/clip.h"
 #include "core/base/result.h"
 #include "core/gltf/source.h"
@@ -30,8 +30,8 @@ struct Document {
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
-  std::vector<ElasticLimb> elastic; ///< Limbs with weight, by clip.
-  std::vector<int> loopingClips;    ///< Clips that the user marked as loops: releases wrap.
+  std::vector<WeightedLimb> weights; ///< Limbs with weight, by clip.
+  std::vector<int> loopingClips;     ///< Clips that the user marked as loops: releases wrap.
   int nextTrailId = 1;
 };
 

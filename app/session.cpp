@@ -85,8 +85,8 @@ const std::vector<TrailPaths>& Session::paths(std::size_t samplesPerFrame) {
   return cache_.paths(document(), view_.clip, samplesPerFrame);
 }
 
-const std::vector<ElasticReport>& Session::elasticReports() {
-  return cache_.elasticReports(document(), view_.clip);
+const std::vector<WeightReport>& Session::weightReports() {
+  return cache_.weightReports(document(), view_.clip);
 }
 
 std::filesystem::path Session::proposedSavePath() const {

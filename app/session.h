@@ -64,7 +64,7 @@ public:
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
 
   /// What the limbs of the viewed clip that have weight come to.
-  [[nodiscard]] const std::vector<ElasticReport>& elasticReports();
+  [[nodiscard]] const std::vector<WeightReport>& weightReports();
 
   /// Where the next plain save goes: back to a file that carries our work; else empty until the user saved
   /// once, so that the source is never overwritten by the first save.

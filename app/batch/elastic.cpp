@@ -5,13 +5,13 @@
 
 #include <fmt/core.h>
 
-#include "app/batch/elastic_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
+#include "app/batch/weight_report.h"
 #include "app/document.h"
-#include "app/edits/elastic_edits.h"
+#include "app/edits/weight_edits.h"
 #include "app/files/save.h"
-#include "app/schema/elastic_description.h"
+#include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -32,7 +32,7 @@ struct ElasticArguments {
   bool json = false;
 };
 
-Status readModuli(const std::string& path, ElasticSettings& settings) {
+Status readModuli(const std::string& path, WeightSettings& settings) {
   const Result<skinning::SegmentModuli> moduli = loadModuli(path);
   if (!moduli) {
     return moduli.error();
@@ -42,23 +42,23 @@ Status readModuli(const std::string& path, ElasticSettings& settings) {
   return Success{};
 }
 
-Result<ElasticSettings> settingsOf(const ElasticArguments& arguments) {
-  ElasticSettings settings;
+Result<WeightSettings> settingsOf(const ElasticArguments& arguments) {
+  WeightSettings settings;
   if (!arguments.moduli.empty()) {
     if (const Status read = readModuli(arguments.moduli, settings); !read) {
       return read.error();
     }
   }
-  for (const ElasticSetting& setting : elasticSettings()) {
+  for (const WeightSetting& setting : weightSettings()) {
     const auto given = arguments.settings.find(setting.option);
     if (given == arguments.settings.end() || given->second.empty()) {
       continue;
     }
-    const Result<Json> value = parseElasticText(setting, given->second);
+    const Result<Json> value = parseWeightText(setting, given->second);
     if (!value) {
       return value.error();
     }
-    if (const Status set = setElasticSetting(setting, *value, settings); !set) {
+    if (const Status set = setWeightSetting(setting, *value, settings); !set) {
       return set.error();
     }
   }
@@ -84,7 +84,7 @@ std::vector<std::string> armsAndLegs(const Document& document) {
   return limbs;
 }
 
-Status addLimbs(const ElasticArguments& arguments, int clip, const ElasticSettings& settings,
+Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSettings& settings,
                 Document& document) {
   const std::vector<std::string> wanted = arguments.limbs.empty() ? armsAndLegs(document) : arguments.limbs;
   if (wanted.empty()) {
@@ -96,7 +96,7 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const ElasticSettin
     if (!limb) {
       return limb.error();
     }
-    Result<Document> changed = setElastic(document, {limb->id, clip, true, settings});
+    Result<Document> changed = setWeight(document, {limb->id, clip, true, settings});
     if (!changed) {
       return changed.error();
     }
@@ -114,7 +114,7 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!clip) {
     return clip.error();
   }
-  const Result<ElasticSettings> settings = settingsOf(arguments);
+  const Result<WeightSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
   }
@@ -123,7 +123,7 @@ Status runElastic(const ElasticArguments& arguments) {
   }
   Json report;
   report["clip"] = clipOf(*document, *clip).name;
-  report["elastic"] = elasticJson(*document, *clip);
+  report["elastic"] = weightJson(*document, *clip);
   report["warnings"] = document->warnings;
   if (const Status saved = saveDocument(*document, arguments.output, arguments.save); !saved) {
     return saved;
@@ -131,19 +131,19 @@ Status runElastic(const ElasticArguments& arguments) {
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
   } else {
-    printElastic(report["elastic"]);
+    printWeight(report["elastic"]);
   }
   return Success{};
 }
 
 // A value that no limb can have is a wrong argument: found before any file is opened.
-std::string problemOf(const ElasticSetting& setting, const std::string& text) {
-  const Result<Json> value = parseElasticText(setting, text);
+std::string problemOf(const WeightSetting& setting, const std::string& text) {
+  const Result<Json> value = parseWeightText(setting, text);
   if (!value) {
     return value.error().line();
   }
-  ElasticSettings scratch;
-  const Status set = setElasticSetting(setting, *value, scratch);
+  WeightSettings scratch;
+  const Status set = setWeightSetting(setting, *value, scratch);
   return set ? std::string() : set.error().line();
 }
 
@@ -156,7 +156,7 @@ std::string rangeProblem(const std::string& text) {
 }
 
 void addSettings(CommandLine& line, ElasticArguments& arguments) {
-  for (const ElasticSetting& setting : elasticSettings()) {
+  for (const WeightSetting& setting : weightSettings()) {
     line.option(setting.option, arguments.settings[setting.option],
                 setting.help + (setting.unit.empty() ? "" : " [" + setting.unit + "]"))
         .check([&setting](const std::string& text) { return problemOf(setting, text); })

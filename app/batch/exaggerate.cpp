@@ -7,11 +7,11 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "app/batch/elastic_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
+#include "app/batch/weight_report.h"
 #include "app/document.h"
-#include "app/edits/elastic_edits.h"
+#include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/files/save.h"
@@ -148,8 +148,8 @@ Result<std::vector<int>> applyTrails(const Recipe& plan, Document& document) {
     ids.push_back(trail.id);
     document.trails.push_back(std::move(trail));
   }
-  for (const ElasticLimb& wanted : plan.elastic) {
-    Result<Document> changed = setElastic(document, wanted);
+  for (const WeightedLimb& wanted : plan.weights) {
+    Result<Document> changed = setWeight(document, wanted);
     if (!changed) {
       return changed.error();
     }
@@ -192,7 +192,7 @@ Json reportOf(const Document& document, int clip, const std::vector<int>& ids) {
   report["clip"] = clipOf(document, clip).name;
   report["trails"] = Json::array();
   rig::MotionState motion = prepareMotion(document, clip);
-  motion.flesh.clear(); // What the trails do by themselves.
+  motion.weights.clear(); // What the trails do by themselves.
   for (const int id : ids) {
     const auto solved = std::find_if(motion.trails.begin(), motion.trails.end(),
                                      [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
@@ -200,8 +200,8 @@ Json reportOf(const Document& document, int clip, const std::vector<int>& ids) {
       report["trails"].push_back(trailReport(document, motion, *solved));
     }
   }
-  if (hasElastic(document, clip)) {
-    report["elastic"] = elasticJson(document, clip);
+  if (hasWeight(document, clip)) {
+    report["elastic"] = weightJson(document, clip);
   }
   report["warnings"] = document.warnings;
   return report;
@@ -218,7 +218,7 @@ void printTrails(const Json& report) {
     }
   }
   if (report.contains("elastic")) {
-    printElastic(report["elastic"]);
+    printWeight(report["elastic"]);
   }
 }
 

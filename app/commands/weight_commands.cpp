@@ -3,8 +3,8 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
-#include "app/edits/elastic_edits.h"
-#include "app/weight/elastic.h"
+#include "app/edits/weight_edits.h"
+#include "app/weight/weight_motion.h"
 
 namespace stretch::app {
 
@@ -20,7 +20,7 @@ bool hasTargets(const Session& session) {
 }
 
 bool isOn(const Session& session, const std::string& limb) {
-  const ElasticLimb* const entry = findElastic(session.document(), limb, session.view().clip);
+  const WeightedLimb* const entry = findWeight(session.document(), limb, session.view().clip);
   return entry != nullptr && entry->on;
 }
 
@@ -31,24 +31,24 @@ Status toggleWeight(Session& session) {
   }
   const bool allOn =
       std::all_of(limbs.begin(), limbs.end(), [&](const std::string& limb) { return isOn(session, limb); });
-  return finish(session, switchElastic(session.document(), limbs, session.view().clip, !allOn),
+  return finish(session, switchWeight(session.document(), limbs, session.view().clip, !allOn),
                 allOn ? "Switch weight off" : "Give weight");
 }
 
-bool hasWeight(const Session& session) {
+bool targetsHaveWeight(const Session& session) {
   const std::vector<std::string> limbs = targetLimbs(session);
   return viewsClip(session) && std::any_of(limbs.begin(), limbs.end(), [&](const std::string& limb) {
-           return findElastic(session.document(), limb, session.view().clip) != nullptr;
+           return findWeight(session.document(), limb, session.view().clip) != nullptr;
          });
 }
 
-Status removeWeight(Session& session) {
-  if (!hasWeight(session)) {
+Status takeWeightAway(Session& session) {
+  if (!targetsHaveWeight(session)) {
     return Error{"the selected limb has no weight in this clip", "", "give it weight first"};
   }
   Document changed = session.document();
   for (const std::string& limb : targetLimbs(session)) {
-    changed = removeElastic(changed, limb, session.view().clip);
+    changed = removeWeight(changed, limb, session.view().clip);
   }
   return finish(session, changed, "Take the weight away");
 }
@@ -63,7 +63,7 @@ Status weightForAll(Session& session) {
   if (!viewsClip(session) || limbs.empty()) {
     return Error{"there is no clip with arms or legs", "", "open a character with an animation"};
   }
-  return finish(session, switchElastic(session.document(), limbs, session.view().clip, true),
+  return finish(session, switchWeight(session.document(), limbs, session.view().clip, true),
                 "Give arms and legs weight");
 }
 
@@ -87,8 +87,8 @@ std::vector<Command<Session>> weightCommands() {
        "Take the weight away",
        "Takes the weight of the selected limbs away, with its settings.",
        {},
-       hasWeight,
-       removeWeight},
+       targetsHaveWeight,
+       takeWeightAway},
   };
 }
 

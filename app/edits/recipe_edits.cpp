@@ -1,7 +1,7 @@
 #include "app/edits/recipe_edits.h"
 
-#include "app/edits/elastic_edits.h"
 #include "app/edits/trail_edits.h"
+#include "app/edits/weight_edits.h"
 
 namespace stretch::app {
 
@@ -18,8 +18,8 @@ Result<Document> withRecipe(const Document& document, const Recipe& recipe) {
     trail.colour = wanted.colour;
     trail.controlFrames = wanted.controlFrames;
   }
-  for (const ElasticLimb& wanted : recipe.elastic) {
-    Result<Document> next = setElastic(changed, wanted);
+  for (const WeightedLimb& wanted : recipe.weights) {
+    Result<Document> next = setWeight(changed, wanted);
     if (!next) {
       return next.error();
     }

@@ -50,16 +50,16 @@ rig::MotionState solvedTrails(const Document& document, int clip, const rig::Mot
   return rig::solveMotion(input);
 }
 
-std::vector<ElasticLimb> elasticOf(const Document& document, int clip) {
-  std::vector<ElasticLimb> elastic;
-  std::copy_if(document.elastic.begin(), document.elastic.end(), std::back_inserter(elastic),
-               [&](const ElasticLimb& entry) { return entry.clip == clip; });
-  return elastic;
+std::vector<WeightedLimb> weightsOf(const Document& document, int clip) {
+  std::vector<WeightedLimb> weights;
+  std::copy_if(document.weights.begin(), document.weights.end(), std::back_inserter(weights),
+               [&](const WeightedLimb& entry) { return entry.clip == clip; });
+  return weights;
 }
 
-bool sameLimbs(const std::vector<ElasticLimb>& a, const std::vector<ElasticLimb>& b) {
+bool sameLimbs(const std::vector<WeightedLimb>& a, const std::vector<WeightedLimb>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const ElasticLimb& x, const ElasticLimb& y) { return x.limb == y.limb; });
+                    [](const WeightedLimb& x, const WeightedLimb& y) { return x.limb == y.limb; });
 }
 
 // The trails that the paths of one of a motion's trails come from, its own included.
@@ -124,22 +124,22 @@ std::vector<TrailPaths> pathsOf(const Document& document, const rig::MotionState
 
 rig::MotionState prepareMotion(const Document& document, int clip) {
   rig::MotionState motion = solvedTrails(document, clip, nullptr);
-  if (hasElastic(document, clip)) {
+  if (hasWeight(document, clip)) {
     const Clip still;
     LimbSizes sizes;
-    ElasticMotion elastic = elasticMotion(document, sampleClip(document, motion), clip, sizes);
-    rig::setFlesh(inputOf(document, clip, still), std::move(elastic.flesh), motion);
+    WeightMotion weight = weightMotion(document, sampleClip(document, motion), clip, sizes);
+    rig::setWeight(inputOf(document, clip, still), std::move(weight.weights), motion);
   }
   return motion;
 }
 
-std::vector<ElasticReport> elasticReports(const Document& document, int clip) {
-  if (!hasElastic(document, clip)) {
+std::vector<WeightReport> weightReports(const Document& document, int clip) {
+  if (!hasWeight(document, clip)) {
     return {};
   }
   LimbSizes sizes;
   const rig::MotionState motion = solvedTrails(document, clip, nullptr);
-  return elasticMotion(document, sampleClip(document, motion), clip, sizes).reports;
+  return weightMotion(document, sampleClip(document, motion), clip, sizes).reports;
 }
 
 FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds) {
@@ -166,42 +166,42 @@ EvaluationCache::Ground EvaluationCache::groundOf(const Document& document, int 
 std::shared_ptr<const rig::MotionState> EvaluationCache::motion(const Document& document, int clip) {
   Ground ground = groundOf(document, clip);
   std::vector<rig::Trail> trails = trailsOf(document, clip);
-  std::vector<ElasticLimb> elastic = elasticOf(document, clip);
+  std::vector<WeightedLimb> weights = weightsOf(document, clip);
   const bool sameGround = motion_ != nullptr && ground == ground_;
   const bool sameTrails = sameGround && trails == trails_;
-  if (!sameTrails || elastic != elastic_) {
+  if (!sameTrails || weights != weights_) {
     const rig::MotionState* previous = sameGround ? motion_.get() : nullptr;
     rig::MotionState motion = sameTrails ? *motion_ : solvedTrails(document, clip, previous);
-    if (!sameTrails || !sameLimbs(elastic, elastic_)) {
+    if (!sameTrails || !sameLimbs(weights, weights_)) {
       sampled_.reset();
     }
     giveWay(document, clip, motion);
     motion_ = std::make_shared<const rig::MotionState>(std::move(motion));
     ground_ = std::move(ground);
     trails_ = std::move(trails);
-    elastic_ = std::move(elastic);
+    weights_ = std::move(weights);
   }
   return motion_;
 }
 
 void EvaluationCache::giveWay(const Document& document, int clip, rig::MotionState& motion) {
-  motion.flesh.clear();
-  elasticReports_.clear();
-  if (!hasElastic(document, clip)) {
+  motion.weights.clear();
+  weightReports_.clear();
+  if (!hasWeight(document, clip)) {
     return;
   }
   if (!sampled_) {
     sampled_ = sampleClip(document, motion);
   }
   const Clip still;
-  ElasticMotion elastic = elasticMotion(document, *sampled_, clip, sizes_);
-  rig::setFlesh(inputOf(document, clip, still), std::move(elastic.flesh), motion);
-  elasticReports_ = std::move(elastic.reports);
+  WeightMotion weight = weightMotion(document, *sampled_, clip, sizes_);
+  rig::setWeight(inputOf(document, clip, still), std::move(weight.weights), motion);
+  weightReports_ = std::move(weight.reports);
 }
 
-const std::vector<ElasticReport>& EvaluationCache::elasticReports(const Document& document, int clip) {
+const std::vector<WeightReport>& EvaluationCache::weightReports(const Document& document, int clip) {
   static_cast<void>(motion(document, clip));
-  return elasticReports_;
+  return weightReports_;
 }
 
 const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/weight/elastic.h"
+#include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
 #include "rig/motion/motion.h"
 
@@ -16,7 +16,7 @@ namespace stretch::app {
 [[nodiscard]] rig::MotionState prepareMotion(const Document& document, int clip);
 
 /// What the limbs of a clip that have weight come to.
-[[nodiscard]] std::vector<ElasticReport> elasticReports(const Document& document, int clip);
+[[nodiscard]] std::vector<WeightReport> weightReports(const Document& document, int clip);
 
 /// The character at one time (seconds of the clip), trails and weight included. The one function that
 /// renderer, panels, batch and tests read.
@@ -43,8 +43,8 @@ struct TrailPaths {
 class EvaluationCache {
 public:
   [[nodiscard]] std::shared_ptr<const rig::MotionState> motion(const Document& document, int clip);
-  /// Of the limbs with weight, in the order of Document::elastic.
-  [[nodiscard]] const std::vector<ElasticReport>& elasticReports(const Document& document, int clip);
+  /// Of the limbs with weight, in the order of Document::weights.
+  [[nodiscard]] const std::vector<WeightReport>& weightReports(const Document& document, int clip);
   [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
   [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
   /// One a trail of motion(); the clip must be there.
@@ -68,10 +68,10 @@ private:
 
   Ground ground_;
   std::vector<rig::Trail> trails_;
-  std::vector<ElasticLimb> elastic_;
+  std::vector<WeightedLimb> weights_;
   std::optional<SampledClip> sampled_; ///< Of the trails alone: a drag of a limb's softness keeps it.
   LimbSizes sizes_;
-  std::vector<ElasticReport> elasticReports_;
+  std::vector<WeightReport> weightReports_;
   std::shared_ptr<const rig::MotionState> motion_;
   std::shared_ptr<const rig::MotionState> frameMotion_;
   double frameSeconds_ = 0.0;

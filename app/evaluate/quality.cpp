@@ -64,7 +64,7 @@ struct Findings {
 // One trail at a time: what others do to the body is not this one's doing.
 rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
   rig::MotionState alone = motion;
-  alone.flesh.clear();
+  alone.weights.clear();
   std::erase_if(alone.trails, [&](const rig::SolvedTrail& other) { return other.trail.id != trailId; });
   return alone;
 }
@@ -110,7 +110,7 @@ rig::MotionState solvedWith(const Document& document, int clip, const rig::Solve
                             const rig::TrailSettings& settings) {
   Document other = document;
   other.trails = {trail.trail};
-  other.elastic.clear();
+  other.weights.clear();
   other.trails.front().settings = settings;
   return prepareMotion(other, clip);
 }

@@ -26,8 +26,8 @@ Document appliedOnly(Document document) {
 
 std::set<int> clipsToKey(const Document& document) {
   std::set<int> clips;
-  for (const ElasticLimb& entry : document.elastic) {
-    if (hasElastic(document, entry.clip)) {
+  for (const WeightedLimb& entry : document.weights) {
+    if (hasWeight(document, entry.clip)) {
       clips.insert(entry.clip);
     }
   }

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "app/schema/elastic_description.h"
 #include "app/schema/trail_json.h"
+#include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -120,17 +120,17 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   return limb;
 }
 
-Json elasticLimbToJson(const ElasticLimb& entry) {
-  Json json = elasticToJson(entry.settings);
+Json weightedLimbToJson(const WeightedLimb& entry) {
+  Json json = weightToJson(entry.settings);
   json["limb"] = entry.limb;
   json["clip"] = entry.clip;
   json["on"] = entry.on;
   return json;
 }
 
-Result<ElasticLimb> elasticLimbFromJson(const Json& json, const Document& document) {
-  ElasticLimb entry;
-  if (const Status read = elasticFromJson(json, {"limb", "clip", "on"}, entry.settings); !read) {
+Result<WeightedLimb> weightedLimbFromJson(const Json& json, const Document& document) {
+  WeightedLimb entry;
+  if (const Status read = weightFromJson(json, {"limb", "clip", "on"}, entry.settings); !read) {
     return read.error();
   }
   entry.limb = json.at("limb").get<std::string>();
@@ -138,7 +138,7 @@ Result<ElasticLimb> elasticLimbFromJson(const Json& json, const Document& docume
   entry.on = json.at("on").get<bool>();
   const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
   const bool isRepeated =
-      std::any_of(document.elastic.begin(), document.elastic.end(), [&](const ElasticLimb& other) {
+      std::any_of(document.weights.begin(), document.weights.end(), [&](const WeightedLimb& other) {
         return other.limb == entry.limb && other.clip == entry.clip;
       });
   if (!clipExists || isRepeated) {
@@ -171,11 +171,11 @@ Status restoreParts(const Json& work, Document& document) {
     document.trails.push_back(std::move(*trail));
   }
   for (const Json& json : work.value("elastic", Json::array())) {
-    Result<ElasticLimb> entry = elasticLimbFromJson(json, document);
+    Result<WeightedLimb> entry = weightedLimbFromJson(json, document);
     if (!entry) {
       return entry.error();
     }
-    document.elastic.push_back(std::move(*entry));
+    document.weights.push_back(std::move(*entry));
   }
   document.loopingClips = work.at("loops").get<std::vector<int>>();
   return Success{};
@@ -184,7 +184,7 @@ Status restoreParts(const Json& work, Document& document) {
 } // namespace
 
 Json workOf(const Document& document) {
-  if (document.trails.empty() && document.elastic.empty() && document.chains.empty() &&
+  if (document.trails.empty() && document.weights.empty() && document.chains.empty() &&
       document.loopingClips.empty() && !document.limbsCorrected) {
     return nullptr;
   }
@@ -199,8 +199,8 @@ Json workOf(const Document& document) {
   for (const rig::Trail& trail : document.trails) {
     work["trails"].push_back(trailToJson(trail));
   }
-  for (const ElasticLimb& entry : document.elastic) {
-    work["elastic"].push_back(elasticLimbToJson(entry));
+  for (const WeightedLimb& entry : document.weights) {
+    work["elastic"].push_back(weightedLimbToJson(entry));
   }
   work["loops"] = document.loopingClips;
   return work;
@@ -208,7 +208,7 @@ Json workOf(const Document& document) {
 
 Document withoutWork(Document document) {
   document.trails.clear();
-  document.elastic.clear();
+  document.weights.clear();
   document.chains.clear();
   document.loopingClips.clear();
   if (document.limbsCorrected) {

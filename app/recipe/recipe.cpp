@@ -6,8 +6,8 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
-#include "app/schema/elastic_description.h"
 #include "app/schema/trail_json.h"
+#include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
 #include "rig/motion/motion.h"
 
@@ -96,7 +96,7 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   return trail;
 }
 
-Result<ElasticLimb> elasticOf(const Json& json, int clip, Document& document) {
+Result<WeightedLimb> weightsOf(const Json& json, int clip, Document& document) {
   if (!json.is_object() || !json.contains("limb") || !json["limb"].is_string()) {
     return Error{"an entry names no limb", "elastic", "give \"limb\", such as \"left-arm\""};
   }
@@ -104,9 +104,9 @@ Result<ElasticLimb> elasticOf(const Json& json, int clip, Document& document) {
   if (!limb) {
     return limb.error();
   }
-  ElasticLimb entry{limb->id, clip, true, {}};
-  const Status read = elasticFromJson(json, {"limb"}, entry.settings);
-  return read ? Result<ElasticLimb>(std::move(entry)) : Result<ElasticLimb>(read.error());
+  WeightedLimb entry{limb->id, clip, true, {}};
+  const Status read = weightFromJson(json, {"limb"}, entry.settings);
+  return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }
 
 } // namespace
@@ -137,11 +137,11 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
     recipe.trails.push_back(std::move(*trail));
   }
   for (const Json& entry : json.value("elastic", Json::array())) {
-    Result<ElasticLimb> limb = elasticOf(entry, *clip, document);
+    Result<WeightedLimb> limb = weightsOf(entry, *clip, document);
     if (!limb) {
       return limb.error();
     }
-    recipe.elastic.push_back(std::move(*limb));
+    recipe.weights.push_back(std::move(*limb));
   }
   return recipe;
 }
@@ -172,9 +172,9 @@ Json recipeToJson(const Document& document, int clip) {
       json["trails"].push_back(std::move(entry));
     }
   }
-  for (const ElasticLimb& limb : document.elastic) {
+  for (const WeightedLimb& limb : document.weights) {
     if (limb.clip == clip && limb.on) {
-      Json entry = elasticToJson(limb.settings);
+      Json entry = weightToJson(limb.settings);
       entry["limb"] = limb.limb;
       json["elastic"].push_back(std::move(entry));
     }

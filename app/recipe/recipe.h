@@ -10,8 +10,8 @@ namespace stretch::app {
 /// A recipe (spec/commands.md): an edit that can be replayed on another clip or character.
 struct Recipe {
   int clip = 0;
-  std::vector<rig::Trail> trails;   ///< Without ids; limbs exist in the document.
-  std::vector<ElasticLimb> elastic; ///< Limbs with weight.
+  std::vector<rig::Trail> trails;    ///< Without ids; limbs exist in the document.
+  std::vector<WeightedLimb> weights; ///< Limbs with weight.
 };
 
 /// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns

@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/evaluate/evaluate.h"
-#include "app/weight/elastic.h"
+#include "app/weight/weight_motion.h"
 #include "core/base/index.h"
 
 namespace stretch::app {
@@ -47,7 +47,7 @@ void collectSubtree(const Scene& scene, int node, std::vector<int>& nodes) {
 
 bool isSampled(const Document& document, const rig::Limb& limb, int clip) {
   const bool isLeg = limb.kind == rig::LimbKind::leftLeg || limb.kind == rig::LimbKind::rightLeg;
-  return !limb.joints.empty() && (isLeg || findElastic(document, limb.id, clip) != nullptr);
+  return !limb.joints.empty() && (isLeg || findWeight(document, limb.id, clip) != nullptr);
 }
 
 // Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.

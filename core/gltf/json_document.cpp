@@ -26,4 +26,8 @@ bool operator==(const JsonDocument& a, const JsonDocument& b) {
   return *a == *b;
 }
 
+bool operator==(const JsonDocument& a, const Json& b) {
+  return *a == b;
+}
+
 } // namespace stretch::gltf

@@ -32,6 +32,7 @@ public:
   Json* operator->() { return json_.get(); }
 
   friend bool operator==(const JsonDocument& a, const JsonDocument& b);
+  friend bool operator==(const JsonDocument& a, const Json& b);
 
 private:
   std::unique_ptr<Json> json_; ///< Never empty, except in a document that was moved from.

@@ -16,7 +16,7 @@ FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionStat
       applyTrail(scene, motion, solved, source, frame);
     }
   }
-  applyFlesh(scene, motion.flesh, motion.hips, frame);
+  applyWeight(scene, motion.weights, motion.hips, frame);
   frame.timeSeconds = timeSeconds;
   return frame;
 }

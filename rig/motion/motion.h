@@ -10,8 +10,8 @@
 #include "rig/body/detection.h"
 #include "rig/limb.h"
 #include "rig/motion/bend_normal.h"
-#include "rig/motion/limb_flesh.h"
 #include "rig/motion/limb_topology.h"
+#include "rig/motion/limb_weight.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"
@@ -51,7 +51,7 @@ struct MotionState {
   bool loops = false;
   int hips = -1; ///< What the space "root" is measured from.
   std::vector<SolvedTrail> trails;
-  std::vector<SolvedFlesh> flesh; ///< From the root outwards, on top of the trails (setFlesh).
+  std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the trails (setWeight).
 };
 
 struct MotionInput {
@@ -71,7 +71,7 @@ struct MotionInput {
 /// Lets limbs give way on top of the trails. A leg that has no flesh of its own keeps its foot where it is
 /// when the other one moves the hips. Flesh of limbs that are missing, or that has not one strain a bone, is
 /// left out.
-void setFlesh(const MotionInput& input, std::vector<LimbFlesh> flesh, MotionState& motion);
+void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion);
 
 /// The character at one time with every active trail and all flesh applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,

@@ -267,9 +267,9 @@ const Limb* limbOf(const MotionInput& input, const std::string& id) {
   return found != input.limbs.end() && !found->joints.empty() ? &*found : nullptr;
 }
 
-bool fits(const LimbFlesh& flesh, const Limb& limb) {
-  return std::all_of(flesh.samples.begin(), flesh.samples.end(),
-                     [&](const FleshSample& sample) { return sample.strains.size() == limb.joints.size(); });
+bool fits(const LimbWeight& weight, const Limb& limb) {
+  return std::all_of(weight.samples.begin(), weight.samples.end(),
+                     [&](const WeightSample& sample) { return sample.strains.size() == limb.joints.size(); });
 }
 
 } // namespace
@@ -295,30 +295,32 @@ MotionState solveMotion(const MotionInput& input) {
   return motion;
 }
 
-void setFlesh(const MotionInput& input, std::vector<LimbFlesh> flesh, MotionState& motion) {
-  std::erase_if(flesh, [&](const LimbFlesh& one) {
+void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion) {
+  std::erase_if(weights, [&](const LimbWeight& one) {
     const Limb* const limb = limbOf(input, one.limb);
     return limb == nullptr || !fits(one, *limb);
   });
   const auto has = [&](const std::string& id) {
-    return std::any_of(flesh.begin(), flesh.end(), [&](const LimbFlesh& one) { return one.limb == id; });
+    return std::any_of(weights.begin(), weights.end(), [&](const LimbWeight& one) { return one.limb == id; });
   };
-  const bool anyLeg = std::any_of(flesh.begin(), flesh.end(),
-                                  [&](const LimbFlesh& one) { return isLeg(*limbOf(input, one.limb)); });
+  const bool anyLeg = std::any_of(weights.begin(), weights.end(),
+                                  [&](const LimbWeight& one) { return isLeg(*limbOf(input, one.limb)); });
   for (const Limb& limb : input.limbs) {
     if (anyLeg && isLeg(limb) && !limb.joints.empty() && !has(limb.id)) {
-      flesh.push_back({limb.id, {}, 0.0, 0.0, 0.0, 0.0});
+      weights.push_back({limb.id, {}, 0.0, 0.0, 0.0, 0.0});
     }
   }
   const std::vector<Mat4> bindWorlds = bindPoseWorlds(*input.scene);
-  motion.flesh.clear();
-  for (LimbFlesh& one : flesh) {
+  motion.weights.clear();
+  for (LimbWeight& one : weights) {
     const Limb& limb = *limbOf(input, one.limb);
-    motion.flesh.push_back({std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, bindWorlds)});
+    motion.weights.push_back(
+        {std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, bindWorlds)});
   }
-  std::stable_sort(motion.flesh.begin(), motion.flesh.end(), [](const SolvedFlesh& a, const SolvedFlesh& b) {
-    return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
-  });
+  std::stable_sort(motion.weights.begin(), motion.weights.end(),
+                   [](const SolvedWeight& a, const SolvedWeight& b) {
+                     return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
+                   });
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

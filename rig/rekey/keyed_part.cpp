@@ -72,21 +72,21 @@ KeyedPart partOf(const MotionState& motion, const SolvedTrail& trail) {
           {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
 }
 
-Window windowOf(const MotionState& motion, const LimbFlesh& flesh) {
-  Window window = windowOf(motion, flesh.startSeconds, flesh.endSeconds);
+Window windowOf(const MotionState& motion, const LimbWeight& weight) {
+  Window window = windowOf(motion, weight.startSeconds, weight.endSeconds);
   window.jumpsBefore =
-      flesh.fadeInSeconds <= 0.0 && window.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
-  window.jumpsAfter = flesh.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
+      weight.fadeInSeconds <= 0.0 && window.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  window.jumpsAfter = weight.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
   return window;
 }
 
 // A leg moves the hips, and with them the other leg: each is keyed wherever one of them is.
-KeyedPart partOf(const MotionState& motion, const SolvedFlesh& solved) {
+KeyedPart partOf(const MotionState& motion, const SolvedWeight& solved) {
   KeyedPart part{touchedNodes(solved.limb, solved.topology), boneLength(solved.limb), {}, {}};
-  for (const SolvedFlesh& other : motion.flesh) {
+  for (const SolvedWeight& other : motion.weights) {
     const bool counts = &other == &solved || (isLeg(other.limb) && isLeg(solved.limb));
-    if (counts && !other.flesh.samples.empty()) {
-      part.windows.push_back(windowOf(motion, other.flesh));
+    if (counts && !other.weight.samples.empty()) {
+      part.windows.push_back(windowOf(motion, other.weight));
     }
   }
   if (isLeg(solved.limb) && motion.hips >= 0) {
@@ -105,8 +105,8 @@ std::vector<KeyedPart> keyedParts(const MotionState& motion) {
       parts.push_back(partOf(motion, trail));
     }
   }
-  for (const SolvedFlesh& flesh : motion.flesh) {
-    parts.push_back(partOf(motion, flesh));
+  for (const SolvedWeight& weight : motion.weights) {
+    parts.push_back(partOf(motion, weight));
   }
   return parts;
 }

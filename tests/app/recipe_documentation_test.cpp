@@ -9,9 +9,9 @@
 
 #include "app/document.h"
 #include "app/recipe/recipe.h"
-#include "app/schema/elastic_description.h"
 #include "app/schema/trail_description.h"
 #include "app/schema/trail_json.h"
+#include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
 
 using namespace stretch;
@@ -107,13 +107,13 @@ TEST_CASE("the documentation of recipes has a row for every setting, as the prog
 
 TEST_CASE("the documentation of recipes has a row for every setting of a limb's weight") {
   const std::string text = textOf(documentation);
-  for (const ElasticSetting& setting : elasticSettings()) {
+  for (const WeightSetting& setting : weightSettings()) {
     INFO(setting.name);
     const std::vector<std::string> cells = rowOf(text, setting.name);
     REQUIRE(cells.size() == 5);
     CHECK(plain(cells[1]) == setting.option);
     CHECK_THAT(cells[2], Catch::Contains(fmt::format("{:g} to {:g}", setting.minimum, setting.maximum)));
-    const gltf::Json value = setting.read(ElasticSettings{});
+    const gltf::Json value = setting.read(WeightSettings{});
     CHECK(plain(cells[3]) == (value.is_array() ? "[0, -9.81, 0]" : defaultText(value)));
   }
   for (const char* const key : {"moduli", "elastic"}) {

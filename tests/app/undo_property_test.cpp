@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/elastic_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
+#include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/history.h"
 #include "tests/support/app/boxer.h"
@@ -47,11 +47,11 @@ Document randomWeight(const Document& document, Dice& dice) {
   const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.biped.limbs.size())));
   const std::string& limb = document.biped.limbs[index].id;
   if (dice.below(3) == 0) {
-    return removeElastic(document, limb, 0);
+    return removeWeight(document, limb, 0);
   }
-  ElasticLimb entry{limb, 0, dice.below(4) > 0, {}};
+  WeightedLimb entry{limb, 0, dice.below(4) > 0, {}};
   entry.settings.stiffness = 0.25 * (1 + dice.below(8));
-  return orUnchanged(document, setElastic(document, entry));
+  return orUnchanged(document, setWeight(document, entry));
 }
 
 Document randomEdit(const Document& document, Dice& dice) {

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/gltf/glb.h"
+#include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
 #include "core/gltf/uri.h"
 

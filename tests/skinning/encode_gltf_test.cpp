@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/gltf/edits.h"
+#include "core/gltf/json.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/read_sequence.h"
@@ -92,5 +93,5 @@ TEST_CASE("bytes per frame and bytes once are all the bytes of the file's binary
 TEST_CASE("a clip in which nothing moves has no channels and is written without an animation") {
   SkinnedSequence skinned = test::wavingTube(4, 1);
   const EncodedClip clip = encodeGltf(skinned);
-  CHECK_FALSE(clip.source.json.contains("animations"));
+  CHECK_FALSE(clip.source.json->contains("animations"));
 }

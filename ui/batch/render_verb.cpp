@@ -192,7 +192,7 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
     trail.connected = true;
     document.trails.push_back(std::move(trail));
   }
-  document.elastic = recipe->elastic;
+  document.weights = recipe->weights;
   return Success{};
 }
 

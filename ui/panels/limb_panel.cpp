@@ -1,7 +1,7 @@
 #include <array>
 
 #include "app/commands/selection.h"
-#include "app/weight/elastic.h"
+#include "app/weight/weight_motion.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -51,7 +51,7 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   if (const rig::Trail* trail = trailOf(session, state.id)) {
     state.trail = trailColour(trail->colour);
   }
-  const app::ElasticLimb* const weight = app::findElastic(session.document(), state.id, session.view().clip);
+  const app::WeightedLimb* const weight = app::findWeight(session.document(), state.id, session.view().clip);
   state.hasWeight = weight != nullptr && weight->on;
   state.help.text = "Click selects it, Shift+click adds it.";
   if (state.hasWeight) {

@@ -8,9 +8,9 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
-#include "app/edits/elastic_edits.h"
-#include "app/schema/elastic_description.h"
-#include "app/weight/elastic.h"
+#include "app/edits/weight_edits.h"
+#include "app/schema/weight_description.h"
+#include "app/weight/weight_motion.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
@@ -21,16 +21,16 @@ namespace stretch::ui {
 
 namespace {
 
-using app::ElasticLimb;
-using app::ElasticSettings;
-using Change = std::function<void(ElasticSettings&)>;
+using app::WeightedLimb;
+using app::WeightSettings;
+using Change = std::function<void(WeightSettings&)>;
 
 constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
 
 Help helpOf(const std::string& setting, const std::string& title) {
-  const std::vector<app::ElasticSetting>& table = app::elasticSettings();
+  const std::vector<app::WeightSetting>& table = app::weightSettings();
   const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const app::ElasticSetting& s) { return s.name == setting; });
+                                  [&](const app::WeightSetting& s) { return s.name == setting; });
   return {title, found != table.end() ? found->help : std::string(), {}};
 }
 
@@ -41,13 +41,13 @@ void editWeight(PanelContext& context, const EditPhase& phase, const std::string
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const std::string& limb : limbs) {
-      const ElasticLimb* const present = app::findElastic(start, limb, clip);
+      const WeightedLimb* const present = app::findWeight(start, limb, clip);
       if (present == nullptr) {
         continue;
       }
-      ElasticLimb entry = *present;
+      WeightedLimb entry = *present;
       change(entry.settings);
-      Result<app::Document> changed = app::setElastic(document, entry);
+      Result<app::Document> changed = app::setWeight(document, entry);
       if (!changed) {
         return changed;
       }
@@ -57,22 +57,22 @@ void editWeight(PanelContext& context, const EditPhase& phase, const std::string
   });
 }
 
-void weightRow(PanelContext& context, const NumberRow& row, const ElasticSettings& settings,
-               double ElasticSettings::*member) {
+void weightRow(PanelContext& context, const NumberRow& row, const WeightSettings& settings,
+               double WeightSettings::*member) {
   double value = settings.*member;
   const Help help = helpOf(row.setting, row.label);
   const EditPhase phase = numberControl(context, "weight/" + row.setting, row, help, value);
-  editWeight(context, phase, row.undoLabel, [&](ElasticSettings& s) { s.*member = value; });
+  editWeight(context, phase, row.undoLabel, [&](WeightSettings& s) { s.*member = value; });
 }
 
-const ElasticSettings& defaults() {
-  static const ElasticSettings settings;
+const WeightSettings& defaults() {
+  static const WeightSettings settings;
   return settings;
 }
 
-void mainRows(PanelContext& context, const ElasticSettings& settings) {
+void mainRows(PanelContext& context, const WeightSettings& settings) {
   const auto percent = [&](const char* setting, const char* label, const char* undo,
-                           double ElasticSettings::*member) {
+                           double WeightSettings::*member) {
     weightRow(context,
               {.setting = setting,
                .label = label,
@@ -83,7 +83,7 @@ void mainRows(PanelContext& context, const ElasticSettings& settings) {
                .factor = 100.0},
               settings, member);
   };
-  percent("amount", "Amount", "Change the amount of weight", &ElasticSettings::amount);
+  percent("amount", "Amount", "Change the amount of weight", &WeightSettings::amount);
   weightRow(context,
             {.setting = "stiffness",
              .label = "Stiffness",
@@ -92,7 +92,7 @@ void mainRows(PanelContext& context, const ElasticSettings& settings) {
              .maximum = 5.0,
              .defaultValue = defaults().stiffness,
              .hardMaximum = 100.0},
-            settings, &ElasticSettings::stiffness);
+            settings, &WeightSettings::stiffness);
   weightRow(context,
             {.setting = "damping",
              .label = "Damping",
@@ -100,11 +100,11 @@ void mainRows(PanelContext& context, const ElasticSettings& settings) {
              .maximum = 2.0,
              .defaultValue = defaults().damping,
              .hardMaximum = 10.0},
-            settings, &ElasticSettings::damping);
-  percent("inertia", "Inertia", "Change the inertia", &ElasticSettings::inertia);
+            settings, &WeightSettings::damping);
+  percent("inertia", "Inertia", "Change the inertia", &WeightSettings::inertia);
 }
 
-void gravityRow(PanelContext& context, const ElasticSettings& settings) {
+void gravityRow(PanelContext& context, const WeightSettings& settings) {
   const WidgetContext widgets = widgetsOf(context);
   const double size = glm::length(settings.gravity);
   const Vec3 direction = size > 0.0 ? settings.gravity / size : Vec3(0.0, -1.0, 0.0);
@@ -118,8 +118,7 @@ void gravityRow(PanelContext& context, const ElasticSettings& settings) {
   spec.help = dragHelp(help);
   double value = size;
   const EditPhase phase = slider(widgets, spec, value);
-  editWeight(context, phase, "Change the gravity",
-             [&](ElasticSettings& s) { s.gravity = value * direction; });
+  editWeight(context, phase, "Change the gravity", [&](WeightSettings& s) { s.gravity = value * direction; });
 }
 
 SliderSpec modulusSlider(const std::string& id, double used) {
@@ -136,7 +135,7 @@ SliderSpec modulusSlider(const std::string& id, double used) {
   return spec;
 }
 
-void modulusRow(PanelContext& context, const ElasticSettings& settings, double used) {
+void modulusRow(PanelContext& context, const WeightSettings& settings, double used) {
   const WidgetContext widgets = widgetsOf(context);
   const Help help = helpOf("young", "Modulus");
   labelledRow(widgets, "Modulus", help);
@@ -147,20 +146,20 @@ void modulusRow(PanelContext& context, const ElasticSettings& settings, double u
   spec.help = dragHelp(help);
   double value = used;
   const EditPhase phase = slider(widgets, spec, value);
-  editWeight(context, phase, "Change the modulus", [&](ElasticSettings& s) { s.youngModulus = value; });
+  editWeight(context, phase, "Change the modulus", [&](WeightSettings& s) { s.youngModulus = value; });
   ImGui::SameLine();
   const bool automatic = !settings.youngModulus;
   if (toggle(widgets, "weight/young-auto", "Auto", automatic,
              {"Automatic modulus",
               "As stiff as lets the limb at rest give way by two and a half percent of its length.",
               {}})) {
-    editWeight(context, {true, true}, "Change the modulus", [&](ElasticSettings& s) {
+    editWeight(context, {true, true}, "Change the modulus", [&](WeightSettings& s) {
       s.youngModulus = automatic ? std::optional<double>(used) : std::nullopt;
     });
   }
 }
 
-void setBoneModulus(std::size_t bone, std::optional<double> young, ElasticSettings& settings) {
+void setBoneModulus(std::size_t bone, std::optional<double> young, WeightSettings& settings) {
   std::vector<skinning::SegmentModuli::Range> kept;
   for (const skinning::SegmentModuli::Range& range : settings.moduli) {
     // A range over several bones is taken apart, so that one of them can change alone.
@@ -176,7 +175,7 @@ void setBoneModulus(std::size_t bone, std::optional<double> young, ElasticSettin
   settings.moduli = std::move(kept);
 }
 
-void boneRows(PanelContext& context, const ElasticLimb& entry, double used) {
+void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   const WidgetContext widgets = widgetsOf(context);
   const app::Document& document = context.session->document();
   const rig::Limb* const limb = app::findLimb(document, entry.limb);
@@ -193,20 +192,20 @@ void boneRows(PanelContext& context, const ElasticLimb& entry, double used) {
     spec.help = dragHelp(help);
     double value = moduli.at(bone, used);
     const EditPhase phase = slider(widgets, spec, value);
-    editWeight(context, phase, "Change a bone's modulus", [&](ElasticSettings& s) {
+    editWeight(context, phase, "Change a bone's modulus", [&](WeightSettings& s) {
       setBoneModulus(bone, value == used ? std::nullopt : std::optional<double>(value), s);
     });
   }
 }
 
-void rangeRow(PanelContext& context, const ElasticSettings& settings) {
+void rangeRow(PanelContext& context, const WeightSettings& settings) {
   const WidgetContext widgets = widgetsOf(context);
   const double last = app::lastFrame(context.session->document(), context.session->view().clip);
   const Help help{"Range", "First and last frame with weight; inside the clip it fades in and out.", {}};
   labelledRow(widgets, "Range", help);
   const Vec2 range = settings.rangeFrames.value_or(Vec2(0.0, last));
   const auto set = [&](const EditPhase& phase, const Vec2& wanted) {
-    editWeight(context, phase, "Change the range of the weight", [&](ElasticSettings& s) {
+    editWeight(context, phase, "Change the range of the weight", [&](WeightSettings& s) {
       const bool whole = wanted.x <= 0.0 && wanted.y >= last;
       s.rangeFrames = whole ? std::nullopt : std::optional<Vec2>(wanted);
     });
@@ -231,14 +230,14 @@ void rangeRow(PanelContext& context, const ElasticSettings& settings) {
   set(second, {range.x, std::max(end, range.x + 1.0)});
 }
 
-const app::ElasticReport* reportOf(PanelContext& context, const std::string& limbId) {
-  const std::vector<app::ElasticReport>& reports = context.session->elasticReports();
+const app::WeightReport* reportOf(PanelContext& context, const std::string& limbId) {
+  const std::vector<app::WeightReport>& reports = context.session->weightReports();
   const auto found = std::find_if(reports.begin(), reports.end(),
-                                  [&](const app::ElasticReport& report) { return report.limb == limbId; });
+                                  [&](const app::WeightReport& report) { return report.limb == limbId; });
   return found == reports.end() ? nullptr : &*found;
 }
 
-void outcomeRows(PanelContext& context, const app::ElasticReport& report) {
+void outcomeRows(PanelContext& context, const app::WeightReport& report) {
   const WidgetContext widgets = widgetsOf(context);
   valueRow(widgets, "Length",
            fmt::format("\xC3\x97{:.3f} to \xC3\x97{:.3f}", report.shortest, report.longest),
@@ -250,10 +249,10 @@ void outcomeRows(PanelContext& context, const app::ElasticReport& report) {
   }
 }
 
-void weightSettings(PanelContext& context, const ElasticLimb& entry) {
-  const app::ElasticReport* const report = reportOf(context, entry.limb);
+void weightSettings(PanelContext& context, const WeightedLimb& entry) {
+  const app::WeightReport* const report = reportOf(context, entry.limb);
   if (report != nullptr) {
-    const app::ElasticReport shown = *report; // a copy: the rows change what it was made from
+    const app::WeightReport shown = *report; // a copy: the rows change what it was made from
     outcomeRows(context, shown);
     mainRows(context, entry.settings);
     gravityRow(context, entry.settings);
@@ -267,7 +266,7 @@ void weightSettings(PanelContext& context, const ElasticLimb& entry) {
                .suffix = " kg/m\xC2\xB3",
                .decimals = 0,
                .step = 10.0},
-              entry.settings, &ElasticSettings::density);
+              entry.settings, &WeightSettings::density);
     modulusRow(context, entry.settings, shown.youngModulus);
     boneRows(context, entry, shown.youngModulus);
     rangeRow(context, entry.settings);
@@ -285,8 +284,8 @@ void weightSection(PanelContext& context, const std::string& limbId) {
   if (!section(widgets, "weight/section", "Weight", context.ui.closedSections)) {
     return;
   }
-  const ElasticLimb* const present =
-      app::findElastic(context.session->document(), limbId, context.session->view().clip);
+  const WeightedLimb* const present =
+      app::findWeight(context.session->document(), limbId, context.session->view().clip);
   const bool on = present != nullptr && present->on;
   const Help help{"Weight",
                   "The limb sags, squashes when it lands and stretches when it swings, by its own load. "
@@ -297,7 +296,7 @@ void weightSection(PanelContext& context, const std::string& limbId) {
     request(context, command::weightToggle);
   }
   if (on) {
-    const ElasticLimb entry = *present; // a copy: rows edit the document while the others are drawn
+    const WeightedLimb entry = *present; // a copy: rows edit the document while the others are drawn
     weightSettings(context, entry);
   }
 }

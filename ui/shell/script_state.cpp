@@ -92,7 +92,7 @@ std::string joined(const std::vector<std::string>& words) {
 /// Limbs with weight in the viewed clip: "left-arm left-leg".
 std::string heavyLimbs(const app::Session& session) {
   std::vector<std::string> limbs;
-  for (const app::ElasticLimb& entry : session.document().elastic) {
+  for (const app::WeightedLimb& entry : session.document().weights) {
     if (entry.on && entry.clip == session.view().clip) {
       limbs.push_back(entry.limb);
     }
@@ -102,8 +102,8 @@ std::string heavyLimbs(const app::Session& session) {
 
 std::string heavyStiffness(const app::Session& session) {
   const std::vector<std::string> limbs = app::targetLimbs(session);
-  const app::ElasticLimb* const entry =
-      limbs.empty() ? nullptr : app::findElastic(session.document(), limbs.front(), session.view().clip);
+  const app::WeightedLimb* const entry =
+      limbs.empty() ? nullptr : app::findWeight(session.document(), limbs.front(), session.view().clip);
   return entry == nullptr ? "none" : number(entry->settings.stiffness);
 }
 

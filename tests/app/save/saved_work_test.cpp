@@ -31,10 +31,10 @@ Document trailed() {
   const Result<CreatedTrail> second = createTrail(first->document, trail);
   REQUIRE(second);
   Document document = *applyTrail(second->document, first->trailId);
-  ElasticLimb weight;
+  WeightedLimb weight;
   weight.limb = "right-arm";
   weight.settings.stiffness = 0.5;
-  document.elastic.push_back(weight);
+  document.weights.push_back(weight);
   return document;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("Work comes back as it was saved") {
   REQUIRE(restoreWork(workOf(document), restored));
   CHECK(restored.trails == document.trails);
   CHECK(restored.loopingClips == document.loopingClips);
-  CHECK(restored.elastic == document.elastic);
+  CHECK(restored.weights == document.weights);
   CHECK(restored.nextTrailId == document.nextTrailId);
   CHECK(workOf(restored) == workOf(document));
 }
@@ -92,7 +92,7 @@ TEST_CASE("Work takes the place of what is there, and nothing is left without it
   Document document = trailed();
   REQUIRE(restoreWork(workOf(trailed()), document));
   CHECK(document.trails == trailed().trails);
-  CHECK(document.elastic.size() == 1);
+  CHECK(document.weights.size() == 1);
   CHECK(workOf(withoutWork(document)).is_null());
 }
 

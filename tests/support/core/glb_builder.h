@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/gltf/json.h"
 #include "core/gltf/source.h"
 #include "tests/support/temporary_folder.h"
 

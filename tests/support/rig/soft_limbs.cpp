@@ -5,8 +5,8 @@
 
 namespace stretch::test {
 
-rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame, const SoftBones& bones) {
-  rig::FleshSample sample{frame.timeSeconds, {}, bones.planted};
+rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame, const SoftBones& bones) {
+  rig::WeightSample sample{frame.timeSeconds, {}, bones.planted};
   const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
     const Mat4 toJoint = glm::inverse(frame.worlds[static_cast<std::size_t>(limb.joints[i])]);
@@ -22,10 +22,10 @@ rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame, cons
 }
 
 rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
-                            const std::vector<rig::LimbFlesh>& flesh) {
+                            const std::vector<rig::LimbWeight>& flesh) {
   const rig::MotionInput input = motionInput(moving, trails);
   rig::MotionState motion = rig::solveMotion(input);
-  rig::setFlesh(input, flesh, motion);
+  rig::setWeight(input, flesh, motion);
   return motion;
 }
 

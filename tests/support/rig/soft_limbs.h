@@ -16,19 +16,19 @@ struct SoftBones {
 
 /// The flesh of a limb over the whole clip, a sample a frame; `bonesAt(frame)` answers its SoftBones.
 template <typename BonesAt>
-rig::LimbFlesh softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt);
+rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt);
 
 /// One sample from the limb as it stands in a frame.
-[[nodiscard]] rig::FleshSample softSample(const rig::Limb& limb, const FrameState& frame,
-                                          const SoftBones& bones);
+[[nodiscard]] rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame,
+                                           const SoftBones& bones);
 
 /// Trails and flesh, solved.
 [[nodiscard]] rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
-                                          const std::vector<rig::LimbFlesh>& flesh);
+                                          const std::vector<rig::LimbWeight>& flesh);
 
 template <typename BonesAt>
-rig::LimbFlesh softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt) {
-  rig::LimbFlesh flesh{limb, {}, moving.clip.startSeconds, moving.clip.endSeconds, 0.0, 0.0};
+rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt) {
+  rig::LimbWeight flesh{limb, {}, moving.clip.startSeconds, moving.clip.endSeconds, 0.0, 0.0};
   for (double frame = 0.0; frame <= moving.clip.endSeconds * moving.clip.framesPerSecond + 1e-6;
        frame += 1.0) {
     flesh.samples.push_back(softSample(moving.limb(limb), sourceAtFrame(moving, frame), bonesAt(frame)));

@@ -115,8 +115,8 @@ void addBox(Primitive& primitive, const Vec3& low, const Vec3& high, std::uint16
 
 // A box around the bone from a joint to its children; ends of chains get a stub, heads and feet their own
 // shapes.
-void addFlesh(Primitive& primitive, const SyntheticBiped& body, const SyntheticJoint& joint,
-              std::uint16_t slot) {
+void addWeight(Primitive& primitive, const SyntheticBiped& body, const SyntheticJoint& joint,
+               std::uint16_t slot) {
   Vec3 low = joint.position;
   Vec3 high = joint.position;
   const auto include = [&](const Vec3& point) {
@@ -214,7 +214,7 @@ BuiltBiped build(const SyntheticBiped& body) {
       skin.joints.push_back(index);
       skin.inverseBind.push_back(glm::translate(Mat4(1.0), -placed(body, joint.position)));
       if (joint.movesMesh) {
-        addFlesh(flesh, body, joint, static_cast<std::uint16_t>(skin.joints.size() - 1));
+        addWeight(flesh, body, joint, static_cast<std::uint16_t>(skin.joints.size() - 1));
       }
     }
   }

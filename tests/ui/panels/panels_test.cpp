@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/selection.h"
-#include "app/edits/elastic_edits.h"
 #include "app/edits/trail_edits.h"
-#include "app/weight/elastic.h"
+#include "app/edits/weight_edits.h"
+#include "app/weight/weight_motion.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/command_ids.h"
 
@@ -285,12 +285,12 @@ TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, 
   driver.click("weight/on");
   CHECK(driver.requested == std::vector<std::string>{ui::command::weightToggle});
   const Result<app::Document> heavy =
-      app::switchElastic(driver.session->document(), {"left-arm", "left-leg"}, 0, true);
+      app::switchWeight(driver.session->document(), {"left-arm", "left-leg"}, 0, true);
   REQUIRE(heavy.ok());
   driver.session->edit(*heavy, "Give weight");
   driver.frames(2);
-  const auto settings = [&](const char* limb) -> const app::ElasticSettings& {
-    return app::findElastic(driver.session->document(), limb, 0)->settings;
+  const auto settings = [&](const char* limb) -> const app::WeightSettings& {
+    return app::findWeight(driver.session->document(), limb, 0)->settings;
   };
   driver.drag("weight/stiffness", 30.0F, 0.0F);
   CHECK(settings("left-arm").stiffness > 1.05);
@@ -310,13 +310,13 @@ TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, 
 
 TEST_CASE("Weight is shaped for all selected limbs that have it") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  driver.session->edit(*app::switchElastic(driver.session->document(), {"left-arm", "right-arm"}, 0, true),
+  driver.session->edit(*app::switchWeight(driver.session->document(), {"left-arm", "right-arm"}, 0, true),
                        "Give weight");
   driver.session->view().selectedLimbs = {"left-arm", "right-arm", "spine"};
   driver.frames(2);
   driver.drag("weight/amount", -40.0F, 0.0F);
-  CHECK(app::findElastic(driver.session->document(), "left-arm", 0)->settings.amount < 1.0);
-  CHECK(app::findElastic(driver.session->document(), "right-arm", 0)->settings.amount ==
-        app::findElastic(driver.session->document(), "left-arm", 0)->settings.amount);
-  CHECK(app::findElastic(driver.session->document(), "spine", 0) == nullptr);
+  CHECK(app::findWeight(driver.session->document(), "left-arm", 0)->settings.amount < 1.0);
+  CHECK(app::findWeight(driver.session->document(), "right-arm", 0)->settings.amount ==
+        app::findWeight(driver.session->document(), "left-arm", 0)->settings.amount);
+  CHECK(app::findWeight(driver.session->document(), "spine", 0) == nullptr);
 }

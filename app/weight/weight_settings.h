@@ -12,7 +12,7 @@ namespace stretch::app {
 /// How the flesh of a limb gives way to gravity and to its own inertia (spec/elastic.md, Two uses). SI units,
 /// for a character that is taken as 1.75 m tall whatever its file's unit is, so that the same settings look
 /// the same on every character.
-struct ElasticSettings {
+struct WeightSettings {
   /// Pa. Empty: so stiff that the limb at rest (an arm hanging, a leg under half the body) gives way by
   /// stillSag of its length.
   std::optional<double> youngModulus;
@@ -25,20 +25,20 @@ struct ElasticSettings {
   std::vector<skinning::SegmentModuli::Range> moduli; ///< Bones with a modulus of their own, base first.
   std::optional<Vec2> rangeFrames;                    ///< First and last frame; empty: the whole clip.
 
-  friend bool operator==(const ElasticSettings&, const ElasticSettings&) = default;
+  friend bool operator==(const WeightSettings&, const WeightSettings&) = default;
 };
 
 inline constexpr double stillSag = 0.025;
 inline constexpr double characterHeightMetres = 1.75;
 
 /// A limb with weight in one clip.
-struct ElasticLimb {
+struct WeightedLimb {
   std::string limb; ///< rig::Limb::id; at most one entry for a limb and clip.
   int clip = 0;     ///< Index into the file's animations.
   bool on = true;   ///< Off: kept, but the limb does not give way.
-  ElasticSettings settings;
+  WeightSettings settings;
 
-  friend bool operator==(const ElasticLimb&, const ElasticLimb&) = default;
+  friend bool operator==(const WeightedLimb&, const WeightedLimb&) = default;
 };
 
 } // namespace stretch::app

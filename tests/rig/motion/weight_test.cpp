@@ -1,4 +1,4 @@
-#include "rig/motion/limb_flesh.h"
+#include "rig/motion/limb_weight.h"
 
 #include <cmath>
 
@@ -76,12 +76,12 @@ TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
   const MovingBiped moving = punchingBiped();
   const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};
   const Limb& arm = moving.limb("left-arm");
-  LimbFlesh flesh{"left-arm", {}, 0.0, 1.0, 0.0, 0.0};
+  LimbWeight weight{"left-arm", {}, 0.0, 1.0, 0.0, 0.0};
   const MotionState alone = softMotion(moving, trails, {});
   for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
-    flesh.samples.push_back(softSample(arm, atFrame(moving, alone, frame), longer(frame)));
+    weight.samples.push_back(softSample(arm, atFrame(moving, alone, frame), longer(frame)));
   }
-  const MotionState both = softMotion(moving, trails, {flesh});
+  const MotionState both = softMotion(moving, trails, {weight});
   for (const double frame : {3.0, 12.0, 14.0}) {
     const FrameState with = atFrame(moving, both, frame);
     CHECK(lengthOf(arm, with) == Approx(1.2 * lengthOf(arm, atFrame(moving, alone, frame))));
@@ -132,12 +132,12 @@ TEST_CASE("a leg in the air is stretched without moving the hips") {
 
 TEST_CASE("outside its range flesh does nothing, inside it fades in and out without a jump") {
   const MovingBiped moving = punchingBiped();
-  LimbFlesh flesh = softLimb(moving, "left-arm", longer);
-  flesh.startSeconds = 0.25;
-  flesh.endSeconds = 0.75;
-  flesh.fadeInSeconds = 0.125;
-  flesh.fadeOutSeconds = 0.125;
-  const MotionState motion = softMotion(moving, {}, {flesh});
+  LimbWeight weight = softLimb(moving, "left-arm", longer);
+  weight.startSeconds = 0.25;
+  weight.endSeconds = 0.75;
+  weight.fadeInSeconds = 0.125;
+  weight.fadeOutSeconds = 0.125;
+  const MotionState motion = softMotion(moving, {}, {weight});
   const Limb& arm = moving.limb("left-arm");
   double before = 1.0;
   for (double frame = 0.0; frame <= 24.0; frame += 0.125) {
@@ -156,9 +156,9 @@ TEST_CASE("outside its range flesh does nothing, inside it fades in and out with
 
 TEST_CASE("flesh of a limb that is missing or has other bones is left out") {
   const MovingBiped moving = punchingBiped();
-  LimbFlesh wrong = softLimb(moving, "left-arm", longer);
+  LimbWeight wrong = softLimb(moving, "left-arm", longer);
   wrong.samples.front().strains.pop_back();
-  LimbFlesh missing = softLimb(moving, "left-arm", longer);
+  LimbWeight missing = softLimb(moving, "left-arm", longer);
   missing.limb = "tail";
-  CHECK(softMotion(moving, {}, {wrong, missing}).flesh.empty());
+  CHECK(softMotion(moving, {}, {wrong, missing}).weights.empty());
 }

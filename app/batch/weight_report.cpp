@@ -1,4 +1,4 @@
-#include "app/batch/elastic_report.h"
+#include "app/batch/weight_report.h"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 
 namespace stretch::app {
 
-gltf::Json elasticJson(const Document& document, int clip) {
+gltf::Json weightJson(const Document& document, int clip) {
   gltf::Json limbs = gltf::Json::array();
-  for (const ElasticReport& report : elasticReports(document, clip)) {
+  for (const WeightReport& report : weightReports(document, clip)) {
     limbs.push_back({{"limb", report.limb},
                      {"young", report.youngModulus},
                      {"widths", report.widths},
@@ -23,7 +23,7 @@ gltf::Json elasticJson(const Document& document, int clip) {
   return limbs;
 }
 
-void printElastic(const gltf::Json& limbs) {
+void printWeight(const gltf::Json& limbs) {
   for (const gltf::Json& limb : limbs) {
     fmt::print("{}: {:.3g} to {:.3g} times its length (frames {:.4g} and {:.4g}), modulus {:.3g} Pa\n",
                limb["limb"].get<std::string>(), limb["shortest"].get<double>(), limb["longest"].get<double>(),

@@ -1,21 +1,22 @@
-#include "app/edits/elastic_edits.h"
+#include "app/edits/weight_edits.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/edits/trail_edits.h"
-#include "app/schema/elastic_description.h"
-#include "app/weight/elastic.h"
+#include "app/schema/weight_description.h"
+#include "app/weight/weight_motion.h"
+#include "core/gltf/json.h"
 
 namespace stretch::app {
 
 namespace {
 
 // Numbers that the panel or a caller may have got wrong; files and options are checked where they are read.
-Status validate(const ElasticSettings& settings) {
-  ElasticSettings scratch;
-  for (const ElasticSetting& setting : elasticSettings()) {
-    if (const Status valid = setElasticSetting(setting, setting.read(settings), scratch); !valid) {
+Status validate(const WeightSettings& settings) {
+  WeightSettings scratch;
+  for (const WeightSetting& setting : weightSettings()) {
+    if (const Status valid = setWeightSetting(setting, setting.read(settings), scratch); !valid) {
       return valid;
     }
   }
@@ -26,7 +27,7 @@ Status validate(const ElasticSettings& settings) {
 
 } // namespace
 
-Result<Document> setElastic(const Document& document, const ElasticLimb& wanted) {
+Result<Document> setWeight(const Document& document, const WeightedLimb& wanted) {
   if (const Status known = checkLimbAndClip(document, wanted.limb, wanted.clip); !known) {
     return known.error();
   }
@@ -35,35 +36,35 @@ Result<Document> setElastic(const Document& document, const ElasticLimb& wanted)
   }
   Document changed = document;
   const auto present =
-      std::find_if(changed.elastic.begin(), changed.elastic.end(), [&](const ElasticLimb& entry) {
+      std::find_if(changed.weights.begin(), changed.weights.end(), [&](const WeightedLimb& entry) {
         return entry.limb == wanted.limb && entry.clip == wanted.clip;
       });
-  if (present != changed.elastic.end()) {
+  if (present != changed.weights.end()) {
     *present = wanted;
   } else {
-    changed.elastic.push_back(wanted);
+    changed.weights.push_back(wanted);
   }
   return changed;
 }
 
-Document removeElastic(const Document& document, const std::string& limb, int clip) {
+Document removeWeight(const Document& document, const std::string& limb, int clip) {
   Document changed = document;
-  std::erase_if(changed.elastic,
-                [&](const ElasticLimb& entry) { return entry.limb == limb && entry.clip == clip; });
+  std::erase_if(changed.weights,
+                [&](const WeightedLimb& entry) { return entry.limb == limb && entry.clip == clip; });
   return changed;
 }
 
-Result<Document> switchElastic(const Document& document, const std::vector<std::string>& limbs, int clip,
-                               bool on) {
+Result<Document> switchWeight(const Document& document, const std::vector<std::string>& limbs, int clip,
+                              bool on) {
   Document changed = document;
   for (const std::string& limb : limbs) {
-    const ElasticLimb* const present = findElastic(changed, limb, clip);
+    const WeightedLimb* const present = findWeight(changed, limb, clip);
     if (present == nullptr && !on) {
       continue;
     }
-    ElasticLimb entry = present != nullptr ? *present : ElasticLimb{limb, clip, true, {}};
+    WeightedLimb entry = present != nullptr ? *present : WeightedLimb{limb, clip, true, {}};
     entry.on = on;
-    Result<Document> next = setElastic(changed, entry);
+    Result<Document> next = setWeight(changed, entry);
     if (!next) {
       return next.error();
     }

@@ -1,4 +1,4 @@
-#include "app/weight/elastic.h"
+#include "app/weight/weight_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +29,9 @@ const SampledClip::OfLimb* limbIn(const SampledClip& sampled, const std::string&
   return found == sampled.limbs.end() ? nullptr : &*found;
 }
 
-std::vector<const ElasticLimb*> activeIn(const Document& document, int clip) {
-  std::vector<const ElasticLimb*> active;
-  for (const ElasticLimb& entry : document.elastic) {
+std::vector<const WeightedLimb*> activeIn(const Document& document, int clip) {
+  std::vector<const WeightedLimb*> active;
+  for (const WeightedLimb& entry : document.weights) {
     if (entry.on && entry.clip == clip && findLimb(document, entry.limb) != nullptr) {
       active.push_back(&entry);
     }
@@ -83,7 +83,7 @@ double stillPressure(const std::vector<skinning::LimbSegment>& segments, double 
   return sum / length;
 }
 
-double modulusOf(const ElasticSettings& settings, const rig::Limb& limb,
+double modulusOf(const WeightSettings& settings, const rig::Limb& limb,
                  std::vector<skinning::LimbSegment> segments, double bodyVolume) {
   if (settings.youngModulus) {
     return *settings.youngModulus;
@@ -96,7 +96,7 @@ double modulusOf(const ElasticSettings& settings, const rig::Limb& limb,
   return std::max(softest, stillPressure(segments, settings.density, carried) / stillSag);
 }
 
-skinning::LimbElasticity physicsOf(const ElasticSettings& settings, double youngModulus) {
+skinning::LimbElasticity physicsOf(const WeightSettings& settings, double youngModulus) {
   skinning::LimbElasticity physics;
   physics.youngModulus = youngModulus;
   physics.moduli.ranges = settings.moduli;
@@ -169,28 +169,28 @@ skinning::LimbMotion limbMotion(const SampledClip& sampled, const SampledClip::O
   return motion;
 }
 
-void setRange(const Document& document, const ElasticLimb& entry, rig::LimbFlesh& flesh) {
+void setRange(const Document& document, const WeightedLimb& entry, rig::LimbWeight& weight) {
   const Clip& clip = clipOf(document, entry.clip);
   const double first = std::min(0.0, clip.startSeconds);
-  flesh.startSeconds = first;
-  flesh.endSeconds = clip.endSeconds;
+  weight.startSeconds = first;
+  weight.endSeconds = clip.endSeconds;
   if (!entry.settings.rangeFrames) {
     return;
   }
-  flesh.startSeconds =
+  weight.startSeconds =
       std::clamp(entry.settings.rangeFrames->x / clip.framesPerSecond, first, clip.endSeconds);
-  flesh.endSeconds =
-      std::clamp(entry.settings.rangeFrames->y / clip.framesPerSecond, flesh.startSeconds, clip.endSeconds);
+  weight.endSeconds =
+      std::clamp(entry.settings.rangeFrames->y / clip.framesPerSecond, weight.startSeconds, clip.endSeconds);
   constexpr double longestFade = 0.2;
-  const double fade = std::min(longestFade, (flesh.endSeconds - flesh.startSeconds) / 3.0);
-  flesh.fadeInSeconds = flesh.startSeconds > std::max(first, clip.startSeconds) ? fade : 0.0;
-  flesh.fadeOutSeconds = flesh.endSeconds < clip.endSeconds ? fade : 0.0;
+  const double fade = std::min(longestFade, (weight.endSeconds - weight.startSeconds) / 3.0);
+  weight.fadeInSeconds = weight.startSeconds > std::max(first, clip.startSeconds) ? fade : 0.0;
+  weight.fadeOutSeconds = weight.endSeconds < clip.endSeconds ? fade : 0.0;
 }
 
 // Notes the extremes and what the model was not made for.
 class ReportWriter {
 public:
-  ReportWriter(ElasticReport& report, const std::vector<skinning::LimbSegment>& segments,
+  ReportWriter(WeightReport& report, const std::vector<skinning::LimbSegment>& segments,
                double framesPerSecond)
       : report_(report), segments_(segments), framesPerSecond_(framesPerSecond) {}
 
@@ -242,7 +242,7 @@ private:
     }
   }
 
-  ElasticReport& report_;
+  WeightReport& report_;
   const std::vector<skinning::LimbSegment>& segments_;
   double framesPerSecond_ = 30.0;
   double flattest_ = 0.0;
@@ -260,19 +260,19 @@ struct ElasticInput {
   double bodyVolume = 0.0;
 };
 
-void addLimb(const ElasticInput& input, const ElasticLimb& entry, const SampledClip::OfLimb& one,
-             LimbSizes& sizes, ElasticMotion& motion) {
+void addLimb(const ElasticInput& input, const WeightedLimb& entry, const SampledClip::OfLimb& one,
+             LimbSizes& sizes, WeightMotion& motion) {
   const std::vector<skinning::LimbSegment> segments = segmentsOf(input.document, one.limb, sizes);
-  const ElasticSettings& settings = entry.settings;
-  ElasticReport report;
+  const WeightSettings& settings = entry.settings;
+  WeightReport report;
   report.limb = entry.limb;
   report.youngModulus = modulusOf(settings, one.limb, segments, input.bodyVolume);
   for (const skinning::LimbSegment& segment : segments) {
     report.widths.push_back(segment.width);
     report.masses.push_back(settings.density * segment.volume);
   }
-  rig::LimbFlesh flesh{entry.limb, {}, 0.0, 0.0, 0.0, 0.0};
-  setRange(input.document, entry, flesh);
+  rig::LimbWeight weight{entry.limb, {}, 0.0, 0.0, 0.0, 0.0};
+  setRange(input.document, entry, weight);
   const skinning::LimbMotion physical =
       limbMotion(input.sampled, one, input.standing, settings.density * input.bodyVolume, input.room);
   const auto stretches =
@@ -291,13 +291,13 @@ void addLimb(const ElasticInput& input, const ElasticLimb& entry, const SampledC
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const double seconds = input.sampled.seconds[k];
     const double planted = leg < input.standing.legs.size() ? input.standing.planted[leg][k] : 0.0;
-    flesh.samples.push_back({seconds, std::move(strains[k]), planted});
-    if (seconds >= flesh.startSeconds - 1e-6 && seconds <= flesh.endSeconds + 1e-6) {
+    weight.samples.push_back({seconds, std::move(strains[k]), planted});
+    if (seconds >= weight.startSeconds - 1e-6 && seconds <= weight.endSeconds + 1e-6) {
       writer.add(seconds, shown[k]);
     }
   }
   writer.finish();
-  motion.flesh.push_back(std::move(flesh));
+  motion.weights.push_back(std::move(weight));
   motion.reports.push_back(std::move(report));
 }
 
@@ -315,12 +315,11 @@ const LimbSize& LimbSizes::of(const Document& document, const rig::Limb& limb) {
              : sizes_.emplace(limb.id, limbSize(*document.scene, limb, document.biped.limbs)).first->second;
 }
 
-ElasticMotion elasticMotion(const Document& document, const SampledClip& sampled, int clip,
-                            LimbSizes& sizes) {
+WeightMotion weightMotion(const Document& document, const SampledClip& sampled, int clip, LimbSizes& sizes) {
   const ElasticInput input{document, sampled, standingOf(document, sampled),
                            loopRoom(document, sampled, clip), volumeAboveLegs(document, sizes)};
-  ElasticMotion motion;
-  for (const ElasticLimb* const entry : activeIn(document, clip)) {
+  WeightMotion motion;
+  for (const WeightedLimb* const entry : activeIn(document, clip)) {
     if (const SampledClip::OfLimb* const one = limbIn(sampled, entry->limb)) {
       addLimb(input, *entry, *one, sizes, motion);
     }
@@ -328,15 +327,15 @@ ElasticMotion elasticMotion(const Document& document, const SampledClip& sampled
   return motion;
 }
 
-bool hasElastic(const Document& document, int clip) {
+bool hasWeight(const Document& document, int clip) {
   return !activeIn(document, clip).empty();
 }
 
-const ElasticLimb* findElastic(const Document& document, const std::string& limb, int clip) {
+const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip) {
   const auto found =
-      std::find_if(document.elastic.begin(), document.elastic.end(),
-                   [&](const ElasticLimb& entry) { return entry.limb == limb && entry.clip == clip; });
-  return found == document.elastic.end() ? nullptr : &*found;
+      std::find_if(document.weights.begin(), document.weights.end(),
+                   [&](const WeightedLimb& entry) { return entry.limb == limb && entry.clip == clip; });
+  return found == document.weights.end() ? nullptr : &*found;
 }
 
 } // namespace stretch::app

@@ -9,13 +9,13 @@ namespace stretch::app {
 
 /// Gives a limb weight in a clip, or changes it. Errors: no such limb or clip, numbers that are none, a range
 /// without length.
-[[nodiscard]] Result<Document> setElastic(const Document& document, const ElasticLimb& wanted);
+[[nodiscard]] Result<Document> setWeight(const Document& document, const WeightedLimb& wanted);
 
 /// Takes the weight of a limb in a clip away; the clip is then as it was without it.
-[[nodiscard]] Document removeElastic(const Document& document, const std::string& limb, int clip);
+[[nodiscard]] Document removeWeight(const Document& document, const std::string& limb, int clip);
 
 /// Turns the weight of limbs on or off in a clip; limbs that have none get the default one when it is on.
-[[nodiscard]] Result<Document> switchElastic(const Document& document, const std::vector<std::string>& limbs,
-                                             int clip, bool on);
+[[nodiscard]] Result<Document> switchWeight(const Document& document, const std::vector<std::string>& limbs,
+                                            int clip, bool on);
 
 } // namespace stretch::app

@@ -1,4 +1,4 @@
-#include "rig/motion/limb_flesh.h"
+#include "rig/motion/limb_weight.h"
 
 #include <algorithm>
 
@@ -17,23 +17,25 @@ namespace {
 
 const Vec3 up(0.0, 1.0, 0.0);
 
-double fadeAt(const LimbFlesh& flesh, double timeSeconds) {
+double fadeAt(const LimbWeight& weight, double timeSeconds) {
   // Key times are stored in single precision: a time nearer than this to a border is at it.
   const double rounding = 1e-7 * std::max(1.0, std::abs(timeSeconds));
-  if (timeSeconds < flesh.startSeconds - rounding || timeSeconds > flesh.endSeconds + rounding) {
+  if (timeSeconds < weight.startSeconds - rounding || timeSeconds > weight.endSeconds + rounding) {
     return 0.0;
   }
-  const double in =
-      flesh.fadeInSeconds > 0.0 ? smoothstep((timeSeconds - flesh.startSeconds) / flesh.fadeInSeconds) : 1.0;
-  const double out =
-      flesh.fadeOutSeconds > 0.0 ? smoothstep((flesh.endSeconds - timeSeconds) / flesh.fadeOutSeconds) : 1.0;
+  const double in = weight.fadeInSeconds > 0.0
+                        ? smoothstep((timeSeconds - weight.startSeconds) / weight.fadeInSeconds)
+                        : 1.0;
+  const double out = weight.fadeOutSeconds > 0.0
+                         ? smoothstep((weight.endSeconds - timeSeconds) / weight.fadeOutSeconds)
+                         : 1.0;
   return std::min(in, out);
 }
 
-FleshSample between(const FleshSample& a, const FleshSample& b, double timeSeconds) {
+WeightSample between(const WeightSample& a, const WeightSample& b, double timeSeconds) {
   const double length = b.timeSeconds - a.timeSeconds;
   const double t = length > 0.0 ? (timeSeconds - a.timeSeconds) / length : 0.0;
-  FleshSample sample = a;
+  WeightSample sample = a;
   sample.planted += t * (b.planted - a.planted);
   for (std::size_t i = 0; i < sample.strains.size(); ++i) {
     sample.strains[i] += (b.strains[i] - a.strains[i]) * t;
@@ -53,7 +55,8 @@ Mat3 alignedStretch(const Mat3& strain, const Vec3& unitAxis) {
   return Mat3(1.0) + along * glm::dot(unitAxis, strain * unitAxis) + across * strain * across;
 }
 
-std::vector<Mat3> stretchesOf(const SolvedFlesh& solved, const FleshSample& sample, const FrameState& frame) {
+std::vector<Mat3> stretchesOf(const SolvedWeight& solved, const WeightSample& sample,
+                              const FrameState& frame) {
   const std::vector<Vec3> points = limbPoints(solved.limb, frame);
   std::vector<Mat3> stretches;
   for (std::size_t i = 0; i < solved.limb.joints.size(); ++i) {
@@ -67,15 +70,15 @@ std::vector<Mat3> stretchesOf(const SolvedFlesh& solved, const FleshSample& samp
   return stretches;
 }
 
-// A leg on its way through applyFlesh.
+// A leg on its way through applyWeight.
 struct Leg {
-  const SolvedFlesh* solved = nullptr;
+  const SolvedWeight* solved = nullptr;
   double planted = 0.0;
   Vec3 footBefore{0.0};
   Vec3 footMove{0.0}; // By its own strain alone.
 };
 
-void giveWay(const Scene& scene, const SolvedFlesh& solved, const FleshSample& sample, FrameState& frame) {
+void giveWay(const Scene& scene, const SolvedWeight& solved, const WeightSample& sample, FrameState& frame) {
   if (!std::all_of(sample.strains.begin(), sample.strains.end(), isZero)) {
     stretchLimb(scene, solved.limb, solved.topology, stretchesOf(solved, sample, frame), frame);
   }
@@ -119,18 +122,18 @@ void moveHips(const Scene& scene, int hips, double move, FrameState& frame) {
 
 } // namespace
 
-FleshSample fleshAt(const LimbFlesh& flesh, double timeSeconds) {
-  const double fade = fadeAt(flesh, timeSeconds);
-  if (flesh.samples.empty() || fade <= 0.0) {
+WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
+  const double fade = fadeAt(weight, timeSeconds);
+  if (weight.samples.empty() || fade <= 0.0) {
     return {timeSeconds, {}, 0.0};
   }
   const auto after = std::lower_bound(
-      flesh.samples.begin(), flesh.samples.end(), timeSeconds,
-      [](const FleshSample& sample, double seconds) { return sample.timeSeconds < seconds; });
-  FleshSample sample = flesh.samples.back();
-  if (after == flesh.samples.begin()) {
-    sample = flesh.samples.front();
-  } else if (after != flesh.samples.end()) {
+      weight.samples.begin(), weight.samples.end(), timeSeconds,
+      [](const WeightSample& sample, double seconds) { return sample.timeSeconds < seconds; });
+  WeightSample sample = weight.samples.back();
+  if (after == weight.samples.begin()) {
+    sample = weight.samples.front();
+  } else if (after != weight.samples.end()) {
     sample = between(*(after - 1), *after, timeSeconds);
   }
   sample.timeSeconds = timeSeconds;
@@ -140,10 +143,10 @@ FleshSample fleshAt(const LimbFlesh& flesh, double timeSeconds) {
   return sample;
 }
 
-void applyFlesh(const Scene& scene, const std::vector<SolvedFlesh>& flesh, int hips, FrameState& frame) {
+void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, int hips, FrameState& frame) {
   std::vector<Leg> legs;
-  for (const SolvedFlesh& solved : flesh) {
-    const FleshSample sample = fleshAt(solved.flesh, frame.timeSeconds);
+  for (const SolvedWeight& solved : weights) {
+    const WeightSample sample = weightAt(solved.weight, frame.timeSeconds);
     const Vec3 before = endPosition(solved.limb, frame);
     giveWay(scene, solved, sample, frame);
     if (isLeg(solved.limb)) {

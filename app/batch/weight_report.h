@@ -6,9 +6,9 @@
 namespace stretch::app {
 
 /// What the weight of each limb of a clip comes to, as `elastic` and `exaggerate` report it.
-[[nodiscard]] gltf::Json elasticJson(const Document& document, int clip);
+[[nodiscard]] gltf::Json weightJson(const Document& document, int clip);
 
 /// The same as lines of text; warnings on standard error.
-void printElastic(const gltf::Json& limbs);
+void printWeight(const gltf::Json& limbs);
 
 } // namespace stretch::app

@@ -90,12 +90,12 @@ TEST_CASE("a trail that ends without release jumps inside the flesh as it does o
 
 TEST_CASE("keys outside a range of flesh are the source's bit for bit") {
   const MovingBiped moving = punchingBiped();
-  LimbFlesh flesh = softLimb(moving, "left-leg", standing);
-  flesh.startSeconds = 0.25;
-  flesh.endSeconds = 0.5;
-  flesh.fadeInSeconds = 0.05;
-  flesh.fadeOutSeconds = 0.05;
-  const Rekeyed rekeyed = keyed(moving, softMotion(moving, {}, {flesh}));
+  LimbWeight weight = softLimb(moving, "left-leg", standing);
+  weight.startSeconds = 0.25;
+  weight.endSeconds = 0.5;
+  weight.fadeInSeconds = 0.05;
+  weight.fadeOutSeconds = 0.05;
+  const Rekeyed rekeyed = keyed(moving, softMotion(moving, {}, {weight}));
   REQUIRE_FALSE(rekeyed.keys.tracks.empty());
   for (const Track& track : rekeyed.keys.tracks) {
     const Track* const source = sourceTrack(moving.clip, track.node, track.channel);
@@ -145,9 +145,9 @@ TEST_CASE("flesh over a whole clip of stepped keys has no key before the clip be
   }
   moving.clip.startSeconds = 0.125;
   moving.clip.endSeconds = 1.125;
-  LimbFlesh flesh = softLimb(moving, "left-leg", standing);
-  flesh.startSeconds = 0.0;
-  for (const Track& track : keyed(moving, softMotion(moving, {}, {flesh})).keys.tracks) {
+  LimbWeight weight = softLimb(moving, "left-leg", standing);
+  weight.startSeconds = 0.0;
+  for (const Track& track : keyed(moving, softMotion(moving, {}, {weight})).keys.tracks) {
     CHECK(track.times.front() >= 0.0F);
   }
 }

@@ -1,4 +1,4 @@
-#include "app/weight/elastic.h"
+#include "app/weight/weight_motion.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,14 +13,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/batch/verb.h"
-#include "app/edits/elastic_edits.h"
 #include "app/edits/recipe_edits.h"
 #include "app/edits/trail_edits.h"
+#include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"
-#include "app/schema/elastic_description.h"
+#include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -53,10 +53,10 @@ Document opened(const std::string& path) {
   return std::move(document).value();
 }
 
-Document heavy(const ElasticSettings& settings = {}, const std::vector<std::string>& limbs = armsAndLegs) {
+Document heavy(const WeightSettings& settings = {}, const std::vector<std::string>& limbs = armsAndLegs) {
   Document document = opened(dummyPath);
   for (const std::string& limb : limbs) {
-    Result<Document> changed = setElastic(document, {limb, 0, true, settings});
+    Result<Document> changed = setWeight(document, {limb, 0, true, settings});
     REQUIRE(changed.ok());
     document = *changed;
   }
@@ -113,7 +113,7 @@ TEST_CASE("a file saved with weight plays as the editor shows it, and opens as i
   CHECK(worstDifference(opened(folder.file("clean.glb")), document) < 1e-4);
   REQUIRE(saveDocument(document, folder.file("work.glb"), {}));
   const Document again = opened(folder.file("work.glb"));
-  CHECK(again.elastic == document.elastic);
+  CHECK(again.weights == document.weights);
   CHECK(worstDifference(again, document) < 1e-6);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("weight that is taken away again gives the source back, after saving a
   REQUIRE(saveDocument(heavy(), folder.file("heavy.glb"), {}));
   Document again = opened(folder.file("heavy.glb"));
   for (const std::string& limb : armsAndLegs) {
-    again = removeElastic(again, limb, 0);
+    again = removeWeight(again, limb, 0);
   }
   CHECK(worstDifference(again, opened(dummyPath)) < 1e-9);
   REQUIRE(saveDocument(again, folder.file("light.glb"), {.clean = true}));
@@ -130,10 +130,10 @@ TEST_CASE("weight that is taken away again gives the source back, after saving a
 }
 
 TEST_CASE("with amount zero, or off, nothing moves at all") {
-  ElasticSettings none;
+  WeightSettings none;
   none.amount = 0.0;
   CHECK(worstDifference(heavy(none), opened(dummyPath)) == 0.0);
-  const Result<Document> off = switchElastic(heavy(), armsAndLegs, 0, false);
+  const Result<Document> off = switchWeight(heavy(), armsAndLegs, 0, false);
   REQUIRE(off.ok());
   CHECK(worstDifference(*off, opened(dummyPath)) == 0.0);
 }
@@ -155,9 +155,9 @@ TEST_CASE("a standing pose sags by a percent or two, its feet stay on the ground
 
 TEST_CASE("a punch stretches the arm visibly, and stiffness holds it back") {
   const auto longest = [](double stiffness) {
-    ElasticSettings settings;
+    WeightSettings settings;
     settings.stiffness = stiffness;
-    return elasticReports(heavy(settings, {"right-arm"}), 0).front().longest;
+    return weightReports(heavy(settings, {"right-arm"}), 0).front().longest;
   };
   CHECK(longest(1.0) > 1.05);
   CHECK(longest(1.0) < 1.6);
@@ -179,8 +179,8 @@ TEST_CASE("the unit of the file does not matter") {
   hundredths.scene = std::make_shared<const Scene>(scene);
   hundredths.biped = rig::detectBiped(scene);
   REQUIRE(hundredths.biped.height == Approx(100.0 * metres.biped.height));
-  const std::vector<ElasticReport> one = elasticReports(metres, 0);
-  const std::vector<ElasticReport> other = elasticReports(hundredths, 0);
+  const std::vector<WeightReport> one = weightReports(metres, 0);
+  const std::vector<WeightReport> other = weightReports(hundredths, 0);
   REQUIRE(one.size() == other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     CHECK(other[i].youngModulus == Approx(one[i].youngModulus));
@@ -190,7 +190,7 @@ TEST_CASE("the unit of the file does not matter") {
 }
 
 TEST_CASE("a range changes nothing outside and begins and ends without a jump") {
-  ElasticSettings settings;
+  WeightSettings settings;
   settings.rangeFrames = Vec2(15.0, 35.0);
   const Document document = heavy(settings);
   const rig::MotionState motion = prepareMotion(document, 0);
@@ -203,16 +203,16 @@ TEST_CASE("a range changes nothing outside and begins and ends without a jump") 
 }
 
 TEST_CASE("a model that is too soft says at which frame it no longer holds") {
-  ElasticSettings jelly;
+  WeightSettings jelly;
   jelly.youngModulus = 1000.0;
-  const std::vector<ElasticReport> reports = elasticReports(heavy(jelly, {"left-arm"}), 0);
+  const std::vector<WeightReport> reports = weightReports(heavy(jelly, {"left-arm"}), 0);
   REQUIRE(reports.size() == 1);
   REQUIRE_FALSE(reports.front().warnings.empty());
   CHECK_THAT(reports.front().warnings.front(), Catch::Contains("frame"));
 }
 
 TEST_CASE("recipes hold weight and give it to another document") {
-  ElasticSettings settings;
+  WeightSettings settings;
   settings.stiffness = 0.5;
   settings.youngModulus = 2e5;
   settings.gravity = Vec3(0.0, -1.62, 0.0);
@@ -224,7 +224,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
   REQUIRE(recipe.ok());
   const Result<Document> taken = withRecipe(plain, *recipe);
   REQUIRE(taken.ok());
-  CHECK(taken->elastic == document.elastic);
+  CHECK(taken->weights == document.weights);
   gltf::Json wrong = recipeToJson(document, 0);
   wrong["elastic"][0]["stifness"] = 2.0;
   const Result<Recipe> refused = recipeFromJson(wrong, plain);
@@ -235,34 +235,34 @@ TEST_CASE("recipes hold weight and give it to another document") {
 TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
   History history(opened(dummyPath));
   const Document start = history.current();
-  history.push(*switchElastic(start, {"left-arm"}, 0, true), "Weight");
-  CHECK(history.current().elastic.size() == 1);
+  history.push(*switchWeight(start, {"left-arm"}, 0, true), "Weight");
+  CHECK(history.current().weights.size() == 1);
   history.undo();
   CHECK(sameDocument(history.current(), start));
   history.redo();
-  CHECK(history.current().elastic.front().on);
-  CHECK_FALSE(setElastic(start, {"tail", 0, true, {}}));
-  CHECK_FALSE(setElastic(start, {"left-arm", 7, true, {}}));
-  ElasticSettings wrong;
+  CHECK(history.current().weights.front().on);
+  CHECK_FALSE(setWeight(start, {"tail", 0, true, {}}));
+  CHECK_FALSE(setWeight(start, {"left-arm", 7, true, {}}));
+  WeightSettings wrong;
   wrong.amount = 1.5;
-  CHECK_FALSE(setElastic(start, {"left-arm", 0, true, wrong}));
+  CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
   wrong = {};
   wrong.rangeFrames = Vec2(9.0, 9.0);
-  CHECK_FALSE(setElastic(start, {"left-arm", 0, true, wrong}));
+  CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
 }
 
 TEST_CASE("every setting of weight goes through text and JSON") {
-  for (const ElasticSetting& setting : elasticSettings()) {
+  for (const WeightSetting& setting : weightSettings()) {
     INFO(setting.name);
-    const std::string text = setting.kind == ElasticKind::vector ? "1,-2.5,0" : "1";
-    const Result<gltf::Json> value = parseElasticText(setting, text);
+    const std::string text = setting.kind == WeightSettingKind::vector ? "1,-2.5,0" : "1";
+    const Result<gltf::Json> value = parseWeightText(setting, text);
     REQUIRE(value.ok());
-    ElasticSettings settings;
-    REQUIRE(setElasticSetting(setting, *value, settings));
+    WeightSettings settings;
+    REQUIRE(setWeightSetting(setting, *value, settings));
     CHECK(setting.read(settings) == *value);
-    CHECK_FALSE(setElasticSetting(setting, "much", settings));
-    ElasticSettings read;
-    REQUIRE(elasticFromJson(elasticToJson(settings), {}, read));
+    CHECK_FALSE(setWeightSetting(setting, "much", settings));
+    WeightSettings read;
+    REQUIRE(weightFromJson(weightToJson(settings), {}, read));
     CHECK(read == settings);
   }
 }
@@ -275,8 +275,8 @@ TEST_CASE("the verb elastic writes a file that check accepts, the same bytes eac
   REQUIRE(run({"elastic", dummyPath, "-o", second.c_str(), "--stiffness", "0.7"}) == 0);
   CHECK(bytesOf(first) == bytesOf(second));
   CHECK(run({"check", first.c_str()}) == 0);
-  CHECK(opened(first).elastic.size() == 4);
-  CHECK(opened(first).elastic.front().settings.stiffness == 0.7);
+  CHECK(opened(first).weights.size() == 4);
+  CHECK(opened(first).weights.front().settings.stiffness == 0.7);
   const std::string translated = folder.file("c.glb");
   REQUIRE(run({"elastic", dummyPath, "-o", translated.c_str(), "--limb", "left-arm", "--range", "20:30",
                "--keep-skeleton", "--clean"}) == 0);

@@ -1,4 +1,4 @@
-#include "app/schema/elastic_description.h"
+#include "app/schema/weight_description.h"
 
 #include <algorithm>
 
@@ -14,16 +14,16 @@ namespace stretch::app {
 namespace {
 
 using gltf::Json;
-using S = ElasticSettings;
+using S = WeightSettings;
 
 constexpr double softestModulus = 1.0;
 constexpr double hardestModulus = 1e12;
 
-ElasticSetting number(std::string name, double minimum, double maximum, std::string unit, std::string help,
-                      double S::*member) {
+WeightSetting number(std::string name, double minimum, double maximum, std::string unit, std::string help,
+                     double S::*member) {
   return {name,
           "--" + name,
-          ElasticKind::number,
+          WeightSettingKind::number,
           minimum,
           maximum,
           std::move(unit),
@@ -32,11 +32,11 @@ ElasticSetting number(std::string name, double minimum, double maximum, std::str
           [member](const Json& v, S& s) { s.*member = v.get<double>(); }};
 }
 
-ElasticSetting young() {
+WeightSetting young() {
   return {
       "young",
       "--young",
-      ElasticKind::optionalNumber,
+      WeightSettingKind::optionalNumber,
       softestModulus,
       hardestModulus,
       "Pa",
@@ -48,10 +48,10 @@ ElasticSetting young() {
       }};
 }
 
-ElasticSetting gravity() {
+WeightSetting gravity() {
   return {"gravity",
           "--gravity",
-          ElasticKind::vector,
+          WeightSettingKind::vector,
           -1000.0,
           1000.0,
           "m/s^2",
@@ -62,7 +62,7 @@ ElasticSetting gravity() {
           }};
 }
 
-std::vector<ElasticSetting> elasticTable() {
+std::vector<WeightSetting> weightTable() {
   return {
       number("amount", 0.0, 1.0, "", "Share of the effect that is shown; 0 is the clip as it was.",
              &S::amount),
@@ -78,18 +78,18 @@ std::vector<ElasticSetting> elasticTable() {
   };
 }
 
-bool isNumberWithin(const Json& value, const ElasticSetting& setting) {
+bool isNumberWithin(const Json& value, const WeightSetting& setting) {
   return value.is_number() && value.get<double>() >= setting.minimum &&
          value.get<double>() <= setting.maximum;
 }
 
-bool isValid(const ElasticSetting& setting, const Json& value) {
+bool isValid(const WeightSetting& setting, const Json& value) {
   switch (setting.kind) {
-  case ElasticKind::number:
+  case WeightSettingKind::number:
     return isNumberWithin(value, setting);
-  case ElasticKind::optionalNumber:
+  case WeightSettingKind::optionalNumber:
     return value.is_null() || isNumberWithin(value, setting);
-  case ElasticKind::vector:
+  case WeightSettingKind::vector:
     return value.is_array() && value.size() == 3 &&
            std::all_of(value.begin(), value.end(), [&](const Json& v) { return isNumberWithin(v, setting); });
   }
@@ -123,23 +123,23 @@ Status readEntry(const std::string& key, const Json& value, S& settings) {
   if (key == "moduli") {
     return readModuli(value, settings);
   }
-  const auto known = std::find_if(elasticSettings().begin(), elasticSettings().end(),
-                                  [&](const ElasticSetting& setting) { return setting.name == key; });
-  return known != elasticSettings().end()
-             ? setElasticSetting(*known, value, settings)
+  const auto known = std::find_if(weightSettings().begin(), weightSettings().end(),
+                                  [&](const WeightSetting& setting) { return setting.name == key; });
+  return known != weightSettings().end()
+             ? setWeightSetting(*known, value, settings)
              : Status(Error{"is no setting of a limb's weight", key, "remove it, or correct its name"});
 }
 
 } // namespace
 
-const std::vector<ElasticSetting>& elasticSettings() {
-  static const std::vector<ElasticSetting> table = elasticTable();
+const std::vector<WeightSetting>& weightSettings() {
+  static const std::vector<WeightSetting> table = weightTable();
   return table;
 }
 
-Status setElasticSetting(const ElasticSetting& setting, const Json& value, S& settings) {
+Status setWeightSetting(const WeightSetting& setting, const Json& value, S& settings) {
   if (!isValid(setting, value)) {
-    const std::string what = setting.kind == ElasticKind::vector ? "three numbers" : "a number";
+    const std::string what = setting.kind == WeightSettingKind::vector ? "three numbers" : "a number";
     return Error{fmt::format("{} is not a value of it", value.dump()), setting.name,
                  fmt::format("give {} from {:g} to {:g}", what, setting.minimum, setting.maximum)};
   }
@@ -147,8 +147,8 @@ Status setElasticSetting(const ElasticSetting& setting, const Json& value, S& se
   return Success{};
 }
 
-Result<Json> parseElasticText(const ElasticSetting& setting, const std::string& text) {
-  if (setting.kind == ElasticKind::vector) {
+Result<Json> parseWeightText(const WeightSetting& setting, const std::string& text) {
+  if (setting.kind == WeightSettingKind::vector) {
     const Result<Vec3> vector = parseVector(text, setting.option);
     return vector ? Result<Json>(vectorToJson(*vector)) : Result<Json>(vector.error());
   }
@@ -156,9 +156,9 @@ Result<Json> parseElasticText(const ElasticSetting& setting, const std::string& 
   return value ? Result<Json>(Json(*value)) : Result<Json>(value.error());
 }
 
-Json elasticToJson(const S& settings) {
+Json weightToJson(const S& settings) {
   Json json;
-  for (const ElasticSetting& setting : elasticSettings()) {
+  for (const WeightSetting& setting : weightSettings()) {
     json[setting.name] = setting.read(settings);
   }
   if (settings.rangeFrames) {
@@ -170,7 +170,7 @@ Json elasticToJson(const S& settings) {
   return json;
 }
 
-Status elasticFromJson(const Json& json, const std::vector<std::string>& allowed, S& settings) {
+Status weightFromJson(const Json& json, const std::vector<std::string>& allowed, S& settings) {
   if (!json.is_object()) {
     return Error{json.dump() + " is no set of settings", "elastic", "give an object"};
   }

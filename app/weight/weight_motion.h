@@ -13,7 +13,7 @@
 namespace stretch::app {
 
 /// What the weight of one limb came to.
-struct ElasticReport {
+struct WeightReport {
   std::string limb;
   double youngModulus = 0.0;  ///< Pa, as used: given or chosen.
   std::vector<double> widths; ///< One a bone, metres of a character of characterHeightMetres.
@@ -36,21 +36,21 @@ private:
   std::map<std::string, LimbSize> sizes_;
 };
 
-struct ElasticMotion {
-  std::vector<rig::LimbFlesh> flesh;
-  std::vector<ElasticReport> reports; ///< In the order of Document::elastic.
+struct WeightMotion {
+  std::vector<rig::LimbWeight> weights;
+  std::vector<WeightReport> reports; ///< In the order of Document::weights.
 };
 
 /// How the limbs of a clip that have weight give way (skinning::limbElasticity): legs that stand share the
 /// body above them, a clip that loops is in the swing of its loop from the start, and a range inside the clip
 /// fades in and out.
-[[nodiscard]] ElasticMotion elasticMotion(const Document& document, const SampledClip& sampled, int clip,
-                                          LimbSizes& sizes);
+[[nodiscard]] WeightMotion weightMotion(const Document& document, const SampledClip& sampled, int clip,
+                                        LimbSizes& sizes);
 
 /// Whether any limb of the clip has weight that is on.
-[[nodiscard]] bool hasElastic(const Document& document, int clip);
+[[nodiscard]] bool hasWeight(const Document& document, int clip);
 
 /// Null when the limb has none in the clip.
-[[nodiscard]] const ElasticLimb* findElastic(const Document& document, const std::string& limb, int clip);
+[[nodiscard]] const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip);
 
 } // namespace stretch::app

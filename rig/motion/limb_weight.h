@@ -11,7 +11,7 @@
 namespace stretch::rig {
 
 /// What gives way in a limb at one time.
-struct FleshSample {
+struct WeightSample {
   double timeSeconds = 0.0;
   /// One a bone: K - I in the space of the bone's joint, symmetric; zero where nothing gives way. What it
   /// does across the bone need not be the same in all directions.
@@ -20,30 +20,30 @@ struct FleshSample {
 };
 
 /// How the flesh of one limb gives way over a clip: linear between the samples, held before and after them.
-struct LimbFlesh {
-  std::string limb;                 ///< Limb::id.
-  std::vector<FleshSample> samples; ///< Ascending in time.
-  double startSeconds = 0.0;        ///< Outside of the range nothing happens.
+struct LimbWeight {
+  std::string limb;                  ///< Limb::id.
+  std::vector<WeightSample> samples; ///< Ascending in time.
+  double startSeconds = 0.0;         ///< Outside of the range nothing happens.
   double endSeconds = 0.0;
   double fadeInSeconds = 0.0; ///< Inside the range, at its start and at its end.
   double fadeOutSeconds = 0.0;
 };
 
 /// The flesh of a limb, ready for evaluation. Without samples: a leg that only keeps its foot in place.
-struct SolvedFlesh {
-  LimbFlesh flesh;
+struct SolvedWeight {
+  LimbWeight weight;
   Limb limb;
   LimbTopology topology;
 };
 
 /// The flesh at one time, its fades applied; no strains where nothing happens.
-[[nodiscard]] FleshSample fleshAt(const LimbFlesh& flesh, double timeSeconds);
+[[nodiscard]] WeightSample weightAt(const LimbWeight& weight, double timeSeconds);
 
 /// Lets the limbs of a frame, its trails applied, give way. Each bone is stretched by its K (on top of a
 /// trail's: both have the bone as an axis), what hangs on it moves with it, hands and feet keep orientation
 /// and size. A leg that stands keeps its foot where it was: the hips go up or down along +Y by what the
 /// standing legs lost on average, and each leg is turned and scaled as a whole onto its foot; a leg in the
 /// air does not follow the hips either. Zero strains change nothing at all.
-void applyFlesh(const Scene& scene, const std::vector<SolvedFlesh>& flesh, int hips, FrameState& frame);
+void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, int hips, FrameState& frame);
 
 } // namespace stretch::rig
