@@ -47,7 +47,7 @@ struct Clip {
 /// some tracks, do not double it. 30 when keys say nothing.
 [[nodiscard]] double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks);
 
-/// Number of frames of a clip: the last key's time in frames, rounded, plus 1 (`commands.md`, info).
+/// Number of frames of a clip: the last key's time in frames, rounded, plus 1.
 [[nodiscard]] int frameCount(const Clip& clip);
 
 } // namespace stretch
