@@ -42,7 +42,7 @@ struct SolvedTrail {
   std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
 };
 
-/// All trails of a clip, from the root outwards (hips and spine, then neck and arms, legs).
+/// All trails of a clip, in the order in which they act: from the root outwards (order.h).
 struct MotionState {
   int clip = -1;
   double framesPerSecond = 30.0;
