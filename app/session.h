@@ -20,7 +20,7 @@ struct ViewState {
   int selectedTrail = 0;                  ///< Trail id; 0 none.
   std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
   double rangeStart = 0.0;                ///< The working range, for new trails.
-  double rangeEnd = -1.0;                 ///< < rangeStart: the default range of section "Words".
+  double rangeEnd = -1.0;                 ///< < rangeStart: the default range (docs/exaggeration.md, Words).
   bool showOriginal = false;              ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
@@ -60,7 +60,7 @@ public:
   [[nodiscard]] const rig::MotionState& motion();
   /// The same, kept alive: another one is there as soon as anything about the trails is different.
   [[nodiscard]] std::shared_ptr<const rig::MotionState> sharedMotion();
-  /// The paths of these trails, one a trail of motion(). The document has clips.
+  /// The paths of these trails, one for each trail of motion(). The document has clips.
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
 
   /// What the limbs of the viewed clip that have weight come to.

@@ -8,11 +8,7 @@
 
 namespace stretch::gltf {
 
-namespace {
-
-// everywhere
-
-} // namespace
+namespace {} // namespace
 
 const Json* find(const Json& object, std::string_view key) {
   if (!object.is_object()) {

@@ -82,7 +82,7 @@ Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std:
          point(piece + 1) * (3 * t2 - 2 * t3) + slope(piece + 1) * (h * (t3 - t2));
 }
 
-// Index of the extreme of each coordinate, relative to the base, that turns inside the range.
+// Indices of both ends and of the extremes of each coordinate.
 std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
   std::vector<std::size_t> found{0, samples.size() - 1};
   for (int axis = 0; axis < 3; ++axis) {
@@ -266,7 +266,7 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, 
 bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
                     double framesPerSecond) {
   const double frames = std::max(1.0, (endSeconds - startSeconds) * framesPerSecond);
-  constexpr double densest = 0.6; // keys a frame; hand-keyed clips stay below one key in two frames
+  constexpr double densest = 0.6; // keys per frame; hand-keyed clips stay below one key in two frames
   return static_cast<double>(keyTimes.size()) - 1.0 > densest * frames && keyTimes.size() > 4;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks one rule of the house over the sources.
 
-    lint.py RULE [ROOT]     exit 0: kept, 1: broken (one line a finding), 77: cannot be checked here
+    lint.py RULE [ROOT]     exit 0: kept, 1: broken (one line for each finding), 77: cannot be checked here
     lint.py --list          names of the rules
 """
 
@@ -11,6 +11,7 @@ import sys
 import format_rule
 import function_rule
 import include_rules
+import pointer_rules
 import text_rules
 
 RULES = {
@@ -22,6 +23,7 @@ RULES = {
     "function-size": function_rule.function_size,
     "open-ends": text_rules.open_ends,
     "machine-paths": text_rules.machine_paths,
+    "pointers": pointer_rules.pointers,
     "pragma-once": text_rules.pragma_once,
     "clocks-and-chance": text_rules.clocks_and_chance,
     "formatting": format_rule.formatting,

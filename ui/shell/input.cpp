@@ -132,7 +132,7 @@ void receiveKey(InputQueue& queue, GLFWwindow* window, int key, int scancode, in
   queue.anything = true;
   const auto& pressed = queue.pressedKeys;
   // The widgets would take Tab and others for themselves while no text field is open.
-  if (false && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {
+  if (action == GLFW_RELEASE && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {
     queue.lateReleases.push_back(key);
   } else if (queue.guiTakesKeys || isModifier(key) || action == GLFW_RELEASE) {
     ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);

@@ -96,7 +96,7 @@ void saveModuli(Shell& shell, const std::filesystem::path& path) {
 }
 
 std::string resultText(const app::SequenceDocument& document) {
-  return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes a frame",
+  return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes per frame",
                      document.result->compressed.metrics.rmsePercent, app::exported(document).bytesPerFrame);
 }
 
@@ -187,7 +187,8 @@ std::vector<app::Command<Shell>> sequenceCommands() {
 const std::vector<SequenceMeaning>& sequenceMeanings() {
   static const std::vector<SequenceMeaning> meanings{
       {command::timeStart, alwaysEnabled, [](Shell& shell) { return goTo(shell, 0.0); }},
-      {command::timeEnd, alwaysEnabled, [](Shell& shell) { return goTo(shell, app::lastFrame(*shell.sequence)); }},
+      {command::timeEnd, alwaysEnabled,
+       [](Shell& shell) { return goTo(shell, app::lastFrame(*shell.sequence)); }},
       {command::timeBack, alwaysEnabled,
        [](Shell& shell) { return goTo(shell, std::ceil(shell.sequence->view.frame) - 1.0); }},
       {command::timeForward, alwaysEnabled,
