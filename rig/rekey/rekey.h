@@ -22,7 +22,7 @@ struct StretchKeys {
   int node = -1;
   std::vector<float> times; ///< Seconds, strictly increasing.
   std::vector<Quat> axes; ///< A: turns the x axis onto the bone. One entry when the axes are fixed, else one
-                          ///< a key.
+                          ///< for each key.
   std::vector<Vec3> scales; ///< One for each key; of a trail alone (s, q, q).
 
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }

@@ -60,7 +60,7 @@ struct TipSolution {
 
 /// Ratio of each sample (docs/exaggeration.md, The path and its ratio): length of the path from the pivot's
 /// end over the whole, 0 at the pivot and 1 at the tip; the fraction of time for a path of no length.
-/// `timesSeconds` increases and has one entry a point.
+/// `timesSeconds` increases and has one entry for each point.
 [[nodiscard]] std::vector<double> pathRatios(const std::vector<Vec3>& points,
                                              const std::vector<double>& timesSeconds, Pivot pivot);
 
