@@ -90,7 +90,7 @@ TEST_CASE("Work comes back as it was saved") {
 
 TEST_CASE("Nothing about a trail is lost on the way into a file and back") {
   Document document = trailed();
-  rig::Trail& trail = document.trails.front();
+  rig::Trail& trail = document.trails.back();
   trail.follow = false;
   trail.pinned = true;
   trail.visible = false;
