@@ -73,9 +73,10 @@ void recordHandles(const Shell& shell, PanelContext& context) {
 void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& frame) {
   const LimbBones bones = limbBones(shell.session->document(), frame);
   const float reach = context.theme.px(6.0F);
-  for (const BoneSegment& bone : bones.bones) {
+  for (std::size_t i = 0; i < bones.bones.size(); ++i) {
+    const BoneSegment& bone = bones.bones[i];
     if (const auto place = placeOf(shell.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
-      context.items.add("viewport/limb/" + bones.limbIds[static_cast<std::size_t>(bone.node)],
+      context.items.add("viewport/limb/" + bones.limbOf[i],
                         {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
     }
   }
@@ -114,8 +115,8 @@ void drawJointNames(const Shell& shell, PanelContext& context, const FrameState&
     return;
   }
   const Scene& scene = *shell.session->document().scene;
-  for (const int joint : jointsOf(scene)) {
-    const auto index = static_cast<std::size_t>(joint);
+  for (const NodeIndex joint : jointsOf(scene)) {
+    const auto index = at(joint);
     if (const auto place = placeOf(shell.viewport, positionOf(frame.worlds[index]))) {
       label(context, {place->x + context.theme.px(6.0F), place->y - context.theme.px(8.0F)},
             scene.nodes[index].name, context.theme.colours.quietText);

@@ -224,7 +224,7 @@ void hoverLimbs(Shell& shell) {
   const LimbBones bones =
       limbBones(shell.session->document(), shell.session->frameAt(shell.session->view().frame));
   if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
-    viewport.hoveredLimb = bones.limbIds[static_cast<std::size_t>(*hit)];
+    viewport.hoveredLimb = bones.limbOf[*hit];
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "rig/motion/limb_topology.h"
 #include "app/edits/mirror_edits.h"
 #include "ui/render/handle_drawing.h"
 #include "ui/render/skeleton_drawing.h"
@@ -36,12 +37,6 @@ ShownTrail showTrail(const rig::SolvedTrail& solved, const app::TrailPaths& path
         {spheres.frames[i], shown.exaggerated ? spheres.exaggerated[i] : spheres.original[i]});
   }
   return shown;
-}
-
-std::vector<rig::Limb> allLimbs(const app::Document& document) {
-  std::vector<rig::Limb> limbs = document.biped.limbs;
-  limbs.insert(limbs.end(), document.chains.begin(), document.chains.end());
-  return limbs;
 }
 
 /// The paths, and where the playhead is on them.
@@ -172,22 +167,15 @@ std::optional<AxisHandles> handlesOf(const app::Session& session, const ShownTra
 
 LimbBones limbBones(const app::Document& document, const FrameState& frame) {
   LimbBones result;
-  for (const rig::Limb& limb : allLimbs(document)) {
-    const int index = static_cast<int>(result.limbIds.size());
-    result.limbIds.push_back(limb.id);
-    const auto place = [&](int node) { return positionOf(frame.worlds[static_cast<std::size_t>(node)]); };
-    for (std::size_t i = 0; i + 1 < limb.joints.size(); ++i) {
-      result.bones.push_back({index, place(limb.joints[i]), place(limb.joints[i + 1])});
-    }
+  for (const rig::Limb& limb : app::allLimbs(document)) {
     if (limb.joints.empty()) {
       continue;
     }
-    const Vec3 last = place(limb.joints.back());
-    const Vec3 end =
-        limb.endNode >= 0
-            ? place(limb.endNode)
-            : transformPoint(frame.worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
-    result.bones.push_back({index, last, end});
+    const std::vector<Vec3> points = rig::limbPoints(limb, frame);
+    for (std::size_t i = 0; i < limb.joints.size(); ++i) {
+      result.bones.push_back({limb.joints[i], points[i], points[i + 1]});
+      result.limbOf.push_back(limb.id);
+    }
   }
   return result;
 }
@@ -197,8 +185,8 @@ std::vector<float> highlightOf(const app::Session& session, const std::string& h
   std::vector<float> highlight(document.scene->nodes.size(), 0.0F);
   const auto mark = [&](const std::string& limbId, float amount) {
     const rig::Limb* limb = app::findLimb(document, limbId);
-    for (const int joint : limb == nullptr ? std::vector<int>{} : limb->joints) {
-      float& value = highlight[static_cast<std::size_t>(joint)];
+    for (const NodeIndex joint : limb == nullptr ? std::vector<NodeIndex>{} : limb->joints) {
+      float& value = highlight[at(joint)];
       value = std::max(value, amount);
     }
   };
@@ -255,11 +243,10 @@ Box selectionBox(app::Session& session, const ShownTrails& shown) {
   const FrameState& frame = session.frameAt(session.view().frame);
   const LimbBones bones = limbBones(document, frame);
   const auto& limbs = session.view().selectedLimbs;
-  for (const BoneSegment& bone : bones.bones) {
-    const std::string& id = bones.limbIds[static_cast<std::size_t>(bone.node)];
-    if (std::find(limbs.begin(), limbs.end(), id) != limbs.end()) {
-      box.add(bone.fromWorld);
-      box.add(bone.toWorld);
+  for (std::size_t i = 0; i < bones.bones.size(); ++i) {
+    if (std::find(limbs.begin(), limbs.end(), bones.limbOf[i]) != limbs.end()) {
+      box.add(bones.bones[i].fromWorld);
+      box.add(bones.bones[i].toWorld);
     }
   }
   if (const ShownTrail* trail = findShown(shown, session.view().selectedTrail)) {

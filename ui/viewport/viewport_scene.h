@@ -32,10 +32,10 @@ void updateShownTrails(app::Session& session, ShownTrails& shown);
 /// Axis handles at the last selected sphere; nothing when none is selected.
 [[nodiscard]] std::optional<AxisHandles> handlesOf(const app::Session& session, const ShownTrails& shown);
 
-/// Bones of every limb, each with the limb's index in `limbIds`.
+/// Bones of every limb.
 struct LimbBones {
-  std::vector<std::string> limbIds;
-  std::vector<BoneSegment> bones; ///< `node` is the index into limbIds.
+  std::vector<BoneSegment> bones;
+  std::vector<std::string> limbOf; ///< Id of the limb of each bone.
 };
 [[nodiscard]] LimbBones limbBones(const app::Document& document, const FrameState& frame);
 
