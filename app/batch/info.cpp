@@ -39,8 +39,7 @@ Json limbJson(const Scene& scene, const rig::Limb& limb) {
   if (limb.endNode.exists()) {
     joints.push_back(jointJson(scene, limb.endNode));
   }
-  const std::string end =
-      limb.endNode.exists() ? scene.nodes[at(limb.endNode)].name : "estimated";
+  const std::string end = limb.endNode.exists() ? scene.nodes[at(limb.endNode)].name : "estimated";
   return {{"limb", limb.id},
           {"joints", joints},
           {"end", end},

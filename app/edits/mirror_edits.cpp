@@ -35,8 +35,7 @@ std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const s
     const rig::Limb* a = limbOfKind(document, left);
     const rig::Limb* b = limbOfKind(document, right);
     if (a != nullptr && b != nullptr && !a->joints.empty() && !b->joints.empty()) {
-      return std::pair(positionOf(worlds[at(a->joints.front())]),
-                       positionOf(worlds[at(b->joints.front())]));
+      return std::pair(positionOf(worlds[at(a->joints.front())]), positionOf(worlds[at(b->joints.front())]));
     }
   }
   return std::nullopt;

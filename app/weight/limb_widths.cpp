@@ -74,12 +74,13 @@ private:
   [[nodiscard]] int boneOfVertex(NodeIndex node, const Primitive& primitive, std::uint32_t vertex) const {
     const int skin = scene_.nodes[at(node)].skin;
     const NodeIndex joint = skin >= 0 && !primitive.influences.empty()
-                          ? strongestJoint(scene_.skins[at(skin)], primitive.influences[vertex])
-                          : node;
+                                ? strongestJoint(scene_.skins[at(skin)], primitive.influences[vertex])
+                                : node;
     return joint.exists() ? boneOfNode_[at(joint)] : -1;
   }
 
-  void add(NodeIndex node, const Primitive& primitive, const std::vector<Vec3>& positions, std::size_t first) {
+  void add(NodeIndex node, const Primitive& primitive, const std::vector<Vec3>& positions,
+           std::size_t first) {
     constexpr auto unused = static_cast<std::uint32_t>(-1);
     std::vector<std::uint32_t> renumbered(primitive.positions.size(), unused);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {

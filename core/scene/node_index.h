@@ -7,8 +7,8 @@
 
 namespace stretch {
 
-/// Which node of a scene: the index that its file gives it (names repeat). A type of its own, so that no clip,
-/// skin or place in another list is taken for a node.
+/// Which node of a scene: the index that its file gives it (names repeat). A type of its own, so that no
+/// clip, skin or place in another list is taken for a node.
 struct NodeIndex {
   int value = -1; ///< As files and messages count: from 0. -1: none.
 

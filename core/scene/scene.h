@@ -34,7 +34,7 @@ struct Node {
 
 struct Skin {
   std::string name;
-  std::vector<NodeIndex> joints;       ///< Node indices.
+  std::vector<NodeIndex> joints; ///< Node indices.
   std::vector<Mat4> inverseBind; ///< One for each joint: bind-pose model space to joint space. Identity where
                                  ///< the file has none.
 };
@@ -101,7 +101,7 @@ struct Material {
 struct BindChain {
   NodeIndex joint;
   NodeIndex leaf;
-  NodeIndex endLeaf;                  ///< -1: none.
+  NodeIndex endLeaf;                 ///< -1: none.
   Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Of the chain at rest: joint space from the last leaf's.
 
   [[nodiscard]] NodeIndex lastLeaf() const { return endLeaf.exists() ? endLeaf : leaf; }

@@ -39,10 +39,10 @@ bool isInvertible(const Mat4& matrix) {
 
 struct Placer {
   const Scene& scene;
-  std::vector<NodeIndex> order;   // nodes, parents first
-  std::vector<int> depth;   // per node
-  std::vector<Mat4> locals; // rest, per node
-  Binds bound;              // world bind matrix of the joints placed so far, per node
+  std::vector<NodeIndex> order; // nodes, parents first
+  std::vector<int> depth;       // per node
+  std::vector<Mat4> locals;     // rest, per node
+  Binds bound;                  // world bind matrix of the joints placed so far, per node
 
   explicit Placer(const Scene& source)
       : scene(source), order(parentsFirst(source)), depth(source.nodes.size(), 0),
@@ -91,8 +91,7 @@ void dropFalseIdentities(const Placer& placer, Binds& binds) {
     while (parent.exists() && !binds[at(parent)]) {
       parent = placer.scene.nodes[at(parent)].parent;
     }
-    if (bind && parent.exists() && isNearIdentity(*bind) &&
-        !isNearIdentity(*binds[at(parent)])) {
+    if (bind && parent.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(parent)])) {
       bind.reset();
     }
   }
@@ -165,8 +164,8 @@ BindPose placeBindPose(const Scene& scene) {
     const auto index = at(node);
     const NodeIndex parent = scene.nodes[index].parent;
     pose.worlds[index] = placer.bound[index] ? *placer.bound[index]
-                         : !parent.exists()        ? placer.locals[index]
-                                      : pose.worlds[at(parent)] * placer.locals[index];
+                         : !parent.exists()  ? placer.locals[index]
+                                             : pose.worlds[at(parent)] * placer.locals[index];
   }
   return pose;
 }

@@ -182,10 +182,8 @@ private:
       auto& points = view_.points[static_cast<std::size_t>(owner)];
       const auto& cloud = clouds_[at(node)];
       points.insert(points.end(), cloud.begin(), cloud.end());
-      if (possible_[at(node)] &&
-          view_.candidateOfNode[at(node)] < 0) {
-        view_.tips[static_cast<std::size_t>(owner)].push_back(
-            positionOf(bindPose_.worlds[at(node)]));
+      if (possible_[at(node)] && view_.candidateOfNode[at(node)] < 0) {
+        view_.tips[static_cast<std::size_t>(owner)].push_back(positionOf(bindPose_.worlds[at(node)]));
       }
     }
     gatherReach();

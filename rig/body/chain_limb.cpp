@@ -71,8 +71,7 @@ bool isJoint(const Scene& scene, NodeIndex node) {
 // what a joint is.
 std::vector<NodeIndex> jointsBetween(const Scene& scene, NodeIndex top, NodeIndex bottom) {
   std::vector<NodeIndex> joints;
-  for (NodeIndex node = scene.nodes[at(bottom)].parent; node != top;
-       node = scene.nodes[at(node)].parent) {
+  for (NodeIndex node = scene.nodes[at(bottom)].parent; node != top; node = scene.nodes[at(node)].parent) {
     if (scene.skins.empty() || isJoint(scene, node)) {
       joints.push_back(node);
     }

@@ -26,8 +26,8 @@ constexpr std::array tableLimbs = std::to_array<TableLimb>({
 
 NodeIndex nodeOf(const Scene& scene, const char* bone) {
   const auto found = scene.humanoid.find(bone);
-  const bool valid = found != scene.humanoid.end() && found->second.exists() &&
-                     at(found->second) < scene.nodes.size();
+  const bool valid =
+      found != scene.humanoid.end() && found->second.exists() && at(found->second) < scene.nodes.size();
   return valid ? found->second : NodeIndex::none;
 }
 

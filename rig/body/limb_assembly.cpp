@@ -201,8 +201,7 @@ Limb makeLimb(LimbKind kind, std::vector<NodeIndex> joints, const LimbEnd& end,
   limb.kind = kind;
   limb.id = limbName(kind);
   limb.endNode = end.node;
-  const Vec3 position =
-      end.node.exists() ? positionOf(bindWorlds[at(end.node)]) : end.position;
+  const Vec3 position = end.node.exists() ? positionOf(bindWorlds[at(end.node)]) : end.position;
   if (!end.node.exists()) {
     const Mat4& last = bindWorlds[at(joints.back())];
     limb.endOffset = transformPoint(glm::inverse(last), position);
@@ -228,8 +227,8 @@ std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const Bo
       if (guess == nullptr || !*guess) {
         continue;
       }
-      const LimbEnd end =
-          (*guess)->end >= 0 ? jointEnd(view, (*guess)->end) : LimbEnd{NodeIndex::none, (*guess)->endPosition};
+      const LimbEnd end = (*guess)->end >= 0 ? jointEnd(view, (*guess)->end)
+                                             : LimbEnd{NodeIndex::none, (*guess)->endPosition};
       limbs.push_back(
           makeLimb(kindOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
       limbs.back().confidence = confidenceOf(**guess, *pair, sides);

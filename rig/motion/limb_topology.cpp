@@ -75,9 +75,9 @@ bool liesAlong(const BoneLine& bone, const Vec3& point) {
   return fraction > -slack && fraction < 1.0 - slack && bone.distance(point) < nearness * bone.length();
 }
 
-void collectTwists(const Scene& scene, NodeIndex node, const BoneLine& bone, const std::vector<Mat4>& bindWorlds,
-                   const std::set<NodeIndex>& skinned, const std::set<NodeIndex>& othersJoints,
-                   std::vector<NodeIndex>& twists) {
+void collectTwists(const Scene& scene, NodeIndex node, const BoneLine& bone,
+                   const std::vector<Mat4>& bindWorlds, const std::set<NodeIndex>& skinned,
+                   const std::set<NodeIndex>& othersJoints, std::vector<NodeIndex>& twists) {
   if (skinned.count(node) == 0 || subtreeHolds(scene, node, othersJoints) ||
       !liesAlong(bone, positionOf(bindWorlds[at(node)]))) {
     return;
@@ -102,7 +102,7 @@ std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
 
 Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds) {
   return limb.endNode.exists() ? positionOf(worlds[at(limb.endNode)])
-                           : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
+                               : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
 }
 
 std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) {
@@ -139,7 +139,8 @@ LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vecto
   const std::set<NodeIndex> othersJoints = jointsOfOthers(limb, others);
   const std::set<NodeIndex> legs = isLeg(limb) ? std::set<NodeIndex>{} : legJoints(others);
   const std::vector<Vec3> points = limbPoints(limb, bindWorlds);
-  topology.endIsDescendant = !limb.endNode.exists() || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
+  topology.endIsDescendant =
+      !limb.endNode.exists() || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
     BoneTopology bone;
     bone.joint = limb.joints[i];

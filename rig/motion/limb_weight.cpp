@@ -143,7 +143,8 @@ WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
   return sample;
 }
 
-void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips, FrameState& frame) {
+void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
+                 FrameState& frame) {
   std::vector<Leg> legs;
   for (const SolvedWeight& solved : weights) {
     const WeightSample sample = weightAt(solved.weight, frame.timeSeconds);

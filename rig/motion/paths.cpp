@@ -26,7 +26,7 @@ std::vector<const SolvedTrail*> innerTrails(const Scene& scene, const MotionStat
 }
 
 std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<const SolvedTrail*>& inner,
-                         const std::vector<PathRequest>& requests) {
+                               const std::vector<PathRequest>& requests) {
   std::set<NodeIndex> nodes;
   const auto add = [&](const SolvedTrail& trail) {
     const std::vector<NodeIndex> touched = touchedNodes(trail.limb, trail.topology);

@@ -134,7 +134,8 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
 
 // Section 5: to the controller's next key on a sparsely keyed clip, else a third of the range; within the
 // clip unless it loops.
-double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved, const std::vector<NodeIndex>& nodes) {
+double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved,
+                        const std::vector<NodeIndex>& nodes) {
   const Clip& clip = *input.clip;
   const bool forwards = solved.settings.pivot == Pivot::start;
   const double room =

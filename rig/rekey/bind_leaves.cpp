@@ -18,7 +18,7 @@ struct Leaf {
   Quat axis{1.0, 0.0, 0.0, 0.0}; // A
   bool axisIsFixed = true;       // over all clips, and as the file has it
   bool turnsBack = false;        // has a second leaf
-  NodeIndex bindNode;             // index in the saved file
+  NodeIndex bindNode;            // index in the saved file
   NodeIndex endNode;
   const BindChain* made = nullptr; // of the file as it was opened
 };

@@ -38,8 +38,7 @@ std::vector<BindChain> chainsOf(const Scene& scene, const std::vector<NodeIndex>
 std::vector<NodeIndex> withAncestors(const Scene& scene, const std::vector<NodeIndex>& nodes) {
   std::set<NodeIndex> wanted;
   for (NodeIndex node : nodes) {
-    for (; node.exists() && wanted.insert(node).second;
-         node = scene.nodes[at(node)].parent) {
+    for (; node.exists() && wanted.insert(node).second; node = scene.nodes[at(node)].parent) {
     }
   }
   std::vector<NodeIndex> ordered;

@@ -61,7 +61,8 @@ struct LimbPath {
 };
 
 /// The limb in a frame of the source clip.
-[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips, const FrameState& source);
+[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips,
+                                    const FrameState& source);
 
 /// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends,
 /// ascending.

@@ -97,7 +97,8 @@ bool movesIn(const rig::MotionState& motion) {
                      [](const rig::SolvedTrail& trail) { return trail.active; });
 }
 
-std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, NodeIndex node, const Span& frames) {
+std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, NodeIndex node,
+                              const Span& frames) {
   app::Session& session = *context.session;
   const app::Document& document = session.document();
   const Clip& clip = app::clipOf(document, session.view().clip);

@@ -126,8 +126,8 @@ std::optional<PolylineHit> pickPolyline(const View& view, std::span<const Vec3> 
   return best;
 }
 
-std::optional<std::size_t> pickBone(const View& view, std::span<const BoneSegment> bones, const Vec2& mousePixels,
-                            double tolerancePoints) {
+std::optional<std::size_t> pickBone(const View& view, std::span<const BoneSegment> bones,
+                                    const Vec2& mousePixels, double tolerancePoints) {
   constexpr double equallyNearPoints = 3.0;
   const double scale = view.viewport.pixelsPerPoint;
   std::optional<std::size_t> best;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/scene/node_index.h"
 #include "ui/render/camera.h"
 
 namespace stretch::ui {
@@ -59,6 +60,6 @@ struct BoneSegment {
 /// Index into `bones` of the bone under the mouse: the nearest on the screen; of bones equally near (within 3
 /// points) the front one.
 [[nodiscard]] std::optional<std::size_t> pickBone(const View& view, std::span<const BoneSegment> bones,
-                                          const Vec2& mousePixels, double tolerancePoints = 14.0);
+                                                  const Vec2& mousePixels, double tolerancePoints = 14.0);
 
 } // namespace stretch::ui

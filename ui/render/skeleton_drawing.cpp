@@ -66,8 +66,7 @@ std::vector<BoneSegment> boneSegments(const Scene& scene, const FrameState& fram
       above = parentOf(scene, above);
     }
     if (above.exists()) {
-      bones.push_back({above, positionOf(frame.worlds[at(above)]),
-                       positionOf(frame.worlds[at(joint)])});
+      bones.push_back({above, positionOf(frame.worlds[at(above)]), positionOf(frame.worlds[at(joint)])});
     }
   }
   return bones;

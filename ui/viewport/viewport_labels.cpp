@@ -76,8 +76,8 @@ void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& fr
   for (std::size_t i = 0; i < bones.bones.size(); ++i) {
     const BoneSegment& bone = bones.bones[i];
     if (const auto place = placeOf(shell.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
-      context.items.add("viewport/limb/" + bones.limbOf[i],
-                        {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
+      context.items.add("viewport/limb/" + bones.limbOf[i], {place->x - reach, place->y - reach},
+                        {place->x + reach, place->y + reach});
     }
   }
 }

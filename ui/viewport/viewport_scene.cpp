@@ -8,8 +8,8 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
-#include "rig/motion/limb_topology.h"
 #include "app/edits/mirror_edits.h"
+#include "rig/motion/limb_topology.h"
 #include "ui/render/handle_drawing.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/trail_drawing.h"

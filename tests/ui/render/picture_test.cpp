@@ -79,8 +79,8 @@ TEST_CASE("Picture: stretch as colour, wires and a light background from the sid
   options.style.palette = lightPalette();
   FrameState frame = wavingFrame(scene);
   frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
-  frame.stretch[static_cast<std::size_t>(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
-  frame.stretch[static_cast<std::size_t>(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
+  frame.stretch[at(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
+  frame.stretch[at(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
   const auto image = renderFrame(scene, {frame, "", {}, {}, {}}, options);
   REQUIRE(image);
   const std::string difference = differenceFromBaseline("biped-stretch", *image);
@@ -101,15 +101,15 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
   style.characterHeight = 1.8;
   style.highlight.assign(scene.nodes.size(), 0.0F);
   const BipedNodes nodes;
-  for (const int node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
-    style.highlight[static_cast<std::size_t>(node)] = 1.0F;
+  for (const NodeIndex node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
+    style.highlight[at(node)] = 1.0F;
   }
   const Viewport viewport{320.0, 240.0, 2.0};
   const View view = makeView(
       fitted(lookFrom({}, ViewDirection::threeQuarter), viewport, BoundsSampler(scene).boxOf(scene, frame)),
       viewport);
   AxisHandles handles;
-  handles.origin = positionOf(frame.worlds[static_cast<std::size_t>(nodes.leftHand)]);
+  handles.origin = positionOf(frame.worlds[at(nodes.leftHand)]);
   handles.lengthPoints = 36.0;
   RenderTarget target;
   REQUIRE(renderer->draw(target, view, {frame, {}, drawAxisHandles(view, handles, 1), style}).ok());
