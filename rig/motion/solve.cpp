@@ -132,7 +132,7 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
   }
 }
 
-// Section 5: to the controller's next key on a sparsely keyed clip, else a third of the range; within the
+// To the limb's next key on a sparsely keyed clip, else a third of the range; within the
 // clip unless it loops.
 double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved,
                         const std::vector<NodeIndex>& nodes) {
