@@ -46,6 +46,12 @@ bool sameDocument(const Document& a, const Document& b) {
          a.trails == b.trails && a.weights == b.weights && a.loopingClips == b.loopingClips;
 }
 
+std::vector<rig::Limb> allLimbs(const Document& document) {
+  std::vector<rig::Limb> limbs = document.biped.limbs;
+  limbs.insert(limbs.end(), document.chains.begin(), document.chains.end());
+  return limbs;
+}
+
 const rig::Limb* findLimb(const Document& document, const std::string& limbId) {
   for (const std::vector<rig::Limb>* limbs : {&document.biped.limbs, &document.chains}) {
     const auto found =

@@ -42,6 +42,9 @@ struct Document {
 /// Equal by value (shared parts by identity first).
 [[nodiscard]] bool sameDocument(const Document& a, const Document& b);
 
+/// The limbs of the body, then the chains: what trails and weight may name.
+[[nodiscard]] std::vector<rig::Limb> allLimbs(const Document& document);
+
 /// Null when there is none.
 [[nodiscard]] const rig::Limb* findLimb(const Document& document, const std::string& limbId);
 [[nodiscard]] const rig::Trail* findTrail(const Document& document, int trailId);

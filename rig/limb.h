@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "core/scene/node_index.h"
 
 namespace stretch::rig {
 
@@ -20,11 +21,11 @@ enum class LimbKind { leftArm, rightArm, leftLeg, rightLeg, spine, neck, chain }
 /// A chain of joints that is stretched as one.
 struct Limb {
   LimbKind kind = LimbKind::chain;
-  std::string id;          ///< "left-arm", or "JOINT_A..JOINT_B" as the user wrote it.
-  std::vector<int> joints; ///< Nodes from the base to the last joint before the end, base first; at least
-                           ///< one. Twist joints and helper nodes between them are not listed: they ride on
-                           ///< their bone.
-  int endNode = -1;        ///< The end joint (wrist, ankle, ...); need not be a descendant of `joints`. -1:
+  std::string id;                ///< "left-arm", or "JOINT_A..JOINT_B" as the user wrote it.
+  std::vector<NodeIndex> joints; ///< Nodes from the base to the last joint before the end, base first; at
+                                 ///< least one. Twist joints and helper nodes between them are not listed:
+                                 ///< they ride on their bone.
+  NodeIndex endNode;       ///< The end joint (wrist, ankle, ...); need not be a descendant of `joints`. -1:
                            ///< estimated.
   Vec3 endOffset{0.0};     ///< Where the end is when endNode is -1: in the space of joints.back().
   double restLength = 0.0; ///< Sum of the bone lengths in the bind pose, world units.

@@ -6,11 +6,7 @@ namespace stretch::skinning {
 
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-const std::vector<float>& morphWeights(const Mesh& mesh, const FrameState& frame, int node) {
+const std::vector<float>& morphWeights(const Mesh& mesh, const FrameState& frame, NodeIndex node) {
   const std::vector<float>& animated = frame.pose.weights[at(node)];
   return animated.empty() ? mesh.morphWeights : animated;
 }
@@ -48,12 +44,13 @@ void appendPrimitive(const Primitive& primitive, const std::vector<float>& weigh
 
 } // namespace
 
-std::vector<int> drawnMeshNodes(const Scene& scene) {
-  std::vector<int> nodes;
-  for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
+std::vector<NodeIndex> drawnMeshNodes(const Scene& scene) {
+  std::vector<NodeIndex> nodes;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const NodeIndex node(i);
     const bool shown = std::any_of(scene.roots.begin(), scene.roots.end(),
-                                   [&](int root) { return isAncestorOrSelf(scene, root, node); });
-    if (shown && scene.nodes[at(node)].mesh >= 0) {
+                                   [&](NodeIndex root) { return isAncestorOrSelf(scene, root, node); });
+    if (shown && scene.nodes[i].mesh >= 0) {
       nodes.push_back(node);
     }
   }
@@ -62,7 +59,7 @@ std::vector<int> drawnMeshNodes(const Scene& scene) {
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {
   std::vector<Vec3> positions;
-  for (const int node : drawnMeshNodes(scene)) {
+  for (const NodeIndex node : drawnMeshNodes(scene)) {
     const Node& holder = scene.nodes[at(node)];
     const Mesh& mesh = scene.meshes[at(holder.mesh)];
     const std::vector<Mat4> joints =

@@ -13,6 +13,6 @@ namespace stretch::skinning {
 [[nodiscard]] std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame);
 
 /// Nodes that draw a mesh, in index order, those of the default scene only.
-[[nodiscard]] std::vector<int> drawnMeshNodes(const Scene& scene);
+[[nodiscard]] std::vector<NodeIndex> drawnMeshNodes(const Scene& scene);
 
 } // namespace stretch::skinning

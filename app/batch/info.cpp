@@ -27,20 +27,19 @@ int keyCount(const Clip& clip) {
   return static_cast<int>(keys);
 }
 
-Json jointJson(const Scene& scene, int node) {
-  return {{"name", scene.nodes[static_cast<std::size_t>(node)].name}, {"node", node}};
+Json jointJson(const Scene& scene, NodeIndex node) {
+  return {{"name", scene.nodes[at(node)].name}, {"node", node.value}};
 }
 
 Json limbJson(const Scene& scene, const rig::Limb& limb) {
   Json joints = Json::array();
-  for (const int joint : limb.joints) {
+  for (const NodeIndex joint : limb.joints) {
     joints.push_back(jointJson(scene, joint));
   }
-  if (limb.endNode >= 0) {
+  if (limb.endNode.exists()) {
     joints.push_back(jointJson(scene, limb.endNode));
   }
-  const std::string end =
-      limb.endNode >= 0 ? scene.nodes[static_cast<std::size_t>(limb.endNode)].name : "estimated";
+  const std::string end = limb.endNode.exists() ? scene.nodes[at(limb.endNode)].name : "estimated";
   return {{"limb", limb.id},
           {"joints", joints},
           {"end", end},
@@ -69,7 +68,7 @@ Json infoOf(const Document& document) {
   info["joints"] = Json::array();
   for (const Skin& skin : scene.skins) {
     Json joints = Json::array();
-    for (const int joint : skin.joints) {
+    for (const NodeIndex joint : skin.joints) {
       joints.push_back(jointJson(scene, joint));
     }
     info["joints"].push_back(std::move(joints));

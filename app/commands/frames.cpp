@@ -9,8 +9,8 @@ namespace stretch::app {
 namespace {
 
 /// The limbs' nodes; empty: every node.
-std::set<int> nodesOf(const Document& document, const std::vector<std::string>& limbIds) {
-  std::set<int> nodes;
+std::set<NodeIndex> nodesOf(const Document& document, const std::vector<std::string>& limbIds) {
+  std::set<NodeIndex> nodes;
   for (const std::string& id : limbIds) {
     if (const rig::Limb* limb = findLimb(document, id)) {
       nodes.insert(limb->joints.begin(), limb->joints.end());
@@ -35,7 +35,7 @@ std::vector<double> keyFrames(const Document& document, int clip, const std::vec
     return {};
   }
   const Clip& motion = clipOf(document, clip);
-  const std::set<int> nodes = nodesOf(document, limbIds);
+  const std::set<NodeIndex> nodes = nodesOf(document, limbIds);
   std::vector<double> frames;
   for (const CopyOnWrite<Track>& track : motion.tracks) {
     if (!nodes.empty() && nodes.find(track->node) == nodes.end()) {

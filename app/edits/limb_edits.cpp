@@ -7,10 +7,10 @@ namespace stretch::app {
 namespace {
 
 Status validateJoints(const Document& document, const rig::Limb& limb) {
-  const int nodes = static_cast<int>(document.scene->nodes.size());
+  const NodeIndex past(document.scene->nodes.size());
   const bool known = std::all_of(limb.joints.begin(), limb.joints.end(),
-                                 [&](int joint) { return joint >= 0 && joint < nodes; });
-  if (limb.joints.empty() || !known || limb.endNode >= nodes) {
+                                 [&](NodeIndex joint) { return joint.exists() && joint < past; });
+  if (limb.joints.empty() || !known || limb.endNode >= past) {
     return Error{"the limb names joints that the character does not have", limb.id, "pick its joints again"};
   }
   return Success{};

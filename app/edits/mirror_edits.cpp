@@ -35,8 +35,7 @@ std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const s
     const rig::Limb* a = limbOfKind(document, left);
     const rig::Limb* b = limbOfKind(document, right);
     if (a != nullptr && b != nullptr && !a->joints.empty() && !b->joints.empty()) {
-      return std::pair(positionOf(worlds[static_cast<std::size_t>(a->joints.front())]),
-                       positionOf(worlds[static_cast<std::size_t>(b->joints.front())]));
+      return std::pair(positionOf(worlds[at(a->joints.front())]), positionOf(worlds[at(b->joints.front())]));
     }
   }
   return std::nullopt;
@@ -55,8 +54,8 @@ std::vector<Mat4> worldsAt(const Document& document, int clip, double frame) {
 
 /// A point of the sagittal plane: the hips, else the origin.
 Vec3 sagittalPoint(const Document& document, int clip, double frame) {
-  const int hips = document.biped.hips;
-  return hips < 0 ? Vec3(0.0) : positionOf(worldsAt(document, clip, frame)[static_cast<std::size_t>(hips)]);
+  const NodeIndex hips = document.biped.hips;
+  return hips.exists() ? positionOf(worldsAt(document, clip, frame)[at(hips)]) : Vec3(0.0);
 }
 
 } // namespace
@@ -86,11 +85,11 @@ Vec3 sagittalNormal(const Document& document, int clip, double frame) {
     return Vec3(1.0, 0.0, 0.0);
   }
   const Vec3 restNormal = bases->first - bases->second;
-  const int hips = document.biped.hips;
-  if (hips < 0) {
+  const NodeIndex hips = document.biped.hips;
+  if (!hips.exists()) {
     return levelUnit(restNormal);
   }
-  const auto index = static_cast<std::size_t>(hips);
+  const auto index = at(hips);
   const Quat turn =
       rotationOf(worldsAt(document, clip, frame)[index]) * glm::conjugate(rotationOf(rest[index]));
   return levelUnit(turn * restNormal);

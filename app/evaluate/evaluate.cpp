@@ -6,12 +6,6 @@ namespace stretch::app {
 
 namespace {
 
-std::vector<rig::Limb> allLimbs(const Document& document) {
-  std::vector<rig::Limb> limbs = document.biped.limbs;
-  limbs.insert(limbs.end(), document.chains.begin(), document.chains.end());
-  return limbs;
-}
-
 std::vector<rig::Trail> trailsOf(const Document& document, int clip) {
   std::vector<rig::Trail> trails;
   std::copy_if(document.trails.begin(), document.trails.end(), std::back_inserter(trails),

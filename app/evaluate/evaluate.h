@@ -57,7 +57,7 @@ private:
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const std::vector<Clip>> clips;
     int clip = -1;
-    int hips = -1;
+    NodeIndex hips;
     std::vector<rig::Limb> limbs;
     std::vector<int> looping;
     friend bool operator==(const Ground&, const Ground&) = default;

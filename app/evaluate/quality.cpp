@@ -81,8 +81,7 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
 }
 
 Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
-  return rig::endPosition(limb, frame) -
-         positionOf(frame.worlds[static_cast<std::size_t>(limb.joints.front())]);
+  return rig::endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]);
 }
 
 void lookAtLimb(const rig::SolvedTrail& trail, const FrameState& before, const FrameState& after,

@@ -41,11 +41,25 @@ Json trailToJson(const rig::Trail& trail) {
   return json;
 }
 
+std::vector<int> numbersOf(const std::vector<NodeIndex>& nodes) {
+  std::vector<int> numbers;
+  std::transform(nodes.begin(), nodes.end(), std::back_inserter(numbers),
+                 [](NodeIndex node) { return node.value; });
+  return numbers;
+}
+
+std::vector<NodeIndex> nodesOf(const std::vector<int>& numbers) {
+  std::vector<NodeIndex> nodes;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(nodes),
+                 [](int number) { return NodeIndex(number); });
+  return nodes;
+}
+
 Json limbToJson(const rig::Limb& limb) {
   return {{"limb", limb.id},
           {"kind", static_cast<int>(limb.kind)},
-          {"joints", limb.joints},
-          {"end", limb.endNode},
+          {"joints", numbersOf(limb.joints)},
+          {"end", limb.endNode.value},
           {"end_offset", vectorToJson(limb.endOffset)},
           {"rest_length", limb.restLength},
           {"confidence", limb.confidence}};
@@ -92,24 +106,24 @@ Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
   return trail;
 }
 
-bool hasRepeats(std::vector<int> nodes) {
+bool hasRepeats(std::vector<NodeIndex> nodes) {
   std::sort(nodes.begin(), nodes.end());
   return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
 }
 
 Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   rig::Limb limb;
-  const auto nodes = static_cast<int>(document.scene->nodes.size());
-  const auto exists = [&](int node) { return node >= 0 && node < nodes; };
+  const NodeIndex past(document.scene->nodes.size());
+  const auto exists = [&](NodeIndex node) { return node.exists() && node < past; };
   limb.id = json.at("limb").get<std::string>();
   const int kind = json.at("kind").get<int>();
-  limb.joints = json.at("joints").get<std::vector<int>>();
-  limb.endNode = json.at("end").get<int>();
+  limb.joints = nodesOf(json.at("joints").get<std::vector<int>>());
+  limb.endNode = NodeIndex(json.at("end").get<int>());
   limb.restLength = json.at("rest_length").get<double>();
   limb.confidence = json.at("confidence").get<double>();
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
   const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
-                        !hasRepeats(limb.joints) && (limb.endNode == -1 || exists(limb.endNode));
+                        !hasRepeats(limb.joints) && (limb.endNode == NodeIndex::none || exists(limb.endNode));
   const bool isKind = kind >= 0 && kind <= static_cast<int>(rig::LimbKind::chain);
   if (!offset || !hasNodes || !isKind || !(limb.restLength > 0.0)) {
     return malformed("limbs");

@@ -22,29 +22,29 @@ std::vector<int> bonesOfNodes(const Scene& scene, const rig::Limb& limb,
   constexpr int undecided = -2;
   std::vector<int> own(scene.nodes.size(), undecided);
   for (const rig::Limb& other : others) {
-    for (const int joint : other.joints) {
+    for (const NodeIndex joint : other.joints) {
       own[at(joint)] = -1;
     }
   }
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
     own[at(limb.joints[i])] = static_cast<int>(i);
   }
-  if (limb.endNode >= 0) {
+  if (limb.endNode.exists()) {
     own[at(limb.endNode)] = -1;
   }
   std::vector<int> bones(scene.nodes.size(), -1);
-  for (const int node : parentsFirst(scene)) {
-    const int parent = scene.nodes[at(node)].parent;
-    bones[at(node)] = own[at(node)] != undecided ? own[at(node)] : (parent >= 0 ? bones[at(parent)] : -1);
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    bones[at(node)] = own[at(node)] != undecided ? own[at(node)] : (parent.exists() ? bones[at(parent)] : -1);
   }
   return bones;
 }
 
-int strongestJoint(const Skin& skin, const VertexInfluences& influences) {
+NodeIndex strongestJoint(const Skin& skin, const VertexInfluences& influences) {
   const auto strongest = std::max_element(influences.weights.begin(), influences.weights.end());
   const auto slot = static_cast<std::size_t>(strongest - influences.weights.begin());
   const std::size_t joint = influences.joints[slot];
-  return *strongest > 0.0F && joint < skin.joints.size() ? skin.joints[joint] : -1;
+  return *strongest > 0.0F && joint < skin.joints.size() ? skin.joints[joint] : NodeIndex::none;
 }
 
 // The part of the surface that follows the limb, as it stands in the bind pose.
@@ -61,7 +61,7 @@ public:
 
   LimbSurface collect(const std::vector<Vec3>& positions) {
     std::size_t first = 0;
-    for (const int node : skinning::drawnMeshNodes(scene_)) {
+    for (const NodeIndex node : skinning::drawnMeshNodes(scene_)) {
       for (const Primitive& primitive : scene_.meshes[at(scene_.nodes[at(node)].mesh)].primitives) {
         add(node, primitive, positions, first);
         first += primitive.positions.size();
@@ -71,15 +71,16 @@ public:
   }
 
 private:
-  [[nodiscard]] int boneOfVertex(int node, const Primitive& primitive, std::uint32_t vertex) const {
+  [[nodiscard]] int boneOfVertex(NodeIndex node, const Primitive& primitive, std::uint32_t vertex) const {
     const int skin = scene_.nodes[at(node)].skin;
-    const int joint = skin >= 0 && !primitive.influences.empty()
-                          ? strongestJoint(scene_.skins[at(skin)], primitive.influences[vertex])
-                          : node;
-    return joint >= 0 ? boneOfNode_[at(joint)] : -1;
+    const NodeIndex joint = skin >= 0 && !primitive.influences.empty()
+                                ? strongestJoint(scene_.skins[at(skin)], primitive.influences[vertex])
+                                : node;
+    return joint.exists() ? boneOfNode_[at(joint)] : -1;
   }
 
-  void add(int node, const Primitive& primitive, const std::vector<Vec3>& positions, std::size_t first) {
+  void add(NodeIndex node, const Primitive& primitive, const std::vector<Vec3>& positions,
+           std::size_t first) {
     constexpr auto unused = static_cast<std::uint32_t>(-1);
     std::vector<std::uint32_t> renumbered(primitive.positions.size(), unused);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {

@@ -38,9 +38,9 @@ std::vector<double> evenSeconds(const Clip& clip, double samplesPerSecond) {
   return seconds;
 }
 
-void collectSubtree(const Scene& scene, int node, std::vector<int>& nodes) {
+void collectSubtree(const Scene& scene, NodeIndex node, std::vector<NodeIndex>& nodes) {
   nodes.push_back(node);
-  for (const int child : scene.nodes[at(node)].children) {
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
     collectSubtree(scene, child, nodes);
   }
 }
@@ -51,16 +51,16 @@ bool isSampled(const Document& document, const rig::Limb& limb, int clip) {
 }
 
 // Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.
-void addSample(const FrameState& frame, const std::vector<int>& endNodes, double metresPerUnit,
+void addSample(const FrameState& frame, const std::vector<NodeIndex>& endNodes, double metresPerUnit,
                SampledClip::OfLimb& one) {
   std::vector<Vec3> joints = rig::limbPoints(one.limb, frame);
   std::vector<Mat3> toJoint;
-  for (const int joint : one.limb.joints) {
+  for (const NodeIndex joint : one.limb.joints) {
     const Mat3 world(frame.worlds[at(joint)]);
     toJoint.push_back(glm::determinant(world) != 0.0 ? glm::inverse(world) : Mat3(1.0));
   }
   double lowest = joints.back().y;
-  for (const int node : endNodes) {
+  for (const NodeIndex node : endNodes) {
     lowest = std::min(lowest, positionOf(frame.worlds[at(node)]).y);
   }
   for (Vec3& joint : joints) {
@@ -78,13 +78,13 @@ SampledClip sampleClip(const Document& document, const rig::MotionState& motion)
   SampledClip sampled;
   sampled.samplesPerSecond = clip.framesPerSecond * samplesPerFrame(clip.framesPerSecond);
   sampled.seconds = evenSeconds(clip, sampled.samplesPerSecond);
-  std::vector<std::vector<int>> endNodes;
+  std::vector<std::vector<NodeIndex>> endNodes;
   for (const std::vector<rig::Limb>* const limbs : {&document.biped.limbs, &document.chains}) {
     for (const rig::Limb& limb : *limbs) {
       if (isSampled(document, limb, motion.clip)) {
         sampled.limbs.push_back({limb, {}, {}, {}});
         endNodes.emplace_back();
-        if (limb.endNode >= 0) {
+        if (limb.endNode.exists()) {
           collectSubtree(*document.scene, limb.endNode, endNodes.back());
         }
       }

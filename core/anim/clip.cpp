@@ -64,7 +64,7 @@ double shareOfTracksOnFrames(const std::vector<CopyOnWrite<Track>>& tracks, doub
 
 } // namespace
 
-int findTrack(const Clip& clip, int node, Channel channel) {
+int findTrack(const Clip& clip, NodeIndex node, Channel channel) {
   for (std::size_t i = 0; i < clip.tracks.size(); ++i) {
     if (clip.tracks[i]->node == node && clip.tracks[i]->channel == channel) {
       return static_cast<int>(i);

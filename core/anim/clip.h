@@ -5,6 +5,7 @@
 
 #include "core/base/copy_on_write.h"
 #include "core/math/types.h"
+#include "core/scene/node_index.h"
 
 namespace stretch {
 
@@ -13,7 +14,7 @@ enum class Channel { translation, rotation, scale, weights };
 
 /// One animated property of one node: a glTF channel with its sampler.
 struct Track {
-  int node = -1;
+  NodeIndex node;
   Channel channel = Channel::translation;
   Interpolation interpolation = Interpolation::linear;
   int width = 3; ///< Numbers per value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
@@ -39,7 +40,7 @@ struct Clip {
 };
 
 /// Index of the track that animates (node, channel), or -1.
-[[nodiscard]] int findTrack(const Clip& clip, int node, Channel channel);
+[[nodiscard]] int findTrack(const Clip& clip, NodeIndex node, Channel channel);
 
 /// The rate at which most keys fall on whole frames (within 2 % of a frame), from the usual rates first (24,
 /// 25, 30, 50, 60, 120, 12, 15, 8, 6...), then from the median spacing of the keys. Half a rate of 40 or more

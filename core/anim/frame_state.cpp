@@ -11,7 +11,7 @@ namespace {
 std::vector<Mat3> stretchOfPose(const Scene& scene, const Pose& pose) {
   std::vector<Mat3> stretch(scene.bindChains.empty() ? 0 : scene.nodes.size(), Mat3(1.0));
   for (const BindChain& chain : scene.bindChains) {
-    stretch[static_cast<std::size_t>(chain.joint)] = stretchOf(scene, pose, chain);
+    stretch[at(chain.joint)] = stretchOf(scene, pose, chain);
   }
   return stretch;
 }
@@ -20,7 +20,7 @@ std::vector<Mat3> stretchOfPose(const Scene& scene, const Pose& pose) {
 
 Mat3 stretchOf(const Scene& scene, const Pose& pose, const BindChain& chain) {
   Mat3 turned = Mat3(localMatrix(scene, pose, chain.leaf));
-  if (chain.endLeaf >= 0) {
+  if (chain.endLeaf.exists()) {
     turned *= Mat3(localMatrix(scene, pose, chain.endLeaf));
   }
   return turned * glm::mat3_cast(glm::inverse(chain.restTurn));
@@ -35,8 +35,8 @@ FrameState frameOf(const Scene& scene, Pose pose, double timeSeconds) {
   return frame;
 }
 
-Mat4 meshMatrix(const FrameState& frame, int node) {
-  const auto index = static_cast<std::size_t>(node);
+Mat4 meshMatrix(const FrameState& frame, NodeIndex node) {
+  const auto index = at(node);
   return frame.stretch.empty() ? frame.worlds[index] : frame.worlds[index] * Mat4(frame.stretch[index]);
 }
 

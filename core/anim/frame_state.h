@@ -23,7 +23,7 @@ struct FrameState {
 [[nodiscard]] Mat3 stretchOf(const Scene& scene, const Pose& pose, const BindChain& chain);
 
 /// World matrix that a mesh hanging rigidly on `node` is drawn with, its stretch included.
-[[nodiscard]] Mat4 meshMatrix(const FrameState& frame, int node);
+[[nodiscard]] Mat4 meshMatrix(const FrameState& frame, NodeIndex node);
 
 /// Skinning matrices (bind-pose model space to world), one for each joint of the skin. The transform of the
 /// node that holds the skinned mesh plays no part, as glTF demands.

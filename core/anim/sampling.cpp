@@ -102,7 +102,7 @@ void sampleRaw(const Track& track, double timeSeconds, double* out) {
 }
 
 void applyTrack(const Track& track, double timeSeconds, Pose& pose) {
-  const auto node = static_cast<std::size_t>(track.node);
+  const auto node = at(track.node);
   if (track.channel == Channel::weights) {
     std::vector<double> weights(static_cast<std::size_t>(track.width));
     sampleTrack(track, timeSeconds, weights.data());
@@ -154,18 +154,18 @@ Pose samplePose(const Scene& scene, const Clip& clip, double timeSeconds) {
   return pose;
 }
 
-Mat4 localMatrix(const Scene& scene, const Pose& pose, int node) {
-  const auto index = static_cast<std::size_t>(node);
+Mat4 localMatrix(const Scene& scene, const Pose& pose, NodeIndex node) {
+  const auto index = at(node);
   return pose.usesMatrix[index] ? *scene.nodes[index].matrix : toMatrix(pose.locals[index]);
 }
 
 std::vector<Mat4> worldMatrices(const Scene& scene, const Pose& pose) {
   std::vector<Mat4> worlds(scene.nodes.size(), Mat4(1.0));
-  for (const int node : parentsFirst(scene)) {
-    const auto index = static_cast<std::size_t>(node);
-    const int parent = scene.nodes[index].parent;
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const auto index = at(node);
+    const NodeIndex parent = scene.nodes[index].parent;
     const Mat4 local = localMatrix(scene, pose, node);
-    worlds[index] = parent < 0 ? local : worlds[static_cast<std::size_t>(parent)] * local;
+    worlds[index] = !parent.exists() ? local : worlds[at(parent)] * local;
   }
   return worlds;
 }

@@ -28,7 +28,7 @@ void sampleTrack(const Track& track, double timeSeconds, double* out);
 [[nodiscard]] Pose samplePose(const Scene& scene, const Clip& clip, double timeSeconds);
 
 /// The local matrix of a node in a pose: the file's own matrix where it is in use, else TRS.
-[[nodiscard]] Mat4 localMatrix(const Scene& scene, const Pose& pose, int node);
+[[nodiscard]] Mat4 localMatrix(const Scene& scene, const Pose& pose, NodeIndex node);
 
 /// World matrix of every node.
 [[nodiscard]] std::vector<Mat4> worldMatrices(const Scene& scene, const Pose& pose);

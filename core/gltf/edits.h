@@ -12,10 +12,10 @@ namespace stretch::gltf {
 /// Edits::addedNodes.
 struct AddedNode {
   std::string name;
-  int parent = -1; ///< Of the source, or an added node that stands earlier in the list.
+  NodeIndex parent; ///< Of the source, or an added node that stands earlier in the list.
   Transform rest;
-  int meshFrom = -1; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
-                     ///< -1: no mesh.
+  NodeIndex meshFrom; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
+                      ///< None: no mesh.
   bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
 };
 
@@ -23,7 +23,7 @@ struct AddedNode {
 struct SkinSlot {
   int skin = -1;
   int slot = -1;    ///< Index into the skin's joints.
-  int node = -1;    ///< The new joint.
+  NodeIndex node;   ///< The new joint.
   Mat4 inverseBind; ///< Its inverse bind matrix.
 };
 

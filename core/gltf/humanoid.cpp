@@ -26,8 +26,8 @@ public:
   HumanoidTable(std::size_t nodeCount, Problems& problems) : nodeCount_(nodeCount), problems_(problems) {}
 
   void add(const std::string& bone, const Json& entry) {
-    const int node = indexOr(entry, "node");
-    if (node < 0 || static_cast<std::size_t>(node) >= nodeCount_) {
+    const NodeIndex node(indexOr(entry, "node"));
+    if (!node.exists() || at(node) >= nodeCount_) {
       problems_.warning("extensions",
                         fmt::format("the humanoid bone '{}' refers to a node that is not there", bone));
       return;
@@ -35,17 +35,17 @@ public:
     bones_.emplace(bone, node);
   }
 
-  [[nodiscard]] std::map<std::string, int> bones() && { return std::move(bones_); }
+  [[nodiscard]] std::map<std::string, NodeIndex> bones() && { return std::move(bones_); }
 
 private:
   std::size_t nodeCount_;
   Problems& problems_;
-  std::map<std::string, int> bones_;
+  std::map<std::string, NodeIndex> bones_;
 };
 
 } // namespace
 
-std::map<std::string, int> importHumanoid(const Source& source, Problems& problems) {
+std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems) {
   HumanoidTable table(sizeOf(source.json, "nodes"), problems);
   if (const Json* list = findPath(source.json, {"extensions", "VRM", "humanoid", "humanBones"});
       list && list->is_array()) {

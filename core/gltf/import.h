@@ -36,7 +36,7 @@ private:
 [[nodiscard]] std::vector<Material> importMaterials(const Source& source, Problems& problems);
 [[nodiscard]] std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
                                               Problems& problems);
-[[nodiscard]] std::map<std::string, int> importHumanoid(const Source& source, Problems& problems);
+[[nodiscard]] std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems);
 
 /// Index of the TEXCOORD set that the material's base colour texture uses.
 [[nodiscard]] int baseColorTexCoord(const Source& source, int material);

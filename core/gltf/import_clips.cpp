@@ -27,8 +27,8 @@ std::optional<Channel> channelOf(const std::string& path) {
   return path == "weights" ? std::optional(Channel::weights) : std::nullopt;
 }
 
-std::size_t morphTargetsOf(const Scene& scene, int node) {
-  const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+std::size_t morphTargetsOf(const Scene& scene, NodeIndex node) {
+  const int mesh = scene.nodes[at(node)].mesh;
   return mesh < 0 ? 0 : scene.meshes[static_cast<std::size_t>(mesh)].morphWeights.size();
 }
 
@@ -87,8 +87,8 @@ private:
   bool readTarget(const Json& target, std::size_t index, Track& track) {
     const std::string path = textOr(target, "path");
     const std::optional<Channel> channel = channelOf(path);
-    track.node = indexOr(target, "node");
-    if (!channel || track.node < 0) {
+    track.node = NodeIndex(indexOr(target, "node"));
+    if (!channel || !track.node.exists()) {
       if (path != "pointer") {
         problems_.warning(channelPlace(index),
                           fmt::format("drives '{}' of no node and is not shown", path.substr(0, 100)));
@@ -98,7 +98,7 @@ private:
     track.channel = *channel;
     if (!targets_.insert({track.node, track.channel}).second) {
       problems_.error(channelPlace(index),
-                      fmt::format("animates the {} of nodes[{}] a second time", path, track.node));
+                      fmt::format("animates the {} of nodes[{}] a second time", path, track.node.value));
       return false;
     }
     const std::size_t targets = morphTargetsOf(scene_, track.node);
@@ -107,7 +107,7 @@ private:
                         "drives morph weights of a node without morph targets and is not shown");
       return false;
     }
-    if (track.channel != Channel::weights && scene_.nodes[static_cast<std::size_t>(track.node)].matrix) {
+    if (track.channel != Channel::weights && scene_.nodes[at(track.node)].matrix) {
       problems_.warning(channelPlace(index), "animates a node that has a matrix; its parts are used");
     }
     const int vectorWidth = track.channel == Channel::rotation ? 4 : 3;
@@ -226,7 +226,7 @@ private:
   std::string where_;
   DecodeBudget& budget_;
   Problems& problems_;
-  std::set<std::pair<int, Channel>> targets_;
+  std::set<std::pair<NodeIndex, Channel>> targets_;
 };
 
 } // namespace

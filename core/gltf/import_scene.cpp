@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -12,6 +13,14 @@
 namespace stretch::gltf {
 
 namespace {
+
+std::vector<NodeIndex> nodesOf(const Json& json, std::string_view key) {
+  const std::vector<int> indices = indicesOf(json, key);
+  std::vector<NodeIndex> nodes;
+  std::transform(indices.begin(), indices.end(), std::back_inserter(nodes),
+                 [](int index) { return NodeIndex(index); });
+  return nodes;
+}
 
 Transform restOf(const Json& json) {
   Transform rest;
@@ -32,7 +41,7 @@ Transform restOf(const Json& json) {
 Node importNode(const Json& json) {
   Node node;
   node.name = textOr(json, "name");
-  node.children = indicesOf(json, "children");
+  node.children = nodesOf(json, "children");
   node.mesh = indexOr(json, "mesh");
   node.skin = node.mesh >= 0 ? indexOr(json, "skin") : -1;
   node.rest = restOf(json);
@@ -54,23 +63,23 @@ std::vector<Node> importNodes(const Json& json) {
     nodes[i] = importNode(element(json, "nodes", i));
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (const int child : nodes[i].children) {
-      nodes[static_cast<std::size_t>(child)].parent = static_cast<int>(i);
+    for (const NodeIndex child : nodes[i].children) {
+      nodes[at(child)].parent = NodeIndex(i);
     }
   }
   return nodes;
 }
 
 // Without a scene everything is shown.
-std::vector<int> importRoots(const Json& json, const std::vector<Node>& nodes) {
+std::vector<NodeIndex> importRoots(const Json& json, const std::vector<Node>& nodes) {
   if (sizeOf(json, "scenes") > 0) {
     const int shown = std::max(indexOr(json, "scene"), 0);
-    return indicesOf(element(json, "scenes", static_cast<std::size_t>(shown)), "nodes");
+    return nodesOf(element(json, "scenes", static_cast<std::size_t>(shown)), "nodes");
   }
-  std::vector<int> roots;
+  std::vector<NodeIndex> roots;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].parent < 0) {
-      roots.push_back(static_cast<int>(i));
+    if (!nodes[i].parent.exists()) {
+      roots.push_back(NodeIndex(i));
     }
   }
   return roots;
@@ -117,7 +126,7 @@ std::vector<Skin> importSkins(const Source& source, Problems& problems) {
     const Json& json = element(source.json, "skins", i);
     Skin& skin = skins[i];
     skin.name = textOr(json, "name");
-    skin.joints = indicesOf(json, "joints");
+    skin.joints = nodesOf(json, "joints");
     const int accessor = indexOr(json, "inverseBindMatrices");
     skin.inverseBind = accessor < 0 ? std::vector<Mat4>(skin.joints.size(), Mat4(1.0))
                                     : readInverseBind(source, accessor, skin.joints.size(),

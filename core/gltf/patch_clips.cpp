@@ -46,8 +46,8 @@ const char* outputType(Channel channel) {
 }
 
 // Animation works on translation, rotation and scale: a matrix gives way to them.
-void splitMatrix(int node, Journal& journal) {
-  const Pointer pointer = Pointer("/nodes") / static_cast<std::size_t>(node);
+void splitMatrix(NodeIndex node, Journal& journal) {
+  const Pointer pointer = Pointer("/nodes") / at(node);
   const std::vector<double> numbers = numbersOf(journal.json().at(pointer), "matrix");
   if (numbers.size() != 16) {
     return;
@@ -95,13 +95,13 @@ private:
     bool isFound = false;
     for (std::size_t i = 0; i < channels; ++i) {
       const Json& target = *find(element(journal_.json().at(animation), "channels", i), "target");
-      if (indexOr(target, "node") == track.node && textOr(target, "path") == path) {
+      if (NodeIndex(indexOr(target, "node")) == track.node && textOr(target, "path") == path) {
         journal_.set(animation / "channels" / i / "sampler", sampler);
         isFound = true;
       }
     }
     if (!isFound) {
-      Json channel = {{"sampler", sampler}, {"target", {{"node", track.node}, {"path", path}}}};
+      Json channel = {{"sampler", sampler}, {"target", {{"node", track.node.value}, {"path", path}}}};
       journal_.append(animation / "channels", std::move(channel));
     }
   }

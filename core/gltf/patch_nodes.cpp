@@ -82,9 +82,9 @@ void moveMesh(std::size_t from, std::size_t to, Journal& journal) {
   moveVrmMesh(from, to, journal);
 }
 
-void attach(int parent, std::size_t child, Journal& journal) {
-  if (parent >= 0) {
-    journal.append(Pointer("/nodes") / static_cast<std::size_t>(parent) / "children", child);
+void attach(NodeIndex parent, std::size_t child, Journal& journal) {
+  if (parent.exists()) {
+    journal.append(Pointer("/nodes") / at(parent) / "children", child);
   } else if (sizeOf(journal.json(), "scenes") > 0) {
     const auto scene = static_cast<std::size_t>(indexOr(journal.json(), "scene", 0));
     journal.append(Pointer("/scenes") / scene / "nodes", child);
@@ -96,8 +96,8 @@ void attach(int parent, std::size_t child, Journal& journal) {
 void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal) {
   for (const AddedNode& node : nodes) {
     const std::size_t index = journal.append(Pointer("/nodes"), nodeJson(node));
-    if (node.meshFrom >= 0) {
-      moveMesh(static_cast<std::size_t>(node.meshFrom), index, journal);
+    if (node.meshFrom.exists()) {
+      moveMesh(at(node.meshFrom), index, journal);
     }
     attach(node.parent, index, journal);
   }

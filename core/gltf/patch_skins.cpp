@@ -47,7 +47,7 @@ void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journa
       numbers->second = inverseBindNumbers(source, element(source.json, "skins", skin));
     }
     store(slot.inverseBind, numbers->second.data() + static_cast<std::size_t>(slot.slot) * matrixSize);
-    journal.set(Pointer("/skins") / skin / "joints" / static_cast<std::size_t>(slot.slot), slot.node);
+    journal.set(Pointer("/skins") / skin / "joints" / static_cast<std::size_t>(slot.slot), slot.node.value);
   }
   for (const auto& [skin, numbers] : matrices) {
     const std::size_t accessor = data.add(AppendedData::Use::inverseBind, "MAT4", matrixSize, numbers, false);

@@ -35,8 +35,8 @@ Status validateNodes(const Json& json, const std::vector<AddedNode>& nodes) {
   const std::size_t sourceCount = sizeOf(json, "nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const AddedNode& node = nodes[i];
-    const bool hasParent = node.parent == -1 || isIndex(node.parent, sourceCount + i);
-    const bool hasMesh = node.meshFrom == -1 || isIndex(node.meshFrom, sourceCount);
+    const bool hasParent = node.parent == NodeIndex::none || isIndex(node.parent.value, sourceCount + i);
+    const bool hasMesh = node.meshFrom == NodeIndex::none || isIndex(node.meshFrom.value, sourceCount);
     if (!hasParent || !hasMesh || !hasFiniteNumbers(node.rest)) {
       return unfit(fmt::format("added node '{}'", node.name));
     }
@@ -51,7 +51,7 @@ Status validateSlots(const Json& json, const Edits& edits) {
     const bool hasSlot =
         hasSkin &&
         isIndex(slot.slot, sizeOf(element(json, "skins", static_cast<std::size_t>(slot.skin)), "joints"));
-    if (!hasSlot || !isIndex(slot.node, nodes) || !isFinite(slot.inverseBind)) {
+    if (!hasSlot || !isIndex(slot.node.value, nodes) || !isFinite(slot.inverseBind)) {
       return unfit(fmt::format("slot {} of skin {}", slot.slot, slot.skin));
     }
   }
@@ -76,8 +76,8 @@ Status validateClips(const Json& json, const Edits& edits) {
       return unfit(fmt::format("clip {}", clip.clip));
     }
     for (const Track& track : clip.tracks) {
-      if (!isIndex(track.node, nodes) || !isWellFormed(track)) {
-        return unfit(fmt::format("a track of node {} in clip {}", track.node, clip.clip));
+      if (!isIndex(track.node.value, nodes) || !isWellFormed(track)) {
+        return unfit(fmt::format("a track of node {} in clip {}", track.node.value, clip.clip));
       }
     }
   }

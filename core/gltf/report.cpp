@@ -28,7 +28,7 @@ std::string momentOf(const Shear& shear, const std::vector<Clip>& clips) {
 
 void reportShear(const Scene& scene, const std::vector<Clip>& clips, Problems& problems) {
   for (const Shear& shear : residualShear(scene, clips)) {
-    const auto node = static_cast<std::size_t>(shear.node);
+    const auto node = at(shear.node);
     problems.warning(
         at("nodes", node),
         fmt::format("'{}' is sheared by up to {:.1f} degrees {}: an uneven scale above a rotation; other "

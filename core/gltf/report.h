@@ -17,7 +17,7 @@ namespace stretch::gltf {
 /// Shear of a node that a mesh follows: world matrices of which translation, rotation and scale cannot be
 /// told apart.
 struct Shear {
-  int node = -1;
+  NodeIndex node;
   int clip = -1; ///< Index of the clip in which it is worst; -1: at rest.
   double timeSeconds = 0.0;
   double cosine = 0.0; ///< Of the angle between two axes of the node, absolute, at its largest: 0 without

@@ -13,20 +13,20 @@ namespace {
 constexpr std::size_t mostTimesAClip = 64;
 
 // Nodes that meshes follow: their own, or as joints.
-std::vector<int> visibleNodes(const Scene& scene) {
+std::vector<NodeIndex> visibleNodes(const Scene& scene) {
   std::vector<bool> isVisible(scene.nodes.size(), false);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     isVisible[i] = scene.nodes[i].mesh >= 0 && scene.nodes[i].skin < 0;
   }
   for (const Skin& skin : scene.skins) {
-    for (const int joint : skin.joints) {
-      isVisible[static_cast<std::size_t>(joint)] = true;
+    for (const NodeIndex joint : skin.joints) {
+      isVisible[at(joint)] = true;
     }
   }
-  std::vector<int> nodes;
+  std::vector<NodeIndex> nodes;
   for (std::size_t i = 0; i < isVisible.size(); ++i) {
     if (isVisible[i]) {
-      nodes.push_back(static_cast<int>(i));
+      nodes.push_back(NodeIndex(i));
     }
   }
   return nodes;
@@ -64,7 +64,7 @@ std::vector<double> someKeyTimes(const Clip& clip) {
 class WorstShear {
 public:
   explicit WorstShear(const Scene& scene) : scene_(scene) {
-    for (const int node : visibleNodes(scene)) {
+    for (const NodeIndex node : visibleNodes(scene)) {
       worst_.push_back({node, -1, 0.0, 0.0});
     }
   }
@@ -72,7 +72,7 @@ public:
   void look(const Pose& pose, int clip, double timeSeconds) {
     const std::vector<Mat4> worlds = worldMatrices(scene_, pose);
     for (Shear& worst : worst_) {
-      const double cosine = largestCosine(worlds[static_cast<std::size_t>(worst.node)]);
+      const double cosine = largestCosine(worlds[at(worst.node)]);
       if (cosine > worst.cosine) {
         worst = {worst.node, clip, timeSeconds, cosine};
       }

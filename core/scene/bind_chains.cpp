@@ -11,21 +11,21 @@ namespace stretch {
 
 namespace {
 
-Node& nodeOf(Scene& scene, int index) {
-  return scene.nodes[static_cast<std::size_t>(index)];
+Node& nodeOf(Scene& scene, NodeIndex node) {
+  return scene.nodes[at(node)];
 }
 
 bool isLeafAsWritten(const Node& node) {
   return node.isBindLeaf && !node.matrix && glm::length(node.rest.translation) <= 0.0;
 }
 
-std::optional<BindChain> chainAt(Scene& scene, int leaf) {
+std::optional<BindChain> chainAt(Scene& scene, NodeIndex leaf) {
   const Node& node = nodeOf(scene, leaf);
-  if (!isLeafAsWritten(node) || node.parent < 0 || nodeOf(scene, node.parent).isBindLeaf ||
+  if (!isLeafAsWritten(node) || !node.parent.exists() || nodeOf(scene, node.parent).isBindLeaf ||
       node.children.size() > 1) {
     return std::nullopt;
   }
-  BindChain chain{node.parent, leaf, -1, node.rest.rotation};
+  BindChain chain{node.parent, leaf, NodeIndex::none, node.rest.rotation};
   if (!node.children.empty()) {
     chain.endLeaf = node.children.front();
     const Node& end = nodeOf(scene, chain.endLeaf);
@@ -68,14 +68,14 @@ void fold(Scene& scene, const BindChain& chain) {
 
 void foldBindLeaves(Scene& scene) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const std::optional<BindChain> chain = chainAt(scene, static_cast<int>(i));
+    const std::optional<BindChain> chain = chainAt(scene, NodeIndex(i));
     if (chain && canFold(scene, *chain) && findBindChain(scene, chain->joint) == nullptr) {
       fold(scene, *chain);
     }
   }
 }
 
-const BindChain* findBindChain(const Scene& scene, int joint) {
+const BindChain* findBindChain(const Scene& scene, NodeIndex joint) {
   const auto found = std::find_if(scene.bindChains.begin(), scene.bindChains.end(),
                                   [&](const BindChain& chain) { return chain.joint == joint; });
   return found == scene.bindChains.end() ? nullptr : &*found;

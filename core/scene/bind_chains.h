@@ -13,6 +13,6 @@ namespace stretch {
 void foldBindLeaves(Scene& scene);
 
 /// Null when the joint has none.
-[[nodiscard]] const BindChain* findBindChain(const Scene& scene, int joint);
+[[nodiscard]] const BindChain* findBindChain(const Scene& scene, NodeIndex joint);
 
 } // namespace stretch

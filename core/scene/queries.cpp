@@ -2,8 +2,8 @@
 
 namespace stretch {
 
-std::set<int> skinJoints(const Scene& scene) {
-  std::set<int> joints;
+std::set<NodeIndex> skinJoints(const Scene& scene) {
+  std::set<NodeIndex> joints;
   for (const Skin& skin : scene.skins) {
     joints.insert(skin.joints.begin(), skin.joints.end());
   }

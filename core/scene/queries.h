@@ -8,7 +8,7 @@
 namespace stretch {
 
 /// Nodes that are a joint of any skin.
-[[nodiscard]] std::set<int> skinJoints(const Scene& scene);
+[[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);
 
 /// Vertices of all meshes.
 [[nodiscard]] std::size_t vertexCount(const Scene& scene);

@@ -2,24 +2,24 @@
 
 namespace stretch {
 
-std::vector<int> parentsFirst(const Scene& scene) {
-  std::vector<int> order;
+std::vector<NodeIndex> parentsFirst(const Scene& scene) {
+  std::vector<NodeIndex> order;
   order.reserve(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (scene.nodes[i].parent < 0) {
-      order.push_back(static_cast<int>(i));
+    if (!scene.nodes[i].parent.exists()) {
+      order.push_back(NodeIndex(i));
     }
   }
   for (std::size_t next = 0; next < order.size(); ++next) {
-    const Node& node = scene.nodes[static_cast<std::size_t>(order[next])];
+    const Node& node = scene.nodes[at(order[next])];
     order.insert(order.end(), node.children.begin(), node.children.end());
   }
   return order;
 }
 
-bool isAncestorOrSelf(const Scene& scene, int ancestor, int node) {
-  while (node >= 0 && node != ancestor) {
-    node = scene.nodes[static_cast<std::size_t>(node)].parent;
+bool isAncestorOrSelf(const Scene& scene, NodeIndex ancestor, NodeIndex node) {
+  while (node.exists() && node != ancestor) {
+    node = scene.nodes[at(node)].parent;
   }
   return node == ancestor;
 }

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/math/transform.h"
+#include "core/scene/node_index.h"
 
 namespace stretch {
 
@@ -19,8 +20,8 @@ namespace stretch {
 /// node is known by its index, since names repeat); -1 means none.
 struct Node {
   std::string name; ///< May be empty; not unique.
-  int parent = -1;
-  std::vector<int> children;
+  NodeIndex parent;
+  std::vector<NodeIndex> children;
   Transform rest;             ///< Local, at rest. The nearest TRS where the file gives a matrix.
   std::optional<Mat4> matrix; ///< The file's matrix where it gives one: then it is what counts until the node
                               ///< is animated.
@@ -33,7 +34,7 @@ struct Node {
 
 struct Skin {
   std::string name;
-  std::vector<int> joints;       ///< Node indices.
+  std::vector<NodeIndex> joints; ///< Node indices.
   std::vector<Mat4> inverseBind; ///< One for each joint: bind-pose model space to joint space. Identity where
                                  ///< the file has none.
 };
@@ -98,32 +99,32 @@ struct Material {
 /// stretch axes as its rotation and the stretch as its scale, and where a mesh or the axis asks for it a leaf
 /// below that turns back.
 struct BindChain {
-  int joint = -1;
-  int leaf = -1;
-  int endLeaf = -1;                  ///< -1: none.
+  NodeIndex joint;
+  NodeIndex leaf;
+  NodeIndex endLeaf;                 ///< -1: none.
   Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Of the chain at rest: joint space from the last leaf's.
 
-  [[nodiscard]] int lastLeaf() const { return endLeaf >= 0 ? endLeaf : leaf; }
+  [[nodiscard]] NodeIndex lastLeaf() const { return endLeaf.exists() ? endLeaf : leaf; }
 };
 
 struct Scene {
   std::vector<Node> nodes;
-  std::vector<int> roots; ///< Of the default scene; nodes that no scene shows are not drawn.
+  std::vector<NodeIndex> roots; ///< Of the default scene; nodes that no scene shows are not drawn.
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Image> images;
   /// VRM humanoid table (0.x and 1.0): bone name as VRM 1.0 spells it ("leftUpperArm") -> node. Empty without
   /// one.
-  std::map<std::string, int> humanoid;
+  std::map<std::string, NodeIndex> humanoid;
   std::vector<BindChain> bindChains; ///< Of a file that this program stretched.
 };
 
 /// Node indices ordered so that every parent comes before its children. Files are checked for loops when they
 /// are read.
-[[nodiscard]] std::vector<int> parentsFirst(const Scene& scene);
+[[nodiscard]] std::vector<NodeIndex> parentsFirst(const Scene& scene);
 
 /// Whether `ancestor` is `node` or above it.
-[[nodiscard]] bool isAncestorOrSelf(const Scene& scene, int ancestor, int node);
+[[nodiscard]] bool isAncestorOrSelf(const Scene& scene, NodeIndex ancestor, NodeIndex node);
 
 } // namespace stretch

@@ -39,10 +39,10 @@ bool isInvertible(const Mat4& matrix) {
 
 struct Placer {
   const Scene& scene;
-  std::vector<int> order;   // nodes, parents first
-  std::vector<int> depth;   // per node
-  std::vector<Mat4> locals; // rest, per node
-  Binds bound;              // world bind matrix of the joints placed so far, per node
+  std::vector<NodeIndex> order; // nodes, parents first
+  std::vector<int> depth;       // per node
+  std::vector<Mat4> locals;     // rest, per node
+  Binds bound;                  // world bind matrix of the joints placed so far, per node
 
   explicit Placer(const Scene& source)
       : scene(source), order(parentsFirst(source)), depth(source.nodes.size(), 0),
@@ -50,19 +50,19 @@ struct Placer {
     const Pose rest = restPose(scene);
     locals.reserve(scene.nodes.size());
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-      locals.push_back(localMatrix(scene, rest, static_cast<int>(i)));
+      locals.push_back(localMatrix(scene, rest, NodeIndex(i)));
     }
-    for (const int node : order) {
-      const int parent = scene.nodes[static_cast<std::size_t>(node)].parent;
-      depth[static_cast<std::size_t>(node)] = parent < 0 ? 0 : depth[static_cast<std::size_t>(parent)] + 1;
+    for (const NodeIndex node : order) {
+      const NodeIndex parent = scene.nodes[at(node)].parent;
+      depth[at(node)] = !parent.exists() ? 0 : depth[at(parent)] + 1;
     }
   }
 
   // Where a node stands: bound, else at rest under its parent.
-  [[nodiscard]] Mat4 world(int node) const {
+  [[nodiscard]] Mat4 world(NodeIndex node) const {
     Mat4 below(1.0);
-    for (; node >= 0; node = scene.nodes[static_cast<std::size_t>(node)].parent) {
-      const auto index = static_cast<std::size_t>(node);
+    for (; node.exists(); node = scene.nodes[at(node)].parent) {
+      const auto index = at(node);
       if (bound[index]) {
         return *bound[index] * below;
       }
@@ -76,23 +76,22 @@ struct Placer {
 Binds modelBinds(const Scene& scene, const Skin& skin) {
   Binds binds(scene.nodes.size());
   for (std::size_t i = 0; i < skin.joints.size() && i < skin.inverseBind.size(); ++i) {
-    const int joint = skin.joints[i];
-    if (joint >= 0 && static_cast<std::size_t>(joint) < binds.size() && isInvertible(skin.inverseBind[i])) {
-      binds[static_cast<std::size_t>(joint)] = glm::inverse(skin.inverseBind[i]);
+    const NodeIndex joint = skin.joints[i];
+    if (joint.exists() && at(joint) < binds.size() && isInvertible(skin.inverseBind[i])) {
+      binds[at(joint)] = glm::inverse(skin.inverseBind[i]);
     }
   }
   return binds;
 }
 
 void dropFalseIdentities(const Placer& placer, Binds& binds) {
-  for (const int node : placer.order) {
-    auto& bind = binds[static_cast<std::size_t>(node)];
-    int parent = placer.scene.nodes[static_cast<std::size_t>(node)].parent;
-    while (parent >= 0 && !binds[static_cast<std::size_t>(parent)]) {
-      parent = placer.scene.nodes[static_cast<std::size_t>(parent)].parent;
+  for (const NodeIndex node : placer.order) {
+    auto& bind = binds[at(node)];
+    NodeIndex parent = placer.scene.nodes[at(node)].parent;
+    while (parent.exists() && !binds[at(parent)]) {
+      parent = placer.scene.nodes[at(parent)].parent;
     }
-    if (bind && parent >= 0 && isNearIdentity(*bind) &&
-        !isNearIdentity(*binds[static_cast<std::size_t>(parent)])) {
+    if (bind && parent.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(parent)])) {
       bind.reset();
     }
   }
@@ -100,28 +99,28 @@ void dropFalseIdentities(const Placer& placer, Binds& binds) {
 
 // The joint that a skin is placed by: one that stands already, else the topmost one with the most joints
 // below it.
-int anchorOf(const Placer& placer, const Binds& binds) {
-  int anchor = -1;
+NodeIndex anchorOf(const Placer& placer, const Binds& binds) {
+  NodeIndex anchor;
   std::vector<int> below(binds.size(), 0);
   for (auto node = placer.order.rbegin(); node != placer.order.rend(); ++node) {
-    const auto index = static_cast<std::size_t>(*node);
+    const auto index = at(*node);
     below[index] += binds[index] ? 1 : 0;
-    const int parent = placer.scene.nodes[index].parent;
-    if (parent >= 0) {
-      below[static_cast<std::size_t>(parent)] += below[index];
+    const NodeIndex parent = placer.scene.nodes[index].parent;
+    if (parent.exists()) {
+      below[at(parent)] += below[index];
     }
   }
-  for (const int node : placer.order) {
-    const auto index = static_cast<std::size_t>(node);
+  for (const NodeIndex node : placer.order) {
+    const auto index = at(node);
     if (!binds[index]) {
       continue;
     }
     if (placer.bound[index]) {
       return node;
     }
-    const bool higher = anchor < 0 || placer.depth[index] < placer.depth[static_cast<std::size_t>(anchor)];
-    const bool level = anchor >= 0 && placer.depth[index] == placer.depth[static_cast<std::size_t>(anchor)];
-    if (higher || (level && below[index] > below[static_cast<std::size_t>(anchor)])) {
+    const bool higher = !anchor.exists() || placer.depth[index] < placer.depth[at(anchor)];
+    const bool level = anchor.exists() && placer.depth[index] == placer.depth[at(anchor)];
+    if (higher || (level && below[index] > below[at(anchor)])) {
       anchor = node;
     }
   }
@@ -131,11 +130,11 @@ int anchorOf(const Placer& placer, const Binds& binds) {
 Mat4 placeSkin(Placer& placer, const Skin& skin) {
   Binds binds = modelBinds(placer.scene, skin);
   dropFalseIdentities(placer, binds);
-  const int anchor = anchorOf(placer, binds);
-  if (anchor < 0) {
+  const NodeIndex anchor = anchorOf(placer, binds);
+  if (!anchor.exists()) {
     return Mat4(1.0);
   }
-  const Mat4 placement = placer.world(anchor) * glm::inverse(*binds[static_cast<std::size_t>(anchor)]);
+  const Mat4 placement = placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
   if (!isFinite(placement)) {
     return Mat4(1.0);
   }
@@ -161,12 +160,12 @@ BindPose placeBindPose(const Scene& scene) {
     pose.placements[skin] = placeSkin(placer, scene.skins[skin]);
   }
   pose.worlds.resize(scene.nodes.size(), Mat4(1.0));
-  for (const int node : placer.order) {
-    const auto index = static_cast<std::size_t>(node);
-    const int parent = scene.nodes[index].parent;
+  for (const NodeIndex node : placer.order) {
+    const auto index = at(node);
+    const NodeIndex parent = scene.nodes[index].parent;
     pose.worlds[index] = placer.bound[index] ? *placer.bound[index]
-                         : parent < 0        ? placer.locals[index]
-                                      : pose.worlds[static_cast<std::size_t>(parent)] * placer.locals[index];
+                         : !parent.exists()  ? placer.locals[index]
+                                             : pose.worlds[at(parent)] * placer.locals[index];
   }
   return pose;
 }

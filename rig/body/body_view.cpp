@@ -23,9 +23,9 @@ constexpr int mostCandidates = 3000;
 std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
   std::vector<bool> possible(scene.nodes.size(), candidates != Candidates::skinJoints);
   if (candidates == Candidates::skinJoints) {
-    for (const int joint : skinJoints(scene)) {
-      if (joint >= 0 && static_cast<std::size_t>(joint) < possible.size()) {
-        possible[static_cast<std::size_t>(joint)] = true;
+    for (const NodeIndex joint : skinJoints(scene)) {
+      if (joint.exists() && at(joint) < possible.size()) {
+        possible[at(joint)] = true;
       }
     }
   }
@@ -40,14 +40,14 @@ std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Ca
   return possible;
 }
 
-std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<int>& order,
+std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIndex>& order,
                                     const std::vector<std::vector<Vec3>>& clouds) {
   std::vector<std::size_t> below(scene.nodes.size(), 0);
   for (auto node = order.rbegin(); node != order.rend(); ++node) {
-    const auto index = static_cast<std::size_t>(*node);
+    const auto index = at(*node);
     below[index] += clouds[index].size();
-    if (scene.nodes[index].parent >= 0) {
-      below[static_cast<std::size_t>(scene.nodes[index].parent)] += below[index];
+    if (scene.nodes[index].parent.exists()) {
+      below[at(scene.nodes[index].parent)] += below[index];
     }
   }
   return below;
@@ -66,8 +66,8 @@ public:
       view_.hasVertices = view_.hasVertices || !cloud.empty();
     }
     measure();
-    for (const int node : order_) {
-      const NameEvidence name = readName(scene_.nodes[static_cast<std::size_t>(node)].name);
+    for (const NodeIndex node : order_) {
+      const NameEvidence name = readName(scene_.nodes[at(node)].name);
       if (view_.count() < mostCandidates && isCandidate(node, name)) {
         add(node, name);
       }
@@ -93,8 +93,8 @@ private:
     view_.size = extent > 0.0 && std::isfinite(extent) ? extent : 1.0;
   }
 
-  [[nodiscard]] bool isCandidate(int node, const NameEvidence& name) const {
-    const auto index = static_cast<std::size_t>(node);
+  [[nodiscard]] bool isCandidate(NodeIndex node, const NameEvidence& name) const {
+    const auto index = at(node);
     if (!possible_[index] || name.end) {
       return false;
     }
@@ -104,40 +104,39 @@ private:
     return !handle && (!idle || hangsFromMovingJoint(node));
   }
 
-  [[nodiscard]] bool hangsFromMovingJoint(int node) const {
-    const int parent = scene_.nodes[static_cast<std::size_t>(node)].parent;
-    return parent >= 0 && !clouds_[static_cast<std::size_t>(parent)].empty();
+  [[nodiscard]] bool hangsFromMovingJoint(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return parent.exists() && !clouds_[at(parent)].empty();
   }
 
-  void add(int node, const NameEvidence& name) {
-    view_.candidateOfNode[static_cast<std::size_t>(node)] = view_.count();
+  void add(NodeIndex node, const NameEvidence& name) {
+    view_.candidateOfNode[at(node)] = view_.count();
     view_.nodes.push_back(node);
     view_.names.push_back(name);
-    view_.position.push_back(positionOf(bindPose_.worlds[static_cast<std::size_t>(node)]));
-    int above = scene_.nodes[static_cast<std::size_t>(node)].parent;
-    while (above >= 0 && view_.candidateOfNode[static_cast<std::size_t>(above)] < 0) {
-      above = scene_.nodes[static_cast<std::size_t>(above)].parent;
+    view_.position.push_back(positionOf(bindPose_.worlds[at(node)]));
+    NodeIndex above = scene_.nodes[at(node)].parent;
+    while (above.exists() && view_.candidateOfNode[at(above)] < 0) {
+      above = scene_.nodes[at(above)].parent;
     }
-    view_.parent.push_back(above < 0 ? -1 : view_.candidateOfNode[static_cast<std::size_t>(above)]);
+    view_.parent.push_back(above.exists() ? view_.candidateOfNode[at(above)] : -1);
   }
 
   // A joint whose master was left out hangs from the joint that stands where the master's parent stands.
   void hangFromStandIns() {
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
       auto& parent = view_.parent[static_cast<std::size_t>(candidate)];
-      int above =
-          scene_.nodes[static_cast<std::size_t>(view_.nodes[static_cast<std::size_t>(candidate)])].parent;
-      for (int steps = 0; parent < 0 && above >= 0 && steps < 8; ++steps) {
+      NodeIndex above = scene_.nodes[at(view_.nodes[static_cast<std::size_t>(candidate)])].parent;
+      for (int steps = 0; parent < 0 && above.exists() && steps < 8; ++steps) {
         parent = standIn(above, candidate);
-        above = scene_.nodes[static_cast<std::size_t>(above)].parent;
+        above = scene_.nodes[at(above)].parent;
       }
     }
   }
 
-  [[nodiscard]] int standIn(int node, int forCandidate) const {
-    const Vec3 place = positionOf(bindPose_.worlds[static_cast<std::size_t>(node)]);
+  [[nodiscard]] int standIn(NodeIndex node, int forCandidate) const {
+    const Vec3 place = positionOf(bindPose_.worlds[at(node)]);
     const double near = 1e-3 * view_.size;
-    if (!possible_[static_cast<std::size_t>(node)] || glm::distance(place, view_.at(forCandidate)) < near) {
+    if (!possible_[at(node)] || glm::distance(place, view_.at(forCandidate)) < near) {
       return -1;
     }
     for (int other = 0; other < view_.count(); ++other) {
@@ -175,28 +174,26 @@ private:
     const auto count = static_cast<std::size_t>(view_.count());
     view_.points.assign(count, {});
     view_.tips.assign(count, {});
-    for (const int node : order_) {
+    for (const NodeIndex node : order_) {
       const int owner = ownerOf(node);
       if (owner < 0) {
         continue;
       }
       auto& points = view_.points[static_cast<std::size_t>(owner)];
-      const auto& cloud = clouds_[static_cast<std::size_t>(node)];
+      const auto& cloud = clouds_[at(node)];
       points.insert(points.end(), cloud.begin(), cloud.end());
-      if (possible_[static_cast<std::size_t>(node)] &&
-          view_.candidateOfNode[static_cast<std::size_t>(node)] < 0) {
-        view_.tips[static_cast<std::size_t>(owner)].push_back(
-            positionOf(bindPose_.worlds[static_cast<std::size_t>(node)]));
+      if (possible_[at(node)] && view_.candidateOfNode[at(node)] < 0) {
+        view_.tips[static_cast<std::size_t>(owner)].push_back(positionOf(bindPose_.worlds[at(node)]));
       }
     }
     gatherReach();
   }
 
-  [[nodiscard]] int ownerOf(int node) const {
-    while (node >= 0 && view_.candidateOfNode[static_cast<std::size_t>(node)] < 0) {
-      node = scene_.nodes[static_cast<std::size_t>(node)].parent;
+  [[nodiscard]] int ownerOf(NodeIndex node) const {
+    while (node.exists() && view_.candidateOfNode[at(node)] < 0) {
+      node = scene_.nodes[at(node)].parent;
     }
-    return node < 0 ? -1 : view_.candidateOfNode[static_cast<std::size_t>(node)];
+    return node.exists() ? view_.candidateOfNode[at(node)] : -1;
   }
 
   void gatherReach() {
@@ -231,7 +228,7 @@ private:
 
   const Scene& scene_;
   const BindPose& bindPose_;
-  std::vector<int> order_;
+  std::vector<NodeIndex> order_;
   std::vector<std::vector<Vec3>> clouds_;
   std::vector<std::size_t> below_;
   std::vector<bool> possible_;

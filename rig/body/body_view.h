@@ -17,9 +17,9 @@ enum class Candidates {
 };
 
 /// A bone tree reduced to the joints that can belong to limbs and trunk, with all evidence at hand. Vectors
-/// are indexed by candidate; -1 means none. Positions are of the bind pose, in world units.
+/// are indexed by candidate, which is an int; -1 means none. Positions are of the bind pose, in world units.
 struct BodyView {
-  std::vector<int> nodes;           ///< Node of each candidate.
+  std::vector<NodeIndex> nodes;     ///< Node of each candidate.
   std::vector<int> candidateOfNode; ///< One for each node.
   std::vector<int> parent;          ///< Nearest candidate above.
   std::vector<std::vector<int>> children;

@@ -14,7 +14,7 @@ Error chainError(const std::string& joint, std::string what, std::string remedy)
   return {std::move(what), "joint \"" + joint + "\"", std::move(remedy)};
 }
 
-Result<int> nodeByIndex(const Scene& scene, const std::string& joint) {
+Result<NodeIndex> nodeByIndex(const Scene& scene, const std::string& joint) {
   int index = -1;
   const char* last = joint.data() + joint.size();
   const auto [end, problem] = std::from_chars(joint.data() + 1, last, index);
@@ -23,23 +23,23 @@ Result<int> nodeByIndex(const Scene& scene, const std::string& joint) {
     return chainError(joint, "no node has this index",
                       fmt::format("the file has {} nodes, counted from #0", scene.nodes.size()));
   }
-  return index;
+  return NodeIndex(index);
 }
 
-std::string indexList(const std::vector<int>& nodes) {
+std::string indexList(const std::vector<NodeIndex>& nodes) {
   constexpr std::size_t most = 6;
   std::string text;
   for (std::size_t i = 0; i < std::min(nodes.size(), most); ++i) {
-    text += fmt::format("{}#{}", i == 0 ? "" : ", ", nodes[i]);
+    text += fmt::format("{}#{}", i == 0 ? "" : ", ", nodes[i].value);
   }
   return nodes.size() > most ? text + ", ..." : text;
 }
 
-Result<int> findJoint(const Scene& scene, const std::string& joint) {
-  std::vector<int> found;
+Result<NodeIndex> findJoint(const Scene& scene, const std::string& joint) {
+  std::vector<NodeIndex> found;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].name == joint) {
-      found.push_back(static_cast<int>(i));
+      found.push_back(NodeIndex(i));
     }
   }
   if (found.empty() && joint.size() > 1 && joint.front() == '#') {
@@ -49,8 +49,8 @@ Result<int> findJoint(const Scene& scene, const std::string& joint) {
     return chainError(joint, "no node has this name", "name a node of the file, or give its index as #N");
   }
   // A mesh may share its joint's name: among several nodes the one that a skin uses is meant.
-  std::vector<int> joints;
-  std::ranges::copy_if(found, std::back_inserter(joints), [&](int node) {
+  std::vector<NodeIndex> joints;
+  std::ranges::copy_if(found, std::back_inserter(joints), [&](NodeIndex node) {
     return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
       return std::ranges::find(skin.joints, node) != skin.joints.end();
     });
@@ -61,7 +61,7 @@ Result<int> findJoint(const Scene& scene, const std::string& joint) {
   return found.size() == 1 ? found.front() : joints.front();
 }
 
-bool isJoint(const Scene& scene, int node) {
+bool isJoint(const Scene& scene, NodeIndex node) {
   return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
     return std::ranges::find(skin.joints, node) != skin.joints.end();
   });
@@ -69,10 +69,9 @@ bool isJoint(const Scene& scene, int node) {
 
 // Nodes from `top` to above `bottom`, top first; helper nodes that no skin uses are left out where skins say
 // what a joint is.
-std::vector<int> jointsBetween(const Scene& scene, int top, int bottom) {
-  std::vector<int> joints;
-  for (int node = scene.nodes[static_cast<std::size_t>(bottom)].parent; node != top;
-       node = scene.nodes[static_cast<std::size_t>(node)].parent) {
+std::vector<NodeIndex> jointsBetween(const Scene& scene, NodeIndex top, NodeIndex bottom) {
+  std::vector<NodeIndex> joints;
+  for (NodeIndex node = scene.nodes[at(bottom)].parent; node != top; node = scene.nodes[at(node)].parent) {
     if (scene.skins.empty() || isJoint(scene, node)) {
       joints.push_back(node);
     }
@@ -85,11 +84,11 @@ std::vector<int> jointsBetween(const Scene& scene, int top, int bottom) {
 } // namespace
 
 Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std::string& jointB) {
-  const Result<int> top = findJoint(scene, jointA);
+  const Result<NodeIndex> top = findJoint(scene, jointA);
   if (!top) {
     return top.error();
   }
-  const Result<int> bottom = findJoint(scene, jointB);
+  const Result<NodeIndex> bottom = findJoint(scene, jointB);
   if (!bottom) {
     return bottom.error();
   }

@@ -76,8 +76,8 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   std::ranges::move(limbsOfTrunk(scene, view, plan, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
-  result.hips = trunk.hips < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.hips)];
-  result.head = trunk.head < 0 ? -1 : view.nodes[static_cast<std::size_t>(trunk.head)];
+  result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
+  result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
   // Limbs without an upright body between them are no biped's.
   constexpr double leastRelation = 0.6;
   const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation;
@@ -144,8 +144,8 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
   }
   std::ranges::stable_sort(limbs, {}, &Limb::kind);
   result.limbs = std::move(limbs);
-  result.hips = table.hips >= 0 ? table.hips : result.hips;
-  result.head = table.head >= 0 ? table.head : result.head;
+  result.hips = table.hips.exists() ? table.hips : result.hips;
+  result.head = table.head.exists() ? table.head : result.head;
   result.isBiped = makesBiped(result.limbs);
   finding.quadruped = false;
 }
@@ -169,9 +169,9 @@ void warn(Finding& finding) {
                                                       : "no complete biped found: check the limbs by hand");
 }
 
-int topmost(const Scene& scene, int node) {
-  while (node >= 0 && scene.nodes[static_cast<std::size_t>(node)].parent >= 0) {
-    node = scene.nodes[static_cast<std::size_t>(node)].parent;
+NodeIndex topmost(const Scene& scene, NodeIndex node) {
+  while (node.exists() && scene.nodes[at(node)].parent.exists()) {
+    node = scene.nodes[at(node)].parent;
   }
   return node;
 }

@@ -13,8 +13,8 @@ namespace stretch::rig {
 /// What was recognised of a character.
 struct Biped {
   std::vector<Limb> limbs; ///< In the order of LimbKind; a limb that was not found is missing.
-  int hips = -1;           ///< Node that carries the body: space "root" is measured from it. -1: none found.
-  int head = -1;
+  NodeIndex hips;          ///< Node that carries the body: space "root" is measured from it. -1: none found.
+  NodeIndex head;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
   double height = 1.0;  ///< Of the character in its bind pose, world units, > 0: what every tolerance is
                         ///< relative to.

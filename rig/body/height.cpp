@@ -17,13 +17,13 @@ bool hasSkinnedMesh(const Scene& scene) {
   return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
 }
 
-Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, int root) {
+Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex root) {
   const bool skinned = hasSkinnedMesh(scene);
   const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, !skinned);
   Bounds bounds;
   for (std::size_t node = 0; node < clouds.size(); ++node) {
     if (clouds[node].empty() ||
-        (!skinned && root >= 0 && !isAncestorOrSelf(scene, root, static_cast<int>(node)))) {
+        (!skinned && root.exists() && !isAncestorOrSelf(scene, root, NodeIndex(node)))) {
       continue;
     }
     for (const Vec3& point : clouds[node]) {
@@ -36,9 +36,9 @@ Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, int root) {
 Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
   Bounds bounds;
   for (const Skin& skin : scene.skins) {
-    for (const int joint : skin.joints) {
-      if (joint >= 0 && static_cast<std::size_t>(joint) < bindPose.worlds.size()) {
-        bounds.add(positionOf(bindPose.worlds[static_cast<std::size_t>(joint)]));
+    for (const NodeIndex joint : skin.joints) {
+      if (joint.exists() && at(joint) < bindPose.worlds.size()) {
+        bounds.add(positionOf(bindPose.worlds[at(joint)]));
       }
     }
   }
@@ -52,7 +52,7 @@ Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
 
 } // namespace
 
-double characterHeight(const Scene& scene, const BindPose& bindPose, int root, const Vec3& bodyUp) {
+double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex root, const Vec3& bodyUp) {
   Bounds bounds = vertexBounds(scene, bindPose, root);
   if (bounds.empty()) {
     bounds = jointBounds(scene, bindPose);

@@ -24,27 +24,27 @@ constexpr std::array tableLimbs = std::to_array<TableLimb>({
     {LimbKind::rightLeg, {"rightUpperLeg", "rightLowerLeg", "rightFoot"}},
 });
 
-int nodeOf(const Scene& scene, const char* bone) {
+NodeIndex nodeOf(const Scene& scene, const char* bone) {
   const auto found = scene.humanoid.find(bone);
-  const bool valid = found != scene.humanoid.end() && found->second >= 0 &&
-                     static_cast<std::size_t>(found->second) < scene.nodes.size();
-  return valid ? found->second : -1;
+  const bool valid =
+      found != scene.humanoid.end() && found->second.exists() && at(found->second) < scene.nodes.size();
+  return valid ? found->second : NodeIndex::none;
 }
 
 // The entries of a row of bones that exist, each below the one before.
-std::vector<int> chainOf(const Scene& scene, std::initializer_list<const char*> bones) {
-  std::vector<int> chain;
+std::vector<NodeIndex> chainOf(const Scene& scene, std::initializer_list<const char*> bones) {
+  std::vector<NodeIndex> chain;
   for (const char* bone : bones) {
-    const int node = nodeOf(scene, bone);
+    const NodeIndex node = nodeOf(scene, bone);
     const bool below = chain.empty() || (node != chain.back() && isAncestorOrSelf(scene, chain.back(), node));
-    if (node >= 0 && below) {
+    if (node.exists() && below) {
       chain.push_back(node);
     }
   }
   return chain;
 }
 
-Limb tableLimb(LimbKind kind, std::vector<int> joints, int end, const BindPose& bindPose) {
+Limb tableLimb(LimbKind kind, std::vector<NodeIndex> joints, NodeIndex end, const BindPose& bindPose) {
   Limb limb = makeLimb(kind, std::move(joints), {.node = end}, bindPose.worlds);
   limb.confidence = tableConfidence;
   limb.reasons = {"the VRM humanoid table of the file"};
@@ -52,9 +52,9 @@ Limb tableLimb(LimbKind kind, std::vector<int> joints, int end, const BindPose& 
 }
 
 std::optional<Limb> spineOf(const Scene& scene, const BindPose& bindPose) {
-  std::vector<int> chain = chainOf(scene, {"spine", "chest", "upperChest"});
+  std::vector<NodeIndex> chain = chainOf(scene, {"spine", "chest", "upperChest"});
   if (chain.size() == 1) {
-    const std::vector<int> above = chainOf(scene, {"spine", "neck", "head"});
+    const std::vector<NodeIndex> above = chainOf(scene, {"spine", "neck", "head"});
     if (above.size() > 1) {
       chain.push_back(above[1]);
     }
@@ -62,7 +62,7 @@ std::optional<Limb> spineOf(const Scene& scene, const BindPose& bindPose) {
   if (chain.size() < 2) {
     return std::nullopt;
   }
-  const int tip = chain.back();
+  const NodeIndex tip = chain.back();
   chain.pop_back();
   return tableLimb(LimbKind::spine, std::move(chain), tip, bindPose);
 }
@@ -74,7 +74,7 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   table.hips = nodeOf(scene, "hips");
   table.head = nodeOf(scene, "head");
   for (const TableLimb& entry : tableLimbs) {
-    const std::vector<int> chain = chainOf(scene, {entry.bones[0], entry.bones[1], entry.bones[2]});
+    const std::vector<NodeIndex> chain = chainOf(scene, {entry.bones[0], entry.bones[1], entry.bones[2]});
     if (chain.size() == 3) {
       table.limbs.push_back(tableLimb(entry.kind, {chain[0], chain[1]}, chain[2], bindPose));
     }
@@ -82,7 +82,7 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   if (std::optional<Limb> spine = spineOf(scene, bindPose)) {
     table.limbs.push_back(std::move(*spine));
   }
-  const std::vector<int> neck = chainOf(scene, {"neck", "head"});
+  const std::vector<NodeIndex> neck = chainOf(scene, {"neck", "head"});
   if (neck.size() == 2) {
     table.limbs.push_back(tableLimb(LimbKind::neck, {neck[0]}, neck[1], bindPose));
   }

@@ -11,8 +11,8 @@ namespace stretch::rig::biped {
 /// they are.
 struct HumanoidTable {
   std::vector<Limb> limbs; ///< Those that the table names completely, in the order of LimbKind.
-  int hips = -1;
-  int head = -1;
+  NodeIndex hips;
+  NodeIndex head;
 };
 
 /// Empty for a scene without a table. Entries that point at no node, or out of order in the tree, are left

@@ -11,11 +11,11 @@ namespace stretch::rig::biped {
 
 namespace {
 
-double lengthOf(const std::vector<int>& joints, const Vec3& end, const std::vector<Mat4>& worlds) {
+double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std::vector<Mat4>& worlds) {
   double length = 0.0;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const Vec3 from = positionOf(worlds[static_cast<std::size_t>(joints[i])]);
-    const Vec3 to = i + 1 < joints.size() ? positionOf(worlds[static_cast<std::size_t>(joints[i + 1])]) : end;
+    const Vec3 from = positionOf(worlds[at(joints[i])]);
+    const Vec3 to = i + 1 < joints.size() ? positionOf(worlds[at(joints[i + 1])]) : end;
     length += glm::distance(from, to);
   }
   return length;
@@ -54,8 +54,8 @@ std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess) {
   return joints;
 }
 
-std::vector<int> nodesOf(const BodyView& view, const std::vector<int>& candidates) {
-  std::vector<int> nodes;
+std::vector<NodeIndex> nodesOf(const BodyView& view, const std::vector<int>& candidates) {
+  std::vector<NodeIndex> nodes;
   for (const int candidate : candidates) {
     nodes.push_back(view.nodes[static_cast<std::size_t>(candidate)]);
   }
@@ -131,7 +131,7 @@ LimbEnd spineEnd(const BodyView& view, const BodyPlan& plan, const Trunk& trunk)
   if (trunk.head >= 0) {
     return jointEnd(view, trunk.head);
   }
-  return plan.arms ? LimbEnd{-1, meanBase(view, *plan.arms)} : LimbEnd{};
+  return plan.arms ? LimbEnd{NodeIndex::none, meanBase(view, *plan.arms)} : LimbEnd{};
 }
 
 std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const BodyPlan& plan,
@@ -151,7 +151,7 @@ std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const Body
       joints.push_back(trunk.hips);
     }
   }
-  if (joints.empty() || (end.node < 0 && !plan.arms)) {
+  if (joints.empty() || (!end.node.exists() && !plan.arms)) {
     return std::nullopt;
   }
   Limb limb = makeLimb(LimbKind::spine, nodesOf(view, joints), end, bindPose.worlds);
@@ -161,7 +161,7 @@ std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const Body
   const double shape = (plan.arms && plan.legs ? 0.9 : 0.4) * (trunk.spine.size() >= 2 ? 1.0 : 0.7);
   limb.confidence = combine(std::clamp(trunk.spineNameFit, 0.0, 1.0), shape);
   reasons.push_back(nodeNames(scene, limb.joints));
-  if (end.node < 0) {
+  if (!end.node.exists()) {
     reasons.emplace_back("no end joint: estimated between the shoulders");
   }
   limb.reasons = std::move(reasons);
@@ -185,9 +185,9 @@ std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk
   if (limb.restLength < 1e-3 * view.size) {
     return std::nullopt;
   }
-  limb.confidence = combine(std::clamp(trunk.neckNameFit, 0.0, 1.0), end.node >= 0 ? 0.75 : 0.35);
+  limb.confidence = combine(std::clamp(trunk.neckNameFit, 0.0, 1.0), end.node.exists() ? 0.75 : 0.35);
   limb.reasons = {"between the chest and the head", nodeNames(scene, limb.joints)};
-  if (end.node < 0) {
+  if (!end.node.exists()) {
     limb.reasons.emplace_back("no head joint: estimated from the vertices of the last bone");
   }
   return limb;
@@ -195,16 +195,15 @@ std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk
 
 } // namespace
 
-Limb makeLimb(LimbKind kind, std::vector<int> joints, const LimbEnd& end,
+Limb makeLimb(LimbKind kind, std::vector<NodeIndex> joints, const LimbEnd& end,
               const std::vector<Mat4>& bindWorlds) {
   Limb limb;
   limb.kind = kind;
   limb.id = limbName(kind);
   limb.endNode = end.node;
-  const Vec3 position =
-      end.node >= 0 ? positionOf(bindWorlds[static_cast<std::size_t>(end.node)]) : end.position;
-  if (end.node < 0) {
-    const Mat4& last = bindWorlds[static_cast<std::size_t>(joints.back())];
+  const Vec3 position = end.node.exists() ? positionOf(bindWorlds[at(end.node)]) : end.position;
+  if (!end.node.exists()) {
+    const Mat4& last = bindWorlds[at(joints.back())];
     limb.endOffset = transformPoint(glm::inverse(last), position);
   }
   limb.restLength = lengthOf(joints, position, bindWorlds);
@@ -228,8 +227,8 @@ std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const Bo
       if (guess == nullptr || !*guess) {
         continue;
       }
-      const LimbEnd end =
-          (*guess)->end >= 0 ? jointEnd(view, (*guess)->end) : LimbEnd{-1, (*guess)->endPosition};
+      const LimbEnd end = (*guess)->end >= 0 ? jointEnd(view, (*guess)->end)
+                                             : LimbEnd{NodeIndex::none, (*guess)->endPosition};
       limbs.push_back(
           makeLimb(kindOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
       limbs.back().confidence = confidenceOf(**guess, *pair, sides);
@@ -251,12 +250,12 @@ std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view, const B
   return limbs;
 }
 
-std::string nodeNames(const Scene& scene, const std::vector<int>& nodes) {
+std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes) {
   std::string text;
-  for (const int node : nodes) {
-    const std::string& name = scene.nodes[static_cast<std::size_t>(node)].name;
+  for (const NodeIndex node : nodes) {
+    const std::string& name = scene.nodes[at(node)].name;
     text += text.empty() ? "" : ", ";
-    text += name.empty() ? fmt::format("#{}", node) : name;
+    text += name.empty() ? fmt::format("#{}", node.value) : name;
   }
   return text;
 }

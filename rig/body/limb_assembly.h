@@ -12,12 +12,12 @@ namespace stretch::rig::biped {
 
 /// Where a limb ends: a joint, or a point in the world (bind pose).
 struct LimbEnd {
-  int node = -1;
+  NodeIndex node;
   Vec3 position{0.0};
 };
 
 /// A limb of the given nodes: fills id, end offset and rest length from the bind pose.
-[[nodiscard]] Limb makeLimb(LimbKind kind, std::vector<int> joints, const LimbEnd& end,
+[[nodiscard]] Limb makeLimb(LimbKind kind, std::vector<NodeIndex> joints, const LimbEnd& end,
                             const std::vector<Mat4>& bindWorlds);
 
 /// Whether a limb has a length and its numbers are finite; a file with degenerate transforms makes limbs that
@@ -35,6 +35,6 @@ struct LimbEnd {
                                              const Trunk& trunk, const BindPose& bindPose);
 
 /// "a, b, c" of the nodes' names, "#index" for a node without one.
-[[nodiscard]] std::string nodeNames(const Scene& scene, const std::vector<int>& nodes);
+[[nodiscard]] std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig::biped

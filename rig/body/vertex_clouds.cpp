@@ -8,21 +8,21 @@ namespace stretch::rig::biped {
 
 namespace {
 
-int strongestJoint(const VertexInfluences& influences, const Skin& skin) {
+NodeIndex strongestJoint(const VertexInfluences& influences, const Skin& skin) {
   const auto strongest = std::ranges::max_element(influences.weights);
   if (!(*strongest > 0.0F)) {
-    return -1;
+    return NodeIndex::none;
   }
   const auto slot = static_cast<std::size_t>(strongest - influences.weights.begin());
   const std::size_t joint = influences.joints[slot];
-  return joint < skin.joints.size() ? skin.joints[joint] : -1;
+  return joint < skin.joints.size() ? skin.joints[joint] : NodeIndex::none;
 }
 
-void addPoint(std::vector<std::vector<Vec3>>& clouds, int node, const Mat4& placement,
+void addPoint(std::vector<std::vector<Vec3>>& clouds, NodeIndex node, const Mat4& placement,
               const glm::vec3& position) {
   const Vec3 world = transformPoint(placement, Vec3(position));
-  if (node >= 0 && static_cast<std::size_t>(node) < clouds.size() && isFinite(world)) {
-    clouds[static_cast<std::size_t>(node)].push_back(world);
+  if (node.exists() && at(node) < clouds.size() && isFinite(world)) {
+    clouds[at(node)].push_back(world);
   }
 }
 
@@ -34,7 +34,7 @@ void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Primitive& primiti
   }
 }
 
-void addRigid(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, int node,
+void addRigid(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, NodeIndex node,
               const Mat4& world) {
   for (const glm::vec3& position : primitive.positions) {
     addPoint(clouds, node, world, position);
@@ -60,7 +60,7 @@ std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& 
         const auto index = static_cast<std::size_t>(skin);
         addSkinned(clouds, primitive, scene.skins[index], bindPose.placements[index]);
       } else if (rigidMeshes) {
-        addRigid(clouds, primitive, static_cast<int>(node), bindPose.worlds[node]);
+        addRigid(clouds, primitive, NodeIndex(node), bindPose.worlds[node]);
       }
     }
   }

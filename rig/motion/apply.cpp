@@ -115,13 +115,13 @@ struct Carry {
 
 Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample,
               const FrameState& source, const FrameState& frame) {
-  const int base = solved.limb.joints.front();
-  const int parent = scene.nodes[at(base)].parent;
+  const NodeIndex base = solved.limb.joints.front();
+  const NodeIndex parent = scene.nodes[at(base)].parent;
   Carry carry;
   carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
   carry.baseBefore = sample.base;
   carry.baseNow = positionOf(frame.worlds[at(base)]);
-  if (!carry.still && parent >= 0) {
+  if (!carry.still && parent.exists()) {
     carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(source.worlds[at(parent)]));
   }
   return carry;

@@ -25,49 +25,49 @@ class PoseWriter {
 public:
   PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
 
-  [[nodiscard]] const Mat4& worldBefore(int node) const { return before_[at(node)]; }
+  [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
 
   // World matrix of the node's parent as it stands, parents of it having been written before.
-  [[nodiscard]] Mat4 parentWorld(int node) const {
-    const int parent = scene_.nodes[at(node)].parent;
-    return parent < 0 ? Mat4(1.0) : frame_.worlds[at(parent)];
+  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return !parent.exists() ? Mat4(1.0) : frame_.worlds[at(parent)];
   }
 
-  [[nodiscard]] Mat4 parentWorldBefore(int node) const {
-    const int parent = scene_.nodes[at(node)].parent;
-    return parent < 0 ? Mat4(1.0) : before_[at(parent)];
+  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return !parent.exists() ? Mat4(1.0) : before_[at(parent)];
   }
 
-  Transform& local(int node) {
+  Transform& local(NodeIndex node) {
     frame_.pose.usesMatrix[at(node)] = false;
     return frame_.pose.locals[at(node)];
   }
 
   // Recomputes the node's own world matrix; its children follow when they are written or at the end.
-  void refresh(int node) {
+  void refresh(NodeIndex node) {
     frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
   }
 
-  void refreshSubtree(int node) {
+  void refreshSubtree(NodeIndex node) {
     refresh(node);
-    for (const int child : scene_.nodes[at(node)].children) {
+    for (const NodeIndex child : scene_.nodes[at(node)].children) {
       refreshSubtree(child);
     }
   }
 
   // Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
   // Seen from the parents, which may be mirrored: their world rotations alone would not tell.
-  void turnInWorld(int node, const Quat& turn) {
+  void turnInWorld(NodeIndex node, const Quat& turn) {
     const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
     Transform& transform = local(node);
     transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
   }
 
-  void setWorldPosition(int node, const Vec3& positionWorld) {
+  void setWorldPosition(NodeIndex node, const Vec3& positionWorld) {
     local(node).translation = transformPoint(inverseOf(parentWorld(node)), positionWorld);
   }
 
-  void addStretch(int node, const Mat3& stretch) {
+  void addStretch(NodeIndex node, const Mat3& stretch) {
     if (frame_.stretch.empty()) {
       frame_.stretch.assign(scene_.nodes.size(), Mat3(1.0));
     }
@@ -81,20 +81,20 @@ private:
 };
 
 // A linear map of the joint's space seen from the space of a node below it.
-Mat3 inSpaceOf(const PoseWriter& writer, int joint, int node, const Mat3& stretch) {
+Mat3 inSpaceOf(const PoseWriter& writer, NodeIndex joint, NodeIndex node, const Mat3& stretch) {
   const Mat3 toJoint = Mat3(inverseOf(writer.worldBefore(joint)) * writer.worldBefore(node));
   return Mat3(inverseOf(Mat4(toJoint))) * stretch * toJoint;
 }
 
 // What hangs on the bone moves by K; on the path K goes through the frames of the nodes between.
 void moveByStretch(PoseWriter& writer, const BoneTopology& bone, const Mat3& stretch) {
-  int parent = bone.joint;
-  for (const int node : bone.pathNodes) {
+  NodeIndex parent = bone.joint;
+  for (const NodeIndex node : bone.pathNodes) {
     Transform& local = writer.local(node);
     local.translation = inSpaceOf(writer, bone.joint, parent, stretch) * local.translation;
     parent = node;
   }
-  for (const int node : bone.hanging) {
+  for (const NodeIndex node : bone.hanging) {
     Transform& local = writer.local(node);
     local.translation = stretch * local.translation;
   }
@@ -103,8 +103,8 @@ void moveByStretch(PoseWriter& writer, const BoneTopology& bone, const Mat3& str
 // Nested twist joints (children of twist joints) move by K as well; those that hang directly or lie on the
 // path did already.
 void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology& bone, const Mat3& stretch) {
-  for (const int node : bone.twistNodes) {
-    const int parent = scene.nodes[at(node)].parent;
+  for (const NodeIndex node : bone.twistNodes) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
     const bool onPath = std::find(bone.pathNodes.begin(), bone.pathNodes.end(), node) != bone.pathNodes.end();
     if (parent != bone.joint && !onPath) {
       writer.local(node).translation =
@@ -122,7 +122,7 @@ void stretchBone(PoseWriter& writer, const Scene& scene, const BoneTopology& bon
 }
 
 struct KeptTransform {
-  int node = -1;
+  NodeIndex node;
   Mat4 world{1.0};
 };
 
@@ -143,7 +143,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
   const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
-  for (const int node : topology.staying) {
+  for (const NodeIndex node : topology.staying) {
     kept.push_back({node, frame.worlds[at(node)]});
   }
   for (std::size_t i = 0; i < topology.bones.size(); ++i) {
@@ -158,11 +158,11 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
       stretchBone(writer, scene, bone, stretch);
     }
-    for (const int node : bone.pathNodes) {
+    for (const NodeIndex node : bone.pathNodes) {
       writer.refresh(node);
     }
   }
-  if (limb.endNode >= 0) {
+  if (limb.endNode.exists()) {
     if (!topology.endIsDescendant) {
       writer.setWorldPosition(limb.endNode, shape.end);
     }
@@ -188,12 +188,12 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
     const BoneTopology& bone = topology.bones[i];
     writer.refresh(bone.joint);
     stretchBone(writer, scene, bone, stretches[i]);
-    for (const int node : bone.pathNodes) {
+    for (const NodeIndex node : bone.pathNodes) {
       writer.refresh(node);
     }
   }
   if (!topology.endIsDescendant) {
-    const int last = limb.joints.back();
+    const NodeIndex last = limb.joints.back();
     const Vec3 offset = transformPoint(inverseOf(writer.worldBefore(last)), end);
     writer.setWorldPosition(limb.endNode, transformPoint(frame.worlds[at(last)], stretches.back() * offset));
     writer.refreshSubtree(limb.endNode);
@@ -201,7 +201,7 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
   writer.refreshSubtree(limb.joints.front());
 }
 
-void moveNode(const Scene& scene, int node, const Vec3& positionWorld, FrameState& frame) {
+void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame) {
   PoseWriter writer(scene, frame);
   writer.setWorldPosition(node, positionWorld);
   writer.refreshSubtree(node);

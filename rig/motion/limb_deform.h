@@ -32,6 +32,6 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
                  const std::vector<Mat3>& stretches, FrameState& frame);
 
 /// Brings a node, and what hangs on it, to a place in the world; its orientation stays.
-void moveNode(const Scene& scene, int node, const Vec3& positionWorld, FrameState& frame);
+void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame);
 
 } // namespace stretch::rig

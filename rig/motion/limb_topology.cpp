@@ -14,10 +14,10 @@ namespace stretch::rig {
 namespace {
 
 // Nodes from below `ancestor` down to `node`; empty when `node` is not below it.
-std::vector<int> pathDown(const Scene& scene, int ancestor, int node) {
-  std::vector<int> path;
-  for (int current = node; current != ancestor; current = scene.nodes[at(current)].parent) {
-    if (current < 0) {
+std::vector<NodeIndex> pathDown(const Scene& scene, NodeIndex ancestor, NodeIndex node) {
+  std::vector<NodeIndex> path;
+  for (NodeIndex current = node; current != ancestor; current = scene.nodes[at(current)].parent) {
+    if (!current.exists()) {
       return {};
     }
     path.push_back(current);
@@ -26,26 +26,26 @@ std::vector<int> pathDown(const Scene& scene, int ancestor, int node) {
   return path;
 }
 
-bool contains(const std::vector<int>& nodes, int node) {
+bool contains(const std::vector<NodeIndex>& nodes, NodeIndex node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
-bool subtreeHolds(const Scene& scene, int root, const std::set<int>& nodes) {
+bool subtreeHolds(const Scene& scene, NodeIndex root, const std::set<NodeIndex>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
-                     [&](int node) { return isAncestorOrSelf(scene, root, node); });
+                     [&](NodeIndex node) { return isAncestorOrSelf(scene, root, node); });
 }
 
 // Joints of all limbs other than `limb`, ends included: what is theirs is no twist joint of ours.
-std::set<int> jointsOfOthers(const Limb& limb, const std::vector<Limb>& others) {
-  std::set<int> joints;
+std::set<NodeIndex> jointsOfOthers(const Limb& limb, const std::vector<Limb>& others) {
+  std::set<NodeIndex> joints;
   for (const Limb& other : others) {
     if (other.id != limb.id) {
       joints.insert(other.joints.begin(), other.joints.end());
       joints.insert(other.endNode);
     }
   }
-  joints.erase(-1);
-  for (const int own : limb.joints) {
+  joints.erase(NodeIndex::none);
+  for (const NodeIndex own : limb.joints) {
     joints.erase(own);
   }
   joints.erase(limb.endNode);
@@ -75,21 +75,21 @@ bool liesAlong(const BoneLine& bone, const Vec3& point) {
   return fraction > -slack && fraction < 1.0 - slack && bone.distance(point) < nearness * bone.length();
 }
 
-void collectTwists(const Scene& scene, int node, const BoneLine& bone, const std::vector<Mat4>& bindWorlds,
-                   const std::set<int>& skinned, const std::set<int>& othersJoints,
-                   std::vector<int>& twists) {
+void collectTwists(const Scene& scene, NodeIndex node, const BoneLine& bone,
+                   const std::vector<Mat4>& bindWorlds, const std::set<NodeIndex>& skinned,
+                   const std::set<NodeIndex>& othersJoints, std::vector<NodeIndex>& twists) {
   if (skinned.count(node) == 0 || subtreeHolds(scene, node, othersJoints) ||
       !liesAlong(bone, positionOf(bindWorlds[at(node)]))) {
     return;
   }
   twists.push_back(node);
-  for (const int child : scene.nodes[at(node)].children) {
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
     collectTwists(scene, child, bone, bindWorlds, skinned, othersJoints, twists);
   }
 }
 
-std::set<int> legJoints(const std::vector<Limb>& limbs) {
-  std::set<int> joints;
+std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
+  std::set<NodeIndex> joints;
   for (const Limb& limb : limbs) {
     if (isLeg(limb)) {
       joints.insert(limb.joints.begin(), limb.joints.end());
@@ -101,14 +101,14 @@ std::set<int> legJoints(const std::vector<Limb>& limbs) {
 } // namespace
 
 Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds) {
-  return limb.endNode >= 0 ? positionOf(worlds[at(limb.endNode)])
-                           : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
+  return limb.endNode.exists() ? positionOf(worlds[at(limb.endNode)])
+                               : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
 }
 
 std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) {
   std::vector<Vec3> points;
   points.reserve(limb.joints.size() + 1);
-  for (const int joint : limb.joints) {
+  for (const NodeIndex joint : limb.joints) {
     points.push_back(positionOf(worlds[at(joint)]));
   }
   points.push_back(endPosition(limb, worlds));
@@ -116,7 +116,7 @@ std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) 
 }
 
 Vec3 endPosition(const Limb& limb, const FrameState& frame) {
-  if (limb.endNode >= 0) {
+  if (limb.endNode.exists()) {
     return positionOf(frame.worlds[at(limb.endNode)]);
   }
   return transformPoint(meshMatrix(frame, limb.joints.back()), limb.endOffset);
@@ -135,20 +135,21 @@ double limbLength(const Limb& limb, const FrameState& frame) {
 LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
                           const std::vector<Mat4>& bindWorlds) {
   LimbTopology topology;
-  const std::set<int> skinned = skinJoints(scene);
-  const std::set<int> othersJoints = jointsOfOthers(limb, others);
-  const std::set<int> legs = isLeg(limb) ? std::set<int>{} : legJoints(others);
+  const std::set<NodeIndex> skinned = skinJoints(scene);
+  const std::set<NodeIndex> othersJoints = jointsOfOthers(limb, others);
+  const std::set<NodeIndex> legs = isLeg(limb) ? std::set<NodeIndex>{} : legJoints(others);
   const std::vector<Vec3> points = limbPoints(limb, bindWorlds);
-  topology.endIsDescendant = limb.endNode < 0 || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
+  topology.endIsDescendant =
+      !limb.endNode.exists() || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
     BoneTopology bone;
     bone.joint = limb.joints[i];
-    const int next = i + 1 < limb.joints.size() ? limb.joints[i + 1] : limb.endNode;
-    if (next >= 0) {
+    const NodeIndex next = i + 1 < limb.joints.size() ? limb.joints[i + 1] : limb.endNode;
+    if (next.exists()) {
       bone.pathNodes = pathDown(scene, bone.joint, next);
     }
     const BoneLine line{points[i], points[i + 1]};
-    for (const int child : scene.nodes[at(bone.joint)].children) {
+    for (const NodeIndex child : scene.nodes[at(bone.joint)].children) {
       const bool onPath = contains(bone.pathNodes, child);
       if (!onPath && i == 0 && subtreeHolds(scene, child, legs)) {
         topology.staying.push_back(child);
@@ -162,7 +163,7 @@ LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vecto
     // Nodes between two limb joints that deform the mesh (split limbs) and what lies along the bone below
     // them.
     for (std::size_t k = 0; k + 1 < bone.pathNodes.size(); ++k) {
-      const int node = bone.pathNodes[k];
+      const NodeIndex node = bone.pathNodes[k];
       if (skinned.count(node) != 0) {
         bone.twistNodes.push_back(node);
       }
@@ -172,15 +173,15 @@ LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vecto
   return topology;
 }
 
-std::vector<int> touchedNodes(const Limb& limb, const LimbTopology& topology) {
-  std::set<int> nodes(limb.joints.begin(), limb.joints.end());
+std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topology) {
+  std::set<NodeIndex> nodes(limb.joints.begin(), limb.joints.end());
   for (const BoneTopology& bone : topology.bones) {
     nodes.insert(bone.pathNodes.begin(), bone.pathNodes.end());
     nodes.insert(bone.hanging.begin(), bone.hanging.end());
     nodes.insert(bone.twistNodes.begin(), bone.twistNodes.end());
   }
   nodes.insert(topology.staying.begin(), topology.staying.end());
-  if (limb.endNode >= 0) {
+  if (limb.endNode.exists()) {
     nodes.insert(limb.endNode);
   }
   return {nodes.begin(), nodes.end()};

@@ -12,14 +12,14 @@ namespace stretch::rig {
 /// to a bone).
 struct BoneTopology {
   /// The joint that carries the bone.
-  int joint = -1;
+  NodeIndex joint;
   /// From the joint's child down to the next limb joint or the end, both included; empty where the end is
   /// estimated or not a descendant.
-  std::vector<int> pathNodes;
+  std::vector<NodeIndex> pathNodes;
   /// Joints that lie along the bone and deform with it; parents first. May contain path nodes.
-  std::vector<int> twistNodes;
+  std::vector<NodeIndex> twistNodes;
   /// Children of the joint that are not on the path: moved by the bone's stretch.
-  std::vector<int> hanging;
+  std::vector<NodeIndex> hanging;
 };
 
 /// The nodes of a limb, by bone.
@@ -28,7 +28,7 @@ struct LimbTopology {
   std::vector<BoneTopology> bones;
   /// Children of the base joint that start another limb on the body's side (thighs under a joint that also
   /// starts the spine): they stay where they are.
-  std::vector<int> staying;
+  std::vector<NodeIndex> staying;
   /// Of the last joint; false for a foot under the root. True when the end is estimated.
   bool endIsDescendant = true;
 };
@@ -39,7 +39,7 @@ struct LimbTopology {
                                         const std::vector<Mat4>& bindWorlds);
 
 /// Every node whose local transform a trail on this limb may change, ascending, without repeats.
-[[nodiscard]] std::vector<int> touchedNodes(const Limb& limb, const LimbTopology& topology);
+[[nodiscard]] std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topology);
 
 /// Position of the limb's end in world space.
 [[nodiscard]] Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds);

@@ -112,8 +112,8 @@ void putDown(const Scene& scene, const Leg& leg, FrameState& frame) {
   }
 }
 
-void moveHips(const Scene& scene, int hips, double move, FrameState& frame) {
-  if (hips < 0 || move == 0.0) {
+void moveHips(const Scene& scene, NodeIndex hips, double move, FrameState& frame) {
+  if (!hips.exists() || move == 0.0) {
     return;
   }
   const Vec3 hipsWorld = positionOf(frame.worlds[at(hips)]) + move * up;
@@ -143,7 +143,8 @@ WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
   return sample;
 }
 
-void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, int hips, FrameState& frame) {
+void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
+                 FrameState& frame) {
   std::vector<Leg> legs;
   for (const SolvedWeight& solved : weights) {
     const WeightSample sample = weightAt(solved.weight, frame.timeSeconds);

@@ -44,6 +44,7 @@ struct SolvedWeight {
 /// and size. A leg that stands keeps its foot where it was: the hips go up or down along +Y by what the
 /// standing legs lost on average, and each leg is turned and scaled as a whole onto its foot; a leg in the
 /// air does not follow the hips either. Zero strains change nothing at all.
-void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, int hips, FrameState& frame);
+void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
+                 FrameState& frame);
 
 } // namespace stretch::rig

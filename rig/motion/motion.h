@@ -49,7 +49,7 @@ struct MotionState {
   double startSeconds = 0.0; ///< Of the clip: where a release wraps from and to when it loops.
   double endSeconds = 0.0;
   bool loops = false;
-  int hips = -1; ///< What the space "root" is measured from.
+  NodeIndex hips; ///< What the space "root" is measured from.
   std::vector<SolvedTrail> trails;
   std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the trails (setWeight).
 };

@@ -41,9 +41,9 @@ std::vector<std::size_t> carrierCounts(const Scene& scene, const std::vector<Act
 } // namespace
 
 bool carries(const Scene& scene, const Limb& inner, const Limb& outer) {
-  const int base = outer.joints.front();
+  const NodeIndex base = outer.joints.front();
   const bool below = isAncestorOrSelf(scene, inner.joints.front(), base) && inner.joints.front() != base;
-  return below || (inner.endNode >= 0 && isAncestorOrSelf(scene, inner.endNode, base));
+  return below || (inner.endNode.exists() && isAncestorOrSelf(scene, inner.endNode, base));
 }
 
 std::vector<std::size_t> actingOrder(const Scene& scene, const std::vector<ActingLimb>& limbs) {

@@ -25,16 +25,16 @@ std::vector<const SolvedTrail*> innerTrails(const Scene& scene, const MotionStat
   return inner;
 }
 
-std::vector<int> nodesOf(const MotionState& motion, const std::vector<const SolvedTrail*>& inner,
-                         const std::vector<PathRequest>& requests) {
-  std::set<int> nodes;
+std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<const SolvedTrail*>& inner,
+                               const std::vector<PathRequest>& requests) {
+  std::set<NodeIndex> nodes;
   const auto add = [&](const SolvedTrail& trail) {
-    const std::vector<int> touched = touchedNodes(trail.limb, trail.topology);
+    const std::vector<NodeIndex> touched = touchedNodes(trail.limb, trail.topology);
     nodes.insert(touched.begin(), touched.end());
   };
   std::for_each(inner.begin(), inner.end(), [&](const SolvedTrail* trail) { add(*trail); });
   std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(*request.trail); });
-  if (motion.hips >= 0) {
+  if (motion.hips.exists()) {
     nodes.insert(motion.hips);
   }
   return {nodes.begin(), nodes.end()};

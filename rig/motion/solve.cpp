@@ -41,9 +41,9 @@ double lengthOf(const std::vector<Vec3>& polyline) {
 }
 
 void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes) {
-  std::vector<int> nodes = solved.limb.joints;
-  nodes.push_back(solved.limb.endNode >= 0 ? solved.limb.endNode : solved.limb.joints.back());
-  if (input.biped->hips >= 0) {
+  std::vector<NodeIndex> nodes = solved.limb.joints;
+  nodes.push_back(solved.limb.endNode.exists() ? solved.limb.endNode : solved.limb.joints.back());
+  if (input.biped->hips.exists()) {
     nodes.push_back(input.biped->hips);
   }
   const NodeSampler sampler(*input.scene, *input.clip, nodes);
@@ -134,7 +134,8 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
 
 // To the limb's next key on a sparsely keyed clip, else a third of the range; within the
 // clip unless it loops.
-double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved, const std::vector<int>& nodes) {
+double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved,
+                        const std::vector<NodeIndex>& nodes) {
   const Clip& clip = *input.clip;
   const bool forwards = solved.settings.pivot == Pivot::start;
   const double room =
@@ -220,8 +221,8 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;
   solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  std::vector<int> keyed = limb.joints;
-  if (limb.endNode >= 0) {
+  std::vector<NodeIndex> keyed = limb.joints;
+  if (limb.endNode.exists()) {
     keyed.push_back(limb.endNode);
   }
   const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
@@ -308,8 +309,8 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
   const double last = std::min(clip.endSeconds * clip.framesPerSecond, longestFrames);
-  std::vector<int> nodes = limb.joints;
-  if (limb.endNode >= 0) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
     nodes.push_back(limb.endNode);
   }
   const NodeSampler sampler(scene, clip, nodes);

@@ -14,12 +14,12 @@ namespace stretch::rig {
 namespace {
 
 struct Leaf {
-  int node = -1;
+  NodeIndex node;
   Quat axis{1.0, 0.0, 0.0, 0.0}; // A
   bool axisIsFixed = true;       // over all clips, and as the file has it
   bool turnsBack = false;        // has a second leaf
-  int bindNode = -1;             // index in the saved file
-  int endNode = -1;
+  NodeIndex bindNode;            // index in the saved file
+  NodeIndex endNode;
   const BindChain* made = nullptr; // of the file as it was opened
 };
 
@@ -31,7 +31,7 @@ Leaf newLeaf(const Scene& scene, const StretchKeys& stretch) {
   leaf.made = findBindChain(scene, stretch.node);
   if (leaf.made != nullptr) {
     leaf.axis = scene.nodes[at(leaf.made->leaf)].rest.rotation;
-    leaf.axisIsFixed = leaf.made->endLeaf < 0;
+    leaf.axisIsFixed = !leaf.made->endLeaf.exists();
   }
   return leaf;
 }
@@ -54,7 +54,7 @@ bool fitsAxes(const StretchKeys& stretch, const Quat& axes) {
 }
 
 std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>& clips) {
-  std::map<int, Leaf> leaves;
+  std::map<NodeIndex, Leaf> leaves;
   for (const ClipStretches& clip : clips) {
     for (const StretchKeys& stretch : clip.stretches) {
       Leaf& leaf = leaves.try_emplace(stretch.node, newLeaf(scene, stretch)).first->second;
@@ -70,7 +70,7 @@ std::vector<Leaf> leavesOf(const Scene& scene, const std::vector<ClipStretches>&
   return ordered;
 }
 
-bool deformsAnything(const Scene& scene, int node) {
+bool deformsAnything(const Scene& scene, NodeIndex node) {
   const Node& holder = scene.nodes[at(node)];
   return (holder.mesh >= 0 && holder.skin < 0) ||
          std::any_of(scene.skins.begin(), scene.skins.end(), [&](const Skin& skin) {
@@ -80,7 +80,7 @@ bool deformsAnything(const Scene& scene, int node) {
 
 void addNodes(const Scene& scene, Leaf& leaf, gltf::Edits& edits) {
   const Node& holder = scene.nodes[at(leaf.node)];
-  const auto nextIndex = [&] { return static_cast<int>(scene.nodes.size() + edits.addedNodes.size()); };
+  const auto nextIndex = [&] { return NodeIndex(scene.nodes.size() + edits.addedNodes.size()); };
   if (leaf.made != nullptr) {
     leaf.bindNode = leaf.made->leaf;
     leaf.endNode = leaf.made->lastLeaf();
@@ -99,7 +99,7 @@ void addNodes(const Scene& scene, Leaf& leaf, gltf::Edits& edits) {
     end.name = holder.name + "_bind_end";
     end.parent = leaf.bindNode;
     end.rest.rotation = glm::inverse(leaf.axis);
-    end.meshFrom = holder.mesh >= 0 && holder.skin < 0 ? leaf.node : -1;
+    end.meshFrom = holder.mesh >= 0 && holder.skin < 0 ? leaf.node : NodeIndex::none;
     edits.addedNodes.push_back(end);
   }
 }
@@ -121,7 +121,7 @@ void moveSkinSlots(const Scene& scene, const Leaf& leaf, gltf::Edits& edits) {
   }
 }
 
-Track rotationTrack(int node, const std::vector<float>& times, const std::vector<Quat>& turns) {
+Track rotationTrack(NodeIndex node, const std::vector<float>& times, const std::vector<Quat>& turns) {
   Track track;
   track.node = node;
   track.channel = Channel::rotation;

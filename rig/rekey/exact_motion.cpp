@@ -21,8 +21,8 @@ const Pose& ExactMotion::sourceAt(double timeSeconds) {
              : sources_.emplace(timeSeconds, samplePose(scene_, clip_, timeSeconds)).first->second;
 }
 
-Vec4 channelValue(const Pose& pose, int node, Channel channel) {
-  const Transform& local = pose.locals[static_cast<std::size_t>(node)];
+Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel) {
+  const Transform& local = pose.locals[at(node)];
   switch (channel) {
   case Channel::translation:
     return Vec4(local.translation, 0.0);
@@ -37,9 +37,9 @@ Vec4 channelValue(const Pose& pose, int node, Channel channel) {
   return Vec4(0.0);
 }
 
-void setChannelValue(Pose& pose, int node, Channel channel, const Vec4& value) {
-  pose.usesMatrix[static_cast<std::size_t>(node)] = false;
-  Transform& local = pose.locals[static_cast<std::size_t>(node)];
+void setChannelValue(Pose& pose, NodeIndex node, Channel channel, const Vec4& value) {
+  pose.usesMatrix[at(node)] = false;
+  Transform& local = pose.locals[at(node)];
   if (channel == Channel::translation) {
     local.translation = Vec3(value);
   } else if (channel == Channel::scale) {

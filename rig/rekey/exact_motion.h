@@ -34,7 +34,7 @@ private:
 };
 
 /// A node's animated property as numbers: translation and scale in x, y, z, rotation as (x, y, z, w).
-[[nodiscard]] Vec4 channelValue(const Pose& pose, int node, Channel channel);
-void setChannelValue(Pose& pose, int node, Channel channel, const Vec4& value);
+[[nodiscard]] Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel);
+void setChannelValue(Pose& pose, NodeIndex node, Channel channel, const Vec4& value);
 
 } // namespace stretch::rig

@@ -13,7 +13,7 @@ namespace stretch::rig {
 
 namespace {
 
-const Track* trackOf(const Clip& clip, int node, Channel channel) {
+const Track* trackOf(const Clip& clip, NodeIndex node, Channel channel) {
   const int index = findTrack(clip, node, channel);
   return index < 0 ? nullptr : &*clip.tracks[at(index)];
 }
@@ -38,14 +38,14 @@ bool differs(const Vec4& a, const Vec4& b, Channel channel) {
   return glm::length(a - b) > negligible * (glm::length(a) + glm::length(b));
 }
 
-bool isChanged(ExactMotion& exact, const std::vector<double>& times, int node, Channel channel) {
+bool isChanged(ExactMotion& exact, const std::vector<double>& times, NodeIndex node, Channel channel) {
   return std::any_of(times.begin(), times.end(), [&](double time) {
     return differs(channelValue(exact.at(time).pose, node, channel),
                    channelValue(exact.sourceAt(time), node, channel), channel);
   });
 }
 
-bool isStretched(ExactMotion& exact, const std::vector<double>& times, int node) {
+bool isStretched(ExactMotion& exact, const std::vector<double>& times, NodeIndex node) {
   constexpr double negligible = 1e-9;
   return std::any_of(times.begin(), times.end(), [&](double time) {
     const FrameState& frame = exact.at(time);
@@ -63,7 +63,7 @@ bool isCubicSource(const ChangedChannel& channel) {
 
 void findChanges(ExactMotion& exact, PartKeys& keys) {
   const std::vector<double> times = allTimes(exact, keys.part->windows);
-  for (const int node : keys.part->nodes) {
+  for (const NodeIndex node : keys.part->nodes) {
     for (const Channel channel : {Channel::translation, Channel::rotation, Channel::scale}) {
       if (isChanged(exact, times, node, channel)) {
         keys.channels.push_back({node, channel, trackOf(exact.clip(), node, channel), false});
@@ -145,7 +145,7 @@ class StretchSpan {
 public:
   StretchSpan(ExactMotion& exact, const PartKeys& keys, const FramesOfNodes& frames, double start, double end)
       : exact_(exact), keys_(keys), start_(start), end_(end) {
-    for (const int node : keys.stretchedNodes) {
+    for (const NodeIndex node : keys.stretchedNodes) {
       const StretchFrames& ofNode = frames.at(node);
       ends_.emplace_back(ofNode.at(exact, start), ofNode.at(exact, end));
     }
@@ -227,10 +227,10 @@ std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double
 } // namespace
 
 FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts) {
-  std::map<int, std::vector<double>> timesOfNodes;
+  std::map<NodeIndex, std::vector<double>> timesOfNodes;
   for (const KeyedPart& part : parts) {
     const std::vector<double> times = allTimes(exact, part.windows);
-    for (const int node : part.nodes) {
+    for (const NodeIndex node : part.nodes) {
       std::vector<double>& ofNode = timesOfNodes[node];
       ofNode.insert(ofNode.end(), times.begin(), times.end());
       const std::vector<double> brought = sourceStretchTimes(exact, node);

@@ -12,7 +12,7 @@ namespace stretch::rig {
 
 /// A property that is changed.
 struct ChangedChannel {
-  int node = -1;
+  NodeIndex node;
   Channel channel = Channel::translation;
   const Track* source = nullptr; ///< Null when the clip does not animate it.
   bool isCubic = false;          ///< Its keys get tangents: as the source, else as the others of the limb.
@@ -22,13 +22,13 @@ struct ChangedChannel {
 struct PartKeys {
   const KeyedPart* part = nullptr;
   std::vector<ChangedChannel> channels;
-  std::vector<int> stretchedNodes;
+  std::vector<NodeIndex> stretchedNodes;
   std::vector<std::vector<double>> times;        ///< Key times of each window, ascending, its ends included.
   std::vector<std::vector<double>> stretchTimes; ///< The same for the stretch of the bones.
 };
 
 /// Stretched nodes with the frames of their stretches.
-using FramesOfNodes = std::map<int, StretchFrames>;
+using FramesOfNodes = std::map<NodeIndex, StretchFrames>;
 
 /// The frames of every node that some part stretches.
 [[nodiscard]] FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts);

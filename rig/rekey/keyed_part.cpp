@@ -89,7 +89,7 @@ KeyedPart partOf(const MotionState& motion, const SolvedWeight& solved) {
       part.windows.push_back(windowOf(motion, other.weight));
     }
   }
-  if (isLeg(solved.limb) && motion.hips >= 0) {
+  if (isLeg(solved.limb) && motion.hips.exists()) {
     part.nodes.push_back(motion.hips);
   }
   mergeOverlaps(part.windows);

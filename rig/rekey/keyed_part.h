@@ -27,7 +27,7 @@ struct Window {
 
 /// What one active trail, or the weight of one limb, moves and when.
 struct KeyedPart {
-  std::vector<int> nodes;         ///< Whose local transforms may change.
+  std::vector<NodeIndex> nodes;   ///< Whose local transforms may change.
   double boneLength = 0.0;        ///< Of the limb on average, world units.
   std::vector<Window> windows;    ///< Usually one; two where a loop wraps. Disjoint, ascending.
   std::vector<double> keySeconds; ///< Times inside that get a key in any case: the ends of the range.

@@ -16,7 +16,7 @@ void addSkinned(const Primitive& primitive, const Skin& skin, std::vector<double
       const std::size_t slot = influences.joints[i];
       const auto weight = static_cast<double>(influences.weights[i]);
       if (weight > 0.0 && slot < skin.joints.size()) {
-        double& farthest = reach[static_cast<std::size_t>(skin.joints[slot])];
+        double& farthest = reach[at(skin.joints[slot])];
         farthest = std::max(farthest, weight * glm::length(transformPoint(skin.inverseBind[slot], point)));
       }
     }

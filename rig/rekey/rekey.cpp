@@ -73,7 +73,7 @@ ChannelKeys keysOfChannel(const ChangedChannel& channel, const std::vector<PartK
   return {channel, merged(std::move(pieces))};
 }
 
-std::vector<KeyWindow> windowsOfStretch(int node, const std::vector<PartKeys>& parts) {
+std::vector<KeyWindow> windowsOfStretch(NodeIndex node, const std::vector<PartKeys>& parts) {
   std::vector<KeyWindow> pieces;
   for (const PartKeys& keys : parts) {
     const bool stretches =

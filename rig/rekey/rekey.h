@@ -19,7 +19,7 @@ struct RekeyOptions {
 /// space. Between keys scales run straight and axes turn evenly; held before the first and after the last,
 /// where K is the identity unless the clip begins or ends stretched.
 struct StretchKeys {
-  int node = -1;
+  NodeIndex node;
   std::vector<float> times; ///< Seconds, strictly increasing.
   std::vector<Quat> axes; ///< A: turns the x axis onto the bone. One entry when the axes are fixed, else one
                           ///< for each key.

@@ -40,7 +40,7 @@ bool isInside(const std::vector<KeyWindow>& windows, double time) {
 
 } // namespace
 
-std::vector<double> sourceStretchTimes(const ExactMotion& exact, int node) {
+std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node) {
   std::vector<double> times;
   const BindChain* const chain = findBindChain(exact.scene(), node);
   for (const CopyOnWrite<Track>& track : exact.clip().tracks) {
@@ -51,7 +51,7 @@ std::vector<double> sourceStretchTimes(const ExactMotion& exact, int node) {
   return times;
 }
 
-StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, int node,
+StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, NodeIndex node,
                          const std::vector<KeyWindow>& windows) {
   KeyTimes times;
   for (const KeyWindow& window : windows) {

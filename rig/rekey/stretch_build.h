@@ -9,11 +9,11 @@
 namespace stretch::rig {
 
 /// Key times of the stretch that the source has already at a node (Scene::bindChains); empty without one.
-[[nodiscard]] std::vector<double> sourceStretchTimes(const ExactMotion& exact, int node);
+[[nodiscard]] std::vector<double> sourceStretchTimes(const ExactMotion& exact, NodeIndex node);
 
 /// The stretch of one joint as keys: at the times of its windows, and outside them at those of the stretch
 /// that the source has already.
-[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, int node,
+[[nodiscard]] StretchKeys buildStretch(ExactMotion& exact, const StretchFrames& frames, NodeIndex node,
                                        const std::vector<KeyWindow>& windows);
 
 } // namespace stretch::rig

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double negligible = 1e-7; // of K
 
-Mat3 stretchAt(ExactMotion& exact, int node, double timeSeconds) {
+Mat3 stretchAt(ExactMotion& exact, NodeIndex node, double timeSeconds) {
   const FrameState& frame = exact.at(timeSeconds);
-  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[static_cast<std::size_t>(node)];
+  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
 }
 
 Mat3 seenFrom(const Quat& axes, const Mat3& stretch) {
@@ -87,7 +87,7 @@ Mat3 between(const StretchFrame& a, const StretchFrame& b, double t) {
   return StretchFrame{glm::slerp(a.axes, b.axes, t), a.factors + (b.factors - a.factors) * t}.matrix();
 }
 
-StretchFrames::StretchFrames(ExactMotion& exact, int node, std::vector<double> times)
+StretchFrames::StretchFrames(ExactMotion& exact, NodeIndex node, std::vector<double> times)
     : node_(node), times_(std::move(times)), axes_(times_.size()) {
   std::size_t strongest = 0;
   for (std::size_t i = 1; i < times_.size(); ++i) {

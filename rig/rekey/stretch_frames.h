@@ -30,13 +30,13 @@ struct StretchFrame {
 class StretchFrames {
 public:
   /// `times` ascending, at least one.
-  StretchFrames(ExactMotion& exact, int node, std::vector<double> times);
+  StretchFrames(ExactMotion& exact, NodeIndex node, std::vector<double> times);
 
   [[nodiscard]] StretchFrame at(ExactMotion& exact, double timeSeconds) const;
   [[nodiscard]] bool axesAreFixed() const { return axes_.size() == 1; }
 
 private:
-  int node_ = -1;
+  NodeIndex node_;
   std::vector<double> times_;
   std::vector<Quat> axes_; // one for each time, or one for all
 };

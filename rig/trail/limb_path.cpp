@@ -19,14 +19,14 @@ namespace {
 constexpr double sameTime = 1e-6; // seconds
 
 // The nodes, and the leaves that give them their stretch.
-std::vector<int> withLeaves(const std::vector<BindChain>& chains, std::vector<int> nodes) {
+std::vector<NodeIndex> withLeaves(const std::vector<BindChain>& chains, std::vector<NodeIndex> nodes) {
   for (const BindChain& chain : chains) {
     nodes.push_back(chain.lastLeaf());
   }
   return nodes;
 }
 
-std::vector<BindChain> chainsOf(const Scene& scene, const std::vector<int>& nodes) {
+std::vector<BindChain> chainsOf(const Scene& scene, const std::vector<NodeIndex>& nodes) {
   std::vector<BindChain> chains;
   std::copy_if(scene.bindChains.begin(), scene.bindChains.end(), std::back_inserter(chains),
                [&](const BindChain& chain) {
@@ -35,15 +35,14 @@ std::vector<BindChain> chainsOf(const Scene& scene, const std::vector<int>& node
   return chains;
 }
 
-std::vector<int> withAncestors(const Scene& scene, const std::vector<int>& nodes) {
-  std::set<int> wanted;
-  for (int node : nodes) {
-    for (; node >= 0 && wanted.insert(node).second;
-         node = scene.nodes[static_cast<std::size_t>(node)].parent) {
+std::vector<NodeIndex> withAncestors(const Scene& scene, const std::vector<NodeIndex>& nodes) {
+  std::set<NodeIndex> wanted;
+  for (NodeIndex node : nodes) {
+    for (; node.exists() && wanted.insert(node).second; node = scene.nodes[at(node)].parent) {
     }
   }
-  std::vector<int> ordered;
-  for (const int node : parentsFirst(scene)) {
+  std::vector<NodeIndex> ordered;
+  for (const NodeIndex node : parentsFirst(scene)) {
     if (wanted.count(node) != 0) {
       ordered.push_back(node);
     }
@@ -117,16 +116,16 @@ std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& sample
 
 } // namespace
 
-NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes)
+NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector<NodeIndex>& nodes)
     : scene_(&scene), chains_(chainsOf(scene, nodes)) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> stepOf(scene.nodes.size(), none);
-  for (const int node : withAncestors(scene, withLeaves(chains_, nodes))) {
-    stepOf[static_cast<std::size_t>(node)] = steps_.size();
+  for (const NodeIndex node : withAncestors(scene, withLeaves(chains_, nodes))) {
+    stepOf[at(node)] = steps_.size();
     steps_.push_back({node, {}});
   }
   for (const CopyOnWrite<Track>& track : clip.tracks) {
-    const std::size_t step = stepOf[static_cast<std::size_t>(track->node)];
+    const std::size_t step = stepOf[at(track->node)];
     if (step != none && track->channel != Channel::weights) {
       steps_[step].tracks.push_back(&*track);
     }
@@ -134,7 +133,7 @@ NodeSampler::NodeSampler(const Scene& scene, const Clip& clip, const std::vector
 }
 
 Transform NodeSampler::localAt(const Step& step, double timeSeconds) const {
-  Transform transform = scene_->nodes[static_cast<std::size_t>(step.node)].rest;
+  Transform transform = scene_->nodes[at(step.node)].rest;
   for (const Track* track : step.tracks) {
     std::array<double, 4> value{};
     sampleTrack(*track, timeSeconds, value.data());
@@ -149,9 +148,9 @@ Transform NodeSampler::localAt(const Step& step, double timeSeconds) const {
   return transform;
 }
 
-Mat4 NodeSampler::worldOf(int node, const Mat4& local, const std::vector<Mat4>& worlds) const {
-  const int parent = scene_->nodes[static_cast<std::size_t>(node)].parent;
-  return parent < 0 ? local : worlds[static_cast<std::size_t>(parent)] * local;
+Mat4 NodeSampler::worldOf(NodeIndex node, const Mat4& local, const std::vector<Mat4>& worlds) const {
+  const NodeIndex parent = scene_->nodes[at(node)].parent;
+  return !parent.exists() ? local : worlds[at(parent)] * local;
 }
 
 void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
@@ -163,13 +162,13 @@ void NodeSampler::sample(double timeSeconds, FrameState& frame) const {
   frame.worlds.resize(count, Mat4(1.0));
   frame.stretch.assign(chains_.empty() ? 0 : count, Mat3(1.0));
   for (const Step& step : steps_) {
-    const auto index = static_cast<std::size_t>(step.node);
+    const auto index = at(step.node);
     frame.pose.locals[index] = localAt(step, timeSeconds);
     frame.pose.usesMatrix[index] = scene_->nodes[index].matrix && step.tracks.empty();
     frame.worlds[index] = worldOf(step.node, localMatrix(*scene_, frame.pose, step.node), frame.worlds);
   }
   for (const BindChain& chain : chains_) {
-    frame.stretch[static_cast<std::size_t>(chain.joint)] = stretchOf(*scene_, frame.pose, chain);
+    frame.stretch[at(chain.joint)] = stretchOf(*scene_, frame.pose, chain);
   }
 }
 
@@ -177,13 +176,13 @@ Scene NodeSampler::skeleton() const {
   Scene skeleton;
   skeleton.nodes.resize(scene_->nodes.size());
   for (const Step& step : steps_) {
-    const Node& node = scene_->nodes[static_cast<std::size_t>(step.node)];
-    Node& copy = skeleton.nodes[static_cast<std::size_t>(step.node)];
+    const Node& node = scene_->nodes[at(step.node)];
+    Node& copy = skeleton.nodes[at(step.node)];
     copy.parent = node.parent;
     copy.rest = node.rest;
     copy.matrix = node.matrix;
-    if (node.parent >= 0) {
-      skeleton.nodes[static_cast<std::size_t>(node.parent)].children.push_back(step.node);
+    if (node.parent.exists()) {
+      skeleton.nodes[at(node.parent)].children.push_back(step.node);
     }
   }
   return skeleton;
@@ -213,15 +212,15 @@ double LimbPath::ratioAt(double timeSeconds) const {
   return ratios[i - 1] + t * (ratios[i] - ratios[i - 1]);
 }
 
-LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const FrameState& source) {
+LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips, const FrameState& source) {
   LimbSample sample;
   sample.timeSeconds = source.timeSeconds;
-  sample.base = positionOf(source.worlds[static_cast<std::size_t>(limb.joints.front())]);
+  sample.base = positionOf(source.worlds[at(limb.joints.front())]);
   sample.end = endPosition(limb, source);
   if (space == TrailSpace::base) {
     sample.reference = sample.base;
-  } else if (space == TrailSpace::root && hips >= 0) {
-    sample.reference = positionOf(source.worlds[static_cast<std::size_t>(hips)]);
+  } else if (space == TrailSpace::root && hips.exists()) {
+    sample.reference = positionOf(source.worlds[at(hips)]);
   }
   return sample;
 }
@@ -244,7 +243,7 @@ std::vector<double> sampleTimes(double startSeconds, double endSeconds, double f
   return times;
 }
 
-std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, double startSeconds,
+std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& nodes, double startSeconds,
                                double endSeconds) {
   std::vector<double> times;
   for (const CopyOnWrite<Track>& track : clip.tracks) {

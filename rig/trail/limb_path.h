@@ -15,7 +15,7 @@ namespace stretch::rig {
 /// and worldMatrices answer for these nodes, faster on clips with many tracks.
 class NodeSampler {
 public:
-  NodeSampler(const Scene& scene, const Clip& clip, const std::vector<int>& nodes);
+  NodeSampler(const Scene& scene, const Clip& clip, const std::vector<NodeIndex>& nodes);
 
   /// The clip at a time; only the asked nodes and their ancestors are filled in, the world matrices of others
   /// are the identity. `frame` may be one that was sampled before and changed since.
@@ -27,11 +27,11 @@ public:
 
 private:
   struct Step {
-    int node = -1;
+    NodeIndex node;
     std::vector<const Track*> tracks;
   };
   [[nodiscard]] Transform localAt(const Step& step, double timeSeconds) const;
-  [[nodiscard]] Mat4 worldOf(int node, const Mat4& local, const std::vector<Mat4>& worlds) const;
+  [[nodiscard]] Mat4 worldOf(NodeIndex node, const Mat4& local, const std::vector<Mat4>& worlds) const;
 
   const Scene* scene_;
   std::vector<Step> steps_;       // parents first
@@ -61,7 +61,8 @@ struct LimbPath {
 };
 
 /// The limb in a frame of the source clip.
-[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, int hips, const FrameState& source);
+[[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips,
+                                    const FrameState& source);
 
 /// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends,
 /// ascending.
@@ -70,7 +71,7 @@ struct LimbPath {
 
 /// Key times of the limb's joints (end and twist nodes of `nodes` included) within [start, end], ascending,
 /// without repeats.
-[[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes,
+[[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& nodes,
                                              double startSeconds, double endSeconds);
 
 /// Frames of the control spheres (docs/exaggeration.md, Control spheres): the keys of a sparsely keyed limb;

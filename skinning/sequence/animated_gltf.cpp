@@ -16,8 +16,8 @@ namespace {
 
 /// The triangles of everything that is drawn, in the order of skinnedPositions.
 void addTriangles(const Scene& scene, MeshSequence& sequence) {
-  for (const int node : drawnMeshNodes(scene)) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+  for (const NodeIndex node : drawnMeshNodes(scene)) {
+    const int mesh = scene.nodes[at(node)].mesh;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
       const auto first = static_cast<std::uint32_t>(sequence.vertexCount);
       for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {

@@ -147,7 +147,7 @@ TEST_CASE("a standing pose sags by a percent or two, its feet stay on the ground
     const rig::Limb& leg = *findLimb(document, id);
     CHECK(glm::length(rig::endPosition(leg, soft) - rig::endPosition(leg, source)) < 1e-3 * height);
   }
-  const auto hips = static_cast<std::size_t>(document.biped.hips);
+  const auto hips = at(document.biped.hips);
   const double drop = source.worlds[hips][3].y - soft.worlds[hips][3].y;
   CHECK(drop > 0.001 * height);
   CHECK(drop < 0.02 * height);
@@ -171,10 +171,10 @@ TEST_CASE("the unit of the file does not matter") {
   Node larger;
   larger.rest.scale = Vec3(100.0);
   larger.children = scene.roots;
-  for (const int root : scene.roots) {
-    scene.nodes[static_cast<std::size_t>(root)].parent = static_cast<int>(scene.nodes.size());
+  for (const NodeIndex root : scene.roots) {
+    scene.nodes[at(root)].parent = NodeIndex(scene.nodes.size());
   }
-  scene.roots = {static_cast<int>(scene.nodes.size())};
+  scene.roots = {NodeIndex(scene.nodes.size())};
   scene.nodes.push_back(larger);
   hundredths.scene = std::make_shared<const Scene>(scene);
   hundredths.biped = rig::detectBiped(scene);

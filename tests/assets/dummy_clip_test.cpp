@@ -24,7 +24,7 @@ struct Played {
     return worldMatrices(scene, samplePose(scene, clip, frame / framesPerSecond));
   }
   [[nodiscard]] Vec3 at(const std::string& name, double frame) const {
-    return positionOf(worlds(frame)[static_cast<std::size_t>(nodeNamed(scene, name))]);
+    return positionOf(worlds(frame)[stretch::at(nodeNamed(scene, name))]);
   }
 };
 

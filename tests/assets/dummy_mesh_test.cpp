@@ -108,7 +108,7 @@ TEST_CASE("The dummy stands on the ground, 1.75 m tall, its left on +X") {
   CHECK(low.y == Approx(0.0).margin(0.002));
   CHECK(high.y == Approx(1.75).margin(0.06));
   const std::vector<Mat4> worlds = worldMatrices(*dummy.scene, restPose(*dummy.scene));
-  CHECK(positionOf(worlds[static_cast<std::size_t>(nodeNamed(*dummy.scene, "LeftHand"))]).x > 0.4);
+  CHECK(positionOf(worlds[at(nodeNamed(*dummy.scene, "LeftHand"))]).x > 0.4);
 }
 
 TEST_CASE("An elbow or knee bent by 120 degrees keeps the limb's volume") {
@@ -123,7 +123,7 @@ TEST_CASE("An elbow or knee bent by 120 degrees keeps the limb's volume") {
   const auto bend = GENERATE(Bend{"LeftForeArm", 0.045}, Bend{"RightForeArm", 0.045}, Bend{"LeftLeg", 0.057},
                              Bend{"RightLeg", 0.057});
   const double around = pi * bend.radius * bend.radius * 6.0 * bend.radius;
-  const int joint = nodeNamed(*dummy.scene, bend.joint);
+  const NodeIndex joint = nodeNamed(*dummy.scene, bend.joint);
   const double change = (volume(body, bent(*dummy.scene, body, joint, 120.0)) - straight) / around;
   CAPTURE(bend.joint, change);
   CHECK(std::abs(change) < 0.12);

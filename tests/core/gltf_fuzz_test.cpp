@@ -53,7 +53,7 @@ void checkSound(const gltf::Loaded& file) {
   for (const Clip& clip : file.clips) {
     for (const CopyOnWrite<Track>& track : clip.tracks) {
       const std::size_t perKey = track->interpolation == Interpolation::cubicSpline ? 3 : 1;
-      CHECK((track->node >= 0 && track->node < nodes));
+      CHECK((track->node.exists() && track->node.value < nodes));
       CHECK(track->values.size() == track->times.size() * perKey * static_cast<std::size_t>(track->width));
     }
   }

@@ -43,11 +43,11 @@ TEST_CASE("A file's nodes, skin and clips arrive as the file says") {
   const Scene& scene = *file.scene;
   CHECK(file.warnings.empty());
   REQUIRE(scene.nodes.size() == 6);
-  CHECK(scene.nodes[1].parent == 0);
+  CHECK(scene.nodes[1].parent == NodeIndex(0));
   CHECK(scene.nodes[1].rest.translation == Vec3(0, 1, 0));
   REQUIRE(scene.nodes[5].matrix.has_value());
   CHECK(glm::length(scene.nodes[5].rest.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)) < 1e-12);
-  CHECK(scene.roots == std::vector<int>{0, 5});
+  CHECK(scene.roots == std::vector{NodeIndex(0), NodeIndex(5)});
   CHECK(scene.skins[0].inverseBind[2][3] == Vec4(0, -2, 0, 1));
   REQUIRE(file.clips.size() == 2);
   CHECK(file.clips[0].tracks.size() == 3);
@@ -218,7 +218,8 @@ TEST_CASE("The humanoid table of VRM 0 is read with the names of VRM 1") {
   GlbBuilder glb = armBuilder();
   glb.json["extensions"]["VRM"] = Json::parse(
       R"({"humanoid": {"humanBones": [{"bone": "leftUpperArm", "node": 1}, {"bone": "leftThumbProximal", "node": 2}]}})");
-  const std::map<std::string, int> expected{{"leftUpperArm", 1}, {"leftThumbMetacarpal", 2}};
+  const std::map<std::string, NodeIndex> expected{{"leftUpperArm", NodeIndex(1)},
+                                                  {"leftThumbMetacarpal", NodeIndex(2)}};
   CHECK(loaded(glb).scene->humanoid == expected);
 }
 
@@ -228,7 +229,7 @@ TEST_CASE("The humanoid table of VRM 1 and its animations is read") {
   glb.json["extensions"][extension] =
       Json::parse(R"({"humanoid": {"humanBones": {"hips": {"node": 0}, "spine": {"node": 99}}}})");
   const gltf::Loaded file = loaded(glb);
-  CHECK(file.scene->humanoid == std::map<std::string, int>{{"hips", 0}});
+  CHECK(file.scene->humanoid == std::map<std::string, NodeIndex>{{"hips", NodeIndex(0)}});
   CHECK(warnsOf(file, "'spine'"));
 }
 

@@ -52,21 +52,26 @@ gltf::Loaded reopened(const TemporaryFolder& folder, const gltf::Source& source,
   return opened(folder / name);
 }
 
-Track scaleTrack(int node, std::vector<float> times, std::vector<float> values) {
+Track scaleTrack(NodeIndex node, std::vector<float> times, std::vector<float> values) {
   return {node, Channel::scale, Interpolation::linear, 3, std::move(times), std::move(values), -1};
 }
 
-Track turnTrack(int node) {
+Track turnTrack(NodeIndex node) {
   return {node, Channel::rotation, Interpolation::linear, 4, {0, 1}, {0, 0, 0, 1, 0, 0, 0.6F, 0.8F}, -1};
 }
 
 // What a stretched "upper" looks like: a leaf with the joint's place in the skin and a scale of its own.
 gltf::Edits stretchEdits(const gltf::Loaded& file) {
   gltf::Edits edits;
-  edits.addedNodes = {{"upper_bind", upper, {{}, glm::angleAxis(0.3, Vec3(0, 0, 1)), Vec3(1.0)}, -1, true}};
+  edits.addedNodes = {{"upper_bind",
+                       NodeIndex(upper),
+                       {{}, glm::angleAxis(0.3, Vec3(0, 0, 1)), Vec3(1.0)},
+                       NodeIndex::none,
+                       true}};
   const Mat4 aligned = glm::inverse(toMatrix(edits.addedNodes[0].rest)) * file.scene->skins[0].inverseBind[1];
-  edits.skinSlots = {{0, 1, firstAdded, aligned}};
-  edits.clips = {{wave, {scaleTrack(firstAdded, {0, 1}, {1, 1, 1, 3, 1, 1}), turnTrack(lower)}}};
+  edits.skinSlots = {{0, 1, NodeIndex(firstAdded), aligned}};
+  edits.clips = {
+      {wave, {scaleTrack(NodeIndex(firstAdded), {0, 1}, {1, 1, 1, 3, 1, 1}), turnTrack(NodeIndex(lower))}}};
   return edits;
 }
 
@@ -108,11 +113,11 @@ TEST_CASE("A bind leaf at scale one leaves the skinning as it was") {
   CHECK(result.warnings.empty());
   CHECK(result.scene->nodes[firstAdded].isBindLeaf);
   CHECK_FALSE(result.scene->nodes[upper].isBindLeaf);
-  CHECK(result.scene->nodes[firstAdded].parent == upper);
+  CHECK(result.scene->nodes[firstAdded].parent == NodeIndex(upper));
   CHECK((*result.source->json)["skins"][0]["joints"] == Json{0, firstAdded, 2});
-  CHECK(result.scene->skins[0].joints == std::vector<int>{0, upper, 2});
+  CHECK(result.scene->skins[0].joints == std::vector{NodeIndex(0), NodeIndex(upper), NodeIndex(2)});
   REQUIRE(result.scene->bindChains.size() == 1);
-  CHECK(result.scene->bindChains[0].leaf == firstAdded);
+  CHECK(result.scene->bindChains[0].leaf == NodeIndex(firstAdded));
   for (const double time : {0.0, 0.3, 0.5, 1.0}) {
     const std::vector<Vec3> before = skinned(file, wave, time);
     const std::vector<Vec3> after = skinned(result, wave, time);
@@ -132,7 +137,7 @@ TEST_CASE("Re-keyed tracks replace those of the clip, everything else stays wher
   CHECK(clip.tracks[0]->times == std::vector<float>{0, 1});
   CHECK(clip.tracks[0]->values.back() == 0.8F);
   CHECK(clip.tracks[1]->values == file.clips[wave].tracks[1]->values);
-  CHECK(clip.tracks[3]->node == firstAdded);
+  CHECK(clip.tracks[3]->node == NodeIndex(firstAdded));
   CHECK(clip.tracks[3]->values[3] == 3.0F);
   CHECK(result.clips[1] == file.clips[1]);
   // The source's samplers and bytes are still there, at their places.
@@ -150,7 +155,7 @@ TEST_CASE("An animated node gives up its matrix for translation, rotation and sc
   constexpr int camera = 5;
   REQUIRE(file.scene->nodes[camera].matrix.has_value());
   gltf::Edits edits;
-  edits.clips = {{wave, {turnTrack(camera)}}};
+  edits.clips = {{wave, {turnTrack(NodeIndex(camera))}}};
   const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
   CHECK_FALSE(result.scene->nodes[camera].matrix.has_value());
   CHECK(glm::length(result.scene->nodes[camera].rest.translation - Vec3(0, 1, 0)) < 1e-12);
@@ -176,7 +181,7 @@ TEST_CASE("A rigid mesh moves to its bind leaf") {
   const TemporaryFolder folder;
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits;
-  edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
+  edits.addedNodes = {{"prop_bind", NodeIndex(prop), {}, NodeIndex(prop), true}};
   const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
   CHECK_FALSE((*result.source->json)["nodes"][prop].contains("mesh"));
   CHECK((*result.source->json)["nodes"][firstAdded]["mesh"] == 1);
@@ -191,7 +196,7 @@ TEST_CASE("What VRM says of a mesh's node follows the mesh") {
     "expressions": {"preset": {"happy": {"morphTargetBinds": [{"node": 3, "index": 0, "weight": 1}]}}}})");
   const gltf::Loaded file = arm(folder, glb);
   gltf::Edits edits;
-  edits.addedNodes = {{"prop_bind", prop, {}, prop, true}};
+  edits.addedNodes = {{"prop_bind", NodeIndex(prop), {}, NodeIndex(prop), true}};
   edits.work = Json{{"scale", 2}};
   const gltf::Source changed = patchedOrFail(*file.source, edits);
   const Json& vrm = (*changed.json)["extensions"]["VRMC_vrm"];
@@ -208,9 +213,9 @@ TEST_CASE("Every skin gets inverse bind matrices of its own") {
   glb.json["skins"].push_back({{"joints", {1, 2}}});
   const gltf::Loaded file = arm(folder, glb);
   gltf::Edits edits;
-  edits.addedNodes = {{"leaf", upper, {}, -1, true}};
+  edits.addedNodes = {{"leaf", NodeIndex(upper), {}, NodeIndex::none, true}};
   const Mat4 matrix(2.0, 0, 0, 0, 0, 3.0, 0, 0, 0, 0, 4.0, 0, 5.0, 6.0, 7.0, 1.0);
-  edits.skinSlots = {{0, 1, firstAdded, matrix}, {2, 0, firstAdded, matrix}};
+  edits.skinSlots = {{0, 1, NodeIndex(firstAdded), matrix}, {2, 0, NodeIndex(firstAdded), matrix}};
   const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
   CHECK(result.scene->skins[0].inverseBind[1] == matrix);
   CHECK(result.scene->skins[0].inverseBind[2] == file.scene->skins[0].inverseBind[2]);
@@ -223,25 +228,25 @@ TEST_CASE("Edits that do not fit the file are refused") {
   const gltf::Loaded file = arm(folder);
   gltf::Edits edits;
   SECTION("parent") {
-    edits.addedNodes = {{"leaf", 6, {}, -1, true}};
+    edits.addedNodes = {{"leaf", NodeIndex(6), {}, NodeIndex::none, true}};
   }
   SECTION("slot") {
-    edits.skinSlots = {{0, 3, 1, Mat4(1.0)}};
+    edits.skinSlots = {{0, 3, NodeIndex(1), Mat4(1.0)}};
   }
   SECTION("clip") {
     edits.clips = {{2, {}}};
   }
   SECTION("node") {
-    edits.clips = {{wave, {turnTrack(6)}}};
+    edits.clips = {{wave, {turnTrack(NodeIndex(6))}}};
   }
   SECTION("values") {
-    edits.clips = {{wave, {scaleTrack(1, {0, 1}, {1, 1, 1})}}};
+    edits.clips = {{wave, {scaleTrack(NodeIndex(1), {0, 1}, {1, 1, 1})}}};
   }
   SECTION("times") {
-    edits.clips = {{wave, {scaleTrack(1, {1, 0}, {1, 1, 1, 1, 1, 1})}}};
+    edits.clips = {{wave, {scaleTrack(NodeIndex(1), {1, 0}, {1, 1, 1, 1, 1, 1})}}};
   }
   SECTION("not finite") {
-    edits.clips = {{wave, {scaleTrack(1, {0}, {1, std::numeric_limits<float>::infinity(), 1})}}};
+    edits.clips = {{wave, {scaleTrack(NodeIndex(1), {0}, {1, std::numeric_limits<float>::infinity(), 1})}}};
   }
   CHECK_FALSE(gltf::patched(*file.source, edits).ok());
 }
@@ -257,18 +262,19 @@ gltf::Edits randomEdits(const gltf::Loaded& file, std::mt19937& random) {
   for (int i = 0; i < added; ++i) {
     const bool takesMesh = number(3) == 0;
     edits.addedNodes.push_back({"leaf",
-                                number(nodes + i + 1) - 1,
+                                NodeIndex(number(nodes + i + 1) - 1),
                                 {Vec3(number(5)), Quat(1, 0, 0, 0), Vec3(1)},
-                                takesMesh ? prop : -1,
+                                takesMesh ? NodeIndex(prop) : NodeIndex::none,
                                 true});
   }
   if (added > 0 && number(2) == 0) {
-    edits.skinSlots = {{0, number(3), nodes + number(added), Mat4(1.0)}};
+    edits.skinSlots = {{0, number(3), NodeIndex(nodes + number(added)), Mat4(1.0)}};
   }
   for (int i = number(4); i > 0; --i) {
-    edits.clips.push_back({number(2),
-                           {turnTrack(number(nodes + added)),
-                            scaleTrack(number(nodes + added), {0, .25F, 1}, {1, 1, 1, 2, 2, 2, 1, 1, 1})}});
+    edits.clips.push_back(
+        {number(2),
+         {turnTrack(NodeIndex(number(nodes + added))),
+          scaleTrack(NodeIndex(number(nodes + added)), {0, .25F, 1}, {1, 1, 1, 2, 2, 2, 1, 1, 1})}});
   }
   edits.work = Json{{"seed", random()}, {"text", "ö"}, {"list", {1, 2.5, nullptr}}};
   return edits;

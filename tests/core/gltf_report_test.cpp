@@ -18,9 +18,9 @@ std::vector<gltf::Problem> problemsOf(const test::GlbBuilder& glb) {
 Scene turnedUnder(const Vec3& scale) {
   Scene scene;
   scene.nodes.resize(2);
-  scene.nodes[0].children = {1};
+  scene.nodes[0].children = {NodeIndex(1)};
   scene.nodes[0].rest.scale = scale;
-  scene.nodes[1].parent = 0;
+  scene.nodes[1].parent = NodeIndex(0);
   scene.nodes[1].mesh = 0;
   scene.nodes[1].rest.rotation = glm::angleAxis(pi / 4, Vec3(0, 0, 1));
   return scene;
@@ -56,13 +56,14 @@ TEST_CASE("A rotation under an uneven scale shears, under an even one it does no
   CHECK(gltf::residualShear(turnedUnder(Vec3(-2.0, 2.0, 2.0)), {}).empty());
   const std::vector<gltf::Shear> shear = gltf::residualShear(turnedUnder(Vec3(2.0, 1.0, 1.0)), {});
   REQUIRE(shear.size() == 1);
-  CHECK(shear[0].node == 1);
+  CHECK(shear[0].node == NodeIndex(1));
   CHECK(shear[0].clip == -1);
   CHECK(shear[0].cosine == Approx(0.6)); // columns (2, 1) and (-2, 1): 3 / 5
 }
 
 TEST_CASE("Shear is found at the key where it is largest") {
-  const Track scale{0, Channel::scale, Interpolation::linear, 3, {0, 1, 2}, {1, 1, 1, 2, 1, 1, 1, 1, 1}, -1};
+  const Track scale{
+      NodeIndex(0), Channel::scale, Interpolation::linear, 3, {0, 1, 2}, {1, 1, 1, 2, 1, 1, 1, 1, 1}, -1};
   Clip clip;
   clip.tracks = {CopyOnWrite<Track>(scale)};
   const std::vector<gltf::Shear> shear = gltf::residualShear(turnedUnder(Vec3(1.0)), {clip});

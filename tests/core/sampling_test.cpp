@@ -22,11 +22,11 @@ Quat sampledRotation(const Track& track, double timeSeconds) {
 }
 
 Track moves(Interpolation interpolation) {
-  return {0, Channel::translation, interpolation, 3, {1, 2, 4}, {0, 0, 0, 10, 0, 0, 10, 8, 0}, -1};
+  return {NodeIndex(0), Channel::translation, interpolation, 3, {1, 2, 4}, {0, 0, 0, 10, 0, 0, 10, 8, 0}, -1};
 }
 
 Track turns(std::vector<float> values) {
-  return {0, Channel::rotation, Interpolation::linear, 4, {0, 1}, std::move(values), -1};
+  return {NodeIndex(0), Channel::rotation, Interpolation::linear, 4, {0, 1}, std::move(values), -1};
 }
 
 double angleBetween(const Quat& a, const Quat& b) {
@@ -60,7 +60,7 @@ TEST_CASE("LINEAR is a straight line between keys, STEP waits for the next") {
 }
 
 TEST_CASE("A track of one key has its value always") {
-  const Track track{0, Channel::scale, Interpolation::linear, 3, {5}, {1, 2, 3}, -1};
+  const Track track{NodeIndex(0), Channel::scale, Interpolation::linear, 3, {5}, {1, 2, 3}, -1};
   for (const double time : {-1.0, 5.0, 9.0}) {
     CHECK(sampledVector(track, time) == Vec3(1, 2, 3));
   }
@@ -68,7 +68,7 @@ TEST_CASE("A track of one key has its value always") {
 
 TEST_CASE("CUBICSPLINE runs through its values with its tangents") {
   // From 0 to 8 in two seconds, leaving with 4 per second, arriving with 0 per second.
-  const Track track{0,
+  const Track track{NodeIndex(0),
                     Channel::translation,
                     Interpolation::cubicSpline,
                     3,
@@ -111,7 +111,7 @@ TEST_CASE("A clip's pose rests where no track animates it") {
   CHECK(pose.locals[0].translation == Vec3(10, 0, 0));
   CHECK(pose.locals[0].scale == Vec3(3.0));
   CHECK(pose.usesMatrix[1]);
-  CHECK(localMatrix(scene, pose, 1) == *scene.nodes[1].matrix);
+  CHECK(localMatrix(scene, pose, NodeIndex(1)) == *scene.nodes[1].matrix);
   CHECK(pose.weights[1] == std::vector<float>{0.25F});
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("An animated node leaves its matrix") {
   clip.tracks = {CopyOnWrite<Track>(moves(Interpolation::step))};
   const Pose pose = samplePose(scene, clip, 2.0);
   CHECK_FALSE(pose.usesMatrix[0]);
-  CHECK(Vec3(localMatrix(scene, pose, 0)[3]) == Vec3(10, 0, 0));
+  CHECK(Vec3(localMatrix(scene, pose, NodeIndex(0))[3]) == Vec3(10, 0, 0));
   CHECK(pose.locals[0].scale == Vec3(2.0));
 }
 

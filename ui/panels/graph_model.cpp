@@ -28,7 +28,7 @@ double distanceBetween(const Vec3& a, const Vec3& b) {
 struct Sampler {
   GraphChannels channels;
   const rig::Limb* limb;
-  int node;
+  NodeIndex node;
   Vec3 previous{0.0};
 
   Vec3 operator()(const FrameState& frame) {
@@ -36,7 +36,7 @@ struct Sampler {
       const std::vector<Vec3> points = rig::limbPoints(*limb, frame);
       return {points.size() < 2 ? 0.0 : distanceBetween(points.front(), points.back()), 0.0, 0.0};
     }
-    const Transform& local = frame.pose.locals[static_cast<std::size_t>(node)];
+    const Transform& local = frame.pose.locals[at(node)];
     if (channels == GraphChannels::rotation) {
       previous = eulerNear(local.rotation, previous);
       return previous * (180.0 / pi);
@@ -51,7 +51,7 @@ Channel trackChannel(GraphChannels channels) {
                                                 : Channel::rotation;
 }
 
-std::vector<double> keyFramesOf(const Clip& clip, int node, GraphChannels channels) {
+std::vector<double> keyFramesOf(const Clip& clip, NodeIndex node, GraphChannels channels) {
   std::vector<double> frames;
   const int track = channels == GraphChannels::stretch ? -1 : findTrack(clip, node, trackChannel(channels));
   if (track >= 0) {
@@ -97,7 +97,8 @@ bool movesIn(const rig::MotionState& motion) {
                      [](const rig::SolvedTrail& trail) { return trail.active; });
 }
 
-std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, int node, const Span& frames) {
+std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, NodeIndex node,
+                              const Span& frames) {
   app::Session& session = *context.session;
   const app::Document& document = session.document();
   const Clip& clip = app::clipOf(document, session.view().clip);
@@ -124,9 +125,9 @@ std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, int 
 
 } // namespace
 
-std::vector<int> graphNodes(const rig::Limb& limb) {
-  std::vector<int> nodes = limb.joints;
-  if (limb.endNode >= 0) {
+std::vector<NodeIndex> graphNodes(const rig::Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
     nodes.push_back(limb.endNode);
   }
   return nodes;
@@ -134,8 +135,8 @@ std::vector<int> graphNodes(const rig::Limb& limb) {
 
 const std::vector<Curve>& graphCurves(PanelContext& context, const rig::Limb& limb, const Span& frames) {
   GraphState& graph = context.ui.graph;
-  const std::vector<int> nodes = graphNodes(limb);
-  const int node =
+  const std::vector<NodeIndex> nodes = graphNodes(limb);
+  const NodeIndex node =
       nodes[static_cast<std::size_t>(std::clamp(graph.joint, 0, static_cast<int>(nodes.size()) - 1))];
   const GraphKey key{
       context.session->sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};

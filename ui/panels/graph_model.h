@@ -9,7 +9,7 @@
 namespace stretch::ui {
 
 /// Nodes of the selected limb, base first, its end last.
-[[nodiscard]] std::vector<int> graphNodes(const rig::Limb& limb);
+[[nodiscard]] std::vector<NodeIndex> graphNodes(const rig::Limb& limb);
 
 /// The curves of one node, or of the limb's length, over the visible frames: as the character moves, with the
 /// source clip as `before` where a trail changes it, and the clip's keys. Remembered in UiState::graph until

@@ -18,7 +18,7 @@ void jointChooser(PanelContext& context, const rig::Limb& limb) {
   GraphState& graph = context.ui.graph;
   const Scene& scene = *context.session->document().scene;
   std::vector<Choice> choices;
-  for (const int node : graphNodes(limb)) {
+  for (const NodeIndex node : graphNodes(limb)) {
     choices.push_back({nodeName(scene, node)});
   }
   graph.joint = std::clamp(graph.joint, 0, static_cast<int>(choices.size()) - 1);

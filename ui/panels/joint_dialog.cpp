@@ -14,34 +14,34 @@ namespace stretch::ui {
 namespace {
 
 /// The first click sets the base, the second the end, a third starts again.
-void choose(JointPick& pick, int node) {
-  if (pick.baseNode < 0 || pick.endNode >= 0) {
+void choose(JointPick& pick, NodeIndex node) {
+  if (!pick.baseNode.exists() || pick.endNode.exists()) {
     pick.baseNode = node;
-    pick.endNode = -1;
+    pick.endNode = NodeIndex::none;
   } else {
     pick.endNode = node;
   }
   pick.message.clear();
 }
 
-bool isJoint(const Scene& scene, int node) {
+bool isJoint(const Scene& scene, NodeIndex node) {
   return std::any_of(scene.skins.begin(), scene.skins.end(), [node](const Skin& skin) {
     return std::find(skin.joints.begin(), skin.joints.end(), node) != skin.joints.end();
   });
 }
 
-bool isBetween(const Scene& scene, const JointPick& pick, int node) {
-  return pick.baseNode >= 0 && pick.endNode >= 0 && isAncestorOrSelf(scene, pick.baseNode, node) &&
+bool isBetween(const Scene& scene, const JointPick& pick, NodeIndex node) {
+  return pick.baseNode.exists() && pick.endNode.exists() && isAncestorOrSelf(scene, pick.baseNode, node) &&
          isAncestorOrSelf(scene, node, pick.endNode);
 }
 
-void jointRow(PanelContext& context, int node, int depth) {
+void jointRow(PanelContext& context, NodeIndex node, int depth) {
   const Scene& scene = *context.session->document().scene;
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   JointPick& pick = context.ui.jointPick;
   const std::string name = nodeName(scene, node);
-  const Control row = takePlace(widgets, "joints/" + std::to_string(node),
+  const Control row = takePlace(widgets, "joints/" + std::to_string(node.value),
                                 {ImGui::GetContentRegionAvail().x, theme.px(24.0F)});
   if (row.visible) {
     const bool end = node == pick.baseNode || node == pick.endNode;
@@ -74,9 +74,9 @@ void jointRow(PanelContext& context, int node, int depth) {
 }
 
 /// Nodes depth first with their depth, roots first; a file's node loops were refused when it was read.
-std::vector<std::pair<int, int>> treeRows(const Scene& scene) {
-  std::vector<std::pair<int, int>> rows;
-  std::vector<std::pair<int, int>> open;
+std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
+  std::vector<std::pair<NodeIndex, int>> rows;
+  std::vector<std::pair<NodeIndex, int>> open;
   for (auto root = scene.roots.rbegin(); root != scene.roots.rend(); ++root) {
     open.emplace_back(*root, 0);
   }
@@ -84,7 +84,7 @@ std::vector<std::pair<int, int>> treeRows(const Scene& scene) {
     const auto [node, depth] = open.back();
     open.pop_back();
     rows.emplace_back(node, depth);
-    const std::vector<int>& children = scene.nodes[static_cast<std::size_t>(node)].children;
+    const std::vector<NodeIndex>& children = scene.nodes[at(node)].children;
     for (auto child = children.rbegin(); child != children.rend(); ++child) {
       open.emplace_back(*child, depth + 1);
     }
@@ -106,9 +106,9 @@ void tree(PanelContext& context) {
   ImGui::EndChild();
 }
 
-std::string nodeReference(int node) {
+std::string nodeReference(NodeIndex node) {
   std::string reference = "#";
-  reference += std::to_string(node);
+  reference += std::to_string(node.value);
   return reference;
 }
 
@@ -167,10 +167,10 @@ void useChain(PanelContext& context) {
 }
 
 std::string summary(const Scene& scene, const JointPick& pick) {
-  if (pick.baseNode < 0) {
+  if (!pick.baseNode.exists()) {
     return "Click the first joint: the shoulder, hip, or base.";
   }
-  if (pick.endNode < 0) {
+  if (!pick.endNode.exists()) {
     return "From " + nodeName(scene, pick.baseNode) + ". Now click the end: the wrist, ankle, or tip.";
   }
   return "From " + nodeName(scene, pick.baseNode) + " to " + nodeName(scene, pick.endNode) + ".";
@@ -198,7 +198,7 @@ void drawJointDialog(PanelContext& context) {
   tree(context);
   note(widgetsOf(context),
        pick.message.empty() ? summary(*context.session->document().scene, pick) : pick.message);
-  const bool complete = pick.baseNode >= 0 && pick.endNode >= 0;
+  const bool complete = pick.baseNode.exists() && pick.endNode.exists();
   const int clicked = dialogButtons(
       context, "joints", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Use them", .enabled = complete}});
   if (clicked == 0) {

@@ -161,16 +161,16 @@ std::string limbHeading(const app::Document& document, const std::string& limbId
   return chain ? limbId : capitalised(app::limbTitle(document, limbId));
 }
 
-std::string nodeName(const Scene& scene, int node) {
-  if (node < 0 || node >= static_cast<int>(scene.nodes.size())) {
+std::string nodeName(const Scene& scene, NodeIndex node) {
+  if (!node.exists() || at(node) >= scene.nodes.size()) {
     return "(estimated)";
   }
-  const std::string& name = scene.nodes[static_cast<std::size_t>(node)].name;
+  const std::string& name = scene.nodes[at(node)].name;
   if (!name.empty()) {
     return name;
   }
   std::string number = "#";
-  number += std::to_string(node);
+  number += std::to_string(node.value);
   return number;
 }
 

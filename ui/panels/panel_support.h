@@ -61,7 +61,7 @@ void toast(UiState& ui, ToastKind kind, const std::string& text);
 [[nodiscard]] std::string limbHeading(const app::Document& document, const std::string& limbId);
 
 /// The name of a node, or "#index" where it has none.
-[[nodiscard]] std::string nodeName(const Scene& scene, int node);
+[[nodiscard]] std::string nodeName(const Scene& scene, NodeIndex node);
 
 /// Whether there is a character to work on: a file with a scene.
 [[nodiscard]] bool hasCharacter(const PanelContext& context);

@@ -15,7 +15,7 @@ namespace stretch::ui {
 namespace {
 
 std::size_t jointCount(const Scene& scene) {
-  std::vector<int> joints;
+  std::vector<NodeIndex> joints;
   for (const Skin& skin : scene.skins) {
     joints.insert(joints.end(), skin.joints.begin(), skin.joints.end());
   }
@@ -68,7 +68,7 @@ void openCorrection(PanelContext& context, const rig::Limb& limb) {
   JointPick pick;
   pick.open = true;
   pick.limbId = limb.kind == rig::LimbKind::chain ? std::string() : limb.id;
-  pick.baseNode = limb.joints.empty() ? -1 : limb.joints.front();
+  pick.baseNode = limb.joints.empty() ? NodeIndex::none : limb.joints.front();
   pick.endNode = limb.endNode;
   context.ui.jointPick = pick;
 }
@@ -102,7 +102,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
   ImGui::Indent(context.theme.px(12.0F));
   const Scene& scene = *context.session->document().scene;
   std::string joints;
-  for (const int joint : limb.joints) {
+  for (const NodeIndex joint : limb.joints) {
     joints += (joints.empty() ? "" : ", ") + nodeName(scene, joint);
   }
   note(widgets, joints + " \xE2\x86\x92 " + nodeName(scene, limb.endNode) + "; " +

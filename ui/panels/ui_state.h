@@ -56,7 +56,7 @@ enum class BottomTab { timeline, graph, dopeSheet };
 struct GraphKey {
   std::shared_ptr<const rig::MotionState> motion;
   std::string limb;
-  int node = -1;
+  NodeIndex node;
   GraphChannels channels = GraphChannels::rotation;
   double firstFrame = 0.0;
   double lastFrame = 0.0;
@@ -86,8 +86,8 @@ struct LookState {
 struct JointPick {
   bool open = false;
   std::string limbId; ///< Limb to correct; empty: a new chain.
-  int baseNode = -1;
-  int endNode = -1;
+  NodeIndex baseNode;
+  NodeIndex endNode;
   std::string filter;
   std::string message; ///< Why the last try was refused.
 };

@@ -42,7 +42,7 @@ BoundsSampler::BoundsSampler(const Scene& scene, std::size_t sampleCount) {
       continue;
     }
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      Group group{static_cast<int>(nodeIndex), primitive.influences.empty() ? -1 : node.skin, {}};
+      Group group{NodeIndex(nodeIndex), primitive.influences.empty() ? -1 : node.skin, {}};
       for (std::size_t i = 0; i < primitive.positions.size(); i += step) {
         group.samples.push_back(
             {primitive.positions[i], group.skin >= 0 ? primitive.influences[i] : VertexInfluences{}});

@@ -26,7 +26,7 @@ private:
     VertexInfluences influences;
   };
   struct Group {
-    int node = -1;
+    NodeIndex node;
     int skin = -1;
     std::vector<Sample> samples;
   };

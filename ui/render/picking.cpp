@@ -126,14 +126,15 @@ std::optional<PolylineHit> pickPolyline(const View& view, std::span<const Vec3> 
   return best;
 }
 
-std::optional<int> pickBone(const View& view, std::span<const BoneSegment> bones, const Vec2& mousePixels,
-                            double tolerancePoints) {
+std::optional<std::size_t> pickBone(const View& view, std::span<const BoneSegment> bones,
+                                    const Vec2& mousePixels, double tolerancePoints) {
   constexpr double equallyNearPoints = 3.0;
   const double scale = view.viewport.pixelsPerPoint;
-  std::optional<int> best;
+  std::optional<std::size_t> best;
   double bestPixels = 0.0;
   double bestDepth = 0.0;
-  for (const BoneSegment& bone : bones) {
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    const BoneSegment& bone = bones[i];
     const std::optional<ScreenPoint> from = projectToPixels(view, bone.fromWorld);
     const std::optional<ScreenPoint> to = projectToPixels(view, bone.toWorld);
     if (!from || !to) {
@@ -145,7 +146,7 @@ std::optional<int> pickBone(const View& view, std::span<const BoneSegment> bones
     const bool equallyNear = distance.pixels <= bestPixels + equallyNearPoints * scale;
     if (distance.pixels <= tolerancePoints * scale &&
         (!best || clearlyNearer || (equallyNear && depth < bestDepth))) {
-      best = bone.node;
+      best = i;
       bestPixels = distance.pixels;
       bestDepth = depth;
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/scene/node_index.h"
 #include "ui/render/camera.h"
 
 namespace stretch::ui {
@@ -51,14 +52,14 @@ struct PolylineHit {
 
 /// A bone as it is drawn: from its joint towards the next one.
 struct BoneSegment {
-  int node = -1; ///< The joint that moves this bone.
+  NodeIndex node; ///< The joint that moves this bone.
   Vec3 fromWorld{0.0};
   Vec3 toWorld{0.0};
 };
 
-/// The joint whose bone is under the mouse: the nearest on the screen; of bones equally near (within 3
+/// Index into `bones` of the bone under the mouse: the nearest on the screen; of bones equally near (within 3
 /// points) the front one.
-[[nodiscard]] std::optional<int> pickBone(const View& view, std::span<const BoneSegment> bones,
-                                          const Vec2& mousePixels, double tolerancePoints = 14.0);
+[[nodiscard]] std::optional<std::size_t> pickBone(const View& view, std::span<const BoneSegment> bones,
+                                                  const Vec2& mousePixels, double tolerancePoints = 14.0);
 
 } // namespace stretch::ui

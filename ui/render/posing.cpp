@@ -20,7 +20,7 @@ public:
       : scene_(scene), frame_(frame), attributes_(attributes) {}
 
   int firstSlotOf(const DrawItem& item) {
-    const std::pair key(item.skin, item.skin >= 0 ? -1 : item.node);
+    const std::pair key(item.skin, item.skin >= 0 ? NodeIndex::none : item.node);
     const auto [place, isNew] = first_.try_emplace(key, static_cast<int>(slots_.size()));
     if (isNew) {
       addSlots(item);
@@ -43,8 +43,8 @@ private:
     }
   }
 
-  void add(const Mat4& matrix, int node) {
-    const auto index = static_cast<std::size_t>(node);
+  void add(const Mat4& matrix, NodeIndex node) {
+    const auto index = at(node);
     MatrixSlot slot;
     for (glm::length_t row = 0; row < 3; ++row) {
       slot.rows[row] = glm::vec4(matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]);
@@ -58,13 +58,13 @@ private:
   const Scene& scene_;
   const FrameState& frame_;
   const JointAttributes& attributes_;
-  std::map<std::pair<int, int>, int> first_;
+  std::map<std::pair<int, NodeIndex>, int> first_;
   std::vector<MatrixSlot> slots_;
 };
 
 const std::vector<float>& weightsOf(const Scene& scene, const FrameState& frame, const DrawItem& item,
                                     int mesh) {
-  const auto node = static_cast<std::size_t>(item.node);
+  const auto node = at(item.node);
   const auto& posed = frame.pose.weights;
   return node < posed.size() && !posed[node].empty()
              ? posed[node]

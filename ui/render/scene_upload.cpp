@@ -91,7 +91,7 @@ void addPoseInput(DrawItem& item, const UploadedPart& part) {
   }
 }
 
-DrawItem makeItem(const UploadedPart& part, std::size_t partIndex, int node, int skin) {
+DrawItem makeItem(const UploadedPart& part, std::size_t partIndex, NodeIndex node, int skin) {
   DrawItem item;
   item.part = partIndex;
   item.node = node;
@@ -146,13 +146,13 @@ std::vector<std::size_t> uploadParts(const Scene& scene, std::vector<UploadedPar
 
 std::vector<bool> shownNodes(const Scene& scene) {
   std::vector<bool> shown(scene.nodes.size(), false);
-  for (const int root : scene.roots) {
-    shown[static_cast<std::size_t>(root)] = true;
+  for (const NodeIndex root : scene.roots) {
+    shown[at(root)] = true;
   }
-  for (const int node : parentsFirst(scene)) {
-    const int parent = scene.nodes[static_cast<std::size_t>(node)].parent;
-    if (parent >= 0 && shown[static_cast<std::size_t>(parent)]) {
-      shown[static_cast<std::size_t>(node)] = true;
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    if (parent.exists() && shown[at(parent)]) {
+      shown[at(node)] = true;
     }
   }
   return shown;
@@ -175,7 +175,7 @@ UploadedScene uploadScene(const Scene& scene) {
     }
     const auto mesh = static_cast<std::size_t>(node.mesh);
     for (std::size_t part = firstPart[mesh]; part < firstPart[mesh + 1]; ++part) {
-      uploaded.items.push_back(makeItem(uploaded.parts[part], part, static_cast<int>(i), node.skin));
+      uploaded.items.push_back(makeItem(uploaded.parts[part], part, NodeIndex(i), node.skin));
     }
   }
   return uploaded;

@@ -34,7 +34,7 @@ struct UploadedPart {
 /// One primitive as one node shows it, with room for its posed vertices.
 struct DrawItem {
   std::size_t part = 0;
-  int node = -1;
+  NodeIndex node;
   int skin = -1; ///< -1: hangs rigidly on the node.
   GlVertexArray poseInput;
   GlBuffer posed;        ///< posedFloats for each vertex, world space.

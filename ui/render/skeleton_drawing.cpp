@@ -8,14 +8,14 @@ namespace stretch::ui {
 
 namespace {
 
-int parentOf(const Scene& scene, int node) {
-  return scene.nodes[static_cast<std::size_t>(node)].parent;
+NodeIndex parentOf(const Scene& scene, NodeIndex node) {
+  return scene.nodes[at(node)].parent;
 }
 
 void markSkinJoints(const Scene& scene, std::vector<bool>& isJoint) {
   for (const Skin& skin : scene.skins) {
-    for (const int joint : skin.joints) {
-      isJoint[static_cast<std::size_t>(joint)] = true;
+    for (const NodeIndex joint : skin.joints) {
+      isJoint[at(joint)] = true;
     }
   }
 }
@@ -25,49 +25,48 @@ void markRigidBody(const Scene& scene, std::vector<bool>& isJoint) {
     if (scene.nodes[i].mesh < 0) {
       continue;
     }
-    for (int node = static_cast<int>(i); node >= 0; node = parentOf(scene, node)) {
-      isJoint[static_cast<std::size_t>(node)] = true;
+    for (NodeIndex node(i); node.exists(); node = parentOf(scene, node)) {
+      isJoint[at(node)] = true;
     }
   }
 }
 
-float selectedShare(std::span<const float> selection, int node) {
-  const auto index = static_cast<std::size_t>(node);
+float selectedShare(std::span<const float> selection, NodeIndex node) {
+  const auto index = at(node);
   return index < selection.size() ? std::clamp(selection[index], 0.0F, 1.0F) : 0.0F;
 }
 
 } // namespace
 
-std::vector<int> jointsOf(const Scene& scene) {
+std::vector<NodeIndex> jointsOf(const Scene& scene) {
   std::vector<bool> isJoint(scene.nodes.size(), false);
   markSkinJoints(scene, isJoint);
   if (scene.skins.empty()) {
     markRigidBody(scene, isJoint);
   }
-  std::vector<int> joints;
+  std::vector<NodeIndex> joints;
   for (std::size_t i = 0; i < isJoint.size(); ++i) {
     if (isJoint[i]) {
-      joints.push_back(static_cast<int>(i));
+      joints.push_back(NodeIndex(i));
     }
   }
   return joints;
 }
 
 std::vector<BoneSegment> boneSegments(const Scene& scene, const FrameState& frame,
-                                      std::span<const int> joints) {
+                                      std::span<const NodeIndex> joints) {
   std::vector<bool> isJoint(scene.nodes.size(), false);
-  for (const int joint : joints) {
-    isJoint[static_cast<std::size_t>(joint)] = true;
+  for (const NodeIndex joint : joints) {
+    isJoint[at(joint)] = true;
   }
   std::vector<BoneSegment> bones;
-  for (const int joint : joints) {
-    int above = parentOf(scene, joint);
-    while (above >= 0 && !isJoint[static_cast<std::size_t>(above)]) {
+  for (const NodeIndex joint : joints) {
+    NodeIndex above = parentOf(scene, joint);
+    while (above.exists() && !isJoint[at(above)]) {
       above = parentOf(scene, above);
     }
-    if (above >= 0) {
-      bones.push_back({above, positionOf(frame.worlds[static_cast<std::size_t>(above)]),
-                       positionOf(frame.worlds[static_cast<std::size_t>(joint)])});
+    if (above.exists()) {
+      bones.push_back({above, positionOf(frame.worlds[at(above)]), positionOf(frame.worlds[at(joint)])});
     }
   }
   return bones;
@@ -78,10 +77,10 @@ SkeletonStyle skeletonStyle(const Palette& palette) {
 }
 
 Overlay drawSkeleton(const Scene& scene, const FrameState& frame, const SkeletonStyle& style,
-                     std::span<const float> selection, std::optional<int> hovered) {
+                     std::span<const float> selection, std::optional<NodeIndex> hovered) {
   Overlay overlay;
-  const std::vector<int> joints = jointsOf(scene);
-  const auto colorOf = [&](int node) {
+  const std::vector<NodeIndex> joints = jointsOf(scene);
+  const auto colorOf = [&](NodeIndex node) {
     const float share = hovered == node ? 1.0F : selectedShare(selection, node);
     return glm::mix(style.bone, style.selected, share);
   };
@@ -94,10 +93,10 @@ Overlay drawSkeleton(const Scene& scene, const FrameState& frame, const Skeleton
     line.outlined = true;
     overlay.lines.push_back(std::move(line));
   }
-  for (const int joint : joints) {
+  for (const NodeIndex joint : joints) {
     const float emphasis = hovered == joint ? 1.35F : 1.0F;
     Marker dot;
-    dot.world = positionOf(frame.worlds[static_cast<std::size_t>(joint)]);
+    dot.world = positionOf(frame.worlds[at(joint)]);
     dot.radiusPoints = emphasis * style.jointPoints;
     dot.fill = colorOf(joint);
     dot.edge = glm::vec4(0.07F, 0.075F, 0.085F, 0.85F);

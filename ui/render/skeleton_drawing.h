@@ -13,11 +13,11 @@ namespace stretch::ui {
 
 /// The joints of a character: what its skins name, or without a skin the nodes that carry meshes and those
 /// above them.
-[[nodiscard]] std::vector<int> jointsOf(const Scene& scene);
+[[nodiscard]] std::vector<NodeIndex> jointsOf(const Scene& scene);
 
 /// Bones between joints, through helper nodes that are no joints. Joints without a joint below have none.
 [[nodiscard]] std::vector<BoneSegment> boneSegments(const Scene& scene, const FrameState& frame,
-                                                    std::span<const int> joints);
+                                                    std::span<const NodeIndex> joints);
 
 struct SkeletonStyle {
   glm::vec4 bone{1.0F};
@@ -33,6 +33,6 @@ struct SkeletonStyle {
 /// under the mouse.
 [[nodiscard]] Overlay drawSkeleton(const Scene& scene, const FrameState& frame, const SkeletonStyle& style,
                                    std::span<const float> selection = {},
-                                   std::optional<int> hovered = std::nullopt);
+                                   std::optional<NodeIndex> hovered = std::nullopt);
 
 } // namespace stretch::ui

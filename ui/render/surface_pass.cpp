@@ -183,7 +183,7 @@ void SurfacePass::drawBlended(const Scene& scene, const UploadedScene& uploaded,
   std::vector<std::pair<double, const DrawItem*>> farthestFirst;
   for (const DrawItem& item : uploaded.items) {
     if (isBlended(scene, uploaded, item)) {
-      const Vec3 place = positionOf(frame.worlds[static_cast<std::size_t>(item.node)]);
+      const Vec3 place = positionOf(frame.worlds[at(item.node)]);
       farthestFirst.emplace_back(transformPoint(view.view, place).z, &item);
     }
   }

@@ -13,6 +13,7 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "rig/motion/limb_topology.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::ui {
@@ -77,15 +78,6 @@ std::optional<std::string> trailState(const rig::Trail& trail, std::string_view 
   return found == states.end() ? std::nullopt : std::optional(found->second);
 }
 
-double limbLength(const FrameState& frame, const rig::Limb& limb) {
-  const Vec3 base = positionOf(frame.worlds[static_cast<std::size_t>(limb.joints.front())]);
-  const Vec3 end =
-      limb.endNode >= 0
-          ? positionOf(frame.worlds[static_cast<std::size_t>(limb.endNode)])
-          : transformPoint(frame.worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
-  return glm::distance(base, end);
-}
-
 /// How many times as long as in the source the limb is at its trail's tip.
 std::string tipRatio(app::Session& session) {
   const rig::Trail* trail = app::selectedTrail(session);
@@ -95,8 +87,8 @@ std::string tipRatio(app::Session& session) {
   }
   const rig::TrailSettings& settings = trail->settings;
   const double tip = settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
-  const double source = limbLength(session.originalAt(tip), *limb);
-  return fmt::format("{:.3f}", limbLength(session.frameAt(tip), *limb) / source);
+  const double source = rig::limbLength(*limb, session.originalAt(tip));
+  return fmt::format("{:.3f}", rig::limbLength(*limb, session.frameAt(tip)) / source);
 }
 
 std::string joined(const std::vector<std::string>& words) {

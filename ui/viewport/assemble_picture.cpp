@@ -17,8 +17,8 @@ std::vector<float> highlightOf(const app::Document& document, const PictureSelec
   std::vector<float> highlight(document.scene->nodes.size(), 0.0F);
   const auto mark = [&](const std::string& limbId, float amount) {
     const rig::Limb* limb = app::findLimb(document, limbId);
-    for (const int joint : limb == nullptr ? std::vector<int>{} : limb->joints) {
-      float& value = highlight[static_cast<std::size_t>(joint)];
+    for (const NodeIndex joint : limb == nullptr ? std::vector<NodeIndex>{} : limb->joints) {
+      float& value = highlight[at(joint)];
       value = std::max(value, amount);
     }
   };

@@ -74,10 +74,11 @@ void recordHandles(ViewportContext& context) {
 void recordLimbs(ViewportContext& context, const FrameState& frame) {
   const LimbBones bones = limbBones(context.session->document(), frame);
   const float reach = context.theme.px(6.0F);
-  for (const BoneSegment& bone : bones.bones) {
+  for (std::size_t i = 0; i < bones.bones.size(); ++i) {
+    const BoneSegment& bone = bones.bones[i];
     if (const auto place = placeOf(context.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
-      context.items.add("viewport/limb/" + bones.limbIds[static_cast<std::size_t>(bone.node)],
-                        {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
+      context.items.add("viewport/limb/" + bones.limbOf[i], {place->x - reach, place->y - reach},
+                        {place->x + reach, place->y + reach});
     }
   }
 }
@@ -115,8 +116,8 @@ void drawJointNames(ViewportContext& context, const FrameState& frame) {
     return;
   }
   const Scene& scene = *context.session->document().scene;
-  for (const int joint : jointsOf(scene)) {
-    const auto index = static_cast<std::size_t>(joint);
+  for (const NodeIndex joint : jointsOf(scene)) {
+    const auto index = at(joint);
     if (const auto place = placeOf(context.viewport, positionOf(frame.worlds[index]))) {
       label(context, {place->x + context.theme.px(6.0F), place->y - context.theme.px(8.0F)},
             scene.nodes[index].name, context.theme.colours.quietText);

@@ -226,7 +226,7 @@ void hoverLimbs(ViewportContext& context) {
   const LimbBones bones =
       limbBones(context.session->document(), context.session->frameAt(context.session->view().frame));
   if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
-    viewport.hoveredLimb = bones.limbIds[static_cast<std::size_t>(*hit)];
+    viewport.hoveredLimb = bones.limbOf[*hit];
   }
 }
 

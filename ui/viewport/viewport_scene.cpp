@@ -7,18 +7,9 @@
 
 #include "app/commands/frames.h"
 #include "app/edits/mirror_edits.h"
+#include "rig/motion/limb_topology.h"
 
 namespace stretch::ui {
-
-namespace {
-
-std::vector<rig::Limb> allLimbs(const app::Document& document) {
-  std::vector<rig::Limb> limbs = document.biped.limbs;
-  limbs.insert(limbs.end(), document.chains.begin(), document.chains.end());
-  return limbs;
-}
-
-} // namespace
 
 PictureSelection selectionOf(const app::Session& session, const ViewportState& viewport) {
   PictureSelection selection;
@@ -52,22 +43,12 @@ PictureContent originalPicture(app::Session& session, const ViewportState& viewp
 
 LimbBones limbBones(const app::Document& document, const FrameState& frame) {
   LimbBones result;
-  for (const rig::Limb& limb : allLimbs(document)) {
-    const int index = static_cast<int>(result.limbIds.size());
-    result.limbIds.push_back(limb.id);
-    const auto place = [&](int node) { return positionOf(frame.worlds[static_cast<std::size_t>(node)]); };
-    for (std::size_t i = 0; i + 1 < limb.joints.size(); ++i) {
-      result.bones.push_back({index, place(limb.joints[i]), place(limb.joints[i + 1])});
+  for (const rig::Limb& limb : app::allLimbs(document)) {
+    const std::vector<Vec3> points = rig::limbPoints(limb, frame);
+    for (std::size_t i = 0; i < limb.joints.size(); ++i) {
+      result.bones.push_back({limb.joints[i], points[i], points[i + 1]});
+      result.limbOf.push_back(limb.id);
     }
-    if (limb.joints.empty()) {
-      continue;
-    }
-    const Vec3 last = place(limb.joints.back());
-    const Vec3 end =
-        limb.endNode >= 0
-            ? place(limb.endNode)
-            : transformPoint(frame.worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
-    result.bones.push_back({index, last, end});
   }
   return result;
 }
@@ -78,11 +59,10 @@ Box selectionBox(app::Session& session, const ShownTrails& shown) {
   const FrameState& frame = session.frameAt(session.view().frame);
   const LimbBones bones = limbBones(document, frame);
   const auto& limbs = session.view().selectedLimbs;
-  for (const BoneSegment& bone : bones.bones) {
-    const std::string& id = bones.limbIds[static_cast<std::size_t>(bone.node)];
-    if (std::find(limbs.begin(), limbs.end(), id) != limbs.end()) {
-      box.add(bone.fromWorld);
-      box.add(bone.toWorld);
+  for (std::size_t i = 0; i < bones.bones.size(); ++i) {
+    if (std::find(limbs.begin(), limbs.end(), bones.limbOf[i]) != limbs.end()) {
+      box.add(bones.bones[i].fromWorld);
+      box.add(bones.bones[i].toWorld);
     }
   }
   if (const ShownTrail* trail = findShown(shown, session.view().selectedTrail)) {

@@ -25,10 +25,10 @@ namespace stretch::ui {
                                              const ViewportOverlays& overlays, const Palette& palette,
                                              const SceneMeasures& measures);
 
-/// Bones of every limb, each with the limb's index in `limbIds`.
+/// Bones of every limb.
 struct LimbBones {
-  std::vector<std::string> limbIds;
-  std::vector<BoneSegment> bones; ///< `node` is the index into limbIds.
+  std::vector<BoneSegment> bones;
+  std::vector<std::string> limbOf; ///< Id of the limb of each bone.
 };
 [[nodiscard]] LimbBones limbBones(const app::Document& document, const FrameState& frame);
 

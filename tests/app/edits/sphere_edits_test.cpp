@@ -123,13 +123,13 @@ TEST_CASE("The spine has no other side") {
 TEST_CASE("A limb corrected by hand takes the place of the one that was found") {
   const Document document = test::boxer();
   rig::Limb corrected = *findLimb(document, "left-arm");
-  corrected.joints = {4};
+  corrected.joints = {NodeIndex(4)};
   const Result<Document> changed = correctLimb(document, corrected);
   REQUIRE(changed);
   CHECK(changed->biped.limbs.size() == document.biped.limbs.size());
-  CHECK(findLimb(*changed, "left-arm")->joints == std::vector<int>{4});
+  CHECK(findLimb(*changed, "left-arm")->joints == std::vector{NodeIndex(4)});
 
-  corrected.joints = {99};
+  corrected.joints = {NodeIndex(99)};
   CHECK_FALSE(correctLimb(document, corrected));
   rig::Limb leg = *findLimb(document, "left-arm");
   leg.kind = rig::LimbKind::leftLeg;
@@ -142,8 +142,8 @@ TEST_CASE("A limb corrected by hand takes the place of the one that was found") 
 TEST_CASE("A chain is added once") {
   rig::Limb chain;
   chain.id = "LeftArm..LeftHand";
-  chain.joints = {3, 4};
-  chain.endNode = 5;
+  chain.joints = {NodeIndex(3), NodeIndex(4)};
+  chain.endNode = NodeIndex(5);
   const Result<Document> once = addChain(test::boxer(), chain);
   REQUIRE(once);
   CHECK(findLimb(*once, chain.id) != nullptr);

@@ -58,7 +58,7 @@ std::string_view pathName(Channel channel) {
 void checkTrack(const tinygltf::Model& model, const tinygltf::Animation& animation, const Track& track) {
   int found = 0;
   for (const tinygltf::AnimationChannel& channel : animation.channels) {
-    if (channel.target_node == track.node && channel.target_path == pathName(track.channel)) {
+    if (channel.target_node == track.node.value && channel.target_path == pathName(track.channel)) {
       const auto& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
       CHECK(floatsOf(model, sampler.input) == track.times);
       CHECK(floatsOf(model, sampler.output) == track.values);
@@ -99,7 +99,7 @@ TEST_CASE("Another reader finds the stretched joints, skins and keys that were w
   }
   for (const BindChain& chain : ours->scene->bindChains) {
     const std::vector<int>& joints = model.skins.front().joints;
-    CHECK(std::find(joints.begin(), joints.end(), chain.lastLeaf()) != joints.end());
-    CHECK(std::find(joints.begin(), joints.end(), chain.joint) == joints.end());
+    CHECK(std::find(joints.begin(), joints.end(), chain.lastLeaf().value) != joints.end());
+    CHECK(std::find(joints.begin(), joints.end(), chain.joint.value) == joints.end());
   }
 }

@@ -123,8 +123,8 @@ std::ptrdiff_t countLeaves(const Document& document) {
 Document withoutHand(Document document) {
   rig::Limb& arm = *std::find_if(document.biped.limbs.begin(), document.biped.limbs.end(),
                                  [](const rig::Limb& limb) { return limb.id == "left-arm"; });
-  arm.endOffset = document.scene->nodes[static_cast<std::size_t>(arm.endNode)].rest.translation;
-  arm.endNode = -1;
+  arm.endOffset = document.scene->nodes[at(arm.endNode)].rest.translation;
+  arm.endNode = NodeIndex::none;
   return document;
 }
 

@@ -21,11 +21,11 @@ Scene bentChain(const Transform& armature) {
   Skin skin;
   for (int i = 1; i < 4; ++i) {
     Node& node = scene.nodes[static_cast<std::size_t>(i)];
-    node.parent = i - 1;
+    node.parent = NodeIndex(i - 1);
     node.rest.translation = Vec3(0, 1, 0);
     node.rest.rotation = i > 1 ? glm::angleAxis(0.7, Vec3(0, 0, 1)) : Quat(1, 0, 0, 0);
-    scene.nodes[static_cast<std::size_t>(i - 1)].children.push_back(i);
-    skin.joints.push_back(i);
+    scene.nodes[static_cast<std::size_t>(i - 1)].children.push_back(NodeIndex(i));
+    skin.joints.push_back(NodeIndex(i));
     skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(0, -i, 0)));
   }
   scene.skins.push_back(skin);
@@ -53,9 +53,9 @@ TEST_CASE("the bind pose stands in the world as the topmost joint does at rest")
 TEST_CASE("nodes that no skin binds follow their parents") {
   Scene scene = bentChain({});
   scene.nodes.resize(5);
-  scene.nodes[4].parent = 3;
+  scene.nodes[4].parent = NodeIndex(3);
   scene.nodes[4].rest.translation = Vec3(0, 0.5, 0);
-  scene.nodes[3].children.push_back(4);
+  scene.nodes[3].children.push_back(NodeIndex(4));
   CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[4]), Vec3(0, 3.5, 0)) < 1e-12);
 }
 
@@ -64,10 +64,9 @@ TEST_CASE("skins that share a skeleton share its bind pose, in whatever model sp
   // Quantised meshes carry their scale in the inverse bind matrices.
   const Mat4 quantisation = glm::translate(Mat4(1.0), Vec3(0, -7, 0)) * glm::scale(Mat4(1.0), Vec3(100.0));
   Skin second;
-  second.joints = {2, 3};
-  for (const int joint : second.joints) {
-    second.inverseBind.push_back(scene.skins[0].inverseBind[static_cast<std::size_t>(joint - 1)] *
-                                 quantisation);
+  second.joints = {NodeIndex(2), NodeIndex(3)};
+  for (const NodeIndex joint : second.joints) {
+    second.inverseBind.push_back(scene.skins[0].inverseBind[at(joint) - 1] * quantisation);
   }
   const std::vector<Mat4> alone = bindPoseWorlds(scene);
   scene.skins.insert(scene.skins.begin(), second);

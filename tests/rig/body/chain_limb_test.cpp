@@ -32,7 +32,7 @@ TEST_CASE("any chain of joints can be a limb, by name or by index") {
         std::vector{built.node.at("clavicle.l"), built.node.at("upperArm.l"), built.node.at("foreArm.l")});
   CHECK(byName->endNode == built.node.at("hand.l"));
   CHECK(byName->restLength > 0.5);
-  const auto indexOf = [&](const std::string& key) { return fmt::format("#{}", built.node.at(key)); };
+  const auto indexOf = [&](const std::string& key) { return fmt::format("#{}", built.node.at(key).value); };
   const Result<Limb> byIndex = chainLimb(built.scene, indexOf("clavicle.l"), indexOf("hand.l"));
   REQUIRE(byIndex.ok());
   CHECK(byIndex->joints == byName->joints);
@@ -51,7 +51,7 @@ TEST_CASE("joints that make no chain are refused, with what is wrong") {
   CHECK(refusal("hand_l", "hand_l").find("two different joints") != std::string::npos);
   CHECK(refusal("hand_l", "upperarm_l").find("name the upper joint first") != std::string::npos);
   CHECK(refusal("hand_l", "foot_r").find("one chain") != std::string::npos);
-  built.scene.nodes[static_cast<std::size_t>(built.node.at("hand.r"))].name = "hand_l";
+  built.scene.nodes[at(built.node.at("hand.r"))].name = "hand_l";
   CHECK(refusal("clavicle_l", "hand_l").find("several nodes have this name") != std::string::npos);
 }
 
@@ -64,8 +64,8 @@ TEST_CASE("among nodes of one name the joint is meant, not the mesh") {
 TEST_CASE("a chain without a length is refused") {
   Scene scene;
   scene.nodes.resize(2);
-  scene.nodes[0].children = {1};
-  scene.nodes[1].parent = 0;
+  scene.nodes[0].children = {NodeIndex(1)};
+  scene.nodes[1].parent = NodeIndex(0);
   const double along = GENERATE(0.0, 1e308, std::numeric_limits<double>::quiet_NaN());
   scene.nodes[1].rest.translation = Vec3(along, along, 0.0);
   const Result<Limb> limb = chainLimb(scene, "#0", "#1");

@@ -62,7 +62,7 @@ TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that en
 TEST_CASE(
     "an entry of the humanoid table that leads nowhere leaves the limb to the geometry, with a warning") {
   BuiltBiped built = withTable();
-  built.scene.humanoid["leftHand"] = 9999;
+  built.scene.humanoid["leftHand"] = NodeIndex(9999);
   const Biped biped = detectBiped(built.scene);
   CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.r foreArm.r -> hand.r");

@@ -91,11 +91,10 @@ std::filesystem::path dataFolder() {
 
 std::string describe(const Scene& scene, const Limb& limb) {
   std::string text = limb.id + ":";
-  for (const int joint : limb.joints) {
-    text += " " + scene.nodes[static_cast<std::size_t>(joint)].name;
+  for (const NodeIndex joint : limb.joints) {
+    text += " " + scene.nodes[at(joint)].name;
   }
-  return text + " -> " +
-         (limb.endNode < 0 ? "estimated" : scene.nodes[static_cast<std::size_t>(limb.endNode)].name);
+  return text + " -> " + (!limb.endNode.exists() ? "estimated" : scene.nodes[at(limb.endNode)].name);
 }
 
 std::vector<std::string> describeAll(const Scene& named, const Biped& biped) {

@@ -18,8 +18,8 @@ using namespace stretch::test;
 
 namespace {
 
-Mat3 stretchOfNode(const FrameState& frame, int node) {
-  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[static_cast<std::size_t>(node)];
+Mat3 stretchOfNode(const FrameState& frame, NodeIndex node) {
+  return frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
 }
 
 } // namespace
@@ -95,8 +95,8 @@ TEST_CASE("scale of the nodes themselves never changes, nor the size of what han
     CHECK(glm::length(after.pose.locals[node].scale - before.pose.locals[node].scale) < 1e-12);
     CHECK(glm::determinant(Mat3(after.worlds[node])) == Approx(glm::determinant(Mat3(before.worlds[node]))));
   }
-  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
-  const auto finger = static_cast<std::size_t>(moving.node.at("finger1b.l"));
+  const auto hand = at(moving.node.at("hand.l"));
+  const auto finger = at(moving.node.at("finger1b.l"));
   const double span = glm::length(positionOf(before.worlds[finger]) - positionOf(before.worlds[hand]));
   CHECK(glm::length(positionOf(after.worlds[finger]) - positionOf(after.worlds[hand])) == Approx(span));
 }
@@ -112,7 +112,7 @@ TEST_CASE("twist joints beside and in the chain ride on their bone and carry its
     const MotionState motion = solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
     const FrameState after = atFrame(moving, motion, 12);
     const auto place = [&](const std::string& key) {
-      return positionOf(after.worlds[static_cast<std::size_t>(moving.node.at(key))]);
+      return positionOf(after.worlds[at(moving.node.at(key))]);
     };
     CAPTURE(inChain);
     CHECK(glm::length(place("twist.l") - 0.5 * (place("upperArm.l") + place("foreArm.l"))) < 1e-9);
@@ -120,7 +120,7 @@ TEST_CASE("twist joints beside and in the chain ride on their bone and carry its
           Approx(2.0 * lengthOf(moving.limb("left-arm"), sourceAtFrame(moving, 12))).epsilon(1e-4));
     // The same deformation in the world as the bone's own.
     const auto inWorld = [&](const std::string& key) {
-      const auto node = static_cast<std::size_t>(moving.node.at(key));
+      const auto node = at(moving.node.at(key));
       const Mat3 world = Mat3(after.worlds[node]);
       return world * stretchOfNode(after, moving.node.at(key)) * glm::inverse(world);
     };
@@ -134,8 +134,8 @@ TEST_CASE("a helper node between two joints that is no joint takes the stretch o
   body.joints.back().isJoint = false;
   MovingBiped moving = still(body);
   // Turned and scaled, as helpers of exporters are.
-  Node& helper = moving.scene.nodes[static_cast<std::size_t>(moving.node.at("helper.l"))];
-  Node& hand = moving.scene.nodes[static_cast<std::size_t>(moving.node.at("hand.l"))];
+  Node& helper = moving.scene.nodes[at(moving.node.at("helper.l"))];
+  Node& hand = moving.scene.nodes[at(moving.node.at("hand.l"))];
   helper.rest.rotation = axisAngle(glm::normalize(Vec3(1, 2, -1)), 1.1);
   helper.rest.scale = Vec3(2.0);
   hand.rest.translation = glm::inverse(helper.rest.rotation) * hand.rest.translation * 0.5;
@@ -170,12 +170,12 @@ TEST_CASE("a limb under a mirrored parent behaves as any other") {
 TEST_CASE("joints scaled to nothing leave the motion finite") {
   for (const std::string key : {"upperArm.l", "foreArm.l", "hand.l", "clavicle.l"}) {
     MovingBiped moving = punchingBiped();
-    moving.scene.nodes[static_cast<std::size_t>(moving.node.at(key))].rest.scale = Vec3(0.0);
+    moving.scene.nodes[at(moving.node.at(key))].rest.scale = Vec3(0.0);
     const MotionState motion = solved(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
     for (double frame = 0.0; frame <= 24.0; frame += 3.0) {
       const FrameState after = atFrame(moving, motion, frame);
       for (std::size_t node = 0; node < after.worlds.size(); ++node) {
-        const Mat4 mesh = meshMatrix(after, static_cast<int>(node));
+        const Mat4 mesh = meshMatrix(after, NodeIndex(node));
         CAPTURE(key, frame, node);
         REQUIRE(std::isfinite(glm::determinant(mesh)));
         REQUIRE(std::isfinite(glm::length(positionOf(mesh))));

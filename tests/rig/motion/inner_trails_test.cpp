@@ -21,7 +21,7 @@ std::vector<Trail> spineAndArm(double spineScale, double armScale, bool stayInWo
 }
 
 Vec3 place(const MovingBiped& moving, const FrameState& frame, const std::string& key) {
-  return positionOf(frame.worlds[static_cast<std::size_t>(moving.node.at(key))]);
+  return positionOf(frame.worlds[at(moving.node.at(key))]);
 }
 
 } // namespace

@@ -16,19 +16,18 @@ namespace {
 // The left foot hangs on the root with keys of its own, as feet driven by IK are when they were baked.
 MovingBiped withDetachedFoot() {
   MovingBiped moving = punchingBiped();
-  const int foot = moving.node.at("foot.l");
-  const int shin = moving.node.at("shin.l");
-  const int root = moving.node.at("root");
+  const NodeIndex foot = moving.node.at("foot.l");
+  const NodeIndex shin = moving.node.at("shin.l");
+  const NodeIndex root = moving.node.at("root");
   VectorKeys places;
   for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
     const FrameState state = sourceAtFrame(moving, frame);
-    const Mat4 inRoot = glm::inverse(state.worlds[static_cast<std::size_t>(root)]) *
-                        state.worlds[static_cast<std::size_t>(foot)];
+    const Mat4 inRoot = glm::inverse(state.worlds[at(root)]) * state.worlds[at(foot)];
     places.emplace_back(frame / 24.0, positionOf(inRoot));
   }
-  std::erase(moving.scene.nodes[static_cast<std::size_t>(shin)].children, foot);
-  moving.scene.nodes[static_cast<std::size_t>(root)].children.push_back(foot);
-  moving.scene.nodes[static_cast<std::size_t>(foot)].parent = root;
+  std::erase(moving.scene.nodes[at(shin)].children, foot);
+  moving.scene.nodes[at(root)].children.push_back(foot);
+  moving.scene.nodes[at(foot)].parent = root;
   moving.clip.tracks.emplace_back(vectorTrack(foot, Channel::translation, Interpolation::linear, places));
   for (Limb& limb : moving.biped.limbs) {
     if (limb.id == "left-leg") {
@@ -43,7 +42,7 @@ MovingBiped withDetachedFoot() {
 TEST_CASE("a foot under the root follows the leg through its own channels") {
   const MovingBiped moving = withDetachedFoot();
   const Limb& leg = moving.limb("left-leg");
-  const auto foot = static_cast<std::size_t>(moving.node.at("foot.l"));
+  const auto foot = at(moving.node.at("foot.l"));
   for (const Bend bend : {Bend::keep, Bend::straighten}) {
     Trail trail = connectedTrail("left-leg", 0, 12, 2.0);
     trail.settings.bend = bend;
@@ -66,7 +65,7 @@ TEST_CASE("a foot under the root follows the leg through its own channels") {
 TEST_CASE("a limb without an end joint is stretched to its estimated end") {
   MovingBiped moving = still(namedBody({.hands = false}));
   const Limb& arm = moving.limb("left-arm");
-  REQUIRE(arm.endNode == -1);
+  REQUIRE(arm.endNode == NodeIndex::none);
   RotationKeys keys{{0.0, axisAngle(Vec3(0, 1, 0), 1.0)},
                     {0.5, axisAngle(Vec3(0, 1, 0), -1.2)},
                     {1.0, axisAngle(Vec3(0, 1, 0), 1.0)}};
@@ -90,7 +89,7 @@ TEST_CASE("a stretched spine leaves the legs where they are, even where they han
     const FrameState before = sourceAtFrame(moving, frame);
     const FrameState after = atFrame(moving, motion, frame);
     for (const std::string key : {"thigh.l", "shin.l", "foot.l", "toe.l", "thigh.r", "foot.r"}) {
-      const auto node = static_cast<std::size_t>(moving.node.at(key));
+      const auto node = at(moving.node.at(key));
       CAPTURE(frame, key);
       CHECK(glm::length(positionOf(after.worlds[node]) - positionOf(before.worlds[node])) < 1e-9);
       CHECK(std::abs(glm::dot(rotationOf(after.worlds[node]), rotationOf(before.worlds[node]))) ==
@@ -103,8 +102,8 @@ TEST_CASE("a stretched spine leaves the legs where they are, even where they han
 
 TEST_CASE("a node that the file gives as a matrix can be re-keyed") {
   MovingBiped moving = punchingBiped();
-  const int foreArm = moving.node.at("foreArm.l");
-  Node& node = moving.scene.nodes[static_cast<std::size_t>(foreArm)];
+  const NodeIndex foreArm = moving.node.at("foreArm.l");
+  Node& node = moving.scene.nodes[at(foreArm)];
   node.matrix = toMatrix(node.rest);
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) { return track->node == foreArm; });
   const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};

@@ -86,14 +86,15 @@ TEST_CASE("a chain from the root acts before the spine and the legs that it carr
 TEST_CASE("trails of one limb act in the order of their starts, and a circle of limbs keeps all of them") {
   Scene scene;
   scene.nodes.resize(4);
-  const auto hang = [&](std::size_t child, int parent) {
+  const auto hang = [&](std::size_t child, NodeIndex parent) {
     scene.nodes[child].parent = parent;
-    scene.nodes[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(child));
+    scene.nodes[at(parent)].children.push_back(NodeIndex(child));
   };
-  hang(1, 0);
-  hang(3, 2);
-  Limb one{LimbKind::chain, "one", {1}, 2, Vec3(0.0), 1.0, 1.0, {}}; // its end is above the other's base
-  Limb other{LimbKind::leftArm, "other", {3}, 0, Vec3(0.0), 1.0, 1.0, {}};
+  hang(1, NodeIndex(0));
+  hang(3, NodeIndex(2));
+  Limb one{LimbKind::chain, "one", {NodeIndex(1)}, NodeIndex(2), Vec3(0.0), 1.0, 1.0, {}}; // its end is above
+                                                                                           // the other's base
+  Limb other{LimbKind::leftArm, "other", {NodeIndex(3)}, NodeIndex(0), Vec3(0.0), 1.0, 1.0, {}};
   CHECK(carries(scene, one, other));
   CHECK(carries(scene, other, one));
   CHECK_FALSE(carries(scene, one, one));

@@ -167,7 +167,7 @@ TEST_CASE("half the blend is half of the way, for the path and for the limb") {
 
 TEST_CASE("the hand and the foot keep their orientation, or turn with the limb when asked to") {
   const MovingBiped moving = punchingBiped();
-  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
+  const auto hand = at(moving.node.at("hand.l"));
   Trail trail = connectedTrail("left-arm", 0, 12, 2.5);
   const auto turnOfHand = [&] {
     const Quat before = rotationOf(sourceAtFrame(moving, 8).worlds[hand]);

@@ -15,10 +15,6 @@ using namespace stretch::test;
 
 namespace {
 
-std::size_t at(int node) {
-  return static_cast<std::size_t>(node);
-}
-
 Vec3 endOf(const MovingBiped& moving, const std::string& limb, const FrameState& frame) {
   return endPosition(moving.limb(limb), frame);
 }
@@ -85,7 +81,7 @@ TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
   for (const double frame : {3.0, 12.0, 14.0}) {
     const FrameState with = atFrame(moving, both, frame);
     CHECK(lengthOf(arm, with) == Approx(1.2 * lengthOf(arm, atFrame(moving, alone, frame))));
-    for (const int joint : arm.joints) {
+    for (const NodeIndex joint : arm.joints) {
       const Mat3& stretch = with.stretch[at(joint)];
       for (int i = 0; i < 3; ++i) {
         CHECK(stretch[i][(i + 1) % 3] == Approx(stretch[(i + 1) % 3][i]).margin(1e-12));

@@ -26,14 +26,13 @@ int addMesh(Scene& scene, const std::vector<glm::vec3>& positions) {
 // A long sword in the punching hand: a mesh without a skin.
 MovingBiped swordsman() {
   MovingBiped moving = punchingBiped();
-  const int hand = moving.node.at("hand.l");
-  moving.scene.nodes[static_cast<std::size_t>(hand)].mesh =
-      addMesh(moving.scene, {{0.0F, 0.0F, 0.0F}, {0.0F, swordLength, 0.0F}});
+  const NodeIndex hand = moving.node.at("hand.l");
+  moving.scene.nodes[at(hand)].mesh = addMesh(moving.scene, {{0.0F, 0.0F, 0.0F}, {0.0F, swordLength, 0.0F}});
   return moving;
 }
 
 Vec3 swordTip(const MovingBiped& moving, const FrameState& frame) {
-  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
+  const auto hand = at(moving.node.at("hand.l"));
   return transformPoint(frame.worlds[hand], Vec3(0.0, swordLength, 0.0));
 }
 
@@ -43,7 +42,7 @@ TEST_CASE("the mesh reaches as far as its vertices, by as much as they follow") 
   Scene scene;
   scene.nodes.resize(3);
   scene.nodes[0].mesh = addMesh(scene, {{0.0F, 2.0F, 0.0F}});
-  scene.skins.push_back({"skin", {1, 2}, {Mat4(1.0), Mat4(1.0)}});
+  scene.skins.push_back({"skin", {NodeIndex(1), NodeIndex(2)}, {Mat4(1.0), Mat4(1.0)}});
   scene.nodes[1].mesh = addMesh(scene, {{4.0F, 0.0F, 0.0F}});
   scene.nodes[1].skin = 0;
   VertexInfluences influences;

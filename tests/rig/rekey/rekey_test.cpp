@@ -163,7 +163,7 @@ TEST_CASE("a slow, sparse clip gets few keys") {
 
 TEST_CASE("a joint without a channel gets one that holds its rest elsewhere") {
   MovingBiped moving = punchingBiped();
-  const int foreArm = moving.node.at("foreArm.l");
+  const NodeIndex foreArm = moving.node.at("foreArm.l");
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
     return track->node == foreArm || track->node == moving.node.at("hand.l");
   });
@@ -243,8 +243,7 @@ TEST_CASE("the stretch between keys is close to the exact one") {
   for (const StretchKeys& keys : rekeyed.stretches) {
     for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
       const FrameState exact = atFrame(moving, motion, frame);
-      const Mat3 wanted =
-          exact.stretch.empty() ? Mat3(1.0) : exact.stretch[static_cast<std::size_t>(keys.node)];
+      const Mat3 wanted = exact.stretch.empty() ? Mat3(1.0) : exact.stretch[at(keys.node)];
       const Mat3 difference = stretchOf(keys, frame / 24.0) - wanted;
       CAPTURE(keys.node, frame);
       CHECK(glm::length(difference[0]) + glm::length(difference[1]) + glm::length(difference[2]) < 5e-3);

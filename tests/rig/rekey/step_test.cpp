@@ -16,7 +16,7 @@ namespace {
 MovingBiped withStepOn(const std::string& key,
                        const std::vector<std::pair<double, double>>& degreesAtFrames) {
   MovingBiped moving = punchingBiped();
-  const int node = moving.node.at(key);
+  const NodeIndex node = moving.node.at(key);
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) { return track->node == node; });
   RotationKeys keys;
   for (const auto& [frame, degrees] : degreesAtFrames) {
@@ -26,7 +26,7 @@ MovingBiped withStepOn(const std::string& key,
   return moving;
 }
 
-const Track& rekeyedTrack(const Rekeyed& rekeyed, int node, Channel channel) {
+const Track& rekeyedTrack(const Rekeyed& rekeyed, NodeIndex node, Channel channel) {
   const auto found = std::ranges::find_if(
       rekeyed.keys.tracks, [&](const Track& t) { return t.node == node && t.channel == channel; });
   REQUIRE(found != rekeyed.keys.tracks.end());

@@ -45,8 +45,7 @@ double worstStretchMiss(const MovingBiped& moving, const Rekeyed& rekeyed) {
     const double frame = 0.5 * half;
     const FrameState exact = atFrame(moving, rekeyed.motion, frame);
     for (const StretchKeys& keys : rekeyed.keys.stretches) {
-      const Mat3 wanted =
-          exact.stretch.empty() ? Mat3(1.0) : exact.stretch[static_cast<std::size_t>(keys.node)];
+      const Mat3 wanted = exact.stretch.empty() ? Mat3(1.0) : exact.stretch[at(keys.node)];
       const Mat3 written = stretchOf(keys, frame / moving.clip.framesPerSecond);
       for (int column = 0; column < 3; ++column) {
         worst = std::max(worst, glm::length(written[column] - wanted[column]));

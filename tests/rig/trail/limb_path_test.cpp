@@ -16,13 +16,12 @@ TEST_CASE("sampling a few nodes answers what sampling the whole character answer
   for (const Interpolation interpolation :
        {Interpolation::linear, Interpolation::cubicSpline, Interpolation::step}) {
     const MovingBiped moving = punchingBiped(interpolation);
-    const int hand = moving.node.at("hand.l");
-    const NodeSampler sampler(moving.scene, moving.clip, {hand});
+    const NodeIndex hand = moving.node.at("hand.l");
+    const NodeSampler sampler(moving.scene, moving.clip, std::vector{hand});
     FrameState sampled;
     for (double frame = -2.0; frame <= 26.0; frame += 0.7) {
       sampler.sample(frame / 24.0, sampled);
-      const Mat4 difference = sampled.worlds[static_cast<std::size_t>(hand)] -
-                              sourceAtFrame(moving, frame).worlds[static_cast<std::size_t>(hand)];
+      const Mat4 difference = sampled.worlds[at(hand)] - sourceAtFrame(moving, frame).worlds[at(hand)];
       for (int column = 0; column < 4; ++column) {
         CHECK(glm::length(difference[column]) < 1e-12);
       }

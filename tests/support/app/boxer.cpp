@@ -8,7 +8,7 @@ namespace stretch::test {
 
 namespace {
 
-rig::Limb makeLimb(rig::LimbKind kind, std::vector<int> joints, int end) {
+rig::Limb makeLimb(rig::LimbKind kind, std::vector<NodeIndex> joints, NodeIndex end) {
   rig::Limb limb;
   limb.kind = kind;
   limb.id = std::string(rig::limbName(kind));
@@ -26,7 +26,7 @@ void addKey(Track& track, double frame, double angleRadians) {
   }
 }
 
-Clip punch(int upperArm) {
+Clip punch(NodeIndex upperArm) {
   Track track;
   track.node = upperArm;
   track.channel = Channel::rotation;
@@ -47,15 +47,15 @@ Clip punch(int upperArm) {
 
 app::Document boxer() {
   Scene scene;
-  const int hips = addNode(scene, "Hips", -1, {0.0, 1.0, 0.0});
-  const int spine = addNode(scene, "Spine", hips, {0.0, 0.2, 0.0});
-  const int chest = addNode(scene, "Chest", spine, {0.0, 0.2, 0.0});
-  const int leftArm = addNode(scene, "LeftArm", chest, {0.2, 0.1, 0.0});
-  const int leftElbow = addNode(scene, "LeftForeArm", leftArm, {0.3, 0.0, 0.0});
-  const int leftHand = addNode(scene, "LeftHand", leftElbow, {0.3, 0.0, 0.0});
-  const int rightArm = addNode(scene, "RightArm", chest, {-0.2, 0.1, 0.0});
-  const int rightElbow = addNode(scene, "RightForeArm", rightArm, {-0.3, 0.0, 0.0});
-  const int rightHand = addNode(scene, "RightHand", rightElbow, {-0.3, 0.0, 0.0});
+  const NodeIndex hips = addNode(scene, "Hips", NodeIndex::none, {0.0, 1.0, 0.0});
+  const NodeIndex spine = addNode(scene, "Spine", hips, {0.0, 0.2, 0.0});
+  const NodeIndex chest = addNode(scene, "Chest", spine, {0.0, 0.2, 0.0});
+  const NodeIndex leftArm = addNode(scene, "LeftArm", chest, {0.2, 0.1, 0.0});
+  const NodeIndex leftElbow = addNode(scene, "LeftForeArm", leftArm, {0.3, 0.0, 0.0});
+  const NodeIndex leftHand = addNode(scene, "LeftHand", leftElbow, {0.3, 0.0, 0.0});
+  const NodeIndex rightArm = addNode(scene, "RightArm", chest, {-0.2, 0.1, 0.0});
+  const NodeIndex rightElbow = addNode(scene, "RightForeArm", rightArm, {-0.3, 0.0, 0.0});
+  const NodeIndex rightHand = addNode(scene, "RightHand", rightElbow, {-0.3, 0.0, 0.0});
 
   app::Document document;
   document.source = std::make_shared<const gltf::Source>();

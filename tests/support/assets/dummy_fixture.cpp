@@ -28,20 +28,20 @@ gltf::Loaded loadedDummy() {
   return *loaded;
 }
 
-int nodeNamed(const Scene& scene, const std::string& name) {
+NodeIndex nodeNamed(const Scene& scene, const std::string& name) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].name == name) {
-      return static_cast<int>(i);
+      return NodeIndex(i);
     }
   }
   FAIL("no node named " << name);
-  return -1;
+  return NodeIndex::none;
 }
 
-std::vector<Vec3> bent(const Scene& scene, const Primitive& body, int joint, double degrees) {
+std::vector<Vec3> bent(const Scene& scene, const Primitive& body, NodeIndex joint, double degrees) {
   const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
-  const auto place = [&](int node) { return positionOf(worlds[static_cast<std::size_t>(node)]); };
-  const Node& node = scene.nodes[static_cast<std::size_t>(joint)];
+  const auto place = [&](NodeIndex node) { return positionOf(worlds[at(node)]); };
+  const Node& node = scene.nodes[at(joint)];
   const Vec3 pivot = place(joint);
   const Vec3 axis =
       glm::normalize(glm::cross(pivot - place(node.parent), place(node.children.front()) - pivot));
@@ -52,7 +52,7 @@ std::vector<Vec3> bent(const Scene& scene, const Primitive& body, int joint, dou
     const Vec3 turned = pivot + turn * (still - pivot);
     double share = 0.0;
     for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
-      const int follows = scene.skins[0].joints[body.influences[v].joints[i]];
+      const NodeIndex follows = scene.skins[0].joints[body.influences[v].joints[i]];
       share +=
           isAncestorOrSelf(scene, joint, follows) ? static_cast<double>(body.influences[v].weights[i]) : 0.0;
     }

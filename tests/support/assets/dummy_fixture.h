@@ -15,10 +15,11 @@ namespace stretch::assets {
 [[nodiscard]] gltf::Loaded loadedDummy();
 
 /// Index of the node of that name; a failed test when there is none.
-[[nodiscard]] int nodeNamed(const Scene& scene, const std::string& name);
+[[nodiscard]] NodeIndex nodeNamed(const Scene& scene, const std::string& name);
 
 /// Vertices with one joint turned about the axis of its own bend in the bind pose, by the smallest turn that
 /// bends the limb further. `joint` has a parent and a first child.
-[[nodiscard]] std::vector<Vec3> bent(const Scene& scene, const Primitive& body, int joint, double degrees);
+[[nodiscard]] std::vector<Vec3> bent(const Scene& scene, const Primitive& body, NodeIndex joint,
+                                     double degrees);
 
 } // namespace stretch::assets

@@ -8,7 +8,7 @@ namespace stretch::test {
 
 namespace {
 
-std::string keyOf(const BuiltBiped& built, int node) {
+std::string keyOf(const BuiltBiped& built, NodeIndex node) {
   for (const auto& [key, index] : built.node) {
     if (index == node) {
       return key;
@@ -30,7 +30,7 @@ std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::Limb
     return "none";
   }
   std::string text;
-  for (const int joint : limb->joints) {
+  for (const NodeIndex joint : limb->joints) {
     text += keyOf(built, joint) + " ";
   }
   return text + "-> " + keyOf(built, limb->endNode);
@@ -46,9 +46,8 @@ void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped) {
 
 Vec3 endOf(const Scene& scene, const rig::Limb& limb) {
   const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
-  return limb.endNode >= 0
-             ? positionOf(worlds[static_cast<std::size_t>(limb.endNode)])
-             : transformPoint(worlds[static_cast<std::size_t>(limb.joints.back())], limb.endOffset);
+  return limb.endNode.exists() ? positionOf(worlds[at(limb.endNode)])
+                               : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
 }
 
 } // namespace stretch::test

@@ -41,7 +41,7 @@ std::vector<double> tangentAt(const Keys& keys, std::size_t i) {
 }
 
 template <typename Keys>
-Track trackOf(int node, Channel channel, Interpolation interpolation, const Keys& keys) {
+Track trackOf(NodeIndex node, Channel channel, Interpolation interpolation, const Keys& keys) {
   Track track;
   track.node = node;
   track.channel = channel;
@@ -72,11 +72,10 @@ const std::vector<double>& keySeconds() {
 // Turns on top of the rest rotation, one for each key time.
 void addTurns(MovingBiped& moving, Interpolation interpolation, const std::string& key, const Vec3& axis,
               const std::vector<double>& degrees) {
-  const int node = moving.node.at(key);
+  const NodeIndex node = moving.node.at(key);
   RotationKeys keys;
   for (std::size_t i = 0; i < degrees.size(); ++i) {
-    keys.emplace_back(keySeconds()[i], turn(axis, degrees[i]) *
-                                           moving.scene.nodes[static_cast<std::size_t>(node)].rest.rotation);
+    keys.emplace_back(keySeconds()[i], turn(axis, degrees[i]) * moving.scene.nodes[at(node)].rest.rotation);
   }
   moving.clip.tracks.emplace_back(rotationTrack(node, interpolation, keys));
 }
@@ -89,11 +88,11 @@ const rig::Limb& MovingBiped::limb(const std::string& id) const {
   return *found;
 }
 
-Track rotationTrack(int node, Interpolation interpolation, const RotationKeys& keys) {
+Track rotationTrack(NodeIndex node, Interpolation interpolation, const RotationKeys& keys) {
   return trackOf(node, Channel::rotation, interpolation, keys);
 }
 
-Track vectorTrack(int node, Channel channel, Interpolation interpolation, const VectorKeys& keys) {
+Track vectorTrack(NodeIndex node, Channel channel, Interpolation interpolation, const VectorKeys& keys) {
   return trackOf(node, channel, interpolation, keys);
 }
 
@@ -123,8 +122,8 @@ void addPunch(MovingBiped& moving, Interpolation interpolation) {
   addTurns(moving, interpolation, "shin.l", {1, 0, 0}, {20, 70, 15, 40, 20});
   addTurns(moving, interpolation, "spine0", {1, 0.4, 0}, {0, -5, 18, 6, 0});
   addTurns(moving, interpolation, "spine1", {1, 0.4, 0}, {0, -5, 12, 6, 0});
-  const int hips = moving.node.at("hips");
-  const Vec3 rest = moving.scene.nodes[static_cast<std::size_t>(hips)].rest.translation;
+  const NodeIndex hips = moving.node.at("hips");
+  const Vec3 rest = moving.scene.nodes[at(hips)].rest.translation;
   VectorKeys travel;
   for (const double seconds : keySeconds()) {
     travel.emplace_back(seconds, rest + Vec3(0.02, -0.05 * seconds, 0.3 * seconds));

@@ -14,7 +14,7 @@ namespace stretch::test {
 /// A synthetic biped with its limbs found and a clip to move it.
 struct MovingBiped {
   Scene scene;
-  std::map<std::string, int> node; ///< By key, as in SyntheticBiped.
+  std::map<std::string, NodeIndex> node; ///< By key, as in SyntheticBiped.
   rig::Biped biped;
   Clip clip;
 
@@ -25,8 +25,8 @@ using RotationKeys = std::vector<std::pair<double, Quat>>; ///< Seconds, local r
 using VectorKeys = std::vector<std::pair<double, Vec3>>;
 
 /// Tracks of these keys; cubic splines get three-point tangents.
-[[nodiscard]] Track rotationTrack(int node, Interpolation interpolation, const RotationKeys& keys);
-[[nodiscard]] Track vectorTrack(int node, Channel channel, Interpolation interpolation,
+[[nodiscard]] Track rotationTrack(NodeIndex node, Interpolation interpolation, const RotationKeys& keys);
+[[nodiscard]] Track vectorTrack(NodeIndex node, Channel channel, Interpolation interpolation,
                                 const VectorKeys& keys);
 
 /// The body with detected limbs and an empty clip of 24 frames per second.

@@ -32,7 +32,7 @@ double worstMiss(const MovingBiped& moving, const Rekeyed& rekeyed, int first, i
   return worst;
 }
 
-const Track* sourceTrack(const Clip& clip, int node, Channel channel) {
+const Track* sourceTrack(const Clip& clip, NodeIndex node, Channel channel) {
   const int index = findTrack(clip, node, channel);
   return index < 0 ? nullptr : &*clip.tracks[static_cast<std::size_t>(index)];
 }

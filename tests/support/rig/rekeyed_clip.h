@@ -23,7 +23,7 @@ struct Rekeyed {
 [[nodiscard]] double worstMiss(const MovingBiped& moving, const Rekeyed& rekeyed, int first, int last);
 
 /// Null when the clip does not animate it.
-[[nodiscard]] const Track* sourceTrack(const Clip& clip, int node, Channel channel);
+[[nodiscard]] const Track* sourceTrack(const Clip& clip, NodeIndex node, Channel channel);
 
 /// All numbers of the key at exactly this time, tangents included; empty without such a key.
 [[nodiscard]] std::vector<float> keyNumbers(const Track& track, float timeSeconds);

@@ -9,7 +9,7 @@ rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame, con
   rig::WeightSample sample{frame.timeSeconds, {}, bones.planted};
   const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
-    const Mat4 toJoint = glm::inverse(frame.worlds[static_cast<std::size_t>(limb.joints[i])]);
+    const Mat4 toJoint = glm::inverse(frame.worlds[at(limb.joints[i])]);
     const Vec3 along = glm::normalize(transformVector(toJoint, points[i + 1] - points[i]));
     const Vec3 load = transformVector(toJoint, bones.acrossWorld);
     const Vec3 across = glm::normalize(load - glm::dot(load, along) * along);

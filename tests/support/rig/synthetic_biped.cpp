@@ -96,9 +96,9 @@ int jointIndex(const SyntheticBiped& body, const std::string& key) {
 }
 
 // Node 0 is the armature, the last one carries the mesh; a shuffle spreads the joints between.
-int nodeIndex(const SyntheticBiped& body, int joint) {
+NodeIndex nodeIndex(const SyntheticBiped& body, int joint) {
   const int count = static_cast<int>(body.joints.size());
-  return body.shuffled ? 1 + (joint * 7 + 3) % count : 1 + joint;
+  return NodeIndex(body.shuffled ? 1 + (joint * 7 + 3) % count : 1 + joint);
 }
 
 void addBox(Primitive& primitive, const Vec3& low, const Vec3& high, std::uint16_t slot) {
@@ -191,18 +191,19 @@ BuiltBiped build(const SyntheticBiped& body) {
   scene.nodes.resize(static_cast<std::size_t>(count) + 2);
   scene.nodes[0].name = "Armature";
   scene.nodes[0].rest.scale = Vec3(body.armatureScale);
-  scene.roots = {0, count + 1};
+  scene.roots = {NodeIndex(0), NodeIndex(count + 1)};
   Skin skin;
   Primitive flesh;
   for (int i = 0; i < count; ++i) {
     const SyntheticJoint& joint = body.joints[static_cast<std::size_t>(i)];
-    const int index = nodeIndex(body, i);
-    const int parent = joint.parent.empty() ? 0 : nodeIndex(body, jointIndex(body, joint.parent));
-    Node& node = scene.nodes[static_cast<std::size_t>(index)];
+    const NodeIndex index = nodeIndex(body, i);
+    const NodeIndex parent =
+        joint.parent.empty() ? NodeIndex(0) : nodeIndex(body, jointIndex(body, joint.parent));
+    Node& node = scene.nodes[at(index)];
     const auto name = body.names.find(joint.key);
     node.name = name == body.names.end() ? "" : name->second;
     node.parent = parent;
-    scene.nodes[static_cast<std::size_t>(parent)].children.push_back(index);
+    scene.nodes[at(parent)].children.push_back(index);
     const Vec3 origin = joint.parent.empty()
                             ? Vec3(0.0)
                             : body.joints[static_cast<std::size_t>(jointIndex(body, joint.parent))].position;

@@ -61,7 +61,7 @@ void applyNames(SyntheticBiped& body, const NamingScheme& scheme);
 /// The scene, and where each joint went.
 struct BuiltBiped {
   Scene scene;
-  std::map<std::string, int> node;
+  std::map<std::string, NodeIndex> node;
 };
 
 [[nodiscard]] BuiltBiped build(const SyntheticBiped& body);

@@ -19,8 +19,8 @@ using namespace stretch;
 void addFrame(const Scene& scene, const FrameState& frame, std::size_t step, nlohmann::json& out) {
   const std::vector<Vec3> positions = skinning::skinnedPositions(scene, frame);
   std::size_t first = 0;
-  for (const int node : skinning::drawnMeshNodes(scene)) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    const int mesh = scene.nodes[at(node)].mesh;
     const auto& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
     for (std::size_t primitive = 0; primitive < primitives.size(); ++primitive) {
       nlohmann::json numbers = nlohmann::json::array();
@@ -29,7 +29,7 @@ void addFrame(const Scene& scene, const FrameState& frame, std::size_t step, nlo
         numbers.insert(numbers.end(), {p.x, p.y, p.z});
       }
       first += primitives[primitive].positions.size();
-      out[fmt::format("#{} {}/{}", node, mesh, primitive)].push_back(std::move(numbers));
+      out[fmt::format("#{} {}/{}", node.value, mesh, primitive)].push_back(std::move(numbers));
     }
   }
 }

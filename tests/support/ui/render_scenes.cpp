@@ -104,7 +104,7 @@ Scene triangleScene() {
   Node node;
   node.mesh = 0;
   scene.nodes.push_back(node);
-  scene.roots.push_back(0);
+  scene.roots.push_back(NodeIndex(0));
   return scene;
 }
 
@@ -116,7 +116,7 @@ Scene bipedScene() {
   for (std::size_t i = 0; i < bones.size(); ++i) {
     const Bone& bone = bones[i];
     const Vec3 parentPlace = bone.parent >= 0 ? bones[static_cast<std::size_t>(bone.parent)].from : Vec3(0.0);
-    skin.joints.push_back(addNode(scene, {}, bone.parent, bone.from - parentPlace));
+    skin.joints.push_back(addNode(scene, {}, NodeIndex(bone.parent), bone.from - parentPlace));
     Mat4 inverseBind(1.0);
     inverseBind[3] = Vec4(-bone.from, 1.0);
     skin.inverseBind.push_back(inverseBind);
@@ -129,17 +129,17 @@ Scene bipedScene() {
                      plainColor(0.75F, 0.55F, 0.42F)};
   scene.skins.push_back(skin);
   scene.meshes.push_back({"body", byMaterial, {}});
-  const int body = addNode(scene, {}, -1, Vec3(0.0));
-  scene.nodes[static_cast<std::size_t>(body)].mesh = 0;
-  scene.nodes[static_cast<std::size_t>(body)].skin = 0;
+  const NodeIndex body = addNode(scene, {}, NodeIndex::none, Vec3(0.0));
+  scene.nodes[at(body)].mesh = 0;
+  scene.nodes[at(body)].skin = 0;
   return scene;
 }
 
 FrameState wavingFrame(const Scene& biped) {
   const BipedNodes nodes;
   Pose pose = restPose(biped);
-  pose.locals[static_cast<std::size_t>(nodes.leftUpperArm)].rotation = glm::angleAxis(0.9, Vec3(0, 0, 1));
-  pose.locals[static_cast<std::size_t>(nodes.leftForearm)].rotation = glm::angleAxis(1.1, Vec3(0, 0, 1));
+  pose.locals[at(nodes.leftUpperArm)].rotation = glm::angleAxis(0.9, Vec3(0, 0, 1));
+  pose.locals[at(nodes.leftForearm)].rotation = glm::angleAxis(1.1, Vec3(0, 0, 1));
   return frameOf(biped, std::move(pose), 0.0);
 }
 
@@ -150,7 +150,7 @@ Scene manyJointsScene() {
   Skin skin;
   for (int joint = 0; joint < joints; ++joint) {
     const Vec3 place(0.1 * wobble(joint), 0.05, 0.1 * wobble(joint + 0.5));
-    skin.joints.push_back(addNode(scene, {}, joint % 10 == 0 ? -1 : joint - 1, place));
+    skin.joints.push_back(addNode(scene, {}, NodeIndex(joint % 10 == 0 ? -1 : joint - 1), place));
     Mat4 inverseBind(1.0);
     inverseBind[3] = Vec4(-0.4 * place, 1.0);
     skin.inverseBind.push_back(inverseBind);
@@ -177,9 +177,9 @@ Scene manyJointsScene() {
   }
   scene.skins.push_back(skin);
   scene.meshes.push_back({"cloth", {primitive}, {0.0F, 0.0F}});
-  const int cloth = addNode(scene, {}, -1, Vec3(5.0, 5.0, 5.0));
-  scene.nodes[static_cast<std::size_t>(cloth)].mesh = 0;
-  scene.nodes[static_cast<std::size_t>(cloth)].skin = 0;
+  const NodeIndex cloth = addNode(scene, {}, NodeIndex::none, Vec3(5.0, 5.0, 5.0));
+  scene.nodes[at(cloth)].mesh = 0;
+  scene.nodes[at(cloth)].skin = 0;
   return scene;
 }
 

@@ -10,12 +10,12 @@ namespace stretch::test {
 
 /// Node indices of bipedScene.
 struct BipedNodes {
-  int hips = 0;
-  int chest = 1;
-  int head = 2;
-  int leftUpperArm = 3;
-  int leftForearm = 4;
-  int leftHand = 5;
+  NodeIndex hips{0};
+  NodeIndex chest{1};
+  NodeIndex head{2};
+  NodeIndex leftUpperArm{3};
+  NodeIndex leftForearm{4};
+  NodeIndex leftHand{5};
 };
 
 /// A biped 1.8 high that stands on y = 0, faces +Z and is skinned to 15 joints: boxes that bend at elbows and

@@ -91,7 +91,7 @@ TEST_CASE("A trail of one point or none is drawn without harm") {
 TEST_CASE("Bones lead from joint to joint, through helper nodes") {
   Scene scene = bipedScene();
   const BipedNodes nodes;
-  const std::vector<int> joints = jointsOf(scene);
+  const std::vector<NodeIndex> joints = jointsOf(scene);
   CHECK(joints.size() == scene.skins[0].joints.size());
   const FrameState frame = frameOf(scene, restPose(scene), 0.0);
   CHECK(boneSegments(scene, frame, joints).size() == joints.size() - 1);
@@ -102,13 +102,12 @@ TEST_CASE("Bones lead from joint to joint, through helper nodes") {
   const auto ofUpperArm = std::find_if(
       bones.begin(), bones.end(), [&](const BoneSegment& bone) { return bone.node == nodes.leftUpperArm; });
   REQUIRE(ofUpperArm != bones.end());
-  CHECK(glm::length(ofUpperArm->toWorld -
-                    positionOf(frame.worlds[static_cast<std::size_t>(nodes.leftHand)])) < 1e-12);
+  CHECK(glm::length(ofUpperArm->toWorld - positionOf(frame.worlds[at(nodes.leftHand)])) < 1e-12);
 }
 
 TEST_CASE("A character of rigid parts has a skeleton too") {
   Scene scene = triangleScene();
-  CHECK(jointsOf(scene) == std::vector<int>{0});
+  CHECK(jointsOf(scene) == std::vector{NodeIndex(0)});
 }
 
 TEST_CASE("The stretch ratio of a bone is its singular value farthest from one") {

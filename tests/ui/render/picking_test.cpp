@@ -114,11 +114,11 @@ TEST_CASE("A hit on a polyline in perspective lies under the mouse") {
 
 TEST_CASE("Of bones that cross on the screen the front one is picked, else the nearest") {
   const View view = straightView();
-  const std::vector<BoneSegment> bones{{3, {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
-                                       {7, {0.0, -1.0, 1.0}, {0.0, 1.0, 1.0}},
-                                       {9, {-1.0, 0.5, -1.0}, {1.0, 0.5, -1.0}}};
-  CHECK(pickBone(view, bones, {401.0, 400.0}) == 7);
-  CHECK(pickBone(view, bones, {470.0, 402.0}) == 3);
-  CHECK(pickBone(view, bones, {470.0, 352.0}) == 9);
+  const std::vector<BoneSegment> bones{{NodeIndex(3), {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+                                       {NodeIndex(7), {0.0, -1.0, 1.0}, {0.0, 1.0, 1.0}},
+                                       {NodeIndex(9), {-1.0, 0.5, -1.0}, {1.0, 0.5, -1.0}}};
+  CHECK(pickBone(view, bones, {401.0, 400.0}) == 1U);
+  CHECK(pickBone(view, bones, {470.0, 402.0}) == 0U);
+  CHECK(pickBone(view, bones, {470.0, 352.0}) == 2U);
   CHECK_FALSE(pickBone(view, bones, {470.0, 375.0}));
 }

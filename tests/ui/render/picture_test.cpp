@@ -85,8 +85,8 @@ TEST_CASE("Picture: stretch as colour, wires and a light background from the sid
   picture.content.style.palette = lightPalette();
   FrameState& frame = picture.content.frame;
   frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
-  frame.stretch[static_cast<std::size_t>(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
-  frame.stretch[static_cast<std::size_t>(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
+  frame.stretch[at(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
+  frame.stretch[at(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
   const auto image = renderFrame(scene, picture, smallPicture(ViewDirection::side));
   REQUIRE(image);
   const std::string difference = differenceFromBaseline("biped-stretch", *image);
@@ -107,8 +107,8 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
   style.measures.characterHeight = 1.8;
   style.highlight.assign(scene.nodes.size(), 0.0F);
   const BipedNodes nodes;
-  for (const int node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
-    style.highlight[static_cast<std::size_t>(node)] = 1.0F;
+  for (const NodeIndex node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
+    style.highlight[at(node)] = 1.0F;
   }
   const Viewport viewport{320.0, 240.0, 2.0};
   const View view = makeView(
