@@ -29,12 +29,6 @@ struct CreatedTrail {
 /// Colours are dealt in turn, so that trails beside each other stay apart.
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 
-/// The trail of this limb and clip (other than `exceptTrailId`) that shares time with [start, end]; null when
-/// there is none.
-[[nodiscard]] const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId,
-                                                 int clip, double startFrame, double endFrame,
-                                                 int exceptTrailId = 0);
-
 /// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
 /// that are none.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
@@ -76,9 +70,6 @@ struct TrailDisplay {
 
 /// Marks a clip as a loop, or not: releases wrap.
 [[nodiscard]] Document setLooping(const Document& document, int clip, bool loops);
-
-/// Whether the document has this limb (or chain) and this clip; the error says which it lacks.
-[[nodiscard]] Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip);
 
 /// The error of every edit that names a trail which is not there.
 [[nodiscard]] Error missingTrail(int trailId);

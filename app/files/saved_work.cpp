@@ -5,8 +5,10 @@
 
 #include <fmt/core.h>
 
-#include "app/schema/trail_json.h"
-#include "app/schema/weight_description.h"
+#include "app/edits/place_trails.h"
+#include "app/schema/schema_json.h"
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -26,13 +28,13 @@ const std::vector<std::string>& keysBesideSettings() {
 }
 
 Json trailToJson(const rig::Trail& trail) {
-  Json json = settingsToJson(trail.settings, metres);
+  Json json = trailToJson(trail.settings, metres);
   json["id"] = trail.id;
   json["limb"] = trail.limb;
   json["clip"] = trail.clip;
   json["exaggerated"] = trail.exaggerated;
   json["connected"] = trail.connected;
-  json["applied"] = trail.applied ? settingsToJson(*trail.applied, metres) : Json(nullptr);
+  json["applied"] = trail.applied ? trailToJson(*trail.applied, metres) : Json(nullptr);
   json["colour"] = trail.colour;
   json["visible"] = trail.visible;
   json["pinned"] = trail.pinned;
@@ -65,7 +67,7 @@ Error malformed(const std::string& where) {
 
 Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
   rig::Trail trail;
-  if (const Status read = settingsFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
+  if (const Status read = trailFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
     return read.error();
   }
   trail.id = json.at("id").get<int>();
@@ -80,7 +82,7 @@ Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
   trail.follow = json.at("follow").get<bool>();
   if (!json.at("applied").is_null()) {
     trail.applied = trail.settings;
-    if (const Status read = settingsFromJson(json.at("applied"), metres, {}, *trail.applied); !read) {
+    if (const Status read = trailFromJson(json.at("applied"), metres, {}, *trail.applied); !read) {
       return read.error();
     }
   }
