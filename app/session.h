@@ -60,7 +60,7 @@ public:
   [[nodiscard]] const rig::MotionState& motion();
   /// The same, kept alive: another one is there as soon as anything about the trails is different.
   [[nodiscard]] std::shared_ptr<const rig::MotionState> sharedMotion();
-  /// The paths of these trails, one a trail of motion(). The document has clips.
+  /// The paths of these trails, one for each trail of motion(). The document has clips.
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
 
   /// What the limbs of the viewed clip that have weight come to.

@@ -27,7 +27,7 @@ std::vector<Edge> edgesOf(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-/// Edges of the triangles that touch a vertex within so many rings, a sorted list a vertex.
+/// Edges of the triangles that touch a vertex within so many rings, a sorted list for each vertex.
 std::vector<std::vector<std::uint32_t>> neighbourhoods(const MeshSequence& sequence,
                                                        const std::vector<Edge>& edges, int rings) {
   std::vector<std::vector<std::uint32_t>> around(sequence.vertexCount);

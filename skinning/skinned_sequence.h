@@ -43,9 +43,9 @@ struct SkinnedSequence {
   std::string name;
   std::vector<glm::vec3> bindPositions;
   std::vector<Triangle> triangles;
-  std::vector<Influences> influences; ///< One a vertex.
+  std::vector<Influences> influences; ///< One for each vertex.
   std::vector<SkinBone> bones;
-  std::vector<BonePose> poses; ///< Frame after frame, one a bone.
+  std::vector<BonePose> poses; ///< Frame after frame, one for each bone.
   double framesPerSecond = 30.0;
   bool chained = false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be
                         ///< stored).

@@ -153,7 +153,7 @@ Verb compressVerb() {
         line.option("--metres-per-unit", arguments->metresPerUnit, "Scale of the mesh")
             .positive()
             .showDefault();
-        line.option("--fps", arguments->framesPerSecond, "Frames a second of the clip").positive();
+        line.option("--fps", arguments->framesPerSecond, "Frames per second of the clip").positive();
         line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
         line.flag("--json", arguments->json, "Print one JSON document");
         return [arguments] { return runCompress(*arguments); };

@@ -30,7 +30,7 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 }
 
 void addFramesPerSecond(CommandLine& line, FileArguments& arguments) {
-  line.option("--fps", arguments.framesPerSecond, "Frames a second; default: guessed from the keys")
+  line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys")
       .positive();
 }
 

@@ -120,7 +120,7 @@ void printCompression(const Json& report) {
   printMetrics(report);
   const double bytes = report["bytes_per_frame"].get<double>();
   const double source = report["bytes_per_frame_source"].get<double>();
-  fmt::print("{} joints, {:.5g} bytes a frame instead of {:.0f}, 1 : {:.3g}; {} bytes once\n",
+  fmt::print("{} joints, {:.5g} bytes per frame instead of {:.0f}, 1 : {:.3g}; {} bytes once\n",
              report["joints"].get<std::size_t>(), bytes, source, bytes > 0.0 ? source / bytes : 0.0,
              report["bytes_once"].get<std::size_t>());
   const Json& used = report["fitted_frames"];

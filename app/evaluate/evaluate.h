@@ -32,7 +32,7 @@ struct TrailPaths {
   rig::DrawnTrail spheres; ///< At SolvedTrail::controlFrames.
 };
 
-/// One a trail of `motion`, `samplesPerFrame` samples a frame.
+/// One for each trail of `motion`, `samplesPerFrame` samples per frame.
 [[nodiscard]] std::vector<TrailPaths> trailPaths(const Document& document, const rig::MotionState& motion,
                                                  std::size_t samplesPerFrame);
 
@@ -47,7 +47,7 @@ public:
   [[nodiscard]] const std::vector<WeightReport>& weightReports(const Document& document, int clip);
   [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
   [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
-  /// One a trail of motion(); the clip must be there.
+  /// One for each trail of motion(); the clip must be there.
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
 

@@ -19,7 +19,7 @@ struct SequenceAnalysis {
   std::vector<double> vertexDiameters;   ///< Shape diameter around each vertex, mesh units; empty where the
                                          ///< surface encloses nothing.
   std::vector<std::vector<Vec3>> joints; ///< The centre line of each frame; empty for a body without one.
-  std::vector<skinning::CurvatureLength> measured; ///< Of the centre line, one a frame.
+  std::vector<skinning::CurvatureLength> measured; ///< Of the centre line, one for each frame.
   std::string problem;                             ///< Why something is missing, one line; empty otherwise.
   Vec3 low{0.0};                                   ///< The box around all frames.
   Vec3 high{0.0};
@@ -68,7 +68,7 @@ struct SequenceDocument {
                                                   const skinning::CompressSettings& settings,
                                                   const skinning::Proceed& proceed = {});
 
-/// Bytes a frame and joints of the result as it would be exported; the result must exist.
+/// Bytes per frame and joints of the result as it would be exported; the result must exist.
 [[nodiscard]] const skinning::EncodedClip& exported(const SequenceDocument& document);
 
 /// Writes the result as .glb or .gltf. An error without a result.

@@ -9,7 +9,7 @@ namespace stretch::app {
 
 /// How long and how thick each bone of a limb is in the bind pose, world units.
 struct LimbSize {
-  std::vector<double> lengths; ///< One a bone, > 0.
+  std::vector<double> lengths; ///< One for each bone, > 0.
   std::vector<double> widths;  ///< Mean shape diameter of the surface that follows the bone, > 0; where the
                                ///< limb has no surface, a sixth of the bone's length.
 };

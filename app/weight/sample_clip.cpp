@@ -13,7 +13,7 @@ namespace stretch::app {
 
 namespace {
 
-// Samples a frame, or frames a sample, so that there are about 24 to 40 samples a second: the model's
+// Samples per frame, or frames per sample, so that there are about 24 to 40 samples per second: the model's
 // smoothing is made for that.
 double samplesPerFrame(double framesPerSecond) {
   constexpr double fewest = 24.0;

@@ -14,8 +14,8 @@ struct SampledClip {
   std::vector<double> seconds; ///< Of the samples, even; about 24 to 40 of them a second, frames among them.
   struct OfLimb {
     rig::Limb limb;
-    std::vector<std::vector<Vec3>> joints;  ///< A sample: base first, end last.
-    std::vector<std::vector<Mat3>> toJoint; ///< A sample: world directions seen from each joint.
+    std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.
+    std::vector<std::vector<Mat3>> toJoint; ///< For each sample: world directions seen from each joint.
     std::vector<double> lowest;             ///< Height along +Y of the lowest joint of hand or foot, metres.
   };
   std::vector<OfLimb> limbs; ///< Those with weight, and the legs.

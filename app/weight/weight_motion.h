@@ -16,8 +16,8 @@ namespace stretch::app {
 struct WeightReport {
   std::string limb;
   double youngModulus = 0.0;  ///< Pa, as used: given or chosen.
-  std::vector<double> widths; ///< One a bone, metres of a character of characterHeightMetres.
-  std::vector<double> masses; ///< One a bone, kg.
+  std::vector<double> widths; ///< One for each bone, metres of a character of characterHeightMetres.
+  std::vector<double> masses; ///< One for each bone, kg.
   double shortest = 1.0;      ///< Limb lengths over the lengths without weight, along the bones.
   double shortestFrame = 0.0;
   double longest = 1.0;

@@ -6,8 +6,8 @@ namespace stretch::assets {
 
 namespace {
 
-/// Slope of the curve at a key, a frame: the weighted harmonic mean of its neighbouring secants (Fritsch and
-/// Butland), zero at extremes and at both ends.
+/// Slope of the curve at a key, per frame: the weighted harmonic mean of its neighbouring secants (Fritsch
+/// and Butland), zero at extremes and at both ends.
 double slopeAt(const std::vector<Pose>& poses, std::size_t key, std::size_t control, int axis) {
   if (key == 0 || key + 1 == poses.size()) {
     return 0.0;

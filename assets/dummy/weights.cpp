@@ -22,7 +22,7 @@ struct Bone {
   double endRadius;
 };
 
-using Weights = std::vector<std::vector<double>>; ///< Per vertex, one a joint.
+using Weights = std::vector<std::vector<double>>; ///< Per vertex, one for each joint.
 
 void addTrunk(std::vector<Bone>& bones, const std::vector<Joint>& skeleton) {
   const auto joint = [&](const char* name) { return jointIndex(skeleton, name); };

@@ -7,7 +7,7 @@ layout(location = 3) in uvec4 jointsB;
 layout(location = 4) in vec4 weightsA;
 layout(location = 5) in vec4 weightsB;
 
-// Four texels a slot: the three rows of an affine matrix, then (stretch ratio, highlight, 0, 0).
+// Four texels for each slot: the three rows of an affine matrix, then (stretch ratio, highlight, 0, 0).
 uniform samplerBuffer matrices;
 uniform int firstSlot;
 uniform int influenceCount; // 0 for a mesh that hangs rigidly on slot firstSlot

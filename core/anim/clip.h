@@ -16,7 +16,7 @@ struct Track {
   int node = -1;
   Channel channel = Channel::translation;
   Interpolation interpolation = Interpolation::linear;
-  int width = 3; ///< Numbers a value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
+  int width = 3; ///< Numbers per value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
   std::vector<float> times;  ///< Seconds, strictly increasing, at least one.
   std::vector<float> values; ///< width a key; 3 x width for cubic splines: in-tangent, value, out-tangent
                              ///< (per second).

@@ -12,7 +12,7 @@ struct FrameState {
   Pose pose;
   std::vector<Mat4> worlds; ///< World matrix of every node.
   /// What the bind chain adds (of the file's own clip, too): a stretch in the joint's own space that its mesh
-  /// follows and its children do not inherit. One a node, or empty when nothing is stretched.
+  /// follows and its children do not inherit. One for each node, or empty when nothing is stretched.
   std::vector<Mat3> stretch;
 };
 
@@ -25,8 +25,8 @@ struct FrameState {
 /// World matrix that a mesh hanging rigidly on `node` is drawn with, its stretch included.
 [[nodiscard]] Mat4 meshMatrix(const FrameState& frame, int node);
 
-/// Skinning matrices (bind-pose model space to world), one a joint of the skin. The transform of the node
-/// that holds the skinned mesh plays no part, as glTF demands.
+/// Skinning matrices (bind-pose model space to world), one for each joint of the skin. The transform of the
+/// node that holds the skinned mesh plays no part, as glTF demands.
 [[nodiscard]] std::vector<Mat4> skinMatrices(const Skin& skin, const FrameState& frame);
 
 } // namespace stretch

@@ -9,10 +9,10 @@ namespace stretch {
 
 /// Local transforms of every node at one time, and the morph weights that the clip drives.
 struct Pose {
-  std::vector<Transform> locals; ///< One a node.
+  std::vector<Transform> locals; ///< One for each node.
   std::vector<bool> usesMatrix;  ///< Node keeps the file's matrix (not animated): locals[i] is only its
                                  ///< nearest TRS.
-  std::vector<std::vector<float>> weights; ///< One a node: morph weights; empty = the mesh's defaults.
+  std::vector<std::vector<float>> weights; ///< One for each node: morph weights; empty = the mesh's defaults.
 };
 
 /// Value of a track at a time, as the glTF 2.0 specification says (Appendix C): held before the first and

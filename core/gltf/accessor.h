@@ -24,7 +24,7 @@ enum class ComponentType {
 struct AccessorShape {
   std::size_t count = 0; ///< Elements.
   std::string type;      ///< "SCALAR", "VEC3", "MAT4"...
-  int width = 1;         ///< Components an element.
+  int width = 1;         ///< Components per element.
   ComponentType component = ComponentType::float32;
   bool isNormalized = false; ///< Integers stand for 0..1 or -1..1.
 };

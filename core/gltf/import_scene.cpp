@@ -92,7 +92,7 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
   const std::optional<AccessorShape> shape = shapeOf(source, accessor);
   if (!shape || shape->type != "MAT4" || shape->component != ComponentType::float32 ||
       shape->count < joints) {
-    problems.error(where, "is no accessor of one float MAT4 a joint");
+    problems.error(where, "is no accessor of one float MAT4 for each joint");
     return {};
   }
   const std::vector<float> numbers = readFloats(source, accessor);

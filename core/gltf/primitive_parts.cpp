@@ -250,7 +250,7 @@ void PrimitiveParts::readInfluences(std::optional<std::size_t> jointCount, Primi
     addInfluenceSet(1, *jointCount, made);
   }
   if (find(attributes, "JOINTS_2") != nullptr) {
-    problems_.warning(where_, "has more than 8 joints a vertex; the others are left out");
+    problems_.warning(where_, "has vertices that follow more than 8 joints; the others are left out");
   }
   if (failed_) {
     return;

@@ -31,8 +31,8 @@ public:
   [[nodiscard]] bool failed() const { return failed_; }
 
 private:
-  /// Values of an attribute whose accessor is one of `types` ("VEC3 VEC4") and has one element a vertex.
-  /// Empty without it.
+  /// Values of an attribute whose accessor is one of `types` ("VEC3 VEC4") and has one element for each
+  /// vertex. Empty without it.
   struct Attribute {
     int accessor = -1;
     AccessorShape shape;

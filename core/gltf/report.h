@@ -25,7 +25,7 @@ struct Shear {
 };
 
 /// Nodes whose composed matrices shear by more than `tolerance` (a cosine), at rest or at the keys of a clip;
-/// at most 64 times a clip are looked at, evenly among its keys.
+/// at most 64 times in each clip are looked at, evenly among its keys.
 [[nodiscard]] std::vector<Shear> residualShear(const Scene& scene, const std::vector<Clip>& clips,
                                                double tolerance = 1e-3);
 

@@ -34,8 +34,8 @@ struct Node {
 struct Skin {
   std::string name;
   std::vector<int> joints;       ///< Node indices.
-  std::vector<Mat4> inverseBind; ///< One a joint: bind-pose model space to joint space. Identity where the
-                                 ///< file has none.
+  std::vector<Mat4> inverseBind; ///< One for each joint: bind-pose model space to joint space. Identity where
+                                 ///< the file has none.
 };
 
 /// How a vertex follows the joints: up to 8 influences, as read (JOINTS_0, JOINTS_1), weights made to sum
@@ -47,14 +47,14 @@ struct VertexInfluences {
 };
 
 struct MorphTarget {
-  std::vector<glm::vec3> positions; ///< Offsets, one a vertex; empty when the target moves none.
+  std::vector<glm::vec3> positions; ///< Offsets, one for each vertex; empty when the target moves none.
   std::vector<glm::vec3> normals;
 };
 
 /// Triangles only: strips and fans are turned into triangles, points and lines are left out.
 struct Primitive {
   std::vector<glm::vec3> positions; ///< Mesh space (bind-pose model space for skinned meshes).
-  std::vector<glm::vec3> normals;   ///< One a vertex; computed where the file has none.
+  std::vector<glm::vec3> normals;   ///< One for each vertex; computed where the file has none.
   std::vector<glm::vec2> texCoords; ///< Of the set that the base colour texture uses; empty when there is
                                     ///< none.
   std::vector<glm::vec4> colors;    ///< COLOR_0, linear; empty when there is none.

@@ -8,7 +8,7 @@ namespace stretch::rig::biped {
 
 struct BindPose {
   std::vector<Mat4> worlds;     ///< World matrix of every node in the bind pose.
-  std::vector<Mat4> placements; ///< One a skin: its bind-pose model space to world.
+  std::vector<Mat4> placements; ///< One for each skin: its bind-pose model space to world.
 };
 
 /// The bind pose of every skin, placed in the world. The largest skin stands where its topmost joint stands

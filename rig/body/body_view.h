@@ -20,7 +20,7 @@ enum class Candidates {
 /// are indexed by candidate; -1 means none. Positions are of the bind pose, in world units.
 struct BodyView {
   std::vector<int> nodes;           ///< Node of each candidate.
-  std::vector<int> candidateOfNode; ///< One a node.
+  std::vector<int> candidateOfNode; ///< One for each node.
   std::vector<int> parent;          ///< Nearest candidate above.
   std::vector<std::vector<int>> children;
   std::vector<int> depth;

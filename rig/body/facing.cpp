@@ -105,7 +105,7 @@ double bendVote(const BodyView& view, const LimbGuess& limb, const Frame& frame)
 
 struct Votes {
   double geometry = 0.0; // about -5..5; positive: the character's left is on the positive side
-  double names = 0.0;    // one a limb
+  double names = 0.0;    // one for each limb
   int namedLimbs = 0;
 };
 

@@ -144,7 +144,7 @@ private:
   const BodyView& view_;
   const MirrorPlane& plane_;
   Region region_;
-  std::vector<std::optional<EstimatedEnd>> ends_; // one a candidate
+  std::vector<std::optional<EstimatedEnd>> ends_; // one for each candidate
   std::vector<LimbGuess> guesses_;
 };
 

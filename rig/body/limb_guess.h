@@ -26,7 +26,7 @@ struct LimbGuess {
   [[nodiscard]] double score() const { return nameFit - shapePenalty; }
 };
 
-/// The likely readings of arms or legs anywhere in the tree, best first, at most `most` a side.
+/// The likely readings of arms or legs anywhere in the tree, best first, at most `most` on each side.
 [[nodiscard]] std::vector<LimbGuess> guessLimbs(const BodyView& view, const MirrorPlane& plane, Region region,
                                                 std::size_t most);
 

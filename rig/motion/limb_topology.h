@@ -24,7 +24,7 @@ struct BoneTopology {
 
 /// The nodes of a limb, by bone.
 struct LimbTopology {
-  /// One a joint of the limb, base first.
+  /// One for each joint of the limb, base first.
   std::vector<BoneTopology> bones;
   /// Children of the base joint that start another limb on the body's side (thighs under a joint that also
   /// starts the spine): they stay where they are.

@@ -13,8 +13,8 @@ namespace stretch::rig {
 /// What gives way in a limb at one time.
 struct WeightSample {
   double timeSeconds = 0.0;
-  /// One a bone: K - I in the space of the bone's joint, symmetric; zero where nothing gives way. What it
-  /// does across the bone need not be the same in all directions.
+  /// One for each bone: K - I in the space of the bone's joint, symmetric; zero where nothing gives way. What
+  /// it does across the bone need not be the same in all directions.
   std::vector<Mat3> strains;
   double planted = 0.0; ///< 0..1: how much the limb stands on its end.
 };

@@ -77,7 +77,7 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 
-/// Points of a trail's paths, world space, one a frame asked for. Inner trails carry both paths.
+/// Points of a trail's paths, world space, one for each frame asked for. Inner trails carry both paths.
 struct DrawnTrail {
   std::vector<double> frames;
   std::vector<Vec3> original;
@@ -88,7 +88,7 @@ struct DrawnTrail {
 [[nodiscard]] DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
                                  const SolvedTrail& solved, const std::vector<double>& frames);
 
-/// Several paths, each at frames of its own: what they share is computed once. One answer a request.
+/// Several paths, each at frames of its own: what they share is computed once. One answer for each request.
 struct PathRequest {
   const SolvedTrail* trail = nullptr; ///< One of the motion's own.
   std::vector<double> frames;         ///< Ascending.
@@ -100,7 +100,7 @@ struct PathRequest {
 /// the same limb or on one that carries it.
 [[nodiscard]] bool shapesPath(const Scene& scene, const SolvedTrail& inner, const SolvedTrail& outer);
 
-/// The frames at which a path is drawn: evenly `samplesPerFrame` a frame over range and release. At least
+/// The frames at which a path is drawn: evenly `samplesPerFrame` per frame over range and release. At least
 /// one.
 [[nodiscard]] std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved,
                                               std::size_t samplesPerFrame);

@@ -23,7 +23,7 @@ struct StretchKeys {
   std::vector<float> times; ///< Seconds, strictly increasing.
   std::vector<Quat> axes; ///< A: turns the x axis onto the bone. One entry when the axes are fixed, else one
                           ///< a key.
-  std::vector<Vec3> scales; ///< One a key; of a trail alone (s, q, q).
+  std::vector<Vec3> scales; ///< One for each key; of a trail alone (s, q, q).
 
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }
 };

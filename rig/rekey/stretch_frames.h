@@ -38,7 +38,7 @@ public:
 private:
   int node_ = -1;
   std::vector<double> times_;
-  std::vector<Quat> axes_; // one a time, or one for all
+  std::vector<Quat> axes_; // one for each time, or one for all
 };
 
 } // namespace stretch::rig

@@ -174,7 +174,7 @@ Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
 
 std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds,
                                Pivot pivot) {
-  check(points.size() == timesSeconds.size() && !points.empty(), "a path has one time a point");
+  check(points.size() == timesSeconds.size() && !points.empty(), "a path has one time for each point");
   std::vector<double> ratios(points.size(), 0.0);
   for (std::size_t i = 1; i < points.size(); ++i) {
     ratios[i] = ratios[i - 1] + glm::length(points[i] - points[i - 1]);

@@ -266,7 +266,7 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes, 
 bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
                     double framesPerSecond) {
   const double frames = std::max(1.0, (endSeconds - startSeconds) * framesPerSecond);
-  constexpr double densest = 0.6; // keys a frame; hand-keyed clips stay below one key in two frames
+  constexpr double densest = 0.6; // keys per frame; hand-keyed clips stay below one key in two frames
   return static_cast<double>(keyTimes.size()) - 1.0 > densest * frames && keyTimes.size() > 4;
 }
 

@@ -79,7 +79,7 @@ struct LimbPath {
                                                       const std::vector<double>& keyTimes,
                                                       double framesPerSecond, double tolerance);
 
-/// Whether the limb is keyed so densely (about a key a frame) that its keys say nothing about its poses.
+/// Whether the limb is keyed so densely (about one key per frame) that its keys say nothing about its poses.
 [[nodiscard]] bool isDenselyKeyed(const std::vector<double>& keyTimes, double startSeconds, double endSeconds,
                                   double framesPerSecond);
 

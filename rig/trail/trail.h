@@ -69,7 +69,7 @@ struct TrailSettings {
   bool stayInWorld = false; ///< Does not ride along with an inner trail.
   bool turnEnd = false;     ///< The hand or foot turns with the limb instead of keeping its orientation.
   std::optional<StopPlane> stopAt;
-  std::vector<SphereOffset> spheres; ///< Ordered by frame, at most one a frame.
+  std::vector<SphereOffset> spheres; ///< Ordered by frame, at most one for each frame.
 
   friend bool operator==(const TrailSettings&, const TrailSettings&) = default;
 };

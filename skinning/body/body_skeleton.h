@@ -44,7 +44,7 @@ private:
     std::uint32_t vertex = 0;
     double weight = 0.0;
   };
-  std::vector<std::vector<Part>> parts_; ///< One list a joint; its weights sum to 1.
+  std::vector<std::vector<Part>> parts_; ///< One list for each joint; its weights sum to 1.
 };
 
 /// Index of the segment that a place along the body belongs to.

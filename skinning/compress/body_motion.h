@@ -23,7 +23,7 @@ struct BodyMotion {
   std::vector<double> widths;            ///< Mean shape diameter of each segment.
   std::vector<double> volumes;           ///< Of each segment; they sum to the body's.
   std::vector<std::vector<Vec3>> joints; ///< Of each frame.
-  std::vector<SegmentMotion> segments;   ///< Frame after frame, one a segment.
+  std::vector<SegmentMotion> segments;   ///< Frame after frame, one for each segment.
 
   [[nodiscard]] std::size_t segmentCount() const { return skeleton.segmentCount(); }
   [[nodiscard]] const SegmentMotion& motion(std::size_t frame, std::size_t segment) const {

@@ -40,7 +40,8 @@ struct BodyStretch {
   std::vector<CurvatureLength> measured; ///< Curvature and length of every frame.
   std::vector<Vec3> loadAxes; ///< Across each segment in the bind pose: the mean direction of the load.
   bool loadTurns = false;     ///< The load turns around the body so much that its axes differ frame by frame.
-  /// Frame after frame, one a segment: factors, and the direction that withLoad scales, in the bind pose.
+  /// Frame after frame, one for each segment: factors, and the direction that withLoad scales, in the bind
+  /// pose.
   std::vector<StretchFactors> factors;
   std::vector<Vec3> loadDirections;
   std::vector<std::string> warnings;

@@ -157,7 +157,7 @@ Status checkMotion(const std::vector<LimbSegment>& segments, const LimbMotion& m
                         (motion.carriedMass.empty() || motion.carriedMass.size() == frames);
   if (segments.empty() || frames == 0 || !listsFit || !(motion.framesPerSecond > 0.0)) {
     return Error{"the limb has no segments, no frames, or lists of different lengths", "limb",
-                 "give one value a frame"};
+                 "give one value for each frame"};
   }
   for (std::size_t k = 0; k < frames; ++k) {
     const auto& joints = motion.joints[k];
@@ -189,7 +189,7 @@ Status checkSettings(const LimbElasticity& s) {
 } // namespace
 
 std::vector<LimbSegment> limbSegments(const std::vector<double>& lengths, const std::vector<double>& widths) {
-  check(lengths.size() == widths.size(), "a limb has one width a segment");
+  check(lengths.size() == widths.size(), "a limb has one width for each segment");
   std::vector<LimbSegment> segments;
   for (std::size_t s = 0; s < lengths.size(); ++s) {
     segments.push_back({lengths[s], widths[s], 0.25 * pi * widths[s] * widths[s] * lengths[s]});

@@ -27,7 +27,7 @@ struct LimbMotion {
   std::vector<std::vector<Vec3>> joints; ///< Of each frame: base first, end last; one more than segments.
   /// How much the limb stands on its end in each frame, 0..1; empty: it hangs free throughout.
   std::vector<double> planted;
-  /// What of the body above rests on the limb when it is planted, kg a frame; empty: none.
+  /// What of the body above rests on the limb when it is planted, kg for each frame; empty: none.
   std::vector<double> carriedMass;
 };
 
@@ -61,7 +61,7 @@ limbElasticity(const std::vector<LimbSegment>& segments, const LimbMotion& motio
                const LimbElasticity& settings);
 
 struct PlantedSettings {
-  double speed = 0.35;          ///< Limb lengths a second: a planted end moves slower.
+  double speed = 0.35;          ///< Limb lengths per second: a planted end moves slower.
   double height = 0.06;         ///< Limb lengths: and is no higher than this above its lowest.
   std::optional<double> ground; ///< Height of the ground along `up`; empty: the lowest that the end gets.
   int crossFadeFrames = 2;      ///< Frames over which planted and free fade into each other, on either side.
@@ -74,7 +74,7 @@ struct PlantedSettings {
                                                  const PlantedSettings& settings = {});
 
 /// What each limb carries of a body, frame by frame, when the limbs stand as much as their weights say: the
-/// mass is shared among them in that proportion. One list of weights a limb, all of one length.
+/// mass is shared among them in that proportion. One list of weights for each limb, all of one length.
 [[nodiscard]] std::vector<std::vector<double>> sharedMass(const std::vector<std::vector<double>>& planted,
                                                           double bodyMass);
 

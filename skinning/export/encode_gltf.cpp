@@ -15,7 +15,7 @@ namespace {
 
 using gltf::Json;
 
-/// Values of a property over the frames: 3 numbers a frame, or 4 (x, y, z, w) for rotations.
+/// Values of a property over the frames: 3 numbers per frame, or 4 (x, y, z, w) for rotations.
 using Course = std::vector<float>;
 
 template <typename Value>
@@ -66,7 +66,7 @@ Quat asStored(const Quat& q, bool quantise) {
 struct ScalePlan {
   bool any = false;          ///< Some scale is not 1.
   bool common = false;       ///< scale = common course x factor of the bone.
-  std::vector<Vec3> factors; ///< One a bone, where it is common.
+  std::vector<Vec3> factors; ///< One for each bone, where it is common.
   bool allFactorsOne = false;
 };
 

@@ -17,8 +17,8 @@ public:
 
   enum class Target { none = 0, vertices = 34962, indices = 34963 };
 
-  /// Index of a new accessor. `width` numbers an element ("SCALAR" 1, "VEC3" 3, ...); `bounds` writes min and
-  /// max.
+  /// Index of a new accessor. `width` numbers per element ("SCALAR" 1, "VEC3" 3, ...); `bounds` writes min
+  /// and max.
   std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t width, Target target,
                         bool bounds);
   /// Signed numbers in -1..1, as normalised 16-bit integers.

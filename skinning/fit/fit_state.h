@@ -15,16 +15,16 @@ namespace stretch::skinning::fit {
 /// Row-major 3 x 4: linear part and translation.
 using BoneMatrix = Eigen::Matrix<double, 3, 4>;
 
-/// Observed positions, one column a vertex: x of all frames, then y, then z.
+/// Observed positions, one column for each vertex: x of all frames, then y, then z.
 using Trajectories = Eigen::MatrixXf;
 
 struct FitState {
   std::size_t frameCount = 0;
   std::size_t boneCount = 0;
   Trajectories observed;              ///< (3 frames) x vertices.
-  std::vector<Eigen::Vector3d> bind;  ///< One a vertex.
-  std::vector<Influences> influences; ///< One a vertex.
-  std::vector<BoneMatrix> matrices;   ///< Frame after frame, one a bone.
+  std::vector<Eigen::Vector3d> bind;  ///< One for each vertex.
+  std::vector<Influences> influences; ///< One for each vertex.
+  std::vector<BoneMatrix> matrices;   ///< Frame after frame, one for each bone.
   std::vector<Eigen::Matrix3d> axes;  ///< Of each bone: columns are the axes along which it may stretch.
 
   [[nodiscard]] BoneMatrix& matrix(std::size_t frame, std::size_t bone) {

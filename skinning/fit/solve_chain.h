@@ -5,11 +5,13 @@
 namespace stretch::skinning::fit {
 
 /// Bones in a row: bone b turns and stretches about pivots[b], and pivots[b + 1] of the bind pose is carried
-/// by it, so that one position a frame and one rotation a bone say everything once the stretch is known.
+/// by it, so that one position for each frame and one rotation for each bone say everything once the stretch
+/// is known.
 struct Chain {
-  std::vector<Eigen::Vector3d> pivots;    ///< One a bone and one for the end.
-  std::vector<Eigen::Matrix3d> stretches; ///< Symmetric, frame after frame, one a bone.
-  std::vector<Eigen::Matrix3d> rotations; ///< Frame after frame, one a bone: read as the start, written.
+  std::vector<Eigen::Vector3d> pivots;    ///< One for each bone and one for the end.
+  std::vector<Eigen::Matrix3d> stretches; ///< Symmetric, frame after frame, one for each bone.
+  std::vector<Eigen::Matrix3d> rotations; ///< Frame after frame, one for each bone: read as the start,
+                                          ///< written.
   std::vector<Eigen::Vector3d> roots;     ///< Where pivots[0] is in each frame: read as the start, written.
 };
 

@@ -23,8 +23,8 @@ using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 /// open there and every vertex remembers which of the original ones it is.
 struct HalfEdgeMesh {
   HalfEdges edges;
-  std::vector<std::uint32_t> original; ///< One a vertex of `edges`.
-  std::vector<std::uint32_t> triangle; ///< One a face of `edges`: index of the triangle it is.
+  std::vector<std::uint32_t> original; ///< One for each vertex of `edges`.
+  std::vector<std::uint32_t> triangle; ///< One for each face of `edges`: index of the triangle it is.
   std::size_t detachedTriangles = 0;   ///< Triangles that needed vertices of their own.
 };
 

@@ -11,13 +11,14 @@ namespace stretch::skinning {
 /// surface.
 struct ShapeDiameterSettings {
   double coneDegrees = 120.0; ///< Full opening angle of the cone of rays around the inward normal; (0, 180).
-  int rays = 64; ///< A face, spread evenly over the cone's solid angle, one in each of as many equal parts.
+  int rays = 64; ///< For each face, spread evenly over the cone's solid angle, one in each of as many equal
+                 ///< parts.
   int smoothingRounds = 1; ///< Averages over the neighbouring faces; 0 leaves the measured values.
 };
 
 struct ShapeDiameters {
-  std::vector<double> faces;    ///< One a triangle, mesh units. Faces whose rays hit nothing take over their
-                                ///< neighbours'.
+  std::vector<double> faces; ///< One for each triangle, mesh units. Faces whose rays hit nothing take over
+                             ///< their neighbours'.
   std::vector<double> vertices; ///< Area-weighted mean of the faces around each vertex; 0 for a vertex of no
                                 ///< triangle.
   std::size_t facesWithoutHit = 0;

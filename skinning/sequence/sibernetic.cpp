@@ -100,7 +100,7 @@ public:
     return parsed.count == 4 && takeRow(parsed);
   }
 
-  /// Rows a frame: elastic and liquid particles, the seventh and eighth number of the head.
+  /// Rows per frame: elastic and liquid particles, the seventh and eighth number of the head.
   [[nodiscard]] double rowsPerFrame() const { return header_.size() < 8 ? 0.0 : header_[6] + header_[7]; }
   [[nodiscard]] bool endsWithWholeFrame() const { return rows_ > 0 && row_ == 0; }
 

@@ -67,7 +67,7 @@ TEST_CASE("A track of one key has its value always") {
 }
 
 TEST_CASE("CUBICSPLINE runs through its values with its tangents") {
-  // From 0 to 8 in two seconds, leaving with 4 a second, arriving with 0 a second.
+  // From 0 to 8 in two seconds, leaving with 4 per second, arriving with 0 per second.
   const Track track{0,
                     Channel::translation,
                     Interpolation::cubicSpline,
@@ -77,7 +77,8 @@ TEST_CASE("CUBICSPLINE runs through its values with its tangents") {
                     -1};
   CHECK(sampledVector(track, 0.0) == Vec3(0, 0, 0));
   CHECK(sampledVector(track, 1.0) == Vec3(0, 0, 0));
-  CHECK(sampledVector(track, 2.0).x == Approx(5.0)); // half of 8, and an eighth of 4 a second over 2 seconds
+  CHECK(sampledVector(track, 2.0).x == Approx(5.0)); // half of 8, and an eighth of 4 per second over 2
+                                                     // seconds
   CHECK(sampledVector(track, 3.0) == Vec3(8, 0, 0));
   const double slope = (sampledVector(track, 1.001).x - sampledVector(track, 1.0).x) / 0.001;
   CHECK(slope == Approx(4.0).epsilon(1e-2));

@@ -263,7 +263,7 @@ def main():
     parser.add_argument("dump_vertices", type=pathlib.Path)
     parser.add_argument("data", type=pathlib.Path)
     parser.add_argument("files", nargs="*", type=pathlib.Path, metavar="FILE")
-    parser.add_argument("--clips", default="2", help="clips a limb: those in which it moves most, or 'all' in which it moves")
+    parser.add_argument("--clips", default="2", help="clips for each limb: those in which it moves most, or 'all' in which it moves")
     parser.add_argument("--validate-every", type=int, default=1, help="the validator takes the longest: only every N-th case")
     arguments = parser.parse_args()
     check = Check(arguments.program.resolve(), arguments.dump_vertices.resolve(), None if arguments.clips == "all" else int(arguments.clips),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks one rule of the house over the sources.
 
-    lint.py RULE [ROOT]     exit 0: kept, 1: broken (one line a finding), 77: cannot be checked here
+    lint.py RULE [ROOT]     exit 0: kept, 1: broken (one line for each finding), 77: cannot be checked here
     lint.py --list          names of the rules
 """
 

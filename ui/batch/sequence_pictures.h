@@ -11,7 +11,7 @@ namespace stretch::ui {
 /// Frames of a mesh sequence for the maker of pictures: one scene, whose morph targets are the frames.
 struct SequencePictures {
   Scene scene;
-  std::vector<PictureFrame> pictures; ///< One a frame that was asked for.
+  std::vector<PictureFrame> pictures; ///< One for each frame that was asked for.
   Camera camera;                      ///< Sees all of them.
 };
 

@@ -124,7 +124,7 @@ void sizeRows(PanelContext& context) {
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
            bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",
-           {"Bytes a frame",
+           {"Bytes per frame",
             fmt::format("All that a client needs for each frame, instead of {:.0f} bytes of "
                         "positions.",
                         source),

@@ -60,7 +60,7 @@ void scaleRow(PanelContext& context) {
   std::string& text = context.ui.sequencePanel.metresPerUnit;
   double& metres = context.sequence->document.settings.body.metresPerUnit;
   if (numberField(context, "sequence/scale", "Scale", "1 metre a unit",
-                  {"Metres a unit", "How long a unit of the mesh is.", {}}, text)) {
+                  {"Metres per unit", "How long a unit of the mesh is.", {}}, text)) {
     metres = positiveNumber(text).value_or(1.0);
   }
   complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, as 2.03e-6.");

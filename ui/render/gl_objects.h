@@ -60,7 +60,7 @@ template <typename T>
 /// How one vertex attribute lies in a buffer.
 struct VertexAttribute {
   unsigned location = 0;
-  int width = 3; ///< Numbers a vertex.
+  int width = 3; ///< Numbers per vertex.
   std::size_t strideBytes = 0;
   std::size_t offsetBytes = 0;
   bool unsignedShorts = false; ///< Whole numbers of 16 bits, read as integers; else floats.

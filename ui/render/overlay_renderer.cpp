@@ -15,7 +15,7 @@ namespace {
 
 constexpr float hiddenOpacity = 0.32F;
 
-// As line.vert reads it: one instance a segment.
+// As line.vert reads it: one instance for each segment.
 struct LineInstance {
   glm::vec3 before;
   glm::vec3 from;

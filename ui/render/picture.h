@@ -18,7 +18,7 @@ struct PictureFrame {
   std::string label; ///< "frame 12", written in the corner; empty for none.
   std::vector<Ghost> ghosts;
   std::vector<TrailPicture> trails;
-  std::vector<TrailStyle> trailStyles; ///< One a trail; missing ones are the usual blue and orange.
+  std::vector<TrailStyle> trailStyles; ///< One for each trail; missing ones are the usual blue and orange.
 };
 
 /// How pictures without a display are made.

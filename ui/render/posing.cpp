@@ -8,7 +8,7 @@ namespace stretch::ui {
 
 namespace {
 
-// Four texels a slot, as skin.vert reads them.
+// Four texels for each slot, as skin.vert reads them.
 struct MatrixSlot {
   glm::vec4 rows[3];
   glm::vec4 attributes;

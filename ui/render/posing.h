@@ -13,8 +13,8 @@ namespace stretch::ui {
 
 /// What a joint adds to the look of the surface that follows it; blended by the skin's weights.
 struct JointAttributes {
-  std::vector<double> stretchRatio; ///< One a node; empty counts as 1.
-  std::vector<float> highlight;     ///< One a node, 0..1; empty counts as 0.
+  std::vector<double> stretchRatio; ///< One for each node; empty counts as 1.
+  std::vector<float> highlight;     ///< One for each node, 0..1; empty counts as 0.
 };
 
 /// Poses every item of an uploaded scene on the graphics card: once a frame, for all passes that draw it.

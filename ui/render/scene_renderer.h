@@ -35,9 +35,10 @@ struct SceneStyle {
   bool wireframe = false;
   double floorHeight = 0.0;     ///< World y.
   double characterHeight = 1.0; ///< World units; sets the grid's cell and the reach of the lights.
-  std::vector<float> highlight; ///< One a node, 0..1: how much the joint belongs to the selection; empty for
-                                ///< none.
-  std::vector<double> stretchRatio; ///< One a node for the heat-map; empty: what FrameState::stretch says.
+  std::vector<float> highlight; ///< One for each node, 0..1: how much the joint belongs to the selection;
+                                ///< empty for none.
+  std::vector<double> stretchRatio; ///< One for each node for the heat-map; empty: what FrameState::stretch
+                                    ///< says.
 };
 
 /// Draws a scene at a moment into the framebuffer that is bound, which has a depth buffer. A context of

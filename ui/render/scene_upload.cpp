@@ -64,7 +64,7 @@ UploadedPart uploadPart(const Primitive& primitive, int mesh) {
   part.surface = uploadSurface(primitive);
   part.indices = uploadBuffer(bytesOf(primitive.indices));
   if (!primitive.influences.empty()) {
-    check(primitive.influences.size() == primitive.positions.size(), "one set of influences a vertex");
+    check(primitive.influences.size() == primitive.positions.size(), "one set of influences for each vertex");
     part.influences = uploadBuffer(bytesOf(primitive.influences));
   }
   if (!primitive.morphTargets.empty()) {

@@ -7,8 +7,8 @@
 
 namespace stretch::ui {
 
-/// Number of floats that the posing pass writes a vertex: world position, world normal, (stretch ratio,
-/// highlight).
+/// Number of floats that the posing pass writes for each vertex: world position, world normal, (stretch
+/// ratio, highlight).
 inline constexpr std::size_t posedFloats = 8;
 
 /// One primitive in the graphics card's memory, shared by every node that shows its mesh.
@@ -37,7 +37,7 @@ struct DrawItem {
   int node = -1;
   int skin = -1; ///< -1: hangs rigidly on the node.
   GlVertexArray poseInput;
-  GlBuffer posed;        ///< posedFloats a vertex, world space.
+  GlBuffer posed;        ///< posedFloats for each vertex, world space.
   GlVertexArray surface; ///< Draws the posed vertices.
 };
 
@@ -45,8 +45,8 @@ struct DrawItem {
 struct UploadedScene {
   std::vector<UploadedPart> parts;
   std::vector<DrawItem> items;     ///< Of nodes below the roots, in the file's order.
-  std::vector<GlTexture> textures; ///< One an image; empty for images without pixels or beyond the driver's
-                                   ///< limit.
+  std::vector<GlTexture> textures; ///< One for each image; empty for images without pixels or beyond the
+                                   ///< driver's limit.
 };
 
 /// Uploads what the default scene shows. Indices that point outside are a broken invariant of the reader;

@@ -13,7 +13,7 @@ namespace stretch::ui {
 struct PlainMesh {
   std::span<const glm::vec3> positions; ///< World space.
   std::span<const Triangle> triangles;
-  std::vector<glm::vec4> colors; ///< One a vertex, linear light; or a single one for all.
+  std::vector<glm::vec4> colors; ///< One for each vertex, linear light; or a single one for all.
 };
 
 /// A scene of meshes that stand where their vertices say, for the same renderer as characters. Normals are

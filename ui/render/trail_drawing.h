@@ -18,13 +18,13 @@ struct TrailSphere {
   bool hovered = false;
 };
 
-/// What a trail shows at one moment. Paths have one point a sample, evenly in time; world space.
+/// What a trail shows at one moment. Paths have one point for each sample, evenly in time; world space.
 struct TrailPicture {
   std::vector<Vec3> original;    ///< The limb's end as the clip moves it.
   std::vector<Vec3> exaggerated; ///< As the trail moves it; empty for a trail that shows the original only.
-  std::vector<glm::vec4> exaggeratedColors; ///< One a sample (speed or stretch as colour); empty: the style's
-                                            ///< colour.
-  std::size_t samplesPerFrame = 1;          ///< A frame tick stands at every so many samples; 0 for no ticks.
+  std::vector<glm::vec4> exaggeratedColors; ///< One for each sample (speed or stretch as colour); empty: the
+                                            ///< style's colour.
+  std::size_t samplesPerFrame = 1;     ///< A frame tick stands at every so many samples; 0 for no ticks.
   std::optional<double> currentSample; ///< Where the playhead is, in samples; nothing when it is outside the
                                        ///< range.
   std::vector<TrailSphere> spheres;

@@ -21,8 +21,8 @@ void askForFile(Shell& shell, FilePurpose purpose);
 /// Leaves the program; asks first when work would be lost.
 void askToQuit(Shell& shell);
 
-/// Once a frame: takes up a file that was loaded, answers of dialogs, drops, and saves aside. `nowSeconds` of
-/// a clock that only runs forward.
+/// Once per frame: takes up a file that was loaded, answers of dialogs, drops, and saves aside. `nowSeconds`
+/// of a clock that only runs forward.
 void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds);
 
 /// Offers the work that a crash left behind: on this file, or on any when it is empty.

@@ -13,7 +13,8 @@
 namespace stretch::ui {
 
 /// Drives the editor without a hand: feeds keys and mouse through the same callbacks as the window does,
-/// finds widgets by their ids, takes pictures and checks the document. One step a line, '#' begins a comment:
+/// finds widgets by their ids, takes pictures and checks the document. One step per line, '#' begins a
+/// comment:
 ///   key Ctrl+Z | 1 | Enter      press and release a key, as the US layout names it
 ///   tap KEY                     press and release it within one frame, as a quick hand on a slow screen
 ///   hold KEY, release KEY       of a key that acts while it is held

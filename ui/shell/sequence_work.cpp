@@ -96,7 +96,7 @@ void saveModuli(Shell& shell, const std::filesystem::path& path) {
 }
 
 std::string resultText(const app::SequenceDocument& document) {
-  return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes a frame",
+  return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes per frame",
                      document.result->compressed.metrics.rmsePercent, app::exported(document).bytesPerFrame);
 }
 

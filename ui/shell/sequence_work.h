@@ -9,7 +9,7 @@ namespace stretch::ui {
 /// Shows it in place of what was open.
 void showSequence(Shell& shell, app::SequenceDocument document);
 
-/// Once a frame: takes up a compression that is done, tells how far one is.
+/// Once per frame: takes up a compression that is done, tells how far one is.
 void updateSequence(Shell& shell);
 
 /// What a dialog answered while a sequence is open: where to export to, moduli to read or write.

@@ -48,7 +48,7 @@ struct CurveViewOutcome {
 [[nodiscard]] CurveViewOutcome curveView(const WidgetContext& context, const std::string& id,
                                          const CurveViewModel& model, float height);
 
-/// One entry a curve, clicked to hide or show it: the index, or -1.
+/// One entry for each curve, clicked to hide or show it: the index, or -1.
 [[nodiscard]] int curveLegend(const WidgetContext& context, const std::string& id,
                               const std::vector<Curve>& curves);
 

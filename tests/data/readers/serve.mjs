@@ -1,4 +1,4 @@
-// Measures and validates many files in one process: a request a line on stdin, an answer a line on stdout, both JSON.
+// Measures and validates many files in one process: one request per line on stdin, one answer per line on stdout, both JSON.
 //
 //   { "do": "measure", "file": FILE, "clip": "#0", "times": [0, 0.5], "nodes": ["#3"], "step": 20 }: as measure.mjs prints
 //   { "do": "validate", "file": FILE, "source": FILE }: { "worse": ["CODE: 2 instead of 0; first at ..."] }

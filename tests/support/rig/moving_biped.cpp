@@ -69,7 +69,7 @@ const std::vector<double>& keySeconds() {
   return seconds;
 }
 
-// Turns on top of the rest rotation, one a key time.
+// Turns on top of the rest rotation, one for each key time.
 void addTurns(MovingBiped& moving, Interpolation interpolation, const std::string& key, const Vec3& axis,
               const std::vector<double>& degrees) {
   const int node = moving.node.at(key);

@@ -29,7 +29,7 @@ using VectorKeys = std::vector<std::pair<double, Vec3>>;
 [[nodiscard]] Track vectorTrack(int node, Channel channel, Interpolation interpolation,
                                 const VectorKeys& keys);
 
-/// The body with detected limbs and an empty clip of 24 frames a second.
+/// The body with detected limbs and an empty clip of 24 frames per second.
 [[nodiscard]] MovingBiped still(const SyntheticBiped& body);
 
 /// A body with names that detection knows.

@@ -14,7 +14,8 @@ struct SoftBones {
   double planted = 0.0;
 };
 
-/// The flesh of a limb over the whole clip, a sample a frame; `bonesAt(frame)` answers its SoftBones.
+/// The flesh of a limb over the whole clip, one sample for each frame; `bonesAt(frame)` answers its
+/// SoftBones.
 template <typename BonesAt>
 rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt);
 

@@ -63,7 +63,7 @@ TEST_CASE("values without a scale are drawn as nothing") {
   CHECK(colors[0] == valueColor(ValueScale::error, 0.0));
 }
 
-TEST_CASE("a frame becomes a scene: one node a mesh, smooth normals, colours as given") {
+TEST_CASE("a frame becomes a scene: one node for each mesh, smooth normals, colours as given") {
   const test::Shape ball = test::sphere(2);
   const std::vector<PlainMesh> meshes{{ball.positions, ball.triangles, {glm::vec4(1.0F, 0.0F, 0.0F, 1.0F)}},
                                       {ball.positions, ball.triangles, {glm::vec4(0.0F, 1.0F, 0.0F, 1.0F)}}};

@@ -39,7 +39,7 @@ struct ViewportState {
   Camera camera;
   View view;                  ///< As of this frame; pixels are the framebuffer's.
   Rect box;                   ///< The picture's place, window units.
-  double pixelsPerUnit = 1.0; ///< Framebuffer pixels a window unit.
+  double pixelsPerUnit = 1.0; ///< Framebuffer pixels per window unit.
   bool hovered = false;       ///< The mouse is over it and nothing lies above.
   bool framePending = false;  ///< Show the whole character in the next frame.
   bool frameSelectionPending = false;
