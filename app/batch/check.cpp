@@ -69,7 +69,7 @@ Verb checkVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
             line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
-            line.flag("--json", arguments->json, "Print one JSON document");
+            addJson(line, arguments->json);
             return [arguments] { return runCheck(*arguments); };
           }};
 }

@@ -66,19 +66,24 @@ Result<Document> setTrailSettings(const Document& document, int trailId, const r
   if (const Status valid = checkTrailSettings(document, wanted); !valid) {
     return valid.error();
   }
-  return changeTrail(document, trailId, [&](rig::Trail& changed) { changed.settings = settings; });
+  return changeTrail(document, trailId, [&](rig::Trail& changed) {
+    changed.applied = changed.applied && changed.settings == settings;
+    changed.settings = settings;
+  });
 }
 
 Result<Document> setExaggerated(const Document& document, int trailId, bool exaggerated) {
   return changeTrail(document, trailId, [&](rig::Trail& trail) {
     trail.exaggerated = exaggerated;
     trail.connected = trail.connected && exaggerated;
+    trail.applied = trail.applied && trail.connected;
   });
 }
 
 Result<Document> setConnected(const Document& document, int trailId, bool connected) {
   return changeTrail(document, trailId, [&](rig::Trail& trail) {
     trail.connected = connected;
+    trail.applied = trail.applied && connected;
     trail.exaggerated = trail.exaggerated || connected;
   });
 }
@@ -88,8 +93,13 @@ Result<Document> setFollow(const Document& document, int trailId, bool follow) {
 }
 
 Result<Document> setBlend(const Document& document, int trailId, double blend) {
-  return changeTrail(document, trailId,
-                     [&](rig::Trail& trail) { trail.settings.blend = std::clamp(blend, 0.0, 2.0); });
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  rig::TrailSettings settings = trail->settings;
+  settings.blend = std::clamp(blend, 0.0, 2.0);
+  return setTrailSettings(document, trailId, settings);
 }
 
 Result<Document> setTrailDisplay(const Document& document, int trailId, const TrailDisplay& display) {
@@ -104,7 +114,7 @@ Result<Document> applyTrail(const Document& document, int trailId) {
   return changeTrail(document, trailId, [](rig::Trail& trail) {
     trail.exaggerated = true;
     trail.connected = true;
-    trail.applied = trail.settings;
+    trail.applied = true;
   });
 }
 
@@ -143,6 +153,7 @@ Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& copi
     trail.settings = settings;
     trail.exaggerated = copied.exaggerated;
     trail.connected = copied.connected;
+    trail.applied = false;
   });
   if (!changed) {
     return changed.error();

@@ -55,8 +55,8 @@ struct TrailDisplay {
 [[nodiscard]] Result<Document> setTrailDisplay(const Document& document, int trailId,
                                                const TrailDisplay& display);
 
-/// Re-keys the clip with the trail as it stands: the character follows it, and the file that is saved holds
-/// the motion.
+/// The artist is done with the trail as it stands: the character follows it, and it goes quiet until it is
+/// changed. Saving keys every connected trail, applied or not.
 [[nodiscard]] Result<Document> applyTrail(const Document& document, int trailId);
 
 /// Gives the range back as the source has it.

@@ -222,7 +222,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
   Document plain = opened(dummyPath);
   const Result<Recipe> recipe = recipeFromJson(recipeToJson(document, 0), plain);
   REQUIRE(recipe.ok());
-  const Result<Document> taken = withRecipe(plain, *recipe);
+  const Result<PlacedTrails> taken = withRecipe(plain, *recipe);
   REQUIRE(taken.ok());
   CHECK(taken->weights == document.weights);
   gltf::Json wrong = recipeToJson(document, 0);
@@ -249,22 +249,6 @@ TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
   wrong = {};
   wrong.rangeFrames = Vec2(9.0, 9.0);
   CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
-}
-
-TEST_CASE("every setting of weight goes through text and JSON") {
-  for (const WeightSetting& setting : weightSettings()) {
-    INFO(setting.name);
-    const std::string text = setting.kind == WeightSettingKind::vector ? "1,-2.5,0" : "1";
-    const Result<gltf::Json> value = parseWeightText(setting, text);
-    REQUIRE(value.ok());
-    WeightSettings settings;
-    REQUIRE(setWeightSetting(setting, *value, settings));
-    CHECK(setting.read(settings) == *value);
-    CHECK_FALSE(setWeightSetting(setting, "much", settings));
-    WeightSettings read;
-    REQUIRE(weightFromJson(weightToJson(settings), {}, read));
-    CHECK(read == settings);
-  }
 }
 
 TEST_CASE("the verb elastic writes a file that check accepts, the same bytes each time") {

@@ -11,6 +11,7 @@
 
 using namespace stretch;
 using namespace stretch::app;
+using gltf::Json;
 
 namespace {
 
@@ -33,12 +34,15 @@ Outcome runWords(const std::vector<std::string>& words) {
   return {exitCode, errors.text()};
 }
 
-gltf::Json recipeWith(const gltf::Json& trails) {
-  return {{"version", 1}, {"trails", trails}};
+Json recipeWith(const Json& trails) {
+  Json recipe;
+  recipe["version"] = 1;
+  recipe["trails"] = trails;
+  return recipe;
 }
 
-gltf::Json punch(double first, double last, double scale = 2.0) {
-  return {{"limb", "left-arm"}, {"range", {first, last}}, {"scale", scale}};
+Json punch(double first, double last, double scale = 2.0) {
+  return {{"limb", "left-arm"}, {"range", Json::array({first, last})}, {"scale", scale}};
 }
 
 std::vector<rig::Trail> trailsOf(const std::string& file) {
@@ -56,7 +60,7 @@ TEST_CASE("A range without length is refused wherever it comes from, and nothing
       runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range", "21:21"});
   CHECK(words.exitCode == 2);
   CHECK_THAT(words.told, Catch::Contains("--range") && Catch::Contains("no length"));
-  const std::string recipe = folder.write("empty.json", recipeWith({punch(21, 21)}).dump()).string();
+  const std::string recipe = folder.write("empty.json", recipeWith(Json::array({punch(21, 21)})).dump()).string();
   const Outcome file = runWords({"exaggerate", character, "-o", output, "--recipe", recipe});
   CHECK(file.exitCode == 1);
   CHECK_THAT(file.told, Catch::Contains("no length"));
@@ -66,7 +70,7 @@ TEST_CASE("A range without length is refused wherever it comes from, and nothing
 TEST_CASE("A range outside the clip is refused wherever it comes from") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const std::string recipe = folder.write("late.json", recipeWith({punch(900, 990)}).dump()).string();
+  const std::string recipe = folder.write("late.json", recipeWith(Json::array({punch(900, 990)})).dump()).string();
   CHECK(runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
                   "900:990"})
             .exitCode == 1);
@@ -77,8 +81,8 @@ TEST_CASE("Two trails of one request may not overlap; one that the file carries 
   const test::TemporaryFolder folder;
   const std::string first = (folder / "first.glb").string();
   const std::string second = (folder / "second.glb").string();
-  const std::string twice = folder.write("twice.json", recipeWith({punch(10, 20), punch(15, 25)}).dump()).string();
-  const std::string later = folder.write("later.json", recipeWith({punch(24, 30, 3.0)}).dump()).string();
+  const std::string twice = folder.write("twice.json", recipeWith(Json::array({punch(10, 20), punch(15, 25)})).dump()).string();
+  const std::string later = folder.write("later.json", recipeWith(Json::array({punch(24, 30, 3.0)})).dump()).string();
   CHECK(runWords({"exaggerate", character, "-o", first, "--recipe", twice}).exitCode == 1);
   CHECK(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range", "10:20",
                   "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
@@ -97,7 +101,7 @@ TEST_CASE("Two trails of one request may not overlap; one that the file carries 
 TEST_CASE("A recipe's mistakes are told in its own words, with their place in the file") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const auto told = [&](const gltf::Json& recipe) {
+  const auto told = [&](const Json& recipe) {
     const std::string path = folder.write("wrong.json", recipe.dump()).string();
     const Outcome outcome = runWords({"exaggerate", character, "-o", output, "--recipe", path});
     CHECK(outcome.exitCode == 1);
@@ -105,14 +109,14 @@ TEST_CASE("A recipe's mistakes are told in its own words, with their place in th
     CHECK_THAT(outcome.told, !Catch::Contains("--limb") && !Catch::Contains("--clip") && !Catch::Contains("--range"));
     return outcome.told;
   };
-  gltf::Json limb = punch(21, 27);
+  Json limb = punch(21, 27);
   limb["limb"] = "third-arm";
-  CHECK_THAT(told(recipeWith({punch(10, 20), limb})), Catch::Contains("trails[1].limb"));
-  gltf::Json weight = recipeWith(gltf::Json::array());
-  weight["elastic"] = {{{"limb", "third-arm"}}};
+  CHECK_THAT(told(recipeWith(Json::array({punch(10, 20), limb}))), Catch::Contains("trails[1].limb"));
+  Json weight = recipeWith(Json::array());
+  weight["elastic"] = Json::array({Json{{"limb", "third-arm"}}});
   CHECK_THAT(told(weight), Catch::Contains("elastic[0].limb"));
-  gltf::Json clip = recipeWith(gltf::Json::array());
+  Json clip = recipeWith(Json::array());
   clip["clip"] = "Swim";
   CHECK_THAT(told(clip), Catch::Contains("clip: there is no clip 'Swim'"));
-  CHECK_THAT(told(recipeWith({punch(27, 21)})), Catch::Contains("trails[0].range"));
+  CHECK_THAT(told(recipeWith(Json::array({punch(27, 21)}))), Catch::Contains("trails[0].range"));
 }
