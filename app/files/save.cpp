@@ -13,7 +13,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double toleranceOfHeight = 1e-4; // spec/exaggeration.md, section 7
+constexpr double toleranceOfHeight = 1e-4; // docs/exaggeration.md, What saving writes
 
 // What is seen, and so what is keyed: the trails that the character follows.
 Document connectedOnly(Document document) {

@@ -10,6 +10,7 @@ import sys
 
 import format_rule
 import include_rules
+import pointer_rules
 import text_rules
 
 RULES = {
@@ -18,6 +19,7 @@ RULES = {
     "file-size": text_rules.file_size,
     "open-ends": text_rules.open_ends,
     "machine-paths": text_rules.machine_paths,
+    "pointers": pointer_rules.pointers,
     "pragma-once": text_rules.pragma_once,
     "clocks-and-chance": text_rules.clocks_and_chance,
     "formatting": format_rule.formatting,
