@@ -11,7 +11,8 @@ namespace stretch::app {
 
 /// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an
 /// index.
-[[nodiscard]] Result<int> findClip(const Document& document, const std::string& text, const std::string& where);
+[[nodiscard]] Result<int> findClip(const Document& document, const std::string& text,
+                                   const std::string& where);
 
 /// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.
 [[nodiscard]] Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text,

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "core/gltf/json.h"
 #include "core/gltf/report.h"

@@ -128,22 +128,22 @@ Status runCompare(const CompareArguments& arguments) {
 } // namespace
 
 Verb compareVerb() {
-  return {
-      "compare", "Compares two animated files or sequences with the same topology.", [](CommandLine& line) {
-        const auto arguments = std::make_shared<CompareArguments>();
-        line.options("FILES", arguments->words,
-                     "The reference and what is compared with it: each an animated glTF, a folder of "
-                     "frames, or BASE.obj CACHE.pc2")
-            .required()
-            .takes(2, 4);
-        line.flag("--flattening", arguments->flattening,
-                  "A ran with gravity, B without: how flat A is, and the modulus that explains it");
-        for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
-          addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
-        }
-        addJson(line, arguments->json);
-        return [arguments] { return runCompare(*arguments); };
-      }};
+  return {"compare", "Compares two animated files or sequences with the same topology.",
+          [](CommandLine& line) {
+            const auto arguments = std::make_shared<CompareArguments>();
+            line.options("FILES", arguments->words,
+                         "The reference and what is compared with it: each an animated glTF, a folder of "
+                         "frames, or BASE.obj CACHE.pc2")
+                .required()
+                .takes(2, 4);
+            line.flag("--flattening", arguments->flattening,
+                      "A ran with gravity, B without: how flat A is, and the modulus that explains it");
+            for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
+              addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
+            }
+            addJson(line, arguments->json);
+            return [arguments] { return runCompare(*arguments); };
+          }};
 }
 
 } // namespace stretch::app

@@ -98,22 +98,21 @@ Status runCompress(const CompressArguments& arguments) {
 } // namespace
 
 Verb compressVerb() {
-  return {
-      "compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
-        const auto arguments = std::make_shared<CompressArguments>();
-        line.options("SEQUENCE", arguments->sequence,
-                     "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
-                     "Sibernetic folder")
-            .required()
-            .takes(1, 2);
-        line.option("-o,--output", arguments->output, "The .glb to write").required();
-        addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
-        line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
-        line.option("--fps", arguments->framesPerSecond, "Frames per second of the clip").positive();
-        line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
-        addJson(line, arguments->json);
-        return [arguments] { return runCompress(*arguments); };
-      }};
+  return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
+            const auto arguments = std::make_shared<CompressArguments>();
+            line.options("SEQUENCE", arguments->sequence,
+                         "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
+                         "Sibernetic folder")
+                .required()
+                .takes(1, 2);
+            line.option("-o,--output", arguments->output, "The .glb to write").required();
+            addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
+            line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
+            line.option("--fps", arguments->framesPerSecond, "Frames per second of the clip").positive();
+            line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
+            addJson(line, arguments->json);
+            return [arguments] { return runCompress(*arguments); };
+          }};
 }
 
 } // namespace stretch::app

@@ -16,13 +16,15 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 
 void addClipArguments(CommandLine& line, FileArguments& arguments) {
   line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
-  line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys").positive();
+  line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys")
+      .positive();
 }
 
 void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
   line.option("-o,--output", arguments.file, "The .glb or .gltf to write").required();
   line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
-  line.flag("--keep-skeleton", arguments.save.keepSkeleton, "Stretch through translations only: no bind joints");
+  line.flag("--keep-skeleton", arguments.save.keepSkeleton,
+            "Stretch through translations only: no bind joints");
   line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
 }
 

@@ -20,7 +20,7 @@ inline constexpr const char* limbWords =
 struct FileArguments {
   std::string file;
   bool tolerant = false;
-  std::string clip;
+  std::string clip = {};
   double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
 };
 

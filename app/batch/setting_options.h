@@ -16,8 +16,8 @@ struct SettingTexts {
   std::map<std::string, bool> flags;
 };
 
-/// Declares the option of one setting. A value that the setting never takes is a wrong argument: found before any
-/// file is opened.
+/// Declares the option of one setting. A value that the setting never takes is a wrong argument: found before
+/// any file is opened.
 void addSettingOption(CommandLine& line, const SettingFacts& setting, SettingTexts& texts,
                       const std::string& heading);
 
@@ -34,7 +34,8 @@ void addSettingOptions(CommandLine& line, const Schema<Settings>& schema, Settin
 
 /// Sets what the option's text says; an error names the option.
 template <typename Settings>
-[[nodiscard]] Status setFromText(const Setting<Settings>& setting, const std::string& text, Settings& settings) {
+[[nodiscard]] Status setFromText(const Setting<Settings>& setting, const std::string& text,
+                                 Settings& settings) {
   const auto value = valueOfText(setting, text);
   if (!value) {
     return value.error();
@@ -44,7 +45,8 @@ template <typename Settings>
 }
 
 template <typename Settings>
-[[nodiscard]] Status setFromTexts(const Schema<Settings>& schema, const SettingTexts& texts, Settings& settings) {
+[[nodiscard]] Status setFromTexts(const Schema<Settings>& schema, const SettingTexts& texts,
+                                  Settings& settings) {
   for (const Setting<Settings>& setting : schema) {
     const std::string* const text = textOf(texts, setting);
     if (text == nullptr) {

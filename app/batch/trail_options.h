@@ -23,6 +23,7 @@ void addTrailOptions(CommandLine& line);
 
 /// The trails that were asked for, as a recipe would name them; chains join the document. Errors name the
 /// option.
-[[nodiscard]] Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Document& document);
+[[nodiscard]] Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip,
+                                      Document& document);
 
 } // namespace stretch::app

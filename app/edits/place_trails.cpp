@@ -70,10 +70,11 @@ Status checkNew(const Document& document, const rig::Trail& trail, Entry entry) 
 
 const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId, int clip,
                                    double startFrame, double endFrame, int exceptTrailId) {
-  const auto found = std::find_if(document.trails.begin(), document.trails.end(), [&](const rig::Trail& trail) {
-    return trail.id != exceptTrailId && trail.limb == limbId && trail.clip == clip &&
-           overlapInTime(trail, startFrame, endFrame);
-  });
+  const auto found =
+      std::find_if(document.trails.begin(), document.trails.end(), [&](const rig::Trail& trail) {
+        return trail.id != exceptTrailId && trail.limb == limbId && trail.clip == clip &&
+               overlapInTime(trail, startFrame, endFrame);
+      });
   return found == document.trails.end() ? nullptr : &*found;
 }
 
@@ -92,8 +93,8 @@ Status checkTrailSettings(const Document& document, const rig::Trail& trail) {
   if (Status alone = checkAlone(trail); !alone) {
     return alone;
   }
-  const rig::Trail* const other = overlappingTrail(document, trail.limb, trail.clip, trail.settings.startFrame,
-                                                   trail.settings.endFrame, trail.id);
+  const rig::Trail* const other = overlappingTrail(
+      document, trail.limb, trail.clip, trail.settings.startFrame, trail.settings.endFrame, trail.id);
   if (other != nullptr) {
     return Error{"two trails of one limb may not overlap in time: there is one from " +
                      framesText(other->settings),

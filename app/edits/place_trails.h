@@ -29,14 +29,15 @@ struct PlacedTrails {
 [[nodiscard]] Result<PlacedTrails> placeTrails(const Document& document, std::span<const rig::Trail> wanted,
                                                Entry entry);
 
-/// What speaks against these settings for a trail of this limb and clip, or success: values, length of the range,
-/// overlap with another trail than `trailId`.
+/// What speaks against these settings for a trail of this limb and clip, or success: values, length of the
+/// range, overlap with another trail than `trailId`.
 [[nodiscard]] Status checkTrailSettings(const Document& document, const rig::Trail& trail);
 
 /// The trail of this limb and clip (other than `exceptTrailId`) that shares time with [start, end]; null when
 /// there is none.
-[[nodiscard]] const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId, int clip,
-                                                 double startFrame, double endFrame, int exceptTrailId = 0);
+[[nodiscard]] const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId,
+                                                 int clip, double startFrame, double endFrame,
+                                                 int exceptTrailId = 0);
 
 /// Whether the document has this limb (or chain) and this clip; the error says which it lacks.
 [[nodiscard]] Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip);

@@ -146,7 +146,8 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
     return keys.error();
   }
   const bool namesClip = json.contains("clip") && json["clip"].is_string();
-  const Result<int> clip = findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
+  const Result<int> clip =
+      findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
   if (!clip) {
     return clip.error();
   }

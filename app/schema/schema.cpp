@@ -77,7 +77,8 @@ std::string unitAfter(const SettingFacts& setting) {
 Result<Json> easeOfText(const SettingFacts& setting, const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
-    return Error{"'" + text + "' has no comma", setting.option, "give a fraction and a value, such as 0.6,0.1"};
+    return Error{"'" + text + "' has no comma", setting.option,
+                 "give a fraction and a value, such as 0.6,0.1"};
   }
   const Result<double> percent = parseNumber(text.substr(0, comma), setting.option);
   const Result<double> value = parseNumber(text.substr(comma + 1), setting.option);
@@ -113,7 +114,8 @@ Result<Json> splitText(const SettingFacts& setting, const std::string& text) {
 } // namespace
 
 std::string takenValues(const SettingFacts& setting) {
-  const std::string range = fmt::format("from {:g} to {:g}", setting.minimum, setting.maximum) + unitAfter(setting);
+  const std::string range =
+      fmt::format("from {:g} to {:g}", setting.minimum, setting.maximum) + unitAfter(setting);
   switch (setting.kind) {
   case SettingKind::number:
   case SettingKind::optionalNumber:

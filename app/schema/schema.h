@@ -24,21 +24,21 @@ struct SettingChoice {
 
 /// How a panel draws a setting.
 struct SettingRow {
-  std::string section = {};              ///< Part of the panel; empty: only the window's own controls show it.
-  std::string label = {};                ///< Empty: made from the name.
-  std::optional<double> minimum = {};    ///< What dragging offers; typing takes the whole range.
+  std::string section = {};           ///< Part of the panel; empty: only the window's own controls show it.
+  std::string label = {};             ///< Empty: made from the name.
+  std::optional<double> minimum = {}; ///< What dragging offers; typing takes the whole range.
   std::optional<double> maximum = {};
   double step = 0.01;
-  bool percent = false;                  ///< A fraction that is shown in per cent.
+  bool percent = false; ///< A fraction that is shown in per cent.
   std::string prefix = {};
 };
 
 /// What there is to say about a setting, whatever it belongs to.
 struct SettingFacts {
-  std::string name;       ///< Key in files: "ease_in".
-  double minimum = 0.0;   ///< Of numbers, inclusive.
+  std::string name;     ///< Key in files: "ease_in".
+  double minimum = 0.0; ///< Of numbers, inclusive.
   double maximum = 0.0;
-  std::string unit = {};  ///< "frames", "Pa"; empty for plain numbers.
+  std::string unit = {};                   ///< "frames", "Pa"; empty for plain numbers.
   std::vector<SettingChoice> choices = {}; ///< In the order of the enumeration.
   std::string help = {};                   ///< One sentence.
   SettingRow row = {};
@@ -77,7 +77,8 @@ using Schema = std::vector<Setting<Settings>>;
 
 /// Checks and sets one setting; an error leaves `settings` as they are.
 template <typename Settings>
-[[nodiscard]] Status setSetting(const Setting<Settings>& setting, const gltf::Json& value, Settings& settings) {
+[[nodiscard]] Status setSetting(const Setting<Settings>& setting, const gltf::Json& value,
+                                Settings& settings) {
   Status valid = checkValue(setting, value);
   if (valid) {
     setting.write(value, settings);

@@ -27,8 +27,8 @@ void writeSettings(const Schema<Settings>& schema, const Settings& settings, glt
 /// Reads the keys of an object; what is missing keeps its value. `other` is asked about a key that is no
 /// setting and answers whether it took it. A wrong value and a key that nobody knows are errors that name it.
 template <typename Settings, typename Other>
-[[nodiscard]] Status readSettings(const gltf::Json& object, const Schema<Settings>& schema, Settings& settings,
-                                  Other&& other) {
+[[nodiscard]] Status readSettings(const gltf::Json& object, const Schema<Settings>& schema,
+                                  Settings& settings, Other&& other) {
   for (const auto& [key, value] : object.items()) {
     const Setting<Settings>* const known = findSetting(schema, key);
     Status read = known != nullptr ? setSetting(*known, value, settings) : other(key, value);
@@ -39,8 +39,8 @@ template <typename Settings, typename Other>
   return Success{};
 }
 
-/// The value as near as the setting takes it: numbers are brought into their range, a choice may be given by its
-/// index. Null when nothing can be made of it.
+/// The value as near as the setting takes it: numbers are brought into their range, a choice may be given by
+/// its index. Null when nothing can be made of it.
 [[nodiscard]] std::optional<gltf::Json> nearestValue(const SettingFacts& setting, const gltf::Json& value);
 
 /// Takes from an object what can be made sense of and leaves the rest as it is: a damaged file does no harm.

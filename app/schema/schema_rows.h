@@ -95,7 +95,9 @@ template <typename Settings, typename Access>
   facts.option = optionOf(facts.name, standard.is_boolean() && standard.get<bool>());
   return {std::move(facts),
           [access, choices](const Settings& s) { return valueOf<Value>(std::invoke(access, s), choices); },
-          [access, choices](const gltf::Json& v, Settings& s) { take<Value>(v, choices, std::invoke(access, s)); }};
+          [access, choices](const gltf::Json& v, Settings& s) {
+            take<Value>(v, choices, std::invoke(access, s));
+          }};
 }
 
 /// Parts of a table, one after the other.

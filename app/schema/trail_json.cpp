@@ -21,7 +21,8 @@ Json spheresToJson(const std::vector<rig::SphereOffset>& spheres, double lengthU
 Status readRange(const Json& json, TrailSettings& settings) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number() ||
       json[0].get<double>() > json[1].get<double>()) {
-    return Error{json.dump() + " is not a range", "range", "give the first and the last frame, such as [0, 12]"};
+    return Error{json.dump() + " is not a range", "range",
+                 "give the first and the last frame, such as [0, 12]"};
   }
   settings.startFrame = json[0].get<double>();
   settings.endFrame = json[1].get<double>();

@@ -26,7 +26,8 @@ Json otherValue(const SettingFacts& setting) {
   case SettingKind::flag:
     return !standard.get<bool>();
   case SettingKind::choice:
-    return standard == setting.choices.back().name ? setting.choices.front().name : setting.choices.back().name;
+    return standard == setting.choices.back().name ? setting.choices.front().name
+                                                   : setting.choices.back().name;
   case SettingKind::axes:
     return "y";
   case SettingKind::ease:

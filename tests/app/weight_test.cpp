@@ -20,7 +20,7 @@
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"
-#include "app/schema/weight_description.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -224,7 +224,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
   REQUIRE(recipe.ok());
   const Result<PlacedTrails> taken = withRecipe(plain, *recipe);
   REQUIRE(taken.ok());
-  CHECK(taken->weights == document.weights);
+  CHECK(taken->document.weights == document.weights);
   gltf::Json wrong = recipeToJson(document, 0);
   wrong["elastic"][0]["stifness"] = 2.0;
   const Result<Recipe> refused = recipeFromJson(wrong, plain);

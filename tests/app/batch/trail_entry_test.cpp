@@ -56,11 +56,12 @@ std::vector<rig::Trail> trailsOf(const std::string& file) {
 TEST_CASE("A range without length is refused wherever it comes from, and nothing is written") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const Outcome words =
-      runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range", "21:21"});
+  const Outcome words = runWords(
+      {"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range", "21:21"});
   CHECK(words.exitCode == 2);
   CHECK_THAT(words.told, Catch::Contains("--range") && Catch::Contains("no length"));
-  const std::string recipe = folder.write("empty.json", recipeWith(Json::array({punch(21, 21)})).dump()).string();
+  const std::string recipe =
+      folder.write("empty.json", recipeWith(Json::array({punch(21, 21)})).dump()).string();
   const Outcome file = runWords({"exaggerate", character, "-o", output, "--recipe", recipe});
   CHECK(file.exitCode == 1);
   CHECK_THAT(file.told, Catch::Contains("no length"));
@@ -70,7 +71,8 @@ TEST_CASE("A range without length is refused wherever it comes from, and nothing
 TEST_CASE("A range outside the clip is refused wherever it comes from") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const std::string recipe = folder.write("late.json", recipeWith(Json::array({punch(900, 990)})).dump()).string();
+  const std::string recipe =
+      folder.write("late.json", recipeWith(Json::array({punch(900, 990)})).dump()).string();
   CHECK(runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
                   "900:990"})
             .exitCode == 1);
@@ -81,11 +83,13 @@ TEST_CASE("Two trails of one request may not overlap; one that the file carries 
   const test::TemporaryFolder folder;
   const std::string first = (folder / "first.glb").string();
   const std::string second = (folder / "second.glb").string();
-  const std::string twice = folder.write("twice.json", recipeWith(Json::array({punch(10, 20), punch(15, 25)})).dump()).string();
-  const std::string later = folder.write("later.json", recipeWith(Json::array({punch(24, 30, 3.0)})).dump()).string();
+  const std::string twice =
+      folder.write("twice.json", recipeWith(Json::array({punch(10, 20), punch(15, 25)})).dump()).string();
+  const std::string later =
+      folder.write("later.json", recipeWith(Json::array({punch(24, 30, 3.0)})).dump()).string();
   CHECK(runWords({"exaggerate", character, "-o", first, "--recipe", twice}).exitCode == 1);
-  CHECK(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range", "10:20",
-                  "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
+  CHECK(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
+                  "10:20", "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
             .exitCode == 1);
   REQUIRE(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
                     "21:27", "--limb", "spine", "--scale", "1.2", "--range", "21:27"})
@@ -106,7 +110,8 @@ TEST_CASE("A recipe's mistakes are told in its own words, with their place in th
     const Outcome outcome = runWords({"exaggerate", character, "-o", output, "--recipe", path});
     CHECK(outcome.exitCode == 1);
     CHECK_THAT(outcome.told, Catch::Contains("wrong.json"));
-    CHECK_THAT(outcome.told, !Catch::Contains("--limb") && !Catch::Contains("--clip") && !Catch::Contains("--range"));
+    CHECK_THAT(outcome.told,
+               !Catch::Contains("--limb") && !Catch::Contains("--clip") && !Catch::Contains("--range"));
     return outcome.told;
   };
   Json limb = punch(21, 27);
