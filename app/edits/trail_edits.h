@@ -30,7 +30,7 @@ struct CreatedTrail {
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 
 /// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
-/// that are none.
+/// that are not finite.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
                                                 const rig::TrailSettings& settings);
 

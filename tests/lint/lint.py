@@ -18,6 +18,7 @@ RULES = {
     "library-place": include_rules.library_place,
     "file-size": text_rules.file_size,
     "open-ends": text_rules.open_ends,
+    "distributive": text_rules.distributive,
     "machine-paths": text_rules.machine_paths,
     "pointers": pointer_rules.pointers,
     "pragma-once": text_rules.pragma_once,

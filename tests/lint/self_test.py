@@ -111,6 +111,11 @@ class Text(LintTest):
         for mark in ("TO" + "DO", "FIX" + "ME"):
             self.broken(text_rules.open_ends, {"ui/a.cpp": f"\n// {mark}: later\n"}, "ui/a.cpp:2:")
 
+    def test_one_for_each_is_said_in_full(self):
+        self.kept(text_rules.distributive, {"core/a.h": "/// One for each bone; one a user names. 24 frames per second.\n"})
+        for text in ("One a bone", "one a vertex", "24 frames a second", "Bytes a frame"):
+            self.broken(text_rules.distributive, {"core/a.h": f"/// {text}\n"}, "core/a.h:1:")
+
     def test_folders_of_one_machine_are_found(self):
         self.kept(text_rules.machine_paths, {"README.md": "see docs/home/index and $HOME/x\n"})
         self.broken(text_rules.machine_paths, {"README.md": "run /ho" + "me/someone/x\n"}, "README.md:1:")
