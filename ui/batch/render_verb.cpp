@@ -9,8 +9,8 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
-#include "app/evaluate/evaluate.h"
 #include "app/edits/recipe_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"
@@ -233,7 +233,8 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
 }
 
 Status renderSequence(const RenderArguments& arguments) {
-  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 || arguments.skeleton) {
+  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 ||
+      arguments.skeleton) {
     return Error{"a mesh sequence has no clips, trails, ghosts or skeleton", "render",
                  "leave --clip, --trails, --ghosts and --skeleton out"};
   }
