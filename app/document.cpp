@@ -80,9 +80,8 @@ void setFramesPerSecond(Document& document, double framesPerSecond) {
 
 std::size_t disconnectedTrails(const Document& document) {
   return static_cast<std::size_t>(
-      std::count_if(document.trails.begin(), document.trails.end(), [](const rig::Trail& trail) {
-        return trail.exaggerated && !trail.connected;
-      }));
+      std::count_if(document.trails.begin(), document.trails.end(),
+                    [](const rig::Trail& trail) { return trail.exaggerated && !trail.connected; }));
 }
 
 } // namespace stretch::app

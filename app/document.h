@@ -52,7 +52,8 @@ struct Document {
 /// Reads all clips at another frame rate: frames, ranges and ticks count in it.
 void setFramesPerSecond(Document& document, double framesPerSecond);
 
-/// Exaggerated trails that the character does not follow: saving keeps them in the work and does not key them.
+/// Exaggerated trails that the character does not follow: saving keeps them in the work and does not key
+/// them.
 [[nodiscard]] std::size_t disconnectedTrails(const Document& document);
 
 } // namespace stretch::app
