@@ -84,15 +84,10 @@ void setFramesPerSecond(Document& document, double framesPerSecond) {
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
 }
 
-std::size_t unappliedTrails(const Document& document) {
+std::size_t disconnectedTrails(const Document& document) {
   return static_cast<std::size_t>(
-      std::count_if(document.trails.begin(), document.trails.end(), [](const rig::Trail& trail) {
-        return trail.connected && trail.applied != trail.settings;
-      }));
-}
-
-bool isActive(const rig::Trail& trail) {
-  return trail.connected || trail.applied.has_value();
+      std::count_if(document.trails.begin(), document.trails.end(),
+                    [](const rig::Trail& trail) { return trail.exaggerated && !trail.connected; }));
 }
 
 } // namespace stretch::app

@@ -55,10 +55,8 @@ struct Document {
 /// Reads all clips at another frame rate: frames, ranges and ticks count in it.
 void setFramesPerSecond(Document& document, double framesPerSecond);
 
-/// Trails that the character follows in the editor and that saving does not key, or not as they stand.
-[[nodiscard]] std::size_t unappliedTrails(const Document& document);
-
-/// Whether the character follows this trail: it is connected, or it was applied.
-[[nodiscard]] bool isActive(const rig::Trail& trail);
+/// Exaggerated trails that the character does not follow: saving keeps them in the work and does not key
+/// them.
+[[nodiscard]] std::size_t disconnectedTrails(const Document& document);
 
 } // namespace stretch::app

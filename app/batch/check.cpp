@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "core/gltf/json.h"
 #include "core/gltf/report.h"
@@ -69,7 +70,7 @@ Verb checkVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
             line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
-            line.flag("--json", arguments->json, "Print one JSON document");
+            addJson(line, arguments->json);
             return [arguments] { return runCheck(*arguments); };
           }};
 }

@@ -6,7 +6,9 @@
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
+#include "app/batch/setting_options.h"
 #include "app/batch/verb.h"
+#include "app/schema/sequence_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
@@ -20,9 +22,7 @@ namespace {
 struct CompareArguments {
   std::vector<std::string> words;
   bool flattening = false;
-  std::string gravity;
-  double mass = 0.0;
-  double metresPerUnit = 1.0;
+  SettingTexts body;
   bool json = false;
 };
 
@@ -71,19 +71,11 @@ gltf::Json flatteningJson(const skinning::Flattening& flattening) {
 
 Status addFlattening(const CompareArguments& arguments, const MeshSequence& with, const MeshSequence& without,
                      gltf::Json& report) {
-  skinning::BodyStretchSettings settings;
-  settings.metresPerUnit = arguments.metresPerUnit;
-  if (arguments.mass > 0.0) {
-    settings.mass = arguments.mass;
+  skinning::CompressSettings settings;
+  if (Status set = setFromTexts(sequenceSchema(), arguments.body, settings); !set) {
+    return set;
   }
-  if (!arguments.gravity.empty()) {
-    const Result<Vec3> gravity = parseVector(arguments.gravity, "--gravity");
-    if (!gravity) {
-      return gravity.error();
-    }
-    settings.gravity = *gravity;
-  }
-  const auto flattening = skinning::gravityFlattening(with, without, settings);
+  const auto flattening = skinning::gravityFlattening(with, without, settings.body);
   if (!flattening) {
     return flattening.error();
   }
@@ -136,24 +128,22 @@ Status runCompare(const CompareArguments& arguments) {
 } // namespace
 
 Verb compareVerb() {
-  return {
-      "compare", "Compares two animated files or sequences with the same topology.", [](CommandLine& line) {
-        const auto arguments = std::make_shared<CompareArguments>();
-        line.options("FILES", arguments->words,
-                     "The reference and what is compared with it: each an animated glTF, a folder of "
-                     "frames, or BASE.obj CACHE.pc2")
-            .required()
-            .takes(2, 4);
-        line.flag("--flattening", arguments->flattening,
-                  "A ran with gravity, B without: how flat A is, and the modulus that explains it");
-        line.option("--gravity", arguments->gravity, "Of A: x,y,z [m/s^2]; default: 0,-9.81,0");
-        line.option("--mass", arguments->mass, "Mass of the body [kg]; default: that of water").positive();
-        line.option("--metres-per-unit", arguments->metresPerUnit, "Scale of the meshes")
-            .positive()
-            .showDefault();
-        line.flag("--json", arguments->json, "Print one JSON document");
-        return [arguments] { return runCompare(*arguments); };
-      }};
+  return {"compare", "Compares two animated files or sequences with the same topology.",
+          [](CommandLine& line) {
+            const auto arguments = std::make_shared<CompareArguments>();
+            line.options("FILES", arguments->words,
+                         "The reference and what is compared with it: each an animated glTF, a folder of "
+                         "frames, or BASE.obj CACHE.pc2")
+                .required()
+                .takes(2, 4);
+            line.flag("--flattening", arguments->flattening,
+                      "A ran with gravity, B without: how flat A is, and the modulus that explains it");
+            for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
+              addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
+            }
+            addJson(line, arguments->json);
+            return [arguments] { return runCompare(*arguments); };
+          }};
 }
 
 } // namespace stretch::app

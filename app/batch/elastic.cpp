@@ -1,17 +1,15 @@
-#include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 
-#include <fmt/core.h>
-
 #include "app/batch/options.h"
+#include "app/batch/setting_options.h"
 #include "app/batch/verb.h"
 #include "app/batch/weight_report.h"
 #include "app/document.h"
 #include "app/edits/weight_edits.h"
-#include "app/files/save.h"
-#include "app/schema/weight_description.h"
+#include "app/named.h"
+#include "app/schema/parse_text.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -22,13 +20,11 @@ using gltf::Json;
 
 struct ElasticArguments {
   FileArguments input;
-  std::string output;
-  std::string clip;
+  OutputArguments output;
   std::vector<std::string> limbs;
   std::string range;
   std::string moduli;
-  std::map<std::string, std::string> settings; ///< By option.
-  SaveOptions save;
+  SettingTexts settings;
   bool json = false;
 };
 
@@ -49,21 +45,11 @@ Result<WeightSettings> settingsOf(const ElasticArguments& arguments) {
       return read.error();
     }
   }
-  for (const WeightSetting& setting : weightSettings()) {
-    const auto given = arguments.settings.find(setting.option);
-    if (given == arguments.settings.end() || given->second.empty()) {
-      continue;
-    }
-    const Result<Json> value = parseWeightText(setting, given->second);
-    if (!value) {
-      return value.error();
-    }
-    if (const Status set = setWeightSetting(setting, *value, settings); !set) {
-      return set.error();
-    }
+  if (const Status set = setFromTexts(weightSchema(), arguments.settings, settings); !set) {
+    return set.error();
   }
   if (!arguments.range.empty()) {
-    const Result<Vec2> range = parseRange(arguments.range);
+    const Result<Vec2> range = parseRange(arguments.range, "--range");
     if (!range) {
       return range.error();
     }
@@ -92,7 +78,7 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSetting
                  "name a chain, such as --limb JOINT_A..JOINT_B"};
   }
   for (const std::string& name : wanted) {
-    const Result<rig::Limb> limb = findOrAddLimb(document, name);
+    const Result<rig::Limb> limb = findOrAddLimb(document, name, "--limb");
     if (!limb) {
       return limb.error();
     }
@@ -110,7 +96,7 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!document) {
     return document.error();
   }
-  const Result<int> clip = findClip(*document, arguments.clip);
+  const Result<int> clip = clipOfArguments(arguments.input, *document);
   if (!clip) {
     return clip.error();
   }
@@ -125,7 +111,7 @@ Status runElastic(const ElasticArguments& arguments) {
   report["clip"] = clipOf(*document, *clip).name;
   report["elastic"] = weightJson(*document, *clip);
   report["warnings"] = document->warnings;
-  if (const Status saved = saveDocument(*document, arguments.output, arguments.save); !saved) {
+  if (const Status saved = saveDocument(*document, arguments.output.file, arguments.output.save); !saved) {
     return saved;
   }
   if (arguments.json) {
@@ -136,36 +122,6 @@ Status runElastic(const ElasticArguments& arguments) {
   return Success{};
 }
 
-// A value that no limb can have is a wrong argument: found before any file is opened.
-std::string problemOf(const WeightSetting& setting, const std::string& text) {
-  const Result<Json> value = parseWeightText(setting, text);
-  if (!value) {
-    return value.error().line();
-  }
-  WeightSettings scratch;
-  const Status set = setWeightSetting(setting, *value, scratch);
-  return set ? std::string() : set.error().line();
-}
-
-std::string rangeProblem(const std::string& text) {
-  const Result<Vec2> range = parseRange(text);
-  if (!range) {
-    return range.error().line();
-  }
-  return range->x < range->y ? std::string() : "--range: the range has no length";
-}
-
-void addSettings(CommandLine& line, ElasticArguments& arguments) {
-  for (const WeightSetting& setting : weightSettings()) {
-    line.option(setting.option, arguments.settings[setting.option],
-                setting.help + (setting.unit.empty() ? "" : " [" + setting.unit + "]"))
-        .check([&setting](const std::string& text) { return problemOf(setting, text); })
-        .group("Weight");
-  }
-  line.option("--moduli", arguments.moduli, "Moduli of single bones (JSON), counted from the limb's base")
-      .group("Weight");
-}
-
 } // namespace
 
 Verb elasticVerb() {
@@ -173,19 +129,17 @@ Verb elasticVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<ElasticArguments>();
             addFileArguments(line, arguments->input);
-            line.option("-o,--output", arguments->output, "The .glb or .gltf to write").required();
-            line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            addFramesPerSecond(line, arguments->input);
+            addOutputArguments(line, arguments->output);
+            addClipArguments(line, arguments->input);
             line.repeated("--limb", arguments->limbs,
                           "A limb, as often as wanted; default: all arms and legs");
             line.option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
-                .check(rangeProblem);
-            addSettings(line, *arguments);
-            line.flag("--key-every-frame", arguments->save.keyEveryFrame, "A key on every frame");
-            line.flag("--keep-skeleton", arguments->save.keepSkeleton,
-                      "Stretch through translations only: no bind joints");
-            line.flag("--clean", arguments->save.clean, "Leave the program's own data out of the file");
-            line.flag("--json", arguments->json, "Print one JSON document");
+                .check(problemOfRange);
+            addSettingOptions(line, weightSchema(), arguments->settings, "Weight");
+            line.option("--moduli", arguments->moduli,
+                        "Moduli of single bones (JSON), counted from the limb's base")
+                .group("Weight");
+            addJson(line, arguments->json);
             return [arguments] { return runElastic(*arguments); };
           }};
 }

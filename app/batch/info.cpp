@@ -145,7 +145,7 @@ Verb infoVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();
             addFileArguments(line, arguments->input);
-            line.flag("--json", arguments->json, "Print one JSON document");
+            addJson(line, arguments->json);
             return [arguments] { return runInfo(*arguments); };
           }};
 }

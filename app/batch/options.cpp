@@ -1,27 +1,12 @@
 #include "app/batch/options.h"
 
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
-#include <fmt/core.h>
-
-#include "app/schema/trail_description.h"
+#include "app/named.h"
+#include "app/schema/parse_text.h"
 
 namespace stretch::app {
-
-namespace {
-
-std::string limbList(const Document& document) {
-  std::string list;
-  for (const rig::Limb& limb : document.biped.limbs) {
-    list += (list.empty() ? "" : ", ") + limb.id;
-  }
-  return list.empty() ? "none was found" : list;
-}
-
-} // namespace
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
@@ -29,9 +14,22 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
             "Take a file that breaks the specification as well as it can be read");
 }
 
-void addFramesPerSecond(CommandLine& line, FileArguments& arguments) {
+void addClipArguments(CommandLine& line, FileArguments& arguments) {
+  line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
   line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys")
       .positive();
+}
+
+void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
+  line.option("-o,--output", arguments.file, "The .glb or .gltf to write").required();
+  line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
+  line.flag("--keep-skeleton", arguments.save.keepSkeleton,
+            "Stretch through translations only: no bind joints");
+  line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
+}
+
+void addJson(CommandLine& line, bool& json) {
+  line.flag("--json", json, "Print one JSON document");
 }
 
 Result<Document> openDocument(const FileArguments& arguments) {
@@ -48,48 +46,8 @@ Result<Document> openDocument(const FileArguments& arguments) {
   return error;
 }
 
-Result<Vec2> rangeOf(const std::string& text, const Clip& clip) {
-  const Result<Vec2> range = parseRange(text);
-  const double last = std::round(clip.endSeconds * clip.framesPerSecond);
-  if (range && (range->x > last || range->y < 0.0)) {
-    return Error{fmt::format("{} lies outside the clip, which has the frames 0 to {:g}", text, last),
-                 "--range", "give frames of the clip"};
-  }
-  return range;
-}
-
-Result<Vec2> parseRange(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) {
-    return Error{"'" + text + "' is no range", "--range", "give the first and the last frame, such as 0:12"};
-  }
-  const Result<double> first = parseNumber(text.substr(0, colon), "--range");
-  const Result<double> last = parseNumber(text.substr(colon + 1), "--range");
-  if (!first || !last) {
-    return first ? last.error() : first.error();
-  }
-  if (*first > *last) {
-    return Error{"the first frame comes after the last", "--range", "give them in order"};
-  }
-  return Vec2(*first, *last);
-}
-
-Result<Vec3> parseVector(const std::string& text, const std::string& where) {
-  Vec3 vector(0.0);
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? text.find(',', start) : text.size();
-    if (comma == std::string::npos) {
-      return Error{"'" + text + "' is no vector", where, "give three numbers, such as 0,-9.81,0"};
-    }
-    const Result<double> number = parseNumber(text.substr(start, comma - start), where);
-    if (!number) {
-      return number.error();
-    }
-    vector[i] = *number;
-    start = comma + 1;
-  }
-  return vector;
+Result<int> clipOfArguments(const FileArguments& arguments, const Document& document) {
+  return findClip(document, arguments.clip, "--clip");
 }
 
 Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
@@ -102,58 +60,17 @@ Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
   return skinning::parseModuli(text.str());
 }
 
-std::string clipList(const Document& document) {
-  std::string list;
-  for (std::size_t i = 0; i < document.clips->size(); ++i) {
-    const std::string& name = (*document.clips)[i].name;
-    list += (i == 0 ? "" : ", ") + (name.empty() ? fmt::format("#{}", i) : name);
-  }
-  return list;
+std::string withoutPlace(Error error) {
+  error.where.clear();
+  return error.line();
 }
 
-Result<int> findClip(const Document& document, const std::string& text) {
-  const std::vector<Clip>& clips = *document.clips;
-  if (clips.empty()) {
-    return Error{"the file holds no clip", "animations", "give a file with an animation"};
+std::string problemOfRange(const std::string& text) {
+  const Result<Vec2> range = parseRange(text, "--range");
+  if (!range) {
+    return withoutPlace(range.error());
   }
-  if (text.empty()) {
-    return 0;
-  }
-  int found = -1;
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    if (clips[i].name == text) {
-      if (found >= 0) {
-        return Error{"two clips are named '" + text + "'", "--clip",
-                     fmt::format("name one by its number, such as #{}", found)};
-      }
-      found = static_cast<int>(i);
-    }
-  }
-  if (found < 0 && text.front() == '#') {
-    std::size_t index = clips.size();
-    std::from_chars(text.data() + 1, text.data() + text.size(), index);
-    found = index < clips.size() ? static_cast<int>(index) : -1;
-  }
-  if (found < 0) {
-    return Error{"there is no clip '" + text + "'", "--clip", "the file has: " + clipList(document)};
-  }
-  return found;
-}
-
-Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text) {
-  if (const rig::Limb* limb = findLimb(document, text)) {
-    return *limb;
-  }
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) {
-    return Error{"there is no limb '" + text + "'", "--limb",
-                 "limbs of this character: " + limbList(document) + "; any chain: JOINT_A..JOINT_B"};
-  }
-  Result<rig::Limb> chain = rig::chainLimb(*document.scene, text.substr(0, dots), text.substr(dots + 2));
-  if (chain) {
-    document.chains.push_back(*chain);
-  }
-  return chain;
+  return range->x < range->y ? "" : "the range " + text + " has no length; give a last frame after the first";
 }
 
 } // namespace stretch::app

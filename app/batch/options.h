@@ -4,46 +4,56 @@
 
 #include "app/batch/command_line.h"
 #include "app/document.h"
+#include "app/files/save.h"
 #include "core/base/result.h"
 #include "skinning/elastic/moduli.h"
 
 namespace stretch::app {
 
+// Options that several verbs share, declared in one place. What they are read into has to live as long as the
+// command line.
+
+inline constexpr const char* limbWords =
+    "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B";
+
 /// The character file that a verb works on.
 struct FileArguments {
   std::string file;
   bool tolerant = false;
+  std::string clip = {};
   double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
 };
 
-/// Declares FILE and --tolerant; `arguments` has to live as long as the subcommand.
+/// Declares FILE and --tolerant.
 void addFileArguments(CommandLine& line, FileArguments& arguments);
 
-/// Declares --fps, for verbs that count in frames.
-void addFramesPerSecond(CommandLine& line, FileArguments& arguments);
+/// Declares --clip and --fps, for verbs that work on one clip.
+void addClipArguments(CommandLine& line, FileArguments& arguments);
+
+/// What a verb that writes a character file is told.
+struct OutputArguments {
+  std::string file;
+  SaveOptions save;
+};
+
+/// Declares -o, --key-every-frame, --keep-skeleton and --clean.
+void addOutputArguments(CommandLine& line, OutputArguments& arguments);
+
+/// Declares --json.
+void addJson(CommandLine& line, bool& json);
 
 [[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 
-/// "A:B": first and last frame, real numbers, A <= B.
-[[nodiscard]] Result<Vec2> parseRange(const std::string& text);
-
-/// The same for a clip: an error when all of it lies outside.
-[[nodiscard]] Result<Vec2> rangeOf(const std::string& text, const Clip& clip);
-
-/// "x,y,z": three numbers; `where` names the option in errors.
-[[nodiscard]] Result<Vec3> parseVector(const std::string& text, const std::string& where);
-
-/// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an
-/// index.
-[[nodiscard]] Result<int> findClip(const Document& document, const std::string& text);
-
-/// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.
-[[nodiscard]] Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text);
+/// Index of the clip that --clip names.
+[[nodiscard]] Result<int> clipOfArguments(const FileArguments& arguments, const Document& document);
 
 /// Reads a file of moduli; an error names the file.
 [[nodiscard]] Result<skinning::SegmentModuli> loadModuli(const std::string& path);
 
-/// "3 clips: walk, run, jump": for messages.
-[[nodiscard]] std::string clipList(const Document& document);
+/// What is wrong with the text of a range "A:B" that needs a length; empty when nothing is.
+[[nodiscard]] std::string problemOfRange(const std::string& text);
+
+/// The error as the command line tells it behind the option, which it names itself.
+[[nodiscard]] std::string withoutPlace(Error error);
 
 } // namespace stretch::app

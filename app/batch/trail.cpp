@@ -5,9 +5,11 @@
 
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
-#include "app/document.h"
+#include "app/edits/place_trails.h"
 #include "app/evaluate/evaluate.h"
-#include "app/schema/trail_json.h"
+#include "app/named.h"
+#include "app/schema/parse_text.h"
+#include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -19,7 +21,6 @@ using gltf::Json;
 struct TrailArguments {
   FileArguments input;
   std::string limb;
-  std::string clip;
   std::string range;
   bool json = false;
 };
@@ -44,26 +45,28 @@ Status runTrail(const TrailArguments& arguments) {
   if (!document) {
     return document.error();
   }
-  const Result<int> clip = findClip(*document, arguments.clip);
-  const Result<rig::Limb> limb = findOrAddLimb(*document, arguments.limb);
+  const Result<int> clip = clipOfArguments(arguments.input, *document);
+  const Result<rig::Limb> limb = findOrAddLimb(*document, arguments.limb, "--limb");
   if (!clip || !limb) {
     return clip ? limb.error() : clip.error();
   }
-  Vec2 range = rig::defaultRange(*document->scene, clipOf(*document, *clip), *limb);
-  if (!arguments.range.empty()) {
-    const Result<Vec2> given = rangeOf(arguments.range, clipOf(*document, *clip));
-    if (!given) {
-      return given.error();
-    }
-    range = *given;
+  const Result<Vec2> range = arguments.range.empty()
+                                 ? rig::defaultRange(*document->scene, clipOf(*document, *clip), *limb)
+                                 : parseRange(arguments.range, "--range");
+  if (!range) {
+    return range.error();
   }
+  document->trails.clear();
   rig::Trail trail;
   trail.limb = limb->id;
   trail.clip = *clip;
-  trail.settings.startFrame = range.x;
-  trail.settings.endFrame = range.y;
-  document->trails = {trail};
-  const Json json = trailJson(prepareMotion(*document, *clip));
+  trail.settings.startFrame = range->x;
+  trail.settings.endFrame = range->y;
+  Result<PlacedTrails> placed = placeTrails(*document, {&trail, 1}, Entry::request);
+  if (!placed) {
+    return placed.error();
+  }
+  const Json json = trailJson(prepareMotion(placed->document, *clip));
   if (arguments.json) {
     std::cout << json.dump(1) << '\n';
     return Success{};
@@ -82,13 +85,10 @@ Verb trailVerb() {
   return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CommandLine& line) {
             const auto arguments = std::make_shared<TrailArguments>();
             addFileArguments(line, arguments->input);
-            line.option("--limb", arguments->limb,
-                        "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B")
-                .required();
-            line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
-            line.option("--range", arguments->range, "First and last frame, A:B");
-            addFramesPerSecond(line, arguments->input);
-            line.flag("--json", arguments->json, "Print one JSON document");
+            line.option("--limb", arguments->limb, limbWords).required();
+            addClipArguments(line, arguments->input);
+            line.option("--range", arguments->range, "First and last frame, A:B").check(problemOfRange);
+            addJson(line, arguments->json);
             return [arguments] { return runTrail(*arguments); };
           }};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/frames.h"
+#include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {

@@ -1,31 +1,27 @@
 #include "app/edits/recipe_edits.h"
 
-#include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 
 namespace stretch::app {
 
-Result<Document> withRecipe(const Document& document, const Recipe& recipe) {
-  Document changed = document;
-  for (const rig::Trail& wanted : recipe.trails) {
-    Result<CreatedTrail> created =
-        createTrail(changed, {wanted.limb, recipe.clip, wanted.settings, true, true});
-    if (!created) {
-      return created.error();
-    }
-    changed = std::move(created->document);
-    rig::Trail& trail = *findTrail(changed, created->trailId);
-    trail.colour = wanted.colour;
-    trail.controlFrames = wanted.controlFrames;
+Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
+  std::vector<rig::Trail> trails = recipe.trails;
+  for (rig::Trail& trail : trails) {
+    trail.exaggerated = true;
+    trail.connected = true;
+  }
+  Result<PlacedTrails> placed = placeTrails(document, trails, Entry::request);
+  if (!placed) {
+    return placed;
   }
   for (const WeightedLimb& wanted : recipe.weights) {
-    Result<Document> next = setWeight(changed, wanted);
+    Result<Document> next = setWeight(placed->document, wanted);
     if (!next) {
       return next.error();
     }
-    changed = std::move(*next);
+    placed->document = std::move(*next);
   }
-  return changed;
+  return placed;
 }
 
 } // namespace stretch::app

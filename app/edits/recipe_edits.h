@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/document.h"
+#include "app/edits/place_trails.h"
 #include "app/recipe/recipe.h"
 
 namespace stretch::app {
 
-/// Adds the trails of a recipe, exaggerated and connected. Refused as a whole when one of them overlaps a
-/// trail that is there.
-[[nodiscard]] Result<Document> withRecipe(const Document& document, const Recipe& recipe);
+/// Adds the trails of a recipe, exaggerated and connected, and the weight of limbs: what the command line,
+/// the editor and pictures make of a recipe. All of it or nothing; trails that are in the way give way.
+[[nodiscard]] Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe);
 
 } // namespace stretch::app

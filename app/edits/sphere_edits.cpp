@@ -49,6 +49,7 @@ Result<Document> changeSpheres(const Document& document, int trailId, Spheres sp
     rig::Trail& edited = *findTrail(*changed, trailId);
     edited.exaggerated = true;
     edited.connected = edited.follow;
+    edited.applied = edited.applied && edited.connected;
   }
   return changed;
 }

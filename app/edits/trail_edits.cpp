@@ -1,51 +1,14 @@
 #include "app/edits/trail_edits.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "app/edits/place_trails.h"
 
 namespace stretch::app {
 
 namespace {
 
 constexpr int paletteSize = 5; ///< Colours that are dealt to new trails in turn.
-
-bool isFinite(const rig::TrailSettings& settings) {
-  const double numbers[] = {
-      settings.startFrame,     settings.endFrame,      settings.scale,
-      settings.easeIn.percent, settings.easeIn.value,  settings.easeOut.percent,
-      settings.easeOut.value,  settings.stretchSwitch, settings.volume,
-      settings.overshoot,      settings.blend,         settings.releaseFrames.value_or(0.0)};
-  const bool plain =
-      std::all_of(std::begin(numbers), std::end(numbers), [](double n) { return std::isfinite(n); });
-  return plain &&
-         std::all_of(settings.spheres.begin(), settings.spheres.end(), [](const rig::SphereOffset& sphere) {
-           return std::isfinite(sphere.frame + sphere.offset.x + sphere.offset.y + sphere.offset.z);
-         });
-}
-
-std::string rangeText(const rig::TrailSettings& settings) {
-  const auto whole = [](double frame) { return std::to_string(static_cast<long>(std::lround(frame))); };
-  return whole(settings.startFrame) + " to " + whole(settings.endFrame);
-}
-
-/// What speaks against these settings for a trail of this limb, or success.
-Status validate(const Document& document, const std::string& limbId, int clip,
-                const rig::TrailSettings& settings, int trailId) {
-  if (!isFinite(settings)) {
-    return Error{"a setting of the trail is not a number", limbId, "type a number"};
-  }
-  if (settings.endFrame <= settings.startFrame) {
-    return Error{"the range has no length", limbId, "set its end after its start"};
-  }
-  const rig::Trail* other =
-      overlappingTrail(document, limbId, clip, settings.startFrame, settings.endFrame, trailId);
-  if (other != nullptr) {
-    return Error{"two on one limb may not overlap in time: there is a trail from " +
-                     rangeText(other->settings),
-                 limbId, "change the range, or edit that trail"};
-  }
-  return Success{};
-}
 
 template <typename Change>
 Result<Document> changeTrail(const Document& document, int trailId, Change&& change) {
@@ -80,47 +43,17 @@ Error missingTrail(int trailId) {
   return Error{"there is no such trail", "trail " + std::to_string(trailId), "select a trail"};
 }
 
-const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId, int clip,
-                                   double startFrame, double endFrame, int exceptTrailId) {
-  for (const rig::Trail& trail : document.trails) {
-    const bool sameTime = trail.settings.startFrame < endFrame && startFrame < trail.settings.endFrame;
-    if (trail.id != exceptTrailId && trail.limb == limbId && trail.clip == clip && sameTime) {
-      return &trail;
-    }
-  }
-  return nullptr;
-}
-
-Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip) {
-  if (findLimb(document, limbId) == nullptr) {
-    return Error{"the character has no such limb", limbId,
-                 "pick a limb that was found, or any chain by its joints"};
-  }
-  if (document.clips == nullptr || clip < 0 || clip >= static_cast<int>(document.clips->size())) {
-    return Error{"the file has no such clip", "clip " + std::to_string(clip),
-                 "open a file with an animation"};
-  }
-  return Success{};
-}
-
 Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted) {
-  if (const Status known = checkLimbAndClip(document, wanted.limb, wanted.clip); !known) {
-    return known.error();
-  }
-  if (const Status valid = validate(document, wanted.limb, wanted.clip, wanted.settings, 0); !valid) {
-    return valid.error();
-  }
-  CreatedTrail created{document, document.nextTrailId};
   rig::Trail trail;
-  trail.id = created.document.nextTrailId++;
   trail.limb = wanted.limb;
   trail.clip = wanted.clip;
   trail.settings = wanted.settings;
   trail.exaggerated = wanted.exaggerated || wanted.connected;
   trail.connected = wanted.connected;
-  trail.colour = (trail.id - 1) % paletteSize;
-  created.document.trails.push_back(std::move(trail));
-  return created;
+  trail.colour = (document.nextTrailId - 1) % paletteSize;
+  Result<PlacedTrails> placed = placeTrails(document, {&trail, 1}, Entry::hand);
+  return placed ? Result<CreatedTrail>(CreatedTrail{std::move(placed->document), placed->trailIds.front()})
+                : Result<CreatedTrail>(placed.error());
 }
 
 Result<Document> setTrailSettings(const Document& document, int trailId, const rig::TrailSettings& settings) {
@@ -128,22 +61,29 @@ Result<Document> setTrailSettings(const Document& document, int trailId, const r
   if (trail == nullptr) {
     return missingTrail(trailId);
   }
-  if (const Status valid = validate(document, trail->limb, trail->clip, settings, trailId); !valid) {
+  rig::Trail wanted = *trail;
+  wanted.settings = settings;
+  if (const Status valid = checkTrailSettings(document, wanted); !valid) {
     return valid.error();
   }
-  return changeTrail(document, trailId, [&](rig::Trail& changed) { changed.settings = settings; });
+  return changeTrail(document, trailId, [&](rig::Trail& changed) {
+    changed.applied = changed.applied && changed.settings == settings;
+    changed.settings = settings;
+  });
 }
 
 Result<Document> setExaggerated(const Document& document, int trailId, bool exaggerated) {
   return changeTrail(document, trailId, [&](rig::Trail& trail) {
     trail.exaggerated = exaggerated;
     trail.connected = trail.connected && exaggerated;
+    trail.applied = trail.applied && trail.connected;
   });
 }
 
 Result<Document> setConnected(const Document& document, int trailId, bool connected) {
   return changeTrail(document, trailId, [&](rig::Trail& trail) {
     trail.connected = connected;
+    trail.applied = trail.applied && connected;
     trail.exaggerated = trail.exaggerated || connected;
   });
 }
@@ -153,8 +93,13 @@ Result<Document> setFollow(const Document& document, int trailId, bool follow) {
 }
 
 Result<Document> setBlend(const Document& document, int trailId, double blend) {
-  return changeTrail(document, trailId,
-                     [&](rig::Trail& trail) { trail.settings.blend = std::clamp(blend, 0.0, 2.0); });
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  rig::TrailSettings settings = trail->settings;
+  settings.blend = std::clamp(blend, 0.0, 2.0);
+  return setTrailSettings(document, trailId, settings);
 }
 
 Result<Document> setTrailDisplay(const Document& document, int trailId, const TrailDisplay& display) {
@@ -169,7 +114,7 @@ Result<Document> applyTrail(const Document& document, int trailId) {
   return changeTrail(document, trailId, [](rig::Trail& trail) {
     trail.exaggerated = true;
     trail.connected = true;
-    trail.applied = trail.settings;
+    trail.applied = true;
   });
 }
 
@@ -208,6 +153,7 @@ Result<CreatedTrail> pasteTrail(const Document& document, const rig::Trail& copi
     trail.settings = settings;
     trail.exaggerated = copied.exaggerated;
     trail.connected = copied.connected;
+    trail.applied = false;
   });
   if (!changed) {
     return changed.error();

@@ -29,12 +29,6 @@ struct CreatedTrail {
 /// Colours are dealt in turn, so that trails beside each other stay apart.
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 
-/// The trail of this limb and clip (other than `exceptTrailId`) that shares time with [start, end]; null when
-/// there is none.
-[[nodiscard]] const rig::Trail* overlappingTrail(const Document& document, const std::string& limbId,
-                                                 int clip, double startFrame, double endFrame,
-                                                 int exceptTrailId = 0);
-
 /// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
 /// that are not finite.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
@@ -61,8 +55,8 @@ struct TrailDisplay {
 [[nodiscard]] Result<Document> setTrailDisplay(const Document& document, int trailId,
                                                const TrailDisplay& display);
 
-/// Re-keys the clip with the trail as it stands: the character follows it, and the file that is saved holds
-/// the motion.
+/// The artist is done with the trail as it stands: the character follows it, and it goes quiet until it is
+/// changed. Saving keys every connected trail, applied or not.
 [[nodiscard]] Result<Document> applyTrail(const Document& document, int trailId);
 
 /// Gives the range back as the source has it.
@@ -76,9 +70,6 @@ struct TrailDisplay {
 
 /// Marks a clip as a loop, or not: releases wrap.
 [[nodiscard]] Document setLooping(const Document& document, int clip, bool loops);
-
-/// Whether the document has this limb (or chain) and this clip; the error says which it lacks.
-[[nodiscard]] Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip);
 
 /// The error of every edit that names a trail which is not there.
 [[nodiscard]] Error missingTrail(int trailId);

@@ -1,10 +1,9 @@
 #include "app/edits/weight_edits.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "app/edits/trail_edits.h"
-#include "app/schema/weight_description.h"
+#include "app/edits/place_trails.h"
+#include "app/schema/weight_schema.h"
 #include "app/weight/weight_motion.h"
 #include "core/gltf/json.h"
 
@@ -12,13 +11,9 @@ namespace stretch::app {
 
 namespace {
 
-// Numbers that the panel or a caller may have got wrong; files and options are checked where they are read.
 Status validate(const WeightSettings& settings) {
-  WeightSettings scratch;
-  for (const WeightSetting& setting : weightSettings()) {
-    if (const Status valid = setWeightSetting(setting, setting.read(settings), scratch); !valid) {
-      return valid;
-    }
+  if (Status values = checkSettings(weightSchema(), settings); !values) {
+    return values;
   }
   const bool hasLength = !settings.rangeFrames || settings.rangeFrames->x < settings.rangeFrames->y;
   return hasLength ? Status(Success{})

@@ -15,12 +15,9 @@ namespace {
 
 constexpr double toleranceOfHeight = 1e-4; // docs/exaggeration.md, What saving writes
 
-// The document as it was applied: each trail with the settings that it was applied with.
-Document appliedOnly(Document document) {
-  std::erase_if(document.trails, [](const rig::Trail& trail) { return !trail.applied.has_value(); });
-  for (rig::Trail& trail : document.trails) {
-    trail.settings = *trail.applied;
-  }
+// What is seen, and so what is keyed: the trails that the character follows.
+Document connectedOnly(Document document) {
+  std::erase_if(document.trails, [](const rig::Trail& trail) { return !trail.connected; });
   return document;
 }
 
@@ -41,21 +38,21 @@ std::set<int> clipsToKey(const Document& document) {
 
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
   gltf::Edits edits;
-  const Document applied = appliedOnly(document);
+  const Document seen = connectedOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions;
   // Joints and the stretch of a bone may each miss by this, so a vertex by both; and key times and values are
   // rounded to single precision on their way into the file.
   rekeyOptions.tolerance = 0.33 * toleranceOfHeight * document.biped.height;
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
-  for (const int clip : clipsToKey(applied)) {
+  for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =
-        rig::rekey(*applied.scene, clipOf(applied, clip), prepareMotion(applied, clip), rekeyOptions);
+        rig::rekey(*seen.scene, clipOf(seen, clip), prepareMotion(seen, clip), rekeyOptions);
     edits.clips.push_back({clip, std::move(rekeyed.tracks)});
     stretches.push_back({clip, std::move(rekeyed.stretches)});
   }
   if (!options.keepSkeleton) {
-    rig::addBindLeaves(*applied.scene, stretches, edits);
+    rig::addBindLeaves(*seen.scene, stretches, edits);
   }
   if (!options.clean) {
     edits.work = workOf(document);

@@ -15,8 +15,8 @@ struct SaveOptions {
   bool keepSkeleton = false;  ///< Stretch through translations only: the joint list stays as it is.
 };
 
-/// What saving changes in the file: the clips re-keyed with the applied trails and the weight of limbs, bind
-/// leaves, skin slots, and the work.
+/// What saving changes in the file: the clips re-keyed with the connected trails and the weight of limbs,
+/// bind leaves, skin slots, and the work.
 [[nodiscard]] Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options);
 
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.

@@ -5,8 +5,10 @@
 
 #include <fmt/core.h>
 
-#include "app/schema/trail_json.h"
-#include "app/schema/weight_description.h"
+#include "app/edits/place_trails.h"
+#include "app/schema/schema_json.h"
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -25,14 +27,14 @@ const std::vector<std::string>& keysBesideSettings() {
   return keys;
 }
 
-Json trailToJson(const rig::Trail& trail) {
-  Json json = settingsToJson(trail.settings, metres);
+Json savedTrail(const rig::Trail& trail) {
+  Json json = trailToJson(trail.settings, metres);
   json["id"] = trail.id;
   json["limb"] = trail.limb;
   json["clip"] = trail.clip;
   json["exaggerated"] = trail.exaggerated;
   json["connected"] = trail.connected;
-  json["applied"] = trail.applied ? settingsToJson(*trail.applied, metres) : Json(nullptr);
+  json["applied"] = trail.applied;
   json["colour"] = trail.colour;
   json["visible"] = trail.visible;
   json["pinned"] = trail.pinned;
@@ -77,9 +79,23 @@ Error malformed(const std::string& where) {
   return {"is not what this program writes", where, "open the file and set it up again"};
 }
 
-Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
+// Earlier versions kept the settings that the clip was keyed with in the place of the flag, and an applied
+// trail acted whether it was connected or not.
+Status readApplied(const Json& json, rig::Trail& trail) {
+  if (!json.is_object()) {
+    trail.applied = !json.is_null() && json.get<bool>() && trail.connected;
+    return Success{};
+  }
+  rig::TrailSettings keyed = trail.settings;
+  const Status read = trailFromJson(json, metres, {}, keyed);
+  trail.connected = true;
+  trail.applied = keyed == trail.settings;
+  return read;
+}
+
+Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   rig::Trail trail;
-  if (const Status read = settingsFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
+  if (const Status read = trailFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
     return read.error();
   }
   trail.id = json.at("id").get<int>();
@@ -92,11 +108,8 @@ Result<rig::Trail> trailFromJson(const Json& json, const Document& document) {
   trail.pinned = json.at("pinned").get<bool>();
   trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
   trail.follow = json.at("follow").get<bool>();
-  if (!json.at("applied").is_null()) {
-    trail.applied = trail.settings;
-    if (const Status read = settingsFromJson(json.at("applied"), metres, {}, *trail.applied); !read) {
-      return read.error();
-    }
+  if (const Status read = readApplied(json.at("applied"), trail); !read) {
+    return read.error();
   }
   const bool clipExists = trail.clip >= 0 && static_cast<std::size_t>(trail.clip) < document.clips->size();
   if (!clipExists || trail.id <= 0 || trail.colour < 0 || findTrail(document, trail.id) != nullptr) {
@@ -177,12 +190,17 @@ Status restoreParts(const Json& work, Document& document) {
     }
   }
   for (const Json& json : work.at("trails")) {
-    Result<rig::Trail> trail = trailFromJson(json, document);
+    const Result<rig::Trail> trail = trailOfWork(json, document);
     if (!trail) {
       return trail.error();
     }
     document.nextTrailId = std::max(document.nextTrailId, trail->id + 1);
-    document.trails.push_back(std::move(*trail));
+    Result<PlacedTrails> placed = placeTrails(document, {&*trail, 1}, Entry::file);
+    if (placed) {
+      document = std::move(placed->document);
+    } else {
+      document.warnings.push_back("a trail kept in the file is left out: " + placed.error().line());
+    }
   }
   for (const Json& json : work.value("elastic", Json::array())) {
     Result<WeightedLimb> entry = weightedLimbFromJson(json, document);
@@ -211,7 +229,7 @@ Json workOf(const Document& document) {
   work["chains"] = limbsToJson(document.chains);
   work["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
-    work["trails"].push_back(trailToJson(trail));
+    work["trails"].push_back(savedTrail(trail));
   }
   for (const WeightedLimb& entry : document.weights) {
     work["elastic"].push_back(weightedLimbToJson(entry));

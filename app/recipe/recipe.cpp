@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include "app/batch/options.h"
-#include "app/schema/trail_json.h"
-#include "app/schema/weight_description.h"
+#include "app/named.h"
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 #include "rig/motion/motion.h"
 
@@ -19,18 +19,23 @@ using gltf::Json;
 
 constexpr int recipeVersion = 1;
 
-Error unknownKey(const std::string& key) {
-  return {"is no key of a recipe", key, "remove it, or correct its name"};
+// The error with the entry of the recipe that it is in.
+Error inEntry(const std::string& entry, const Error& error) {
+  return {error.what, error.where.empty() ? entry : entry + "." + error.where, error.remedy};
+}
+
+std::string entryName(const char* list, std::size_t index) {
+  return fmt::format("{}[{}]", list, index);
 }
 
 Status checkKeys(const Json& json) {
   const std::vector<std::string> known{"version", "clip", "units", "trails", "props", "elastic"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      return unknownKey(key);
+      return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
     }
     if (key == "props" && !(value.is_array() && value.empty())) {
-      return Error{"is not played by this version", key, "leave it out or give an empty list"};
+      return Error{"this version does not play them", key, "leave them out, or give an empty list"};
     }
   }
   if (!json.contains("version") || json["version"] != recipeVersion) {
@@ -41,17 +46,17 @@ Status checkKeys(const Json& json) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
   }
   if (json.contains("elastic") && !json["elastic"].is_array()) {
-    return Error{"is no list", "elastic", "give a list of {\"limb\": ..., settings}"};
+    return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
   }
   return Success{};
 }
 
 Status readFractions(const Json& json, const Clip& clip, rig::TrailSettings& settings) {
   const bool wellFormed = json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number() &&
-                          json[0].get<double>() >= 0.0 && json[0].get<double>() <= json[1].get<double>() &&
+                          json[0].get<double>() >= 0.0 && json[0].get<double>() < json[1].get<double>() &&
                           json[1].get<double>() <= 1.0;
   if (!wellFormed) {
-    return Error{json.dump() + " is no part of a clip", "range_of_clip",
+    return Error{json.dump() + " is not a part of a clip", "range_of_clip",
                  "give two fractions in order, such as [0.2, 0.5]"};
   }
   const double last = clip.endSeconds * clip.framesPerSecond;
@@ -60,11 +65,36 @@ Status readFractions(const Json& json, const Clip& clip, rig::TrailSettings& set
   return Success{};
 }
 
-Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& document) {
+// The limb that an entry names; a chain joins the document.
+Result<rig::Limb> limbOf(const Json& json, Document& document) {
   if (!json.is_object() || !json.contains("limb") || !json["limb"].is_string()) {
-    return Error{"a trail names no limb", "trails", "give \"limb\", such as \"left-arm\""};
+    return Error{"names no limb", "", "give \"limb\", such as \"left-arm\""};
   }
-  const Result<rig::Limb> limb = findOrAddLimb(document, json["limb"].get<std::string>());
+  return findOrAddLimb(document, json["limb"].get<std::string>(), "limb");
+}
+
+Status readColour(const Json& json, rig::Trail& trail) {
+  if (!json.is_number_integer() || json.get<int>() < 0) {
+    return Error{json.dump() + " is not a colour", "colour", "give the number of a trail colour, from 0"};
+  }
+  trail.colour = json.get<int>();
+  return Success{};
+}
+
+Status readTrailRange(const Json& json, const rig::Limb& limb, const Document& document, rig::Trail& trail) {
+  if (json.contains("range_of_clip")) {
+    return readFractions(json["range_of_clip"], clipOf(document, trail.clip), trail.settings);
+  }
+  if (!json.contains("range")) {
+    const Vec2 range = rig::defaultRange(*document.scene, clipOf(document, trail.clip), limb);
+    trail.settings.startFrame = range.x;
+    trail.settings.endFrame = range.y;
+  }
+  return Success{};
+}
+
+Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& document) {
+  const Result<rig::Limb> limb = limbOf(json, document);
   if (!limb) {
     return limb.error();
   }
@@ -72,35 +102,18 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   trail.limb = limb->id;
   trail.clip = clip;
   const double lengthUnit = inMetres ? 1.0 : limb->restLength;
-  const Status read = settingsFromJson(json, lengthUnit, {"limb", "range_of_clip", "colour"}, trail.settings);
-  if (!read) {
-    return read.error();
+  Status read = trailFromJson(json, lengthUnit, {"limb", "range_of_clip", "colour"}, trail.settings);
+  if (read && json.contains("colour")) {
+    read = readColour(json["colour"], trail);
   }
-  if (json.contains("colour")) {
-    if (!json["colour"].is_number_integer()) {
-      return Error{json["colour"].dump() + " is no colour", "colour",
-                   "give the number of a trail colour, from 0"};
-    }
-    trail.colour = json["colour"].get<int>();
+  if (read) {
+    read = readTrailRange(json, *limb, document, trail);
   }
-  if (json.contains("range_of_clip")) {
-    if (const Status part = readFractions(json["range_of_clip"], clipOf(document, clip), trail.settings);
-        !part) {
-      return part.error();
-    }
-  } else if (!json.contains("range")) {
-    const Vec2 range = rig::defaultRange(*document.scene, clipOf(document, clip), *limb);
-    trail.settings.startFrame = range.x;
-    trail.settings.endFrame = range.y;
-  }
-  return trail;
+  return read ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(read.error());
 }
 
-Result<WeightedLimb> weightsOf(const Json& json, int clip, Document& document) {
-  if (!json.is_object() || !json.contains("limb") || !json["limb"].is_string()) {
-    return Error{"an entry names no limb", "elastic", "give \"limb\", such as \"left-arm\""};
-  }
-  const Result<rig::Limb> limb = findOrAddLimb(document, json["limb"].get<std::string>());
+Result<WeightedLimb> weightOf(const Json& json, int clip, Document& document) {
+  const Result<rig::Limb> limb = limbOf(json, document);
   if (!limb) {
     return limb.error();
   }
@@ -109,41 +122,49 @@ Result<WeightedLimb> weightsOf(const Json& json, int clip, Document& document) {
   return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }
 
+// Every entry of a list that may be left out, each made by `make`.
+template <typename Entry, typename Make>
+Status readList(const Json& recipe, const char* list, std::vector<Entry>& entries, Make&& make) {
+  const Json items = recipe.value(list, Json::array());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Result<Entry> entry = make(items[i]);
+    if (!entry) {
+      return inEntry(entryName(list, i), entry.error());
+    }
+    entries.push_back(std::move(*entry));
+  }
+  return Success{};
+}
+
 } // namespace
 
 Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   if (!json.is_object()) {
-    return Error{"is no JSON object", "recipe", "see the documentation of recipes"};
+    return Error{"is not a JSON object", "recipe", "give {\"version\": 1, \"trails\": [...]}"};
   }
   if (const Status keys = checkKeys(json); !keys) {
     return keys.error();
   }
   const bool namesClip = json.contains("clip") && json["clip"].is_string();
-  const Result<int> clip = findClip(document, namesClip ? json["clip"].get<std::string>() : std::string());
+  const Result<int> clip =
+      findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
   if (!clip) {
     return clip.error();
   }
   const Json units = json.value("units", Json("limb_lengths"));
   if (units != "metres" && units != "limb_lengths") {
-    return Error{units.dump() + " is no unit of a recipe", "units", "give \"metres\" or \"limb_lengths\""};
+    return Error{units.dump() + " is not a unit of a recipe", "units", "give \"metres\" or \"limb_lengths\""};
   }
   Recipe recipe;
   recipe.clip = *clip;
-  for (const Json& entry : json["trails"]) {
-    Result<rig::Trail> trail = trailOf(entry, *clip, units == "metres", document);
-    if (!trail) {
-      return trail.error();
-    }
-    recipe.trails.push_back(std::move(*trail));
+  Status read = readList(json, "trails", recipe.trails, [&](const Json& entry) {
+    return trailOf(entry, *clip, units == "metres", document);
+  });
+  if (read) {
+    read = readList(json, "elastic", recipe.weights,
+                    [&](const Json& entry) { return weightOf(entry, *clip, document); });
   }
-  for (const Json& entry : json.value("elastic", Json::array())) {
-    Result<WeightedLimb> limb = weightsOf(entry, *clip, document);
-    if (!limb) {
-      return limb.error();
-    }
-    recipe.weights.push_back(std::move(*limb));
-  }
-  return recipe;
+  return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
 
 Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document) {
@@ -153,9 +174,13 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document)
   }
   const Json json = Json::parse(file, nullptr, false);
   if (json.is_discarded()) {
-    return Error{"is not JSON", path.string(), "correct it"};
+    return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
   }
-  return recipeFromJson(json, document);
+  Result<Recipe> recipe = recipeFromJson(json, document);
+  if (!recipe) {
+    return Error{recipe.error().what, path.string() + ": " + recipe.error().where, recipe.error().remedy};
+  }
+  return recipe;
 }
 
 Json recipeToJson(const Document& document, int clip) {
@@ -166,7 +191,7 @@ Json recipeToJson(const Document& document, int clip) {
   for (const rig::Trail& trail : document.trails) {
     const rig::Limb* const limb = findLimb(document, trail.limb);
     if (trail.clip == clip && limb != nullptr) {
-      Json entry = settingsToJson(trail.settings, limb->restLength);
+      Json entry = trailToJson(trail.settings, limb->restLength);
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
       json["trails"].push_back(std::move(entry));

@@ -1,10 +1,7 @@
-#include "app/schema/trail_json.h"
-
 #include <algorithm>
 
-#include <fmt/core.h>
-
-#include "core/gltf/json.h"
+#include "app/schema/schema_json.h"
+#include "app/schema/trail_schema.h"
 
 namespace stretch::app {
 
@@ -24,7 +21,8 @@ Json spheresToJson(const std::vector<rig::SphereOffset>& spheres, double lengthU
 Status readRange(const Json& json, TrailSettings& settings) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number() ||
       json[0].get<double>() > json[1].get<double>()) {
-    return Error{json.dump() + " is no range", "range", "give the first and the last frame, such as [0, 12]"};
+    return Error{json.dump() + " is not a range", "range",
+                 "give the first and the last frame, such as [0, 12]"};
   }
   settings.startFrame = json[0].get<double>();
   settings.endFrame = json[1].get<double>();
@@ -33,13 +31,13 @@ Status readRange(const Json& json, TrailSettings& settings) {
 
 Status readSpheres(const Json& json, double lengthUnit, TrailSettings& settings) {
   if (!json.is_array()) {
-    return Error{"is no list", "spheres", "give a list of {\"frame\", \"offset\"}"};
+    return Error{"is not a list", "spheres", "give a list of {\"frame\", \"offset\"}"};
   }
   std::vector<rig::SphereOffset> spheres;
   for (const Json& entry : json) {
     if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() ||
         !entry.contains("offset")) {
-      return Error{entry.dump() + " is no sphere", "spheres",
+      return Error{entry.dump() + " is not a sphere", "spheres",
                    "give {\"frame\": number, \"offset\": [x, y, z]}"};
     }
     const Result<Vec3> offset = vectorFromJson(entry["offset"], "spheres");
@@ -59,7 +57,7 @@ Status readStopPlane(const Json& json, TrailSettings& settings) {
     return Success{};
   }
   if (!json.is_object() || !json.contains("point") || !json.contains("normal")) {
-    return Error{json.dump() + " is no plane", "stop_at",
+    return Error{json.dump() + " is not a plane", "stop_at",
                  "give {\"point\": [x, y, z], \"normal\": [x, y, z]}"};
   }
   const Result<Vec3> point = vectorFromJson(json["point"], "stop_at.point");
@@ -73,7 +71,7 @@ Status readStopPlane(const Json& json, TrailSettings& settings) {
 
 Status readViewAxes(const Json& json, TrailSettings& settings) {
   if (!json.is_array() || json.size() != 3) {
-    return Error{json.dump() + " is no set of axes", "view_axes", "give three vectors"};
+    return Error{json.dump() + " is not a set of axes", "view_axes", "give three vectors"};
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const Result<Vec3> axis = vectorFromJson(json[i], "view_axes");
@@ -98,31 +96,15 @@ Status readOther(const std::string& key, const Json& value, double lengthUnit, T
   if (key == "view_axes") {
     return readViewAxes(value, settings);
   }
-  return Error{"is no setting of a trail", key, "remove it, or correct its name"};
+  return Error{"is not a setting of a trail", key, "remove it, or correct its name"};
 }
 
 } // namespace
 
-Json vectorToJson(const Vec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
-
-Result<Vec3> vectorFromJson(const Json& json, const std::string& where) {
-  const bool isVector =
-      json.is_array() && json.size() == 3 &&
-      std::all_of(json.begin(), json.end(), [](const Json& number) { return number.is_number(); });
-  if (!isVector) {
-    return Error{json.dump() + " is no vector", where, "give three numbers"};
-  }
-  return Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
-}
-
-Json settingsToJson(const TrailSettings& settings, double lengthUnit) {
+Json trailToJson(const TrailSettings& settings, double lengthUnit) {
   Json json;
   json["range"] = Json::array({settings.startFrame, settings.endFrame});
-  for (const TrailSetting& setting : trailSettings()) {
-    json[setting.name] = setting.read(settings);
-  }
+  writeSettings(trailSchema(), settings, json);
   json["spheres"] = spheresToJson(settings.spheres, lengthUnit);
   if (settings.stopAt) {
     json["stop_at"] = {{"point", vectorToJson(settings.stopAt->point)},
@@ -135,25 +117,15 @@ Json settingsToJson(const TrailSettings& settings, double lengthUnit) {
   return json;
 }
 
-Status settingsFromJson(const Json& json, double lengthUnit, const std::vector<std::string>& allowed,
-                        TrailSettings& settings) {
+Status trailFromJson(const Json& json, double lengthUnit, const std::vector<std::string>& allowed,
+                     TrailSettings& settings) {
   if (!json.is_object()) {
-    return Error{json.dump() + " is no set of settings", "trails", "give an object"};
+    return Error{json.dump() + " is not a set of settings", "trails", "give an object"};
   }
-  for (const auto& [key, value] : json.items()) {
-    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) {
-      continue;
-    }
-    const std::string& name = key;
-    const auto known = std::find_if(trailSettings().begin(), trailSettings().end(),
-                                    [&](const TrailSetting& setting) { return setting.name == name; });
-    const Status read = known != trailSettings().end() ? setTrailSetting(*known, value, settings)
-                                                       : readOther(key, value, lengthUnit, settings);
-    if (!read) {
-      return read;
-    }
-  }
-  return Success{};
+  return readSettings(json, trailSchema(), settings, [&](const std::string& key, const Json& value) {
+    const bool isCallers = std::find(allowed.begin(), allowed.end(), key) != allowed.end();
+    return isCallers ? Status(Success{}) : readOther(key, value, lengthUnit, settings);
+  });
 }
 
 } // namespace stretch::app

@@ -216,7 +216,7 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   solved.topology = before != nullptr
                         ? before->topology
                         : limbTopology(*input.scene, limb, input.limbs, bindPoseWorlds(*input.scene));
-  solved.active = trail.connected || trail.applied.has_value();
+  solved.active = trail.connected;
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;

@@ -82,11 +82,11 @@ struct Trail {
   std::string limb; ///< Limb::id.
   int clip = 0;     ///< Index into the file's animations.
   TrailSettings settings;
-  bool exaggerated = false;             ///< An exaggerated copy exists beside the original path.
-  bool connected = false;               ///< The character follows the exaggerated copy.
-  std::optional<TrailSettings> applied; ///< What the clip was re-keyed with; the trail is quiet while it
-                                        ///< equals `settings`.
-  int colour = 0;                       ///< Index into the palette of trails.
+  bool exaggerated = false; ///< An exaggerated copy exists beside the original path.
+  bool connected = false;   ///< The character follows the exaggerated copy.
+  bool applied = false;     ///< The artist is done with it: connected, and quiet until it is
+                            ///< changed. Saving does not ask.
+  int colour = 0;           ///< Index into the palette of trails.
   bool visible = true;
   bool pinned = false; ///< Drawn even when its limb is not selected.
   /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (docs/exaggeration.md,

@@ -9,9 +9,8 @@
 
 #include "app/document.h"
 #include "app/recipe/recipe.h"
-#include "app/schema/trail_description.h"
-#include "app/schema/trail_json.h"
-#include "app/schema/weight_description.h"
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 
 using namespace stretch;
@@ -45,10 +44,12 @@ std::vector<std::string> rowOf(const std::string& text, const std::string& key) 
   return {};
 }
 
-std::vector<std::string> wantedValues(const TrailSetting& setting) {
+std::vector<std::string> wantedValues(const SettingFacts& setting) {
   switch (setting.kind) {
   case SettingKind::number:
+  case SettingKind::whole:
   case SettingKind::optionalNumber:
+  case SettingKind::vector:
     return {fmt::format("{:g} to {:g}", setting.minimum, setting.maximum)};
   case SettingKind::flag:
     return {"`true`", "`false`"};
@@ -60,27 +61,41 @@ std::vector<std::string> wantedValues(const TrailSetting& setting) {
     break;
   }
   std::vector<std::string> values;
-  for (const std::string& choice : setting.choices) {
-    values.push_back("`" + choice + "`");
+  for (const SettingChoice& choice : setting.choices) {
+    values.push_back("`" + choice.name + "`");
   }
   return values;
 }
 
+/// Without code marks, quotes and spaces.
 std::string plain(const std::string& cell) {
   std::string text;
   for (const char letter : cell) {
-    if (letter != '`' && letter != '"') {
+    if (letter != '`' && letter != '"' && letter != ' ') {
       text += letter;
     }
   }
   return text;
 }
 
-std::string defaultText(const gltf::Json& value) {
-  if (value.is_array()) {
-    return fmt::format("[{:g}, {:g}]", value[0].get<double>(), value[1].get<double>());
+std::string defaultText(const SettingFacts& setting) {
+  std::string text = plain(setting.standard);
+  for (std::size_t zeros = text.find(".0"); zeros != std::string::npos; zeros = text.find(".0")) {
+    text.erase(zeros, 2); // "1.0" is documented as "1"
   }
-  return value.is_number() ? fmt::format("{:g}", value.get<double>()) : plain(value.dump());
+  return text;
+}
+
+/// Whether the row says of the setting what the program does.
+void checkRow(const std::string& text, const SettingFacts& setting) {
+  INFO(setting.name);
+  const std::vector<std::string> cells = rowOf(text, setting.name);
+  REQUIRE(cells.size() == 5);
+  CHECK(plain(cells[1]) == setting.option);
+  for (const std::string& value : wantedValues(setting)) {
+    CHECK_THAT(cells[2], Catch::Contains(value));
+  }
+  CHECK(plain(cells[3]) == defaultText(setting));
 }
 
 Document dummy() {
@@ -93,28 +108,11 @@ Document dummy() {
 
 TEST_CASE("the documentation of recipes has a row for every setting, as the program takes it") {
   const std::string text = textOf(documentation);
-  for (const TrailSetting& setting : trailSettings()) {
-    INFO(setting.name);
-    const std::vector<std::string> cells = rowOf(text, setting.name);
-    REQUIRE(cells.size() == 5);
-    CHECK(plain(cells[1]) == (setting.option.empty() ? "--no-" + setting.name : setting.option));
-    for (const std::string& value : wantedValues(setting)) {
-      CHECK_THAT(cells[2], Catch::Contains(value));
-    }
-    CHECK(plain(cells[3]) == defaultText(setting.read(rig::TrailSettings{})));
+  for (const SettingFacts& setting : trailSchema()) {
+    checkRow(text, setting);
   }
-}
-
-TEST_CASE("the documentation of recipes has a row for every setting of a limb's weight") {
-  const std::string text = textOf(documentation);
-  for (const WeightSetting& setting : weightSettings()) {
-    INFO(setting.name);
-    const std::vector<std::string> cells = rowOf(text, setting.name);
-    REQUIRE(cells.size() == 5);
-    CHECK(plain(cells[1]) == setting.option);
-    CHECK_THAT(cells[2], Catch::Contains(fmt::format("{:g} to {:g}", setting.minimum, setting.maximum)));
-    const gltf::Json value = setting.read(WeightSettings{});
-    CHECK(plain(cells[3]) == (value.is_array() ? "[0, -9.81, 0]" : defaultText(value)));
+  for (const SettingFacts& setting : weightSchema()) {
+    checkRow(text, setting);
   }
   for (const char* const key : {"moduli", "elastic"}) {
     CHECK_FALSE(rowOf(text, key).empty());

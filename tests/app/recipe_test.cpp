@@ -75,19 +75,19 @@ TEST_CASE("What a recipe cannot say is refused in a line that names it") {
   }
   SECTION("an unknown setting") {
     json["trails"][0]["scael"] = 2;
-    place = "scael";
+    place = "trails[0].scael";
   }
   SECTION("a value out of range") {
     json["trails"][0]["blend"] = 3;
-    place = "blend";
+    place = "trails[0].blend";
   }
   SECTION("a range that runs backwards") {
     json["trails"][0]["range"] = {10, 0};
-    place = "range";
+    place = "trails[0].range";
   }
   SECTION("a part of the clip beyond its end") {
     json["trails"][0]["range_of_clip"] = {0.5, 1.5};
-    place = "range_of_clip";
+    place = "trails[0].range_of_clip";
   }
   SECTION("another version") {
     json["version"] = 9;
@@ -95,7 +95,7 @@ TEST_CASE("What a recipe cannot say is refused in a line that names it") {
   }
   SECTION("no limb") {
     json["trails"][0].erase("limb");
-    place = "trails";
+    place = "trails[0]";
   }
   SECTION("an unknown unit") {
     json["units"] = "feet";
@@ -113,13 +113,13 @@ TEST_CASE("A recipe written from a document makes the same trails in it again") 
   json["trails"][0]["spheres"] = {{{"frame", 5}, {"offset", {0, 0.5, 0}}}};
   const Result<Recipe> recipe = recipeFromJson(json, document);
   REQUIRE(recipe);
-  const Result<Document> edited = withRecipe(document, *recipe);
+  const Result<PlacedTrails> edited = withRecipe(document, *recipe);
   REQUIRE(edited);
   Document fresh = test::boxer();
-  const Result<Recipe> again = recipeFromJson(recipeToJson(*edited, 0), fresh);
+  const Result<Recipe> again = recipeFromJson(recipeToJson(edited->document, 0), fresh);
   REQUIRE(again);
   REQUIRE(again->trails.size() == 1);
-  CHECK(again->trails[0].settings == edited->trails[0].settings);
+  CHECK(again->trails[0].settings == edited->document.trails[0].settings);
 }
 
 TEST_CASE("A file that is no recipe is told by its name") {

@@ -133,12 +133,20 @@ TEST_CASE("A file that carries our work is saved back to itself") {
   CHECK(Session(*opened).savePath().empty());
 }
 
-TEST_CASE("A trail waits to be applied from its connecting on, and after each change") {
+TEST_CASE("A trail that the character does not follow is counted as left out of the motion") {
   const Document connected = withTrail(test::boxer(), 2.0);
-  CHECK(unappliedTrails(test::boxer()) == 0);
-  CHECK(unappliedTrails(connected) == 1);
-  const Result<Document> applied = applyTrail(connected, connected.trails.front().id);
-  REQUIRE(applied);
-  CHECK(unappliedTrails(*applied) == 0);
-  CHECK(unappliedTrails(scaled(*applied, 3.0)) == 1);
+  CHECK(disconnectedTrails(test::boxer()) == 0);
+  CHECK(disconnectedTrails(connected) == 0);
+  CHECK(disconnectedTrails(*setConnected(connected, connected.trails.front().id, false)) == 1);
+}
+
+TEST_CASE("An applied trail is opened again by a change, and by disconnecting it") {
+  const Document connected = withTrail(test::boxer(), 2.0);
+  const int id = connected.trails.front().id;
+  const Document applied = *applyTrail(connected, id);
+  CHECK(findTrail(applied, id)->applied);
+  CHECK(findTrail(*setTrailSettings(applied, id, findTrail(applied, id)->settings), id)->applied);
+  CHECK_FALSE(findTrail(scaled(applied, 3.0), id)->applied);
+  CHECK_FALSE(findTrail(*setConnected(applied, id, false), id)->applied);
+  CHECK_FALSE(findTrail(*setExaggerated(applied, id, false), id)->applied);
 }

@@ -20,7 +20,7 @@
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"
-#include "app/schema/weight_description.h"
+#include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -222,9 +222,9 @@ TEST_CASE("recipes hold weight and give it to another document") {
   Document plain = opened(dummyPath);
   const Result<Recipe> recipe = recipeFromJson(recipeToJson(document, 0), plain);
   REQUIRE(recipe.ok());
-  const Result<Document> taken = withRecipe(plain, *recipe);
+  const Result<PlacedTrails> taken = withRecipe(plain, *recipe);
   REQUIRE(taken.ok());
-  CHECK(taken->weights == document.weights);
+  CHECK(taken->document.weights == document.weights);
   gltf::Json wrong = recipeToJson(document, 0);
   wrong["elastic"][0]["stifness"] = 2.0;
   const Result<Recipe> refused = recipeFromJson(wrong, plain);
@@ -249,22 +249,6 @@ TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
   wrong = {};
   wrong.rangeFrames = Vec2(9.0, 9.0);
   CHECK_FALSE(setWeight(start, {"left-arm", 0, true, wrong}));
-}
-
-TEST_CASE("every setting of weight goes through text and JSON") {
-  for (const WeightSetting& setting : weightSettings()) {
-    INFO(setting.name);
-    const std::string text = setting.kind == WeightSettingKind::vector ? "1,-2.5,0" : "1";
-    const Result<gltf::Json> value = parseWeightText(setting, text);
-    REQUIRE(value.ok());
-    WeightSettings settings;
-    REQUIRE(setWeightSetting(setting, *value, settings));
-    CHECK(setting.read(settings) == *value);
-    CHECK_FALSE(setWeightSetting(setting, "much", settings));
-    WeightSettings read;
-    REQUIRE(weightFromJson(weightToJson(settings), {}, read));
-    CHECK(read == settings);
-  }
 }
 
 TEST_CASE("the verb elastic writes a file that check accepts, the same bytes each time") {

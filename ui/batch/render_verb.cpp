@@ -9,9 +9,9 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
+#include "app/edits/recipe_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/recipe/recipe.h"
-#include "app/schema/trail_description.h"
+#include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/character_pictures.h"
@@ -26,7 +26,6 @@ namespace {
 struct RenderArguments {
   app::FileArguments input;
   std::string output;
-  std::string clip;
   std::string frame;
   std::string frames;
   std::string size = "1280x720";
@@ -45,7 +44,7 @@ struct PixelSize {
 
 Result<PixelSize> parseSize(const std::string& text) {
   const std::size_t times = text.find('x');
-  const Error wrong{"'" + text + "' is no size", "--size",
+  const Error wrong{"'" + text + "' is not a size", "--size",
                     "give width and height in pixels from 16 to 8192, such as 1280x720"};
   if (times == std::string::npos) {
     return wrong;
@@ -74,20 +73,20 @@ Result<ViewDirection> parseView(const std::string& text) {
 Result<std::vector<double>> parseFrames(const std::string& text) {
   const std::size_t first = text.find(':');
   const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
-  const Result<Vec2> range = app::parseRange(text.substr(0, second));
+  const Result<Vec2> range = app::parseRange(text.substr(0, second), "--frames");
   if (!range) {
-    return Error{range.error().what, "--frames", range.error().remedy};
+    return range.error();
   }
   const Result<double> step = second == std::string::npos
                                   ? Result<double>(1.0)
                                   : app::parseNumber(text.substr(second + 1), "--frames");
   if (!step || *step <= 0.0) {
-    return Error{"the step is no positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
+    return Error{"the step is not a positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
   }
   constexpr double mostPictures = 100000.0;
   const double count = std::floor((range->y - range->x) / *step + 1e-9);
   if (count > mostPictures) {
-    return Error{"too many pictures", "--frames", "give a larger step"};
+    return Error{"more than 100000 pictures", "--frames", "give a larger step"};
   }
   std::vector<double> frames;
   for (double i = 0.0; i <= count; i += 1.0) {
@@ -126,15 +125,12 @@ Status takeTrails(const RenderArguments& arguments, app::Document& document, int
   if (!recipe) {
     return recipe.error();
   }
-  clip = recipe->clip;
-  document.trails.clear();
-  for (rig::Trail trail : recipe->trails) {
-    trail.id = document.nextTrailId++;
-    trail.exaggerated = true;
-    trail.connected = true;
-    document.trails.push_back(std::move(trail));
+  Result<app::PlacedTrails> placed = app::withRecipe(document, *recipe);
+  if (!placed) {
+    return placed.error();
   }
-  document.weights = recipe->weights;
+  clip = recipe->clip;
+  document = std::move(placed->document);
   return Success{};
 }
 
@@ -168,7 +164,7 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
     return size ? view.error() : size.error();
   }
   if (std::filesystem::path(arguments.output).extension() != ".png") {
-    return Error{"a picture has to end in .png", arguments.output, "give it such a name"};
+    return Error{"a picture has to end in .png", arguments.output, "name it so"};
   }
   PictureOptions options;
   options.widthPixels = size->width;
@@ -178,7 +174,8 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
 }
 
 Status renderSequence(const RenderArguments& arguments) {
-  if (!arguments.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 || arguments.skeleton) {
+  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 ||
+      arguments.skeleton) {
     return Error{"a mesh sequence has no clips, trails, ghosts or skeleton", "render",
                  "leave --clip, --trails, --ghosts and --skeleton out"};
   }
@@ -216,8 +213,8 @@ Status renderCharacter(const RenderArguments& arguments) {
     return document ? options.error() : document.error();
   }
   int clip = document->clips->empty() ? -1 : 0;
-  if (!arguments.clip.empty()) {
-    const Result<int> named = app::findClip(*document, arguments.clip);
+  if (!arguments.input.clip.empty()) {
+    const Result<int> named = app::clipOfArguments(arguments.input, *document);
     if (!named) {
       return named.error();
     }
@@ -262,13 +259,12 @@ app::Verb renderVerb() {
         const auto arguments = std::make_shared<RenderArguments>();
         app::addFileArguments(line, arguments->input);
         line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN").required();
-        line.option("--clip", arguments->clip, "Name or #index of the clip; default: the first");
+        app::addClipArguments(line, arguments->input);
         const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
         line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
         line.flag("--sheet", arguments->sheet, "All frames on one contact sheet");
         line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
         line.option("--view", arguments->view, "front, side, top or three-quarter").showDefault();
-        app::addFramesPerSecond(line, arguments->input);
         line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
         line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
             .between(0, 20);

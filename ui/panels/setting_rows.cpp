@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/schema/trail_description.h"
+#include "app/schema/trail_schema.h"
 #include "ui/widgets/dropdown.h"
 
 namespace stretch::ui {
@@ -43,10 +43,8 @@ void setStop(PanelContext& context, const EditPhase& phase, const std::optional<
 } // namespace
 
 Help settingHelp(const std::string& setting, const std::string& title) {
-  const std::vector<app::TrailSetting>& table = app::trailSettings();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const app::TrailSetting& s) { return s.name == setting; });
-  return {title, found != table.end() ? found->help : std::string(), {}};
+  const app::SettingFacts* const known = app::findSetting(app::trailSchema(), setting);
+  return {title, known != nullptr ? known->help : std::string(), {}};
 }
 
 void numberRow(PanelContext& context, const NumberRow& row, const TrailSettings& settings,

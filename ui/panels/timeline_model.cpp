@@ -45,7 +45,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   bar.colour = trailColour(trail.colour);
   bar.label = limbHeading(session.document(), trail.limb);
   bar.selected = session.view().selectedTrail == trail.id;
-  bar.active = app::isActive(trail);
+  bar.active = trail.connected;
   return bar;
 }
 

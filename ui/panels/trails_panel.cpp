@@ -16,7 +16,7 @@ constexpr float trailRowHeight = 42.0F;
 
 std::string stateText(const rig::Trail& trail) {
   if (trail.applied) {
-    return *trail.applied == trail.settings ? "applied" : "changed since Apply";
+    return "applied";
   }
   return trail.connected ? "connected" : trail.exaggerated ? "not connected" : "path only";
 }
@@ -34,10 +34,10 @@ const char* nextStep(const app::Session& session) {
   if (trail == nullptr || !trail->exaggerated) {
     return command::trailExaggerate;
   }
-  if (!trail->connected && !trail->applied) {
+  if (!trail->connected) {
     return command::trailConnect;
   }
-  return trail->applied && *trail->applied == trail->settings ? "" : command::trailApply;
+  return trail->applied ? "" : command::trailApply;
 }
 
 void actions(PanelContext& context) {

@@ -9,7 +9,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/weight_edits.h"
-#include "app/schema/weight_description.h"
+#include "app/schema/weight_schema.h"
 #include "app/weight/weight_motion.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
@@ -28,10 +28,8 @@ using Change = std::function<void(WeightSettings&)>;
 constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
 
 Help helpOf(const std::string& setting, const std::string& title) {
-  const std::vector<app::WeightSetting>& table = app::weightSettings();
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const app::WeightSetting& s) { return s.name == setting; });
-  return {title, found != table.end() ? found->help : std::string(), {}};
+  const app::SettingFacts* const known = app::findSetting(app::weightSchema(), setting);
+  return {title, known != nullptr ? known->help : std::string(), {}};
 }
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,

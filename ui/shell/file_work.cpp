@@ -127,10 +127,10 @@ void takeLoaded(Shell& shell) {
 void saved(Shell& shell, const fs::path& path, bool clean) {
   tell(shell, ToastKind::success,
        fmt::format("{} {}", clean ? "Exported" : "Saved", path.filename().string()));
-  if (const std::size_t waiting = app::unappliedTrails(shell.session->document()); waiting > 0) {
+  if (const std::size_t waiting = app::disconnectedTrails(shell.session->document()); waiting > 0) {
     tell(shell, ToastKind::warning,
-         fmt::format("{} {} not applied: other programs play the file without {}. Enter applies the selected "
-                     "one.",
+         fmt::format("{} {} not connected: the file keeps {}, other programs play it without. C connects the "
+                     "selected one.",
                      waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
   }
   if (clean) {

@@ -24,12 +24,12 @@ void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::error, recipe.error().line());
     return;
   }
-  Result<app::Document> changed = app::withRecipe(document, *recipe);
+  Result<app::PlacedTrails> changed = app::withRecipe(document, *recipe);
   if (!changed) {
     tell(shell, ToastKind::error, changed.error().line());
     return;
   }
-  shell.session->edit(std::move(changed).value(), "Replay a recipe");
+  shell.session->edit(std::move(changed->document), "Replay a recipe");
   shell.session->view().clip = recipe->clip;
   tell(shell, ToastKind::success, fmt::format("{} trails from the recipe", recipe->trails.size()));
 }

@@ -72,7 +72,7 @@ std::optional<std::string> trailState(const rig::Trail& trail, std::string_view 
       {"trail.connected", yesNo(trail.connected)},
       {"trail.follow", yesNo(trail.follow)},
       {"trail.visible", yesNo(trail.visible)},
-      {"trail.applied", yesNo(trail.applied == settings)},
+      {"trail.applied", yesNo(trail.applied)},
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);

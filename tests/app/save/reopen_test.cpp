@@ -152,6 +152,29 @@ TEST_CASE("A saved file opens as it was left, and gives the source back when its
   CHECK(bytesOf(folder.path() / "back.glb") == bytesOf(folder.path() / "source.glb"));
 }
 
+TEST_CASE("Saving writes what is seen: a connected trail is keyed as it stands, applied or not") {
+  const test::TemporaryFolder folder;
+  const Document source = opened(dummyPath);
+  const Document applied = stretched(source, {"left-arm", 12.0, 27.0, 2.0});
+  const int id = applied.trails.front().id;
+  saved(stretched(source, {"left-arm", 12.0, 27.0, 3.0}), folder / "three.glb", true);
+  rig::TrailSettings settings = applied.trails.front().settings;
+  settings.scale = 3.0;
+  saved(orFail(setTrailSettings(applied, id, settings)), folder / "changed.glb", true);
+  CHECK(bytesOf(folder / "changed.glb") == bytesOf(folder / "three.glb"));
+}
+
+TEST_CASE("A trail that the character does not follow is kept in the file and not keyed") {
+  const test::TemporaryFolder folder;
+  const Document source = opened(dummyPath);
+  const Document applied = stretched(source, {"left-arm", 12.0, 27.0, 2.0});
+  const Document loose = orFail(setConnected(applied, applied.trails.front().id, false));
+  saved(loose, folder / "loose-clean.glb", true);
+  saved(source, folder / "source.glb", true);
+  CHECK(bytesOf(folder / "loose-clean.glb") == bytesOf(folder / "source.glb"));
+  CHECK(opened(saved(loose, folder / "loose.glb")).trails == loose.trails);
+}
+
 TEST_CASE("A trail changed in a saved file gives what it would have given from the start") {
   const test::TemporaryFolder folder;
   const Document source = opened(dummyPath);

@@ -176,6 +176,49 @@ TEST_CASE(
   CHECK(workOf(document).is_null());
 }
 
+TEST_CASE("A trail that no edit would make is left out of the work with a warning, the others stay") {
+  Json work = workOf(trailed());
+  std::size_t left = 1;
+  SECTION("a range without length") {
+    work["trails"][0]["range"] = {5, 5};
+  }
+  SECTION("a limb that the character does not have") {
+    work["trails"][0]["limb"] = "third-arm";
+  }
+  SECTION("an overlap") {
+    work["trails"][1]["limb"] = work["trails"][0]["limb"];
+  }
+  SECTION("a range after the end of the clip stays: the file may have been read at another rate") {
+    work["trails"][0]["range"] = {400, 500};
+    left = 2;
+  }
+  Document document = test::boxer();
+  REQUIRE(restoreWork(work, document));
+  CHECK(document.trails.size() == left);
+  CHECK(document.warnings.size() == 2 - left);
+}
+
+TEST_CASE("Work of earlier versions says with which settings a trail was applied") {
+  Json work = workOf(trailed());
+  Json& trail = work["trails"][0];
+  trail["connected"] = false;
+  trail["applied"] = Json::object();
+  for (const char* key : {"range", "scale", "spheres"}) {
+    trail["applied"][key] = trail[key];
+  }
+  Document document = test::boxer();
+  REQUIRE(restoreWork(work, document));
+  CHECK(document.trails[0].applied);
+  CHECK(document.trails[0].connected);
+  trail["applied"]["scale"] = 4.0;
+  REQUIRE(restoreWork(work, document));
+  CHECK_FALSE(document.trails[0].applied);
+  CHECK(document.trails[0].connected);
+  trail["applied"] = nullptr;
+  REQUIRE(restoreWork(work, document));
+  CHECK_FALSE(document.trails[0].connected);
+}
+
 TEST_CASE("Whatever the work of a file holds, it is refused or it plays") {
   const Json work = workOf(trailed());
   std::mt19937 random(99);

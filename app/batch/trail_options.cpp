@@ -1,0 +1,108 @@
+#include "app/batch/trail_options.h"
+
+#include <algorithm>
+
+#include "app/batch/setting_options.h"
+#include "app/named.h"
+#include "app/schema/parse_text.h"
+#include "app/schema/trail_schema.h"
+#include "core/gltf/json.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::app {
+
+namespace {
+
+Status setSettings(const TrailRequest& request, rig::TrailSettings& settings) {
+  for (const auto& [option, text] : request.settings) {
+    for (const Setting<rig::TrailSettings>& setting : trailSchema()) {
+      const Status set = setting.option == option ? setFromText(setting, text, settings) : Status(Success{});
+      if (!set) {
+        return set;
+      }
+    }
+  }
+  return Success{};
+}
+
+Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& document) {
+  const bool namesScale = std::any_of(request.settings.begin(), request.settings.end(),
+                                      [](const auto& named) { return named.first == "--scale"; });
+  if (!namesScale) {
+    return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
+  }
+  const Result<rig::Limb> limb = findOrAddLimb(document, request.limb, "--limb");
+  if (!limb) {
+    return limb.error();
+  }
+  const Result<Vec2> range = request.range.empty()
+                                 ? rig::defaultRange(*document.scene, clipOf(document, clip), *limb)
+                                 : parseRange(request.range, "--range");
+  if (!range) {
+    return range.error();
+  }
+  rig::Trail trail;
+  trail.limb = limb->id;
+  trail.clip = clip;
+  trail.settings.startFrame = range->x;
+  trail.settings.endFrame = range->y;
+  const Status set = setSettings(request, trail.settings);
+  return set ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(set.error());
+}
+
+} // namespace
+
+std::vector<TrailRequest> requestsOf(const CommandLine& line) {
+  TrailRequest common;
+  std::vector<TrailRequest> requests;
+  for (const auto& [name, text] : line.inOrder()) {
+    if (name == "--limb") {
+      requests.push_back(common);
+      requests.back().limb = text;
+      continue;
+    }
+    TrailRequest& request = requests.empty() ? common : requests.back();
+    if (name == "--range") {
+      request.range = text;
+    } else {
+      request.settings.emplace_back(name, text); // options of the verb itself are no setting's
+    }
+  }
+  return requests;
+}
+
+Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Document& document) {
+  Recipe recipe;
+  recipe.clip = clip;
+  for (const TrailRequest& request : requests) {
+    Result<rig::Trail> trail = trailOf(request, clip, document);
+    if (!trail) {
+      return trail.error();
+    }
+    recipe.trails.push_back(std::move(*trail));
+  }
+  return recipe;
+}
+
+void addTrailOptions(CommandLine& line) {
+  constexpr const char* heading = "Trail (each --limb starts the next)";
+  line.ordered("--limb", limbWords).group(heading);
+  line.ordered("--range", "First and last frame, A:B; default: to the frame at which the limb's end is "
+                          "farthest from its start")
+      .check(problemOfRange)
+      .group(heading);
+  for (const Setting<rig::TrailSettings>& setting : trailSchema()) {
+    if (setting.kind == SettingKind::flag) {
+      line.orderedFlag(setting.option, optionHelp(setting)).group(heading);
+      continue;
+    }
+    line.ordered(setting.option, optionHelp(setting))
+        .check([&setting](const std::string& text) {
+          const Result<gltf::Json> value = valueOfText(setting, text);
+          return value ? std::string() : withoutPlace(value.error());
+        })
+        .group(heading);
+  }
+}
+
+} // namespace stretch::app

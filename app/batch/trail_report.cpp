@@ -1,0 +1,85 @@
+#include "app/batch/trail_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "app/batch/weight_report.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/quality.h"
+#include "app/schema/schema_json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
+  const double tipSeconds = solved.tipSeconds;
+  Json warnings = solved.warnings;
+  for (const std::string& warning : motionWarnings(document, motion, solved)) {
+    warnings.push_back(warning);
+  }
+  const double before = rig::limbLength(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
+  const double after = rig::limbLength(solved.limb, evaluate(document, motion, tipSeconds));
+  const double reference =
+      solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
+  const double wanted = solved.settings.scale * reference;
+  constexpr double tolerance = 1e-4;
+  return {{"limb", solved.limb.id},
+          {"range", {solved.settings.startFrame, solved.settings.endFrame}},
+          {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
+                                                       ? solved.path.samples.back()
+                                                       : solved.path.samples.front(),
+                                                   solved.tip.tip))},
+          {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
+          {"moved", solved.tip.moved},
+          {"reached", solved.tip.outcome != rig::TipOutcome::nothingToScale &&
+                          std::abs(after - wanted) <= tolerance * wanted},
+          {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
+          {"release", solved.release.seconds() * motion.framesPerSecond},
+          {"limb_length_before", before},
+          {"limb_length_after", after},
+          {"warnings", std::move(warnings)}};
+}
+
+} // namespace
+
+Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids) {
+  Json report;
+  report["clip"] = clipOf(document, clip).name;
+  report["trails"] = Json::array();
+  rig::MotionState motion = prepareMotion(document, clip);
+  motion.weights.clear(); // What the trails do by themselves.
+  for (const int id : ids) {
+    const auto solved = std::find_if(motion.trails.begin(), motion.trails.end(),
+                                     [&](const rig::SolvedTrail& trail) { return trail.trail.id == id; });
+    if (solved != motion.trails.end()) {
+      report["trails"].push_back(trailReport(document, motion, *solved));
+    }
+  }
+  if (hasWeight(document, clip)) {
+    report["elastic"] = weightJson(document, clip);
+  }
+  report["warnings"] = document.warnings;
+  return report;
+}
+
+void printExaggeration(const Json& report) {
+  for (const Json& trail : report["trails"]) {
+    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}\n", trail["limb"].get<std::string>(),
+               trail["range"][0].get<double>(), trail["range"][1].get<double>(),
+               trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
+               trail["pulled"].get<bool>() ? " (pulled)" : "");
+    for (const Json& warning : trail["warnings"]) {
+      fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
+    }
+  }
+  if (report.contains("elastic")) {
+    printWeight(report["elastic"]);
+  }
+}
+
+} // namespace stretch::app

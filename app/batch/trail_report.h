@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "app/document.h"
+#include "core/gltf/json_document.h"
+
+namespace stretch::app {
+
+/// What these trails of a clip come to, and the weight of its limbs, as `exaggerate` reports it.
+[[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids);
+
+/// The same as lines of text; warnings on standard error.
+void printExaggeration(const gltf::Json& report);
+
+} // namespace stretch::app

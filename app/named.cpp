@@ -1,0 +1,78 @@
+#include "app/named.h"
+
+#include <charconv>
+
+#include <fmt/core.h>
+
+namespace stretch::app {
+
+namespace {
+
+std::string limbList(const Document& document) {
+  std::string list;
+  for (const rig::Limb& limb : document.biped.limbs) {
+    list += (list.empty() ? "" : ", ") + limb.id;
+  }
+  return list.empty() ? "none was found" : list;
+}
+
+int indexOf(const std::string& text, std::size_t count) {
+  std::size_t index = count;
+  std::from_chars(text.data() + 1, text.data() + text.size(), index);
+  return index < count ? static_cast<int>(index) : -1;
+}
+
+} // namespace
+
+std::string clipList(const Document& document) {
+  std::string list;
+  for (std::size_t i = 0; i < document.clips->size(); ++i) {
+    const std::string& name = (*document.clips)[i].name;
+    list += (i == 0 ? "" : ", ") + (name.empty() ? fmt::format("#{}", i) : name);
+  }
+  return list;
+}
+
+Result<int> findClip(const Document& document, const std::string& text, const std::string& where) {
+  const std::vector<Clip>& clips = *document.clips;
+  if (clips.empty()) {
+    return Error{"the file holds no clip", "animations", "give a file with an animation"};
+  }
+  if (text.empty()) {
+    return 0;
+  }
+  int found = -1;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (clips[i].name == text && found >= 0) {
+      return Error{"two clips are named '" + text + "'", where,
+                   fmt::format("name one by its number, such as #{}", found)};
+    }
+    found = clips[i].name == text ? static_cast<int>(i) : found;
+  }
+  if (found < 0 && text.front() == '#') {
+    found = indexOf(text, clips.size());
+  }
+  if (found < 0) {
+    return Error{"there is no clip '" + text + "'", where, "the file has: " + clipList(document)};
+  }
+  return found;
+}
+
+Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text, const std::string& where) {
+  if (const rig::Limb* limb = findLimb(document, text)) {
+    return *limb;
+  }
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    return Error{"there is no limb '" + text + "'", where,
+                 "limbs of this character: " + limbList(document) + "; any chain: JOINT_A..JOINT_B"};
+  }
+  Result<rig::Limb> chain = rig::chainLimb(*document.scene, text.substr(0, dots), text.substr(dots + 2));
+  if (!chain) {
+    return Error{chain.error().what, where + ": " + chain.error().where, chain.error().remedy};
+  }
+  document.chains.push_back(*chain);
+  return chain;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+// What people name in words, found in a document. `where` is the place of the words, for errors: the option
+// "--limb" of a command line, the key "trails[0].limb" of a recipe.
+
+/// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an
+/// index.
+[[nodiscard]] Result<int> findClip(const Document& document, const std::string& text,
+                                   const std::string& where);
+
+/// A limb by id, or a chain "JOINT_A..JOINT_B", which is added to the document's chains.
+[[nodiscard]] Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text,
+                                              const std::string& where);
+
+/// "walk, run, #2": for messages.
+[[nodiscard]] std::string clipList(const Document& document);
+
+} // namespace stretch::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/math/types.h"
+
+namespace stretch::app {
+
+// Numbers as a person types them after an option. `where` names it in errors.
+
+/// "-2.5e3" as a number; an error when `text` is anything but one finite number.
+[[nodiscard]] Result<double> parseNumber(const std::string& text, const std::string& where);
+
+/// "x,y,z": three numbers.
+[[nodiscard]] Result<Vec3> parseVector(const std::string& text, const std::string& where);
+
+/// "A:B": first and last frame, real numbers, A <= B.
+[[nodiscard]] Result<Vec2> parseRange(const std::string& text, const std::string& where);
+
+} // namespace stretch::app

@@ -1,0 +1,128 @@
+#include "app/schema/trail_schema.h"
+
+#include "app/schema/schema_rows.h"
+
+namespace stretch::app {
+
+namespace {
+
+using rig::TrailSettings;
+
+Schema<TrailSettings> tipSettings() {
+  return {
+      setting<TrailSettings>({.name = "scale",
+                              .maximum = 100.0,
+                              .help = "How long the limb becomes at the tip, in lengths of itself.",
+                              .row = {.section = "tip", .maximum = rig::largestScale, .prefix = "\xC3\x97"}},
+                             &TrailSettings::scale),
+      setting<TrailSettings>({.name = "axes",
+                              .help = "Active axes of the trail's space, any of x, y, z.",
+                              .row = {.section = "tip"}},
+                             &TrailSettings::axes),
+      setting<TrailSettings>({.name = "pivot",
+                              .choices = {{"start"}, {"end"}},
+                              .help = "The end of the range that stays where it is.",
+                              .row = {.section = "tip"}},
+                             &TrailSettings::pivot),
+  };
+}
+
+Schema<TrailSettings> transitionSettings() {
+  return {
+      setting<TrailSettings>({.name = "ease_in",
+                              .unit = "fraction,value",
+                              .help = "Ease-in: fraction of the path and value there, P,V.",
+                              .row = {.section = "transition", .label = "Ease-in"}},
+                             &TrailSettings::easeIn),
+      setting<TrailSettings>({.name = "ease_out",
+                              .unit = "fraction,value",
+                              .help = "Ease-out: fraction of the path from its end and value there, P,V.",
+                              .row = {.section = "transition", .label = "Ease-out"}},
+                             &TrailSettings::easeOut),
+      setting<TrailSettings>({.name = "remap",
+                              .choices = {{"spline"}, {"linear"}},
+                              .help = "Shape of the transition along the path.",
+                              .row = {.section = "transition", .label = "Curve"}},
+                             &TrailSettings::remap),
+  };
+}
+
+Schema<TrailSettings> limbSettings() {
+  return {
+      setting<TrailSettings>({.name = "bend",
+                              .choices = {{"keep"}, {"straighten"}},
+                              .help = "Keep the limb's bend, or straighten it before it stretches.",
+                              .row = {.section = "limb"}},
+                             &TrailSettings::bend),
+      setting<TrailSettings>({.name = "blend",
+                              .maximum = 2.0,
+                              .help = "0 original, 1 half-way, 2 exaggerated.",
+                              .row = {.section = "limb"}},
+                             &TrailSettings::blend),
+      setting<TrailSettings>({.name = "switch",
+                              .maximum = 1.0,
+                              .help = "How much of the wanted length the limb takes on.",
+                              .row = {.section = "limb", .label = "Stretch", .percent = true}},
+                             &TrailSettings::stretchSwitch),
+      setting<TrailSettings>({.name = "volume",
+                              .maximum = 1.0,
+                              .help = "Volume preservation: 0 keeps the thickness, 1 the volume.",
+                              .row = {.section = "limb", .percent = true}},
+                             &TrailSettings::volume),
+      setting<TrailSettings>(
+          {.name = "turn_end", .help = "The hand or foot turns with the limb.", .row = {.section = "limb"}},
+          &TrailSettings::turnEnd),
+  };
+}
+
+Schema<TrailSettings> releaseSettings() {
+  return {
+      setting<TrailSettings>(
+          {.name = "release",
+           .maximum = 100000.0,
+           .unit = "frames",
+           .help = "Frames after the tip over which the limb comes back to the original motion; default: "
+                   "to the next key.",
+           .row = {.section = "release", .step = 1.0}},
+          &TrailSettings::releaseFrames),
+      setting<TrailSettings>({.name = "overshoot",
+                              .maximum = 1.0,
+                              .unit = "of the tip's offset",
+                              .help = "How far the release swings past the original.",
+                              .row = {.section = "release", .percent = true}},
+                             &TrailSettings::overshoot),
+  };
+}
+
+Schema<TrailSettings> spaceSettings() {
+  return {
+      setting<TrailSettings>({.name = "space",
+                              .choices = {{"world"}, {"root"}, {"base"}, {"view"}},
+                              .help = "Where the path is exaggerated.",
+                              .row = {.section = "space"}},
+                             &TrailSettings::space),
+      setting<TrailSettings>({.name = "reference",
+                              .choices = {{"pose"}, {"rest"}},
+                              .help = "The length that the scale multiplies.",
+                              .row = {.section = "space"}},
+                             &TrailSettings::reference),
+      setting<TrailSettings>({.name = "pull",
+                              .help = "Pull the tip to the wanted length where its line does not reach it.",
+                              .row = {.section = "space"}},
+                             &TrailSettings::pull),
+      setting<TrailSettings>({.name = "stay_in_world",
+                              .help = "The limb's end is not carried along by inner trails.",
+                              .row = {.section = "space"}},
+                             &TrailSettings::stayInWorld),
+  };
+}
+
+} // namespace
+
+const Schema<TrailSettings>& trailSchema() {
+  static const Schema<TrailSettings> schema = joined<TrailSettings>(
+      {tipSettings(), transitionSettings(), limbSettings(), releaseSettings(), spaceSettings()});
+  return schema;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/schema/schema.h"
+#include "rig/trail/trail.h"
+
+namespace stretch::app {
+
+/// All settings of a trail but range, spheres, stop plane and view axes, which have shapes of their own.
+[[nodiscard]] const Schema<rig::TrailSettings>& trailSchema();
+
+/// A trail's settings as recipes and saved files hold them: "range", every setting of the schema, "spheres",
+/// "stop_at", "view_axes" for the space `view`. `lengthUnit` is what one unit of a sphere's offset is in
+/// world units: 1 for metres, the limb's rest length for offsets in lengths of the limb.
+[[nodiscard]] gltf::Json trailToJson(const rig::TrailSettings& settings, double lengthUnit);
+
+/// Reads what trailToJson writes; what is missing keeps its value in `settings`. `allowed` names further keys
+/// that the caller reads itself. An unknown key or a wrong value is an error that names it.
+[[nodiscard]] Status trailFromJson(const gltf::Json& json, double lengthUnit,
+                                   const std::vector<std::string>& allowed, rig::TrailSettings& settings);
+
+} // namespace stretch::app

@@ -1,0 +1,127 @@
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/batch/verb.h"
+#include "app/document.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/captured_errors.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+// Every way for a trail into a document, from the command line's end.
+
+constexpr const char* character = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+
+struct Outcome {
+  int exitCode = 0;
+  std::string told; ///< On standard error.
+};
+
+Outcome runWords(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments{"stretch-engine"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  const test::CapturedErrors errors;
+  const int exitCode = runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+  return {exitCode, errors.text()};
+}
+
+Json recipeWith(const Json& trails) {
+  Json recipe;
+  recipe["version"] = 1;
+  recipe["trails"] = trails;
+  return recipe;
+}
+
+Json punch(double first, double last, double scale = 2.0) {
+  return {{"limb", "left-arm"}, {"range", Json::array({first, last})}, {"scale", scale}};
+}
+
+std::vector<rig::Trail> trailsOf(const std::string& file) {
+  const Result<Document> document = openDocument(file);
+  REQUIRE(document.ok());
+  return document->trails;
+}
+
+} // namespace
+
+TEST_CASE("A range without length is refused wherever it comes from, and nothing is written") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const Outcome words = runWords(
+      {"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range", "21:21"});
+  CHECK(words.exitCode == 2);
+  CHECK_THAT(words.told, Catch::Contains("--range") && Catch::Contains("no length"));
+  const std::string recipe =
+      folder.write("empty.json", recipeWith(Json::array({punch(21, 21)})).dump()).string();
+  const Outcome file = runWords({"exaggerate", character, "-o", output, "--recipe", recipe});
+  CHECK(file.exitCode == 1);
+  CHECK_THAT(file.told, Catch::Contains("no length"));
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("A range outside the clip is refused wherever it comes from") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const std::string recipe =
+      folder.write("late.json", recipeWith(Json::array({punch(900, 990)})).dump()).string();
+  CHECK(runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
+                  "900:990"})
+            .exitCode == 1);
+  CHECK(runWords({"exaggerate", character, "-o", output, "--recipe", recipe}).exitCode == 1);
+}
+
+TEST_CASE("Two trails of one request may not overlap; one that the file carries is replaced") {
+  const test::TemporaryFolder folder;
+  const std::string first = (folder / "first.glb").string();
+  const std::string second = (folder / "second.glb").string();
+  const std::string twice =
+      folder.write("twice.json", recipeWith(Json::array({punch(10, 20), punch(15, 25)})).dump()).string();
+  const std::string later =
+      folder.write("later.json", recipeWith(Json::array({punch(24, 30, 3.0)})).dump()).string();
+  CHECK(runWords({"exaggerate", character, "-o", first, "--recipe", twice}).exitCode == 1);
+  CHECK(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
+                  "10:20", "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
+            .exitCode == 1);
+  REQUIRE(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
+                    "21:27", "--limb", "spine", "--scale", "1.2", "--range", "21:27"})
+              .exitCode == 0);
+  REQUIRE(runWords({"exaggerate", first, "-o", second, "--recipe", later}).exitCode == 0);
+  const std::vector<rig::Trail> trails = trailsOf(second);
+  REQUIRE(trails.size() == 2);
+  CHECK(trails[0].limb == "spine");
+  CHECK(trails[1].settings.scale == 3.0);
+  CHECK(trails[1].connected);
+}
+
+TEST_CASE("A recipe's mistakes are told in its own words, with their place in the file") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const auto told = [&](const Json& recipe) {
+    const std::string path = folder.write("wrong.json", recipe.dump()).string();
+    const Outcome outcome = runWords({"exaggerate", character, "-o", output, "--recipe", path});
+    CHECK(outcome.exitCode == 1);
+    CHECK_THAT(outcome.told, Catch::Contains("wrong.json"));
+    CHECK_THAT(outcome.told,
+               !Catch::Contains("--limb") && !Catch::Contains("--clip") && !Catch::Contains("--range"));
+    return outcome.told;
+  };
+  Json limb = punch(21, 27);
+  limb["limb"] = "third-arm";
+  CHECK_THAT(told(recipeWith(Json::array({punch(10, 20), limb}))), Catch::Contains("trails[1].limb"));
+  Json weight = recipeWith(Json::array());
+  weight["elastic"] = Json::array({Json{{"limb", "third-arm"}}});
+  CHECK_THAT(told(weight), Catch::Contains("elastic[0].limb"));
+  Json clip = recipeWith(Json::array());
+  clip["clip"] = "Swim";
+  CHECK_THAT(told(clip), Catch::Contains("clip: there is no clip 'Swim'"));
+  CHECK_THAT(told(recipeWith(Json::array({punch(27, 21)}))), Catch::Contains("trails[0].range"));
+}

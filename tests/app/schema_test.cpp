@@ -1,0 +1,182 @@
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "app/schema/parse_text.h"
+#include "app/schema/schema_json.h"
+#include "app/schema/sequence_schema.h"
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+// A value of the setting that is not its default.
+Json otherValue(const SettingFacts& setting) {
+  const Json standard = Json::parse(setting.standard);
+  switch (setting.kind) {
+  case SettingKind::number:
+  case SettingKind::whole:
+    return standard.get<double>() == setting.maximum ? setting.minimum : setting.maximum;
+  case SettingKind::optionalNumber:
+    return 7.5;
+  case SettingKind::flag:
+    return !standard.get<bool>();
+  case SettingKind::choice:
+    return standard == setting.choices.back().name ? setting.choices.front().name
+                                                   : setting.choices.back().name;
+  case SettingKind::axes:
+    return "y";
+  case SettingKind::ease:
+    return Json::array({0.25, 0.75});
+  case SettingKind::vector:
+    return Json::array({1.0, -2.5, 0.0});
+  }
+  return nullptr;
+}
+
+std::string textOfValue(const Json& value) {
+  std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  std::erase_if(text, [](char letter) { return letter == '[' || letter == ']'; });
+  return text;
+}
+
+template <typename Settings>
+void checkNames(const Schema<Settings>& schema) {
+  std::set<std::string> names;
+  std::set<std::string> options;
+  for (const Setting<Settings>& setting : schema) {
+    INFO(setting.name);
+    CHECK(names.insert(setting.name).second);
+    CHECK(options.insert(setting.option).second);
+    CHECK((setting.help.back() == '.' && setting.minimum <= setting.maximum));
+    CHECK_FALSE(labelOf(setting).empty());
+    CHECK(setting.row.minimum.value_or(setting.minimum) <= setting.row.maximum.value_or(setting.maximum));
+  }
+}
+
+template <typename Settings>
+void checkValues(const Schema<Settings>& schema) {
+  for (const Setting<Settings>& setting : schema) {
+    INFO(setting.name);
+    Settings settings;
+    CHECK(setSetting(setting, setting.read(settings), settings));
+    CHECK(settings == Settings{});
+    const Json other = otherValue(setting);
+    REQUIRE(setSetting(setting, other, settings));
+    CHECK(setting.read(settings) == other);
+    CHECK_FALSE(settings == Settings{});
+    for (const Json& wrong : {Json::object(), Json::array({1, 2, 3, 4}), Json("much more")}) {
+      Settings unchanged;
+      const Status set = setSetting(setting, wrong, unchanged);
+      REQUIRE_FALSE(set);
+      CHECK(set.error().where == setting.name);
+      CHECK(unchanged == Settings{});
+    }
+    const bool isRanged = setting.kind == SettingKind::number || setting.kind == SettingKind::whole;
+    for (const double outside : {setting.minimum - 1.0, setting.maximum * 2.0 + 1.0}) {
+      CHECK((!isRanged || !setSetting(setting, outside, settings)));
+    }
+  }
+}
+
+template <typename Settings>
+void checkTexts(const Schema<Settings>& schema) {
+  for (const Setting<Settings>& setting : schema) {
+    INFO(setting.name);
+    const Json other = otherValue(setting);
+    const Result<Json> value = valueOfText(setting, textOfValue(other));
+    REQUIRE(value.ok());
+    CHECK(*value == other);
+    if (setting.kind != SettingKind::flag) {
+      const Result<Json> wrong = valueOfText(setting, "many,");
+      REQUIRE_FALSE(wrong.ok());
+      CHECK(wrong.error().where == setting.option);
+    }
+  }
+}
+
+template <typename Settings>
+Settings changedEverywhere(const Schema<Settings>& schema) {
+  Settings settings;
+  for (const Setting<Settings>& setting : schema) {
+    REQUIRE(setSetting(setting, otherValue(setting), settings));
+  }
+  return settings;
+}
+
+} // namespace
+
+TEST_CASE("Every setting has names of its own and a sentence of help") {
+  checkNames(trailSchema());
+  checkNames(weightSchema());
+  checkNames(sequenceSchema());
+}
+
+TEST_CASE("Every setting takes its default and another value, and refuses what it cannot be") {
+  checkValues(trailSchema());
+  checkValues(weightSchema());
+  checkValues(sequenceSchema());
+}
+
+TEST_CASE("Every setting is read from the text of its option") {
+  checkTexts(trailSchema());
+  checkTexts(weightSchema());
+  checkTexts(sequenceSchema());
+}
+
+TEST_CASE("Settings go through JSON as they were") {
+  const WeightSettings weight = changedEverywhere(weightSchema());
+  WeightSettings read;
+  REQUIRE(weightFromJson(weightToJson(weight), {}, read));
+  CHECK(read == weight);
+}
+
+TEST_CASE("A trail's settings come back from JSON as they were, with offsets in the unit asked for") {
+  rig::TrailSettings settings = changedEverywhere(trailSchema());
+  settings.startFrame = 3.0;
+  settings.endFrame = 11.5;
+  settings.spheres = {{4.0, Vec3(0.25, 0.5, -1.0)}, {9.0, Vec3(0.0, 0.0, 2.0)}};
+  settings.stopAt = rig::StopPlane{Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  settings.viewAxes = Mat3(Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(-1, 0, 0));
+  settings.space = rig::TrailSpace::view;
+  const double lengthUnit = GENERATE(1.0, 0.5);
+  const Json json = trailToJson(settings, lengthUnit);
+  CHECK(json["spheres"][1]["offset"][2] == 2.0 / lengthUnit);
+  rig::TrailSettings read;
+  REQUIRE(trailFromJson(json, lengthUnit, {}, read));
+  CHECK(read == settings);
+}
+
+TEST_CASE("A wrong value is told in plain words") {
+  rig::TrailSettings settings;
+  const Setting<rig::TrailSettings>* const blend = findSetting(trailSchema(), "blend");
+  REQUIRE(blend != nullptr);
+  CHECK(setSetting(*blend, 1000.0, settings).error().line() ==
+        "blend: 1000 is not possible; give a number from 0 to 2");
+  CHECK(valueOfText(*blend, "much").error().line() ==
+        "--blend: 'much' is not a number; give one number, such as 2 or 0.5");
+}
+
+TEST_CASE("A damaged value is brought near, or left out") {
+  const SettingFacts& blend = *findSetting(trailSchema(), "blend");
+  const SettingFacts& pivot = *findSetting(trailSchema(), "pivot");
+  CHECK(nearestValue(blend, 17) == Json(2.0));
+  CHECK_FALSE(nearestValue(blend, "big"));
+  CHECK(nearestValue(pivot, 1) == Json("end"));
+  CHECK(nearestValue(pivot, 99) == Json("end"));
+  CHECK_FALSE(nearestValue(pivot, "middle"));
+}
+
+TEST_CASE("The text of an option is one number, or nothing is taken") {
+  CHECK(parseNumber("-2.5e3", "--scale").value() == -2500.0);
+  for (const char* text : {"", "2x", " 2", "nan", "inf", "1,5", "--"}) {
+    INFO(text);
+    const Result<double> number = parseNumber(text, "--scale");
+    REQUIRE_FALSE(number);
+    CHECK(number.error().where == "--scale");
+  }
+}
