@@ -53,17 +53,17 @@ void optionalRow(PanelContext& context, const std::string& id, const char* label
   if (numberField(context, id, label, hint, help, text)) {
     value = positiveNumber(text);
   }
-  complain(context, text, value.has_value(), "A number above 0, as 3770 or 5.8e-10.");
+  complain(context, text, value.has_value(), "A number above 0, such as 3770 or 5.8e-10.");
 }
 
 void scaleRow(PanelContext& context) {
   std::string& text = context.ui.sequencePanel.metresPerUnit;
   double& metres = context.sequence->document.settings.body.metresPerUnit;
-  if (numberField(context, "sequence/scale", "Scale", "1 metre a unit",
+  if (numberField(context, "sequence/scale", "Scale", "1 metre per unit",
                   {"Metres per unit", "How long a unit of the mesh is.", {}}, text)) {
     metres = positiveNumber(text).value_or(1.0);
   }
-  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, as 2.03e-6.");
+  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, such as 2.03e-6.");
 }
 
 void gravityRow(PanelContext& context) {
@@ -73,7 +73,7 @@ void gravityRow(PanelContext& context) {
                   {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}}, text)) {
     gravity = parseThree(text).value_or(skinning::BodyStretchSettings{}.gravity);
   }
-  complain(context, text, parseThree(text).has_value(), "Three numbers, as 0, -9.81, 0.");
+  complain(context, text, parseThree(text).has_value(), "Three numbers, such as 0, -9.81, 0.");
 }
 
 void segmentSlider(PanelContext& context, const std::string& id, const char* prefix, double most,

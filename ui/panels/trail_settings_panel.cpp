@@ -50,7 +50,7 @@ void remapRows(PanelContext& context, const rig::Trail& trail) {
 
 void spaceRows(PanelContext& context, const rig::Trail& trail) {
   const TrailSettings& settings = trail.settings;
-  const Mat3 camera = context.ui.cameraAxes;
+  const Mat3 camera = context.session->view().cameraAxes;
   choiceRow(context,
             {.setting = "space",
              .label = "Space",

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/math/types.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
@@ -213,9 +212,6 @@ struct UiState {
   std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
 
   // Written by the shell, read by the panels.
-  Mat3 cameraAxes{1.0}; ///< Columns: right, up, towards the viewer, in world space: what the space "view"
-                        ///< takes.
-  bool autoKey = false;
   std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
   std::vector<KeyHint> keyHints; ///< What the keys do right now.
   std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.

@@ -34,6 +34,22 @@ std::string axesOf(const rig::TrailSettings& settings) {
   return text;
 }
 
+/// "1 0 0 0 1 0 0 0 1": the world directions to the right, up and towards the viewer, to a hundredth.
+std::string viewAxesText(const Mat3& axes) {
+  std::vector<double> values;
+  for (glm::length_t column = 0; column < 3; ++column) {
+    for (glm::length_t row = 0; row < 3; ++row) {
+      values.push_back(std::round(100.0 * axes[column][row]) / 100.0 + 0.0); // No -0.
+    }
+  }
+  return fmt::format("{:.6g}", fmt::join(values, " "));
+}
+
+std::string spaceText(rig::TrailSpace space) {
+  constexpr std::array<const char*, 4> names{"world", "root", "base", "view"};
+  return names[static_cast<std::size_t>(space)];
+}
+
 std::optional<std::string> trailState(const rig::Trail& trail, std::string_view name) {
   const rig::TrailSettings& settings = trail.settings;
   const std::map<std::string_view, std::string> states{
@@ -48,6 +64,8 @@ std::optional<std::string> trailState(const rig::Trail& trail, std::string_view 
       {"trail.release", settings.releaseFrames ? number(*settings.releaseFrames) : "default"},
       {"trail.ease-in", number(settings.easeIn.percent)},
       {"trail.ease-out", number(settings.easeOut.percent)},
+      {"trail.space", spaceText(settings.space)},
+      {"trail.view-axes", viewAxesText(settings.viewAxes)},
       {"trail.spheres", std::to_string(settings.spheres.size())},
       {"trail.exaggerated", yesNo(trail.exaggerated)},
       {"trail.connected", yesNo(trail.connected)},

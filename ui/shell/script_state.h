@@ -11,12 +11,12 @@ namespace stretch::ui {
 /// A state of the program by name, as text; nothing for a name that there is not:
 /// file, unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), trail (of the
 /// selected one: trail.scale, trail.axes "xz", trail.start, trail.end, trail.pivot, trail.exaggerated,
-/// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in),
-/// spheres (selected), modal, undo, redo, ghosts, navigation, original, tip-ratio (length of the limb at the
-/// tip over the source's), weight.limbs ("left-arm left-leg"), weight.stiffness (of the selected limb), busy,
-/// toast. While a mesh sequence is open: sequence (its name), sequence.frames, sequence.compressed,
-/// sequence.outdated, sequence.bones, sequence.original, sequence.skinned, sequence.colours, sequence.skip,
-/// sequence.moduli; compressing.
+/// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in,
+/// trail.space, trail.view-axes "0 0 -1 0 1 0 1 0 0" of the document), spheres (selected), modal, undo, redo,
+/// ghosts, navigation, original, tip-ratio (length of the limb at the tip over the source's), weight.limbs
+/// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
+/// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
+/// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
 [[nodiscard]] std::optional<std::string> stateOf(Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.

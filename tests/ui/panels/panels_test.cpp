@@ -137,10 +137,11 @@ TEST_CASE("Choices and switches of the trail settings reach the document") {
 
 TEST_CASE("The space of the view takes the camera's axes") {
   TrailPanels panels;
-  panels.driver.ui.cameraAxes = Mat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
+  const Mat3 fromTheSide = Mat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
+  panels.driver.session->view().cameraAxes = fromTheSide;
   panels.driver.click("trail/space/View");
   CHECK(panels.settings().space == rig::TrailSpace::view);
-  CHECK(panels.settings().viewAxes == panels.driver.ui.cameraAxes);
+  CHECK(panels.settings().viewAxes == fromTheSide);
 }
 
 TEST_CASE("An ease point is dragged out of its corner") {
