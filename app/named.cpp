@@ -1,8 +1,8 @@
 #include "app/named.h"
 
-#include <charconv>
-
 #include <fmt/core.h>
+
+#include "core/base/number.h"
 
 namespace stretch::app {
 
@@ -17,9 +17,8 @@ std::string limbList(const Document& document) {
 }
 
 int indexOf(const std::string& text, std::size_t count) {
-  std::size_t index = count;
-  std::from_chars(text.data() + 1, text.data() + text.size(), index);
-  return index < count ? static_cast<int>(index) : -1;
+  const auto index = stretch::parseNumber<std::size_t>(std::string_view(text).substr(1));
+  return index && *index < count ? static_cast<int>(*index) : -1;
 }
 
 } // namespace

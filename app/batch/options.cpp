@@ -1,10 +1,8 @@
 #include "app/batch/options.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "app/named.h"
 #include "app/schema/parse_text.h"
+#include "core/base/file.h"
 
 namespace stretch::app {
 
@@ -51,13 +49,8 @@ Result<int> clipOfArguments(const FileArguments& arguments, const Document& docu
 }
 
 Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{"cannot be opened", path, "check the path"};
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return skinning::parseModuli(text.str());
+  const Result<std::string> text = readText(path);
+  return text ? skinning::parseModuli(*text) : Result<skinning::SegmentModuli>(text.error());
 }
 
 std::string withoutPlace(Error error) {

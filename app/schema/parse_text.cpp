@@ -1,18 +1,14 @@
 #include "app/schema/parse_text.h"
 
-#include <charconv>
-#include <cmath>
+#include "core/base/number.h"
 
 namespace stretch::app {
 
 Result<double> parseNumber(const std::string& text, const std::string& where) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
-  if (problem != std::errc() || stop != end || !std::isfinite(value)) {
-    return Error{"'" + text + "' is not a number", where, "give one number, such as 2 or 0.5"};
+  if (const std::optional<double> value = stretch::parseNumber(text)) {
+    return *value;
   }
-  return value;
+  return Error{"'" + text + "' is not a number", where, "give one number, such as 2 or 0.5"};
 }
 
 Result<Vec3> parseVector(const std::string& text, const std::string& where) {
