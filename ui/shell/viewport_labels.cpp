@@ -42,7 +42,7 @@ void label(const PanelContext& context, const ImVec2& corner, const std::string&
 }
 
 void recordSpheres(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.open.character()->view().selectedTrail);
   if (trail == nullptr) {
     return;
   }
@@ -56,7 +56,7 @@ void recordSpheres(const Shell& shell, PanelContext& context) {
 }
 
 void recordHandles(const Shell& shell, PanelContext& context) {
-  const auto handles = handlesOf(*shell.session, shell.viewport.shown);
+  const auto handles = handlesOf(*shell.open.character(), shell.viewport.shown);
   if (!handles) {
     return;
   }
@@ -71,7 +71,7 @@ void recordHandles(const Shell& shell, PanelContext& context) {
 }
 
 void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& frame) {
-  const LimbBones bones = limbBones(shell.session->document(), frame);
+  const LimbBones bones = limbBones(shell.open.character()->document(), frame);
   const float reach = context.theme.px(6.0F);
   for (const BoneSegment& bone : bones.bones) {
     if (const auto place = placeOf(shell.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
@@ -82,7 +82,7 @@ void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& fr
 }
 
 void drawFrameNumbers(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.open.character()->view().selectedTrail);
   if (trail == nullptr || !shell.ui.overlays.trailFrameNumbers) {
     return;
   }
@@ -96,7 +96,7 @@ void drawFrameNumbers(const Shell& shell, PanelContext& context) {
 
 /// The number of the sphere under the mouse, and how far it was pulled.
 void drawHoverLabel(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.open.character()->view().selectedTrail);
   if (!shell.viewport.hoveredSphere || trail == nullptr) {
     return;
   }
@@ -113,7 +113,7 @@ void drawJointNames(const Shell& shell, PanelContext& context, const FrameState&
   if (!shell.ui.overlays.jointNames) {
     return;
   }
-  const Scene& scene = *shell.session->document().scene;
+  const Scene& scene = *shell.open.character()->document().scene;
   for (const int joint : jointsOf(scene)) {
     const auto index = static_cast<std::size_t>(joint);
     if (const auto place = placeOf(shell.viewport, positionOf(frame.worlds[index]))) {
@@ -159,7 +159,7 @@ void drawEaseCurve(const Shell& shell, PanelContext& context) {
   const auto* tool = std::get_if<ExaggerateTool>(&shell.tool);
   const bool easing = tool != nullptr && (tool->modal.field == app::ExaggerateField::easeIn ||
                                           tool->modal.field == app::ExaggerateField::easeOut);
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(shell.viewport.shown, shell.open.character()->view().selectedTrail);
   if (!easing || trail == nullptr) {
     return;
   }
@@ -203,7 +203,7 @@ void drawStateLabels(const Shell& shell, PanelContext& context) {
     const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
     label(context, {left + inset, corner.y}, "Original", originalTrailColour);
     label(context, corner, "Exaggerated", context.theme.colours.text);
-  } else if (shell.session->view().showOriginal) {
+  } else if (shell.open.character()->view().showOriginal) {
     label(context, corner, "Original", originalTrailColour);
   }
 }

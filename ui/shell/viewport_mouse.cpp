@@ -79,13 +79,13 @@ void selectSphere(app::Session& session, double frame, bool add) {
 }
 
 void grabFromPress(Shell& shell, const GrabStart& start) {
-  tellProblem(shell, startGrab(*shell.session, shell.tool, start));
+  tellProblem(shell, startGrab(*shell.open.character(), shell.tool, start));
 }
 
 /// A press with the left button: axis handle, sphere, trail, limb, or the beginning of a box.
 void pressLeft(Shell& shell) {
   ViewportState& viewport = shell.viewport;
-  app::Session& session = *shell.session;
+  app::Session& session = *shell.open.character();
   const bool add = ImGui::GetIO().KeyShift;
   if (viewport.hoveredAxis) {
     grabFromPress(shell, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
@@ -114,7 +114,7 @@ void beginGesture(Shell& shell) {
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (isRunning(shell.tool) && (left || right)) {
-    finishTool(*shell.session, shell.tool, left);
+    finishTool(*shell.open.character(), shell.tool, left);
   } else if (left) {
     pressLeft(shell);
   }
@@ -122,7 +122,7 @@ void beginGesture(Shell& shell) {
 
 void selectInBox(Shell& shell) {
   const ViewportState& viewport = shell.viewport;
-  app::Session& session = *shell.session;
+  app::Session& session = *shell.open.character();
   const Vec2 low = glm::min(viewport.pressPixels, viewport.mousePixels);
   const Vec2 high = glm::max(viewport.pressPixels, viewport.mousePixels);
   std::vector<double>& selected = session.view().selectedSpheres;
@@ -152,7 +152,7 @@ void continueGesture(Shell& shell) {
   if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(shell.tool)) {
     const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
     if (glm::distance(viewport.mousePixels, viewport.pressPixels) > far &&
-        !shell.session->view().selectedSpheres.empty()) {
+        !shell.open.character()->view().selectedSpheres.empty()) {
       grabFromPress(
           shell, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
     }
@@ -177,18 +177,19 @@ void driveTool(Shell& shell) {
     return;
   }
   if (viewport.mousePixels != viewport.lastPixels) {
-    tellProblem(shell, moveToolMouse(*shell.session, shell.tool, viewport.view, viewport.mousePixels));
+    tellProblem(shell,
+                moveToolMouse(*shell.open.character(), shell.tool, viewport.view, viewport.mousePixels));
   }
   viewport.falloffRadius = grab->falloffRadius;
   if (grab->byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    finishTool(*shell.session, shell.tool, true);
+    finishTool(*shell.open.character(), shell.tool, true);
     viewport.gesture = ViewportGesture::none;
   }
 }
 
 void turnWheel(Shell& shell, double steps) {
   if (std::holds_alternative<GrabTool>(shell.tool)) {
-    tellProblem(shell, turnFalloff(*shell.session, shell.tool, steps));
+    tellProblem(shell, turnFalloff(*shell.open.character(), shell.tool, steps));
     return;
   }
   ViewportState& viewport = shell.viewport;
@@ -206,8 +207,8 @@ void hoverTrails(Shell& shell) {
   ViewportState& viewport = shell.viewport;
   double nearest = 1e300;
   for (const ShownTrail& trail : viewport.shown.trails) {
-    const rig::Trail* source = app::findTrail(shell.session->document(), trail.id);
-    if (source == nullptr || !isDrawn(*shell.session, shell.ui.overlays, *source)) {
+    const rig::Trail* source = app::findTrail(shell.open.character()->document(), trail.id);
+    if (source == nullptr || !isDrawn(*shell.open.character(), shell.ui.overlays, *source)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
@@ -221,8 +222,8 @@ void hoverTrails(Shell& shell) {
 
 void hoverLimbs(Shell& shell) {
   ViewportState& viewport = shell.viewport;
-  const LimbBones bones =
-      limbBones(shell.session->document(), shell.session->frameAt(shell.session->view().frame));
+  const LimbBones bones = limbBones(shell.open.character()->document(),
+                                    shell.open.character()->frameAt(shell.open.character()->view().frame));
   if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
     viewport.hoveredLimb = bones.limbIds[static_cast<std::size_t>(*hit)];
   }
@@ -255,13 +256,13 @@ void updateHover(Shell& shell) {
   viewport.hoveredAxis.reset();
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
-  if (!viewport.hovered || shell.session == nullptr) {
+  if (!viewport.hovered || shell.open.character() == nullptr) {
     return;
   }
-  if (const auto handles = handlesOf(*shell.session, viewport.shown)) {
+  if (const auto handles = handlesOf(*shell.open.character(), viewport.shown)) {
     viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
   }
-  const ShownTrail* selected = findShown(viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* selected = findShown(viewport.shown, shell.open.character()->view().selectedTrail);
   if (!viewport.hoveredAxis && selected != nullptr) {
     hoverSphere(viewport, *selected);
   }
@@ -284,7 +285,7 @@ void handleViewportMouse(Shell& shell, bool hovered, bool held) {
   const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Right));
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     lookAround(shell, pressed, held);
   } else if (pressed) {
     beginGesture(shell);

@@ -77,20 +77,21 @@ SceneStyle styleOf(const Shell& shell, const ViewportGpu& gpu) {
   style.wireframe = shell.ui.overlays.wire;
   style.floor = shell.ui.overlays.grid;
   style.floorHeight = gpu.floorHeight;
-  style.characterHeight = shell.session->document().biped.height;
-  style.highlight = highlightOf(*shell.session, shell.viewport.hoveredLimb);
+  style.characterHeight = shell.open.character()->document().biped.height;
+  style.highlight = highlightOf(*shell.open.character(), shell.viewport.hoveredLimb);
   return style;
 }
 
 void uploadScene(Shell& shell, ViewportGpu& gpu) {
-  const app::Document& document = shell.session->document();
+  const app::Document& document = shell.open.character()->document();
   if (gpu.uploaded == document.scene) {
     return;
   }
   gpu.renderer.setScene(*document.scene);
   gpu.uploaded = document.scene;
   gpu.bounds.emplace(*document.scene);
-  gpu.floorHeight = floorHeightOf(gpu.bounds->boxOf(*document.scene, shell.session->originalAt(0.0)));
+  gpu.floorHeight =
+      floorHeightOf(gpu.bounds->boxOf(*document.scene, shell.open.character()->originalAt(0.0)));
 }
 
 /// The place of the picture that is worked on: the right half while the original stands beside it.
@@ -103,12 +104,15 @@ void drawOriginalBeside(Shell& shell, ViewportGpu& gpu, const Rect& picture) {
   const Rect left{picture.min, {viewport.box.min.x - 2.0F, picture.max.y}};
   const Overlay nothing;
   drawPicture(shell, gpu, gpu.originalPicture,
-              {shell.session->originalAt(shell.session->view().frame), {}, nothing, styleOf(shell, gpu)});
+              {shell.open.character()->originalAt(shell.open.character()->view().frame),
+               {},
+               nothing,
+               styleOf(shell, gpu)});
   showPicture(gpu.originalPicture, left);
 }
 
 void drawScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture) {
-  app::Session& session = *shell.session;
+  app::Session& session = *shell.open.character();
   const double at = session.view().frame;
   const FrameState& frame = session.view().showOriginal ? session.originalAt(at) : session.frameAt(at);
   const SceneStyle style = styleOf(shell, gpu);
@@ -129,8 +133,8 @@ void updateView(Shell& shell) {
   size.heightPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.height()));
   size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(shell.theme.scale);
   viewport.view = makeView(viewport.camera, size);
-  if (shell.session != nullptr) {
-    shell.session->view().cameraAxes =
+  if (shell.open.character() != nullptr) {
+    shell.open.character()->view().cameraAxes =
         Mat3(viewRight(viewport.view), viewUp(viewport.view), -viewport.view.forward);
   }
 }
@@ -140,7 +144,7 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const Rect picture{corner, {corner.x + std::max(room.x, 8.0F), corner.y + std::max(room.y, 8.0F)}};
-  viewport.box = workBox(picture, shell.ui.overlays.sideBySide && shell.session != nullptr);
+  viewport.box = workBox(picture, shell.ui.overlays.sideBySide && shell.open.character() != nullptr);
   ImGui::InvisibleButton("viewport", {picture.width(), picture.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
@@ -148,7 +152,7 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
   const bool hovered = ImGui::IsItemHovered();
   const bool held = ImGui::IsItemActive();
   updateView(shell);
-  if (shell.sequence != nullptr) {
+  if (shell.open.sequence() != nullptr) {
     if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
       frameSequence(shell);
     }
@@ -157,7 +161,7 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
     drawSequenceScene(shell, context, gpu, picture);
     return;
   }
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     drawEmptyViewport(shell, context, picture);
     return;
   }
@@ -167,10 +171,10 @@ void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
     viewport.framePending = false;
     viewport.frameSelectionPending = false;
   }
-  updateShownTrails(*shell.session, viewport.shown);
+  updateShownTrails(*shell.open.character(), viewport.shown);
   handleViewportMouse(shell, hovered, held);
   updateView(shell);
-  updateShownTrails(*shell.session, viewport.shown);
+  updateShownTrails(*shell.open.character(), viewport.shown);
   drawScene(shell, context, gpu, picture);
 }
 
@@ -233,10 +237,10 @@ void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, con
 }
 
 void frameCamera(Shell& shell, ViewportGpu& gpu, bool everything) {
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     return;
   }
-  app::Session& session = *shell.session;
+  app::Session& session = *shell.open.character();
   updateShownTrails(session, shell.viewport.shown);
   Box box = everything ? Box{} : selectionBox(session, shell.viewport.shown);
   if (box.empty() && gpu.bounds) {
