@@ -20,7 +20,7 @@ struct ViewState {
   int selectedTrail = 0;                  ///< Trail id; 0 none.
   std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
   double rangeStart = 0.0;                ///< The working range, for new trails.
-  double rangeEnd = -1.0;                 ///< < rangeStart: the default range of section "Words".
+  double rangeEnd = -1.0;                 ///< < rangeStart: the default range (docs/exaggeration.md, Words).
   bool showOriginal = false;              ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.

@@ -63,7 +63,7 @@ struct SkinnedSequence {
 [[nodiscard]] Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose);
 
 /// Linear blend skinning of one frame, the reference that files and graphics cards are held against. Writes
-/// one position a vertex to `out`.
+/// one position for each vertex to `out`.
 void skinFrame(const SkinnedSequence& sequence, std::size_t frame, glm::vec3* out);
 
 /// All frames.

@@ -1,16 +1,22 @@
 # Sourced by ./run, ./test and .ci/run: installs the packages of packages.txt and builds. Expects `root` to be set.
 
+# wanted_packages run|test: names of the list; for "run" without those that only tests need.
+wanted_packages() {
+  awk -v goal="$1" '!/^#/ && NF && (goal == "test" || $2 != "test") {print $1}' "$root/third_party/packages.txt" | sort -u
+}
+
 # Packages of the list that are not installed; empty when all are.
 missing_packages() {
   local wanted
-  wanted=$(grep -v '^#' "$root/third_party/packages.txt")
+  wanted=$(wanted_packages "$1")
   # shellcheck disable=SC2086
   { dpkg-query -W -f='${Package} ${db:Status-Abbrev}\n' $wanted 2>/dev/null || true; } |
-    awk '$2 == "ii" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted | sort -u)
+    awk '$2 == "ii" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted)
 }
 
+# install_packages run|test
 install_packages() {
-  local stamp="$root/build/packages.stamp" missing
+  local stamp="$root/build/packages.$1.stamp" missing
   # Asking dpkg takes a while: only when the list changed since it was found complete.
   if [ -f "$stamp" ] && cmp -s "$stamp" "$root/third_party/packages.txt"; then
     return
@@ -19,7 +25,7 @@ install_packages() {
     echo "This script installs packages with apt (Debian, Ubuntu). Elsewhere install what third_party/packages.txt names and build with CMake." >&2
     exit 1
   fi
-  missing=$(missing_packages)
+  missing=$(missing_packages "$1")
   if [ -n "$missing" ]; then
     local as_root=""
     if [ "$(id -u)" -ne 0 ]; then
@@ -36,22 +42,47 @@ install_packages() {
   cp "$root/third_party/packages.txt" "$stamp"
 }
 
-# build TARGET...: configures when needed; quiet unless something is to be built or fails.
+# show_progress JOB LOG: per cent of the build that is done, as long as the job runs. A terminal keeps one line; elsewhere a
+# line for every quarter.
+show_progress() {
+  local job=$1 log=$2 percent told=-1
+  while kill -0 "$job" 2>/dev/null; do
+    percent=$(tail -n 1 "$log" 2>/dev/null | sed -nE 's/^ *([0-9]+)%.*/\1/p')
+    if [ -n "$percent" ] && [ -t 1 ]; then
+      printf '\rBuilding ... %3d %%' "$percent"
+    elif [ -n "$percent" ] && [ "$((percent / 25))" -gt "$told" ]; then
+      told=$((percent / 25))
+      echo "Building ... $percent %"
+    fi
+    sleep 0.3
+  done
+  [ ! -t 1 ] || printf '\r                    \r'
+}
+
+# configure run|test: where it was not done yet. Once the tests are part of the build folder they stay.
+configure() {
+  local folder="$root/build/release" log="$root/build/build.log" tests=OFF
+  if [ "$1" = test ]; then
+    tests=ON
+  fi
+  if [ -f "$folder/build.ninja" ] && { [ "$tests" = OFF ] || grep -q '^STRETCH_TESTS:BOOL=ON' "$folder/CMakeCache.txt"; }; then
+    return
+  fi
+  echo "Configuring ..."
+  (cd "$root" && cmake --preset release -DSTRETCH_TESTS=$tests) >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+}
+
+# build TARGET...: quiet unless something is to be built or fails.
 build() {
   local folder="$root/build/release" log="$root/build/build.log"
-  if [ ! -f "$folder/build.ninja" ]; then
-    echo "Configuring ..."
-    (cd "$root" && cmake --preset release) >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
-  fi
-  ninja -C "$folder" "$@" >"$log" 2>&1 &
+  : >"$log"
+  NINJA_STATUS='%p ' ninja -C "$folder" "$@" >"$log" 2>&1 &
   local job=$! waited
   # Told only where there is something to build: finding that there is not takes a moment.
   for waited in $(seq 20); do
     kill -0 "$job" 2>/dev/null || break
     sleep 0.05
   done
-  if kill -0 "$job" 2>/dev/null; then
-    echo "Building ..."
-  fi
+  show_progress "$job" "$log"
   wait "$job" || { grep -E 'error|FAILED|undefined' "$log" >&2 || tail -n 40 "$log" >&2; exit 1; }
 }

@@ -13,7 +13,7 @@ namespace stretch::app {
 /// What typed digits and arrows change.
 enum class ExaggerateField { scale, easeIn, easeOut, release, volume };
 
-/// The modal behind E (spec/editor.md, key table): pure state, keys in, settings and text out.
+/// The modal behind E: pure state, keys in, settings and text out.
 struct ExaggerateModal {
   rig::TrailSettings start;          ///< When it began.
   rig::TrailSettings settings;       ///< As edited so far.

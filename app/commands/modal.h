@@ -23,7 +23,7 @@ struct TypedNumber {
   std::string text; ///< With a period, whatever was typed.
 
   [[nodiscard]] bool empty() const { return text.empty(); }
-  /// 0 for what is no number yet ("", "-", ".").
+  /// 0 for what is not yet a number ("", "-", ".").
   [[nodiscard]] double value() const;
 };
 

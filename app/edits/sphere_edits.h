@@ -15,8 +15,8 @@ struct SphereMove {
 
 /// Adds each delta to the offset that its sphere has. A sphere whose offset becomes nothing is as if never
 /// pulled. With follow on the character is connected, so that it follows; with follow off it is disconnected
-/// until the user connects it (spec/exaggeration.md, section 3). Makes the exaggerated copy where there is
-/// none.
+/// until the user connects it (docs/exaggeration.md, Control spheres). Makes the exaggerated copy where there
+/// is none.
 [[nodiscard]] Result<Document> moveSpheres(const Document& document, int trailId,
                                            std::span<const SphereMove> moves);
 

@@ -7,8 +7,8 @@
 
 namespace stretch::app {
 
-/// How far a cartoon stretches its limbs, as lengths over the rest (spec/exaggeration.md, section 9, Table
-/// 1).
+/// How far a cartoon stretches its limbs, as lengths over the rest (docs/exaggeration.md, How far
+/// cartoons go).
 struct Style {
   const char* name;
   double arm;

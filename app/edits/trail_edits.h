@@ -36,7 +36,7 @@ struct CreatedTrail {
                                                  int exceptTrailId = 0);
 
 /// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
-/// that are none.
+/// that are not finite.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
                                                 const rig::TrailSettings& settings);
 

@@ -7,8 +7,8 @@
 
 namespace stretch::app {
 
-/// Gives a limb weight in a clip, or changes it. Errors: no such limb or clip, numbers that are none, a range
-/// without length.
+/// Gives a limb weight in a clip, or changes it. Errors: no such limb or clip, numbers that are not finite, a
+/// range without length.
 [[nodiscard]] Result<Document> setWeight(const Document& document, const WeightedLimb& wanted);
 
 /// Takes the weight of a limb in a clip away; the clip is then as it was without it.

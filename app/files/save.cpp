@@ -13,7 +13,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double toleranceOfHeight = 1e-4; // spec/exaggeration.md, section 7
+constexpr double toleranceOfHeight = 1e-4; // docs/exaggeration.md, What saving writes
 
 // The document as it was applied: each trail with the settings that it was applied with.
 Document appliedOnly(Document document) {

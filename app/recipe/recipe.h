@@ -7,7 +7,7 @@
 
 namespace stretch::app {
 
-/// A recipe (spec/commands.md): an edit that can be replayed on another clip or character.
+/// A recipe (docs/recipes.md): an edit that can be replayed on another clip or character.
 struct Recipe {
   int clip = 0;
   std::vector<rig::Trail> trails;    ///< Without ids; limbs exist in the document.

@@ -51,7 +51,7 @@ struct SequenceDocument {
 [[nodiscard]] Result<SequenceDocument> openSequence(const std::vector<std::filesystem::path>& named,
                                                     const skinning::Progress& progress = {});
 
-/// Centre line of the paper's 30 segments and shape diameters. What a body has not stays empty.
+/// Centre line of the paper's 30 segments and shape diameters. What a body does not have stays empty.
 [[nodiscard]] SequenceAnalysis analyseSequence(const MeshSequence& mesh);
 
 /// Curvature and length of every frame, as the result measured them or else the analysis; empty for a body

@@ -11,7 +11,8 @@ namespace stretch::app {
 /// character of characterHeightMetres, and how its space lies.
 struct SampledClip {
   double samplesPerSecond = 30.0;
-  std::vector<double> seconds; ///< Of the samples, even; about 24 to 40 of them a second, frames among them.
+  std::vector<double> seconds; ///< Of the samples, even; about 24 to 40 of them per second, frames among
+                               ///< them.
   struct OfLimb {
     rig::Limb limb;
     std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.

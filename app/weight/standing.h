@@ -15,7 +15,7 @@ struct Standing {
   std::vector<std::vector<double>> planted; ///< 0..1.
   std::vector<std::vector<double>> shares;  ///< Of the body above, 0..1.
 
-  /// `legs.size()` for what is no leg.
+  /// `legs.size()` for a limb that is not a leg.
   [[nodiscard]] std::size_t indexOf(const std::string& limb) const {
     return static_cast<std::size_t>(std::find(legs.begin(), legs.end(), limb) - legs.begin());
   }

@@ -9,9 +9,9 @@
 
 namespace stretch::app {
 
-/// How the flesh of a limb gives way to gravity and to its own inertia (spec/elastic.md, Two uses). SI units,
-/// for a character that is taken as 1.75 m tall whatever its file's unit is, so that the same settings look
-/// the same on every character.
+/// How the flesh of a limb gives way to gravity and to its own inertia (docs/elastic.md, Limbs with weight).
+/// SI units, for a character that is taken as 1.75 m tall whatever its file's unit is, so that the same
+/// settings look the same on every character.
 struct WeightSettings {
   /// Pa. Empty: so stiff that the limb at rest (an arm hanging, a leg under half the body) gives way by
   /// stillSag of its length.

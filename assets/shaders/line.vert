@@ -1,4 +1,4 @@
-// One instance a segment of a polyline, drawn as a rectangle that faces the viewer.
+// One instance for each segment of a polyline, drawn as a rectangle that faces the viewer.
 layout(location = 0) in vec3 before; // World; equals `from` at the start of a line.
 layout(location = 1) in vec3 from;
 layout(location = 2) in vec3 to;

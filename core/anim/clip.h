@@ -18,8 +18,8 @@ struct Track {
   Interpolation interpolation = Interpolation::linear;
   int width = 3; ///< Numbers per value: 3, 4 for rotations (x, y, z, w), number of targets for weights.
   std::vector<float> times;  ///< Seconds, strictly increasing, at least one.
-  std::vector<float> values; ///< width a key; 3 x width for cubic splines: in-tangent, value, out-tangent
-                             ///< (per second).
+  std::vector<float> values; ///< width for each key; 3 x width for cubic splines: in-tangent, value,
+                             ///< out-tangent (per second).
   int sourceChannel = -1; ///< Index into the file's animation.channels; -1 for a track that the file does not
                           ///< have.
 
@@ -47,7 +47,7 @@ struct Clip {
 /// some tracks, do not double it. 30 when keys say nothing.
 [[nodiscard]] double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks);
 
-/// Number of frames of a clip: the last key's time in frames, rounded, plus 1 (`commands.md`, info).
+/// Number of frames of a clip: the last key's time in frames, rounded, plus 1.
 [[nodiscard]] int frameCount(const Clip& clip);
 
 } // namespace stretch

@@ -13,7 +13,7 @@ namespace stretch::gltf {
 /// Nodes, roots, skins, meshes, materials, images and the humanoid table.
 [[nodiscard]] Scene importScene(const Source& source, Problems& problems);
 
-/// One clip an animation of the file, in its order; channels that drive nothing we know are left out.
+/// One clip for each animation of the file, in its order; channels that drive nothing we know are left out.
 [[nodiscard]] std::vector<Clip> importClips(const Source& source, const Scene& scene, Problems& problems);
 
 /// Values that the import may decode at most, all meshes and clips together: a small file that names the same

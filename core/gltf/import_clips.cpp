@@ -180,7 +180,7 @@ private:
       return false;
     }
     if (!budget_.take(keys + shape->count * static_cast<std::size_t>(shape->width))) {
-      problems_.error(place, "the animations decode to more data than memory is spent on");
+      problems_.error(place, "the animations decode to more data than the program takes into memory");
       return false;
     }
     return true;

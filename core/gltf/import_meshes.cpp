@@ -91,7 +91,7 @@ private:
     }
     const std::vector<double> weights = numbersOf(json, "weights");
     if (!weights.empty() && weights.size() != targets && !mesh.primitives.empty()) {
-      problems_.warning(at("meshes", index) + ".weights", "has not one weight a morph target");
+      problems_.warning(at("meshes", index) + ".weights", "does not have one weight for each morph target");
     }
     mesh.morphWeights.assign(targets, 0.0F);
     for (std::size_t i = 0; i < std::min(targets, weights.size()); ++i) {

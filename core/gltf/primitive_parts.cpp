@@ -113,7 +113,7 @@ std::optional<PrimitiveParts::Attribute> PrimitiveParts::attribute(const Json& a
     return std::nullopt;
   }
   if (!budget_.take(shape->count * static_cast<std::size_t>(shape->width))) {
-    fail(where, "the meshes decode to more data than memory is spent on");
+    fail(where, "the meshes decode to more data than the program takes into memory");
     return std::nullopt;
   }
   return Attribute{accessor, *shape};
@@ -273,7 +273,7 @@ std::vector<std::uint32_t> PrimitiveParts::readIndices() {
     return {};
   }
   if (!budget_.take(shape->count * 3)) {
-    fail("indices", "the meshes decode to more data than memory is spent on");
+    fail("indices", "the meshes decode to more data than the program takes into memory");
     return {};
   }
   std::vector<std::uint32_t> corners = readIntegers(source_, accessor);

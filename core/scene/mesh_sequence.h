@@ -14,8 +14,8 @@ namespace stretch {
 
 using Triangle = std::array<std::uint32_t, 3>; ///< Vertex indices, counter-clockwise seen from outside.
 
-/// An animated mesh whose topology never changes: one position a vertex and frame, one list of triangles.
-/// Positions are in the units of their source; memory is 12 bytes for each vertex and frame.
+/// An animated mesh whose topology never changes: one position for each vertex and frame, one list of
+/// triangles. Positions are in the units of their source; memory is 12 bytes for each vertex and frame.
 struct MeshSequence {
   std::string name;
   std::size_t vertexCount = 0;

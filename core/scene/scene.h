@@ -59,7 +59,7 @@ struct Primitive {
                                     ///< none.
   std::vector<glm::vec4> colors;    ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
-  std::vector<std::uint32_t> indices;       ///< Three a triangle.
+  std::vector<std::uint32_t> indices;       ///< Three for each triangle.
   std::vector<MorphTarget> morphTargets;
   int material = -1;
 };

@@ -21,8 +21,8 @@ struct Biped {
   std::vector<std::string> warnings;
 };
 
-/// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (spec/rig.md,
-/// characters.md). Names are evidence, not truth: position in the chain and geometry decide. Never fails: a
+/// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (docs/rig.md,
+/// Finding limbs). Names are evidence, not truth: position in the chain and geometry decide. Never fails: a
 /// file without a biped gives an empty list with a warning; something with four legs gives limbs of
 /// confidence 0.3 at most, with a warning. Sides: where names and feet clearly disagree the feet win, with a
 /// warning; a VRM humanoid table is taken as it is. A spine of one joint ends at the neck or head; one

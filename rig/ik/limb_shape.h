@@ -10,7 +10,7 @@ namespace stretch::rig {
 inline constexpr double smallestStretch = 0.05;
 inline constexpr double largestStretch = 25.0;
 
-/// One limb at one time, to be brought to a target (spec/rig.md, Length and stretch of a limb at time t).
+/// One limb at one time, to be brought to a target (docs/rig.md, The shape of a stretched limb).
 /// World space.
 struct LimbShapeProblem {
   std::vector<Vec3> points; ///< Joints, base first, and the end: at least two.

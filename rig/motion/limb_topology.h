@@ -8,8 +8,8 @@
 
 namespace stretch::rig {
 
-/// What hangs on one bone of a limb: the nodes that its stretch concerns (spec/rig.md, Parts and Length and
-/// stretch).
+/// What hangs on one bone of a limb: the nodes that its stretch concerns (docs/rig.md, What belongs
+/// to a bone).
 struct BoneTopology {
   /// The joint that carries the bone.
   int joint = -1;

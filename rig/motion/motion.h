@@ -42,7 +42,7 @@ struct SolvedTrail {
   std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
 };
 
-/// All trails of a clip, from the root outwards (hips and spine, then neck and arms, legs).
+/// All trails of a clip, in the order in which they act: from the root outwards (order.h).
 struct MotionState {
   int clip = -1;
   double framesPerSecond = 30.0;
@@ -109,8 +109,8 @@ struct PathRequest {
 [[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
                                     const SolvedTrail& solved, std::size_t samplesPerFrame);
 
-/// The default range of a limb in a clip (section "Words"): first frame .. frame at which the end, seen from
-/// the base, is farthest from where it began. Frames.
+/// The default range of a limb in a clip (docs/exaggeration.md, Words): first frame .. frame at which the
+/// end, seen from the base, is farthest from where it began. Frames.
 [[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
 
 } // namespace stretch::rig

@@ -4,6 +4,7 @@
 
 #include "rig/motion/apply.h"
 #include "rig/motion/motion.h"
+#include "rig/motion/order.h"
 
 namespace stretch::rig {
 
@@ -115,7 +116,7 @@ private:
 
 bool shapesPath(const Scene& scene, const SolvedTrail& inner, const SolvedTrail& outer) {
   return inner.active && &inner < &outer &&
-         isAncestorOrSelf(scene, inner.limb.joints.front(), outer.limb.joints.front());
+         (inner.limb.joints.front() == outer.limb.joints.front() || carries(scene, inner.limb, outer.limb));
 }
 
 std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,

@@ -10,29 +10,11 @@
 
 #include "core/base/index.h"
 #include "rig/limb.h"
+#include "rig/motion/order.h"
 
 namespace stretch::rig {
 
 namespace {
-
-// From the root outwards: a limb must be solved after every limb that carries its base.
-int solveOrder(LimbKind kind) {
-  switch (kind) {
-  case LimbKind::spine:
-    return 0;
-  case LimbKind::neck:
-    return 1;
-  case LimbKind::leftArm:
-  case LimbKind::rightArm:
-    return 2;
-  case LimbKind::leftLeg:
-  case LimbKind::rightLeg:
-    return 3;
-  case LimbKind::chain:
-    return 4;
-  }
-  return 4;
-}
 
 Mat3 axesOf(const TrailSettings& settings) {
   return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
@@ -150,7 +132,7 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
   }
 }
 
-// Section 5: to the controller's next key on a sparsely keyed clip, else a third of the range; within the
+// To the limb's next key on a sparsely keyed clip, else a third of the range; within the
 // clip unless it loops.
 double releaseSecondsOf(const MotionInput& input, const SolvedTrail& solved, const std::vector<int>& nodes) {
   const Clip& clip = *input.clip;
@@ -287,11 +269,11 @@ MotionState solveMotion(const MotionInput& input) {
       motion.trails.push_back(solveTrail(input, trail, *limb));
     }
   }
-  std::stable_sort(motion.trails.begin(), motion.trails.end(),
-                   [](const SolvedTrail& a, const SolvedTrail& b) {
-                     return std::pair(solveOrder(a.limb.kind), a.startSeconds) <
-                            std::pair(solveOrder(b.limb.kind), b.startSeconds);
-                   });
+  std::vector<ActingLimb> acting;
+  for (const SolvedTrail& solved : motion.trails) {
+    acting.push_back({&solved.limb, solved.startSeconds});
+  }
+  motion.trails = inOrder(std::move(motion.trails), actingOrder(*input.scene, acting));
   return motion;
 }
 
@@ -317,10 +299,11 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
     motion.weights.push_back(
         {std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, bindWorlds)});
   }
-  std::stable_sort(motion.weights.begin(), motion.weights.end(),
-                   [](const SolvedWeight& a, const SolvedWeight& b) {
-                     return solveOrder(a.limb.kind) < solveOrder(b.limb.kind);
-                   });
+  std::vector<ActingLimb> acting;
+  for (const SolvedWeight& solved : motion.weights) {
+    acting.push_back({&solved.limb, 0.0});
+  }
+  motion.weights = inOrder(std::move(motion.weights), actingOrder(*input.scene, acting));
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

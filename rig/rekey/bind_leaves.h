@@ -14,7 +14,7 @@ struct ClipStretches {
   std::vector<StretchKeys> stretches;
 };
 
-/// Adds the bind chain to what is saved (spec/rig.md, Writing it to glTF): under each stretched joint J a
+/// Adds the bind chain to what is saved (docs/rig.md, Bind leaves): under each stretched joint J a
 /// leaf `J_bind` with rotation A and an animated scale; in every skin that uses J its slot points to the
 /// leaf, with the inverse bind matrix A^-1 IBM. Where the stretch axis moves in J, or a mesh hangs on J
 /// rigidly, a second leaf `J_bind_end` below turns back by A^-1 and takes the slot (with the inverse bind

@@ -22,7 +22,7 @@ struct StretchKeys {
   int node = -1;
   std::vector<float> times; ///< Seconds, strictly increasing.
   std::vector<Quat> axes; ///< A: turns the x axis onto the bone. One entry when the axes are fixed, else one
-                          ///< a key.
+                          ///< for each key.
   std::vector<Vec3> scales; ///< One for each key; of a trail alone (s, q, q).
 
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }
@@ -35,10 +35,10 @@ struct RekeyedClip {
   std::vector<StretchKeys> stretches;
 };
 
-/// Turns the active trails and the flesh into keys (spec/exaggeration.md, section 7): every key time of the
-/// limb's channels in range and release, the tip, the ends, and as few between as the tolerance needs. LINEAR
-/// stays LINEAR, CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its steps kept
-/// outside as pairs of neighbouring keys.
+/// Turns the active trails and the flesh into keys (docs/exaggeration.md, What saving writes): every key time
+/// of the limb's channels in range and release, the tip, the ends, and as few between as the tolerance needs.
+/// LINEAR stays LINEAR, CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its steps
+/// kept outside as pairs of neighbouring keys.
 [[nodiscard]] RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
                                 const RekeyOptions& options);
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double reachedTolerance = 1e-4; // of the wanted length
 constexpr double stillness = 1e-6;        // of the limb's length: no direction to walk along
-// Of the limb's length: a path that gets less far has nothing to scale. The specification says 1e-6, but a
-// planted foot trembles by more, and would be thrown about by the thousands that its trembling is scaled by.
+// Of the limb's length: a path that gets less far has nothing to scale. A planted foot trembles by
+// less, and would be thrown about by the thousands that its trembling is scaled by.
 constexpr double planted = 1e-3;
 
 Vec3 masked(const std::array<bool, 3>& axes, const Vec3& v) {
@@ -62,7 +62,7 @@ Walk walk(const TipProblem& problem, const Vec3& tip, const Vec3& direction, dou
                       : walkInwards(tip, problem.basePosition, direction, radius, longestInwards);
 }
 
-// Section 1.3: what the line cannot reach is pulled straight to the wanted length, along the active axes
+// What the line cannot reach is pulled straight to the wanted length, along the active axes
 // only.
 Vec3 pullFrom(const TipProblem& problem, const Vec3& closest, const Vec3& originalTip) {
   Vec3 direction = closest - problem.basePosition;
@@ -88,7 +88,7 @@ void finish(const TipProblem& problem, const Walk& walked, TipSolution& solution
   solution.reachedLength = glm::length(solution.tip - problem.basePosition);
 }
 
-// Section 1.4: the tip is nearer to the pivot than half of the farthest point, so the path is carried as a
+// The tip is nearer to the pivot than half of the farthest point, so the path is carried as a
 // whole.
 void moveWhole(const TipProblem& problem, TipSolution& solution) {
   const Vec3 outwards = masked(problem.axes, solution.originalTip - problem.basePosition);
@@ -110,7 +110,7 @@ void scaleAboutPivot(const TipProblem& problem, const Vec3& outwards, TipSolutio
   finish(problem, walked, solution);
 }
 
-// e of section 1.4: how far the path gets from the pivot along the active axes.
+// How far the path gets from the pivot along the active axes.
 double extentOf(const TipProblem& problem, const Vec3& pivotPoint) {
   double extent = 0.0;
   for (const std::vector<Vec3>* points : {&problem.points, &problem.between}) {

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// What the tip is solved from: one path in the trail's space (spec/exaggeration.md, section 1).
+/// What the tip is solved from: one path in the trail's space (docs/exaggeration.md, The tip).
 struct TipProblem {
   std::vector<Vec3> points;  ///< The original path in time order; at least one.
   std::vector<Vec3> between; ///< Further points of it: they count for how far it gets from the pivot, no
@@ -58,13 +58,14 @@ struct TipSolution {
 /// E(c), fully exaggerated, without pull.
 [[nodiscard]] Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point);
 
-/// Ratio of each sample (section 2): length of the path from the pivot's end over the whole, 0 at the pivot
-/// and 1 at the tip; the fraction of time for a path of no length. `timesSeconds` increases and has one entry
-/// a point.
+/// Ratio of each sample (docs/exaggeration.md, The path and its ratio): length of the path from the pivot's
+/// end over the whole, 0 at the pivot and 1 at the tip; the fraction of time for a path of no length.
+/// `timesSeconds` increases and has one entry for each point.
 [[nodiscard]] std::vector<double> pathRatios(const std::vector<Vec3>& points,
                                              const std::vector<double>& timesSeconds, Pivot pivot);
 
-/// The remap w(r) of section 2. Ease percents outside their range are clamped so that percent in + out < 1.
+/// The remap w(r) (docs/exaggeration.md, Remap and ease). Ease percents outside their range are clamped so
+/// that percent in + out < 1.
 class Remap {
 public:
   Remap(RemapKind kind, const Ease& easeIn, const Ease& easeOut);

@@ -82,7 +82,7 @@ Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std:
          point(piece + 1) * (3 * t2 - 2 * t3) + slope(piece + 1) * (h * (t3 - t2));
 }
 
-// Index of the extreme of each coordinate, relative to the base, that turns inside the range.
+// Indices of both ends and of the extremes of each coordinate.
 std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
   std::vector<std::size_t> found{0, samples.size() - 1};
   for (int axis = 0; axis < 3; ++axis) {

@@ -50,7 +50,7 @@ struct LimbSample {
 /// A limb's original path over the range.
 struct LimbPath {
   std::vector<LimbSample> samples; ///< At every frame and every key time of the range; at least one.
-  std::vector<double> ratios;      ///< r of each sample (section 2).
+  std::vector<double> ratios;      ///< r of each sample (docs/exaggeration.md, The path and its ratio).
   std::vector<LimbSample> between; ///< Halfway from each sample to the next: how far the path strays there.
   Mat3 axes{1.0};                  ///< Columns: the axes of the trail's space, in world space.
 
@@ -73,8 +73,9 @@ struct LimbPath {
 [[nodiscard]] std::vector<double> keyTimesOf(const Clip& clip, const std::vector<int>& nodes,
                                              double startSeconds, double endSeconds);
 
-/// Frames of the control spheres (section 3): the keys of a sparsely keyed limb; else the ends, the extremes
-/// and as few in between as keep a cubic through them within `tolerance` (world units) of the path.
+/// Frames of the control spheres (docs/exaggeration.md, Control spheres): the keys of a sparsely keyed limb;
+/// else the ends, the extremes and as few in between as keep a cubic through them within `tolerance` (world
+/// units) of the path.
 [[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path,
                                                       const std::vector<double>& keyTimes,
                                                       double framesPerSecond, double tolerance);

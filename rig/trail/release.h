@@ -4,8 +4,8 @@
 
 namespace stretch::rig {
 
-/// How the tip's offset decays back to the original motion (section 5): 1 at the tip, 0 at the end of the
-/// release.
+/// How the tip's offset decays back to the original motion (docs/exaggeration.md, Release): 1 at the tip, 0
+/// at the end of the release.
 class Release {
 public:
   Release() = default;

@@ -6,9 +6,9 @@
 
 namespace stretch::rig {
 
-/// The offset o(t) that pulled control spheres add to a path (section 3): cubic Hermite in time through one
-/// offset a control sphere, with three-point tangents: C1, equal steps give a straight ramp, nothing moves
-/// beyond the second neighbours.
+/// The offset o(t) that pulled control spheres add to a path (docs/exaggeration.md, Control spheres): cubic
+/// Hermite in time through one offset a control sphere, with three-point tangents: C1, equal steps give a
+/// straight ramp, nothing moves beyond the second neighbours.
 class SphereOffsets {
 public:
   SphereOffsets() = default;

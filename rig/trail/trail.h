@@ -11,7 +11,7 @@ namespace stretch::rig {
 
 /// The end of the range that stays where it is; the other one is the tip.
 enum class Pivot { start, end };
-/// Where exaggeration is computed (spec/exaggeration.md, Spaces). `view` uses the axes stored with the trail.
+/// Where exaggeration is computed (docs/exaggeration.md, Spaces). `view` uses the axes stored with the trail.
 enum class TrailSpace { world, root, base, view };
 /// What the scale multiplies: the limb's length in the pose at the tip, or its rest length.
 enum class Reference { pose, rest };
@@ -19,7 +19,7 @@ enum class RemapKind { spline, linear };
 /// How the limb gets to its target: the bent shape grown and turned as one, or straightened first as IK does.
 enum class Bend { keep, straighten };
 
-/// One end of the transition's remap curve (section 2). percent 0 is off.
+/// One end of the transition's remap curve (docs/exaggeration.md, Remap and ease). percent 0 is off.
 struct Ease {
   double percent = 0.0; ///< Fraction in [0, 1).
   double value = 0.0;   ///< Ease-in in [0, 0.5], ease-out in [0.5, 1].
@@ -27,7 +27,7 @@ struct Ease {
   friend bool operator==(const Ease&, const Ease&) = default;
 };
 
-/// A control sphere that was pulled: the path's offset at that frame (section 3).
+/// A control sphere that was pulled: the path's offset at that frame (docs/exaggeration.md, Control spheres).
 struct SphereOffset {
   double frame = 0.0;
   Vec3 offset{0.0}; ///< World units, along the axes of the trail's space.
@@ -35,7 +35,8 @@ struct SphereOffset {
   friend bool operator==(const SphereOffset&, const SphereOffset&) = default;
 };
 
-/// "Up to the second ledge and not past it" (section 6): the limb's end is not carried past this plane.
+/// "Up to the second ledge and not past it" (docs/exaggeration.md, The target): the limb's end is not carried
+/// past this plane.
 struct StopPlane {
   Vec3 point{0.0};  ///< World.
   Vec3 normal{0.0}; ///< World, points to the side that the limb may not enter; need not be a unit vector.
@@ -46,7 +47,7 @@ struct StopPlane {
 inline constexpr double smallestScale = 0.05; ///< Smaller wishes are taken as this.
 inline constexpr double largestScale = 5.0;   ///< What the interface offers; batch takes more.
 
-/// Everything that shapes an exaggerated trail. Frames are the clip's (spec/exaggeration.md, Frames).
+/// Everything that shapes an exaggerated trail. Frames are the clip's (docs/exaggeration.md, Words).
 struct TrailSettings {
   double startFrame = 0.0;
   double endFrame = 0.0;
@@ -62,9 +63,10 @@ struct TrailSettings {
   Ease easeOut{0.0, 0.9};
   double stretchSwitch = 1.0;          ///< 0..1: how much of the wanted length the limb takes on.
   double volume = 1.0;                 ///< 0..1: volume preservation.
-  std::optional<double> releaseFrames; ///< Empty: the default of section 5.
+  std::optional<double> releaseFrames; ///< Empty: to the next key or a third of the range
+                                       ///< (docs/exaggeration.md, Release).
   double overshoot = 0.0;   ///< 0..1: how far past the original the release swings, part of the tip's offset.
-  bool pull = true;         ///< Section 1.3.
+  bool pull = true;         ///< Straight to the length that the line of the path misses.
   double blend = 2.0;       ///< 0 original, 1 half-way, 2 exaggerated.
   bool stayInWorld = false; ///< Does not ride along with an inner trail.
   bool turnEnd = false;     ///< The hand or foot turns with the limb instead of keeping its orientation.
@@ -87,7 +89,8 @@ struct Trail {
   int colour = 0;                       ///< Index into the palette of trails.
   bool visible = true;
   bool pinned = false; ///< Drawn even when its limb is not selected.
-  /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (section 3).
+  /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (docs/exaggeration.md,
+  /// Control spheres).
   std::vector<double> controlFrames;
   bool follow = true; ///< The character follows while a sphere is dragged.
 

@@ -34,7 +34,7 @@ enum class StretchFit {
 
 /// Lowers the squared error over all vertices and frames by fitting each bone in turn, the others held:
 /// rotation and translation, and the scale along the bone's axes where it is free. `sweeps` rounds over all
-/// bones. `scales` holds frame after frame one factor triple a bone; it is read, and written where the
+/// bones. `scales` holds frame after frame three factors for each bone; it is read, and written where the
 /// stretch is free.
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps);
 

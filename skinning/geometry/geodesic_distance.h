@@ -13,7 +13,7 @@ namespace stretch::skinning {
 /// of a triangle through the point source that would explain their distances, which is exact on a plane;
 /// where the angle at the vertex is obtuse, the triangles beyond the far edge are unfolded into the plane
 /// until one of their vertices splits the angle. Works on surfaces with boundaries, several parts and edges
-/// of more than two triangles. Built once a mesh, asked often.
+/// of more than two triangles. Built once for each mesh, asked often.
 class GeodesicSolver {
 public:
   GeodesicSolver(const glm::vec3* positions, std::size_t vertexCount, const std::vector<Triangle>& triangles);

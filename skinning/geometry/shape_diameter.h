@@ -17,8 +17,8 @@ struct ShapeDiameterSettings {
 };
 
 struct ShapeDiameters {
-  std::vector<double> faces; ///< One for each triangle, mesh units. Faces whose rays hit nothing take over
-                             ///< their neighbours'.
+  std::vector<double> faces;    ///< One for each triangle, mesh units. Faces whose rays hit nothing take over
+                                ///< their neighbours'.
   std::vector<double> vertices; ///< Area-weighted mean of the faces around each vertex; 0 for a vertex of no
                                 ///< triangle.
   std::size_t facesWithoutHit = 0;

@@ -32,7 +32,7 @@ Status parseFace(std::string_view words, const std::string& place, std::size_t v
     const long long count = static_cast<long long>(vertexCount);
     const long long vertex = index ? (*index < 0 ? count + *index : *index - 1) : -1;
     if (vertex < 0 || vertex >= static_cast<long long>(UINT32_MAX)) {
-      return Error{"a face names a vertex that is none", place, "export the frame again"};
+      return Error{"a face names a vertex that does not exist", place, "export the frame again"};
     }
     corners.push_back(static_cast<std::uint32_t>(vertex));
   }

@@ -246,7 +246,8 @@ Status readElement(NumberReader& reader, const Element& element, MeshFile& mesh,
     for (const Property& property : element.properties) {
       auto values = readProperty(reader, property);
       if (!values) {
-        return Error{"the data end early or hold what is no number", place, "export the frame again"};
+        return Error{"the data end early or hold something that is not a number", place,
+                     "export the frame again"};
       }
       row.push_back(std::move(*values));
     }

@@ -87,8 +87,8 @@ Result<std::vector<Influences>> geodesicWeights(const glm::vec3* positions, std:
   const GeodesicSolver solver(positions, vertexCount, triangles);
   const auto seeds = patches(positions, triangles, bones);
   const double smallest = 1e-6 * boxDiagonal(positions, vertexCount);
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> found(bones.size()); // Vertex and weight, a list
-                                                                                  // a bone.
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> found(bones.size()); // Of each bone: vertex and
+                                                                                  // weight.
   tbb::parallel_for(std::size_t{0}, bones.size(), [&](std::size_t b) {
     if (seeds[b].empty()) {
       return;

@@ -10,6 +10,7 @@ import sys
 
 import format_rule
 import include_rules
+import pointer_rules
 import text_rules
 
 RULES = {
@@ -17,7 +18,9 @@ RULES = {
     "library-place": include_rules.library_place,
     "file-size": text_rules.file_size,
     "open-ends": text_rules.open_ends,
+    "distributive": text_rules.distributive,
     "machine-paths": text_rules.machine_paths,
+    "pointers": pointer_rules.pointers,
     "pragma-once": text_rules.pragma_once,
     "clocks-and-chance": text_rules.clocks_and_chance,
     "formatting": format_rule.formatting,

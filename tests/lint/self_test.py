@@ -9,6 +9,7 @@ import unittest
 import command_line
 import format_rule
 import include_rules
+import pointer_rules
 import text_rules
 
 
@@ -110,6 +111,11 @@ class Text(LintTest):
         for mark in ("TO" + "DO", "FIX" + "ME"):
             self.broken(text_rules.open_ends, {"ui/a.cpp": f"\n// {mark}: later\n"}, "ui/a.cpp:2:")
 
+    def test_one_for_each_is_said_in_full(self):
+        self.kept(text_rules.distributive, {"core/a.h": "/// One for each bone; one a user names. 24 frames per second.\n"})
+        for text in ("One a bone", "one a vertex", "24 frames a second", "Bytes a frame"):
+            self.broken(text_rules.distributive, {"core/a.h": f"/// {text}\n"}, "core/a.h:1:")
+
     def test_folders_of_one_machine_are_found(self):
         self.kept(text_rules.machine_paths, {"README.md": "see docs/home/index and $HOME/x\n"})
         self.broken(text_rules.machine_paths, {"README.md": "run /ho" + "me/someone/x\n"}, "README.md:1:")
@@ -121,6 +127,29 @@ class Text(LintTest):
     def test_clocks_and_chance_are_found_below_the_interface(self):
         self.kept(text_rules.clocks_and_chance, {"ui/a.cpp": "std::chrono::steady_clock::now();\n"})
         self.broken(text_rules.clocks_and_chance, {"rig/a.cpp": "std::random_device seed;\n"}, "rig/a.cpp:1:")
+
+
+class Pointers(LintTest):
+    rule = staticmethod(pointer_rules.pointers)
+    pages = {"docs/rig.md": "# The rig\n\n## Bind leaves\n\n## The work: what is kept\n"}
+
+    def test_pointers_that_land_are_kept(self):
+        good = {
+            "rig/a.h": "/// Leaves (docs/rig.md, Bind\n/// leaves): one for each joint. See docs/rig.md.\n",
+            "app/a.cpp": "// docs/rig.md, The work\n",
+            "README.md": "[the rig](docs/rig.md), Bind leaves\n",
+            "docs/a.md": "[rig.md](rig.md), The rig; a scheme of rig.md\n",
+        }
+        self.kept(self.rule, self.pages | good)
+
+    def test_missing_pages_and_headings_are_found(self):
+        for text in ("/// docs/body.md\n", "/// docs/rig.md, Leaves\n", "/// docs/rig.md, Bind\n/// leaf\n", "/// docs/rig.md, Bind leavesmen\n"):
+            self.broken(self.rule, self.pages | {"rig/a.h": "\n" + text}, "rig/a.h:2: ")
+        self.broken(self.rule, self.pages | {"docs/a.md": "[x](body.md)\n"}, "docs/a.md:1: points to body.md")
+
+    def test_pages_that_are_not_shipped_are_found(self):
+        for text in ("spec/rig.md, Parts", "`commands.md`, info", "section 7", 'Section "Words"'):
+            self.broken(self.rule, self.pages | {"rig/a.h": f"/// {text}\n"}, "rig/a.h:1: ")
 
 
 class Examples(unittest.TestCase):

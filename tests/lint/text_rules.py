@@ -10,6 +10,12 @@ LINES_AT_MOST = 600
 OPEN_ENDS = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")
 MACHINE_PATH = re.compile(r"(?<![\w.])/(home|root|Users|work)/\w")
 
+# "One a bone", "frames a second": a stranger reads it twice.
+COUNTED = "bone|joint|limb|trail|key|frame|sample|vertex|triangle|face|node|skin|track|channel|segment|mesh|image|request|room"
+DISTRIBUTIVE = re.compile(
+    rf"\b[Oo]ne an? ({COUNTED})\b|\b([Ff]rames|[Ss]amples|[Ll]engths|[Mm]etres) a (second|unit)\b|\b([Bb]ytes|[Kk]eys|[Nn]umbers) a (frame|vertex)\b"
+)
+
 # What makes two runs differ, refused where motion and files are made.
 UNREPEATABLE = re.compile(
     r"\b(std::chrono|system_clock|steady_clock|high_resolution_clock|random_device|std::rand|srand|std::time|gettimeofday)\b"
@@ -39,6 +45,12 @@ def matching_lines(files, pattern, message):
 def open_ends(root):
     """Marks of unfinished work."""
     return matching_lines(text_files(root), OPEN_ENDS, "unfinished: finish it or take it out")
+
+
+def distributive(root):
+    """One of something for each of something else, said with a bare article."""
+    files = [file for file in text_files(root) if not file.name.startswith("tests/lint/")]
+    return matching_lines(files, DISTRIBUTIVE, "say 'for each ...' or 'per ...'")
 
 
 def machine_paths(root):

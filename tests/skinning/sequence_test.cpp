@@ -194,7 +194,7 @@ TEST_CASE("bad point caches are refused with one clear line") {
 
 TEST_CASE("a particle log becomes the mesh of its membranes, wound outwards") {
   const test::TemporaryFolder folder;
-  // Five elastic particles, of which 1..4 carry membranes, and one liquid particle a frame.
+  // Five elastic particles, of which 1..4 carry membranes, and one liquid particle in each frame.
   std::string log;
   for (const char* number : {"0", "100", "0", "100", "0", "100", "5", "1"}) {
     log += std::string(number) + "\n";

@@ -86,7 +86,7 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
   constexpr double mostPictures = 100000.0;
   const double count = std::floor((range->y - range->x) / *step + 1e-9);
   if (count > mostPictures) {
-    return Error{"that are too many pictures", "--frames", "give a larger step"};
+    return Error{"too many pictures", "--frames", "give a larger step"};
   }
   std::vector<double> frames;
   for (double i = 0.0; i <= count; i += 1.0) {

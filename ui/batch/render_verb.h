@@ -4,7 +4,7 @@
 
 namespace stretch::ui {
 
-/// `render`: pictures of a file without a display (spec/commands.md).
+/// `render`: pictures of a file without a display.
 [[nodiscard]] app::Verb renderVerb();
 
 } // namespace stretch::ui

@@ -16,7 +16,7 @@ struct SequencePictures {
 };
 
 /// `over`: a second sequence that is drawn over the first one, which is then red and the second green; null
-/// for none. An error when it has not the same vertices and frames, or when a frame is not there.
+/// for none. An error when it does not have the same vertices and frames, or when a frame is not there.
 [[nodiscard]] Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence,
                                                           const MeshSequence* over,
                                                           const std::vector<double>& frames,

@@ -74,7 +74,7 @@ std::string chosen(const PanelContext& context, double skinning::BodyStretch::*v
 
 void optionalRow(PanelContext& context, const TypedRow<std::optional<double>>& row, std::string& text) {
   typedRow(context, row, text);
-  complain(context, text, positiveNumber(text).has_value(), "A number above 0, as 3770 or 5.8e-10.");
+  complain(context, text, positiveNumber(text).has_value(), "A number above 0, such as 3770 or 5.8e-10.");
 }
 
 void scaleRow(PanelContext& context) {
@@ -84,13 +84,13 @@ void scaleRow(PanelContext& context) {
       {.id = "sequence/scale",
        .label = "Scale",
        .undoLabel = "Change the scale",
-       .hint = "1 metre for each unit",
-       .help = {"Metres for each unit", "How long a unit of the mesh is.", {}},
+       .hint = "1 metre per unit",
+       .help = {"Metres per unit", "How long a unit of the mesh is.", {}},
        .parse = [](const std::string& typed) { return positiveNumber(typed).value_or(1.0); },
        .print = [](const double& metres) { return metres == 1.0 ? "" : textOf(metres); },
        .place = [](skinning::BodyStretchSettings& body) -> double& { return body.metresPerUnit; }},
       text);
-  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, as 2.03e-6.");
+  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, such as 2.03e-6.");
 }
 
 void gravityRow(PanelContext& context) {
@@ -113,7 +113,7 @@ void gravityRow(PanelContext& context) {
            },
        .place = [](BodyStretchSettings& body) -> Vec3& { return body.gravity; }},
       text);
-  complain(context, text, parseThree(text).has_value(), "Three numbers, as 0, -9.81, 0.");
+  complain(context, text, parseThree(text).has_value(), "Three numbers, such as 0, -9.81, 0.");
 }
 
 using Ranges = std::vector<skinning::SegmentModuli::Range>;

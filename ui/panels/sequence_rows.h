@@ -11,7 +11,7 @@ namespace stretch::ui {
 /// Young's modulus, mass, scale, gravity and the moduli of segments of the sequence that is open.
 void elasticModelRows(PanelContext& context);
 
-/// Three numbers as people type them: "0, -9.81, 0" or "0 -9.81 0". Empty when they are none.
+/// Three numbers as people type them: "0, -9.81, 0" or "0 -9.81 0". Empty when they are anything else.
 [[nodiscard]] std::optional<Vec3> parseThree(const std::string& text);
 
 } // namespace stretch::ui

@@ -4,7 +4,7 @@ namespace stretch::ui {
 
 /// What a frame may cost.
 struct Quality {
-  int samples = 4;             ///< Of anti-aliasing a pixel; 1 for none. The driver may give fewer.
+  int samples = 4;             ///< Of anti-aliasing for each pixel; 1 for none. The driver may give fewer.
   int floorShadowPixels = 512; ///< Side of the floor shadow; 0 for no shadow on the floor.
   int floorShadowBlurs = 2;
   int selfShadowPixels = 2048; ///< Side of the shadow map that the character casts on itself; 0 for none.
@@ -22,7 +22,7 @@ inline constexpr int highestQualityLevel = 3;
 /// The level to start with: 3 on a graphics card, 1 in software.
 [[nodiscard]] int startingQualityLevel();
 
-/// Chooses the next level from how long frames take; the shell feeds it one duration a drawn frame.
+/// Chooses the next level from how long frames take; the shell feeds it one duration for each drawn frame.
 class QualityGovernor {
 public:
   explicit QualityGovernor(int level) : level_(level) {}

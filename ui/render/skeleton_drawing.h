@@ -29,8 +29,8 @@ struct SkeletonStyle {
 [[nodiscard]] SkeletonStyle skeletonStyle(const Palette& palette);
 
 /// Bones as lines that taper towards the next joint and joints as dots, over the character. `selection`: one
-/// a node, 0..1 (as SceneStyle::highlight); empty for none. `hovered`: a joint whose bone is drawn as under
-/// the mouse.
+/// for each node, 0..1 (as SceneStyle::highlight); empty for none. `hovered`: a joint whose bone is drawn as
+/// under the mouse.
 [[nodiscard]] Overlay drawSkeleton(const Scene& scene, const FrameState& frame, const SkeletonStyle& style,
                                    std::span<const float> selection = {},
                                    std::optional<int> hovered = std::nullopt);

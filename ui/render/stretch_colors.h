@@ -21,7 +21,7 @@ inline constexpr double largestShownStretch = 3.0;
 /// a map that flattens to nothing answers 0.
 [[nodiscard]] double stretchRatio(const Mat3& linear);
 
-/// One ratio a node, as FrameState::stretch says; all 1 when nothing is stretched.
+/// One ratio for each node, as FrameState::stretch says; all 1 when nothing is stretched.
 [[nodiscard]] std::vector<double> stretchRatios(const FrameState& frame);
 
 } // namespace stretch::ui

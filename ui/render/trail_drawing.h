@@ -24,7 +24,7 @@ struct TrailPicture {
   std::vector<Vec3> exaggerated; ///< As the trail moves it; empty for a trail that shows the original only.
   std::vector<glm::vec4> exaggeratedColors; ///< One for each sample (speed or stretch as colour); empty: the
                                             ///< style's colour.
-  std::size_t samplesPerFrame = 1;     ///< A frame tick stands at every so many samples; 0 for no ticks.
+  std::size_t samplesPerFrame = 1;          ///< A frame tick stands at every so many samples; 0 for no ticks.
   std::optional<double> currentSample; ///< Where the playhead is, in samples; nothing when it is outside the
                                        ///< range.
   std::vector<TrailSphere> spheres;

@@ -21,8 +21,8 @@ enum class ValueScale {
 /// The same in sRGB, for legends: 0xRRGGBB.
 [[nodiscard]] std::uint32_t valueColorHex(ValueScale scale, double share);
 
-/// One colour a value; `largest` is the value of the scale's end. All of the first colour when it is not
-/// above 0.
+/// One colour for each value; `largest` is the value of the scale's end. All of the first colour when it is
+/// not above 0.
 [[nodiscard]] std::vector<glm::vec4> valueColors(ValueScale scale, std::span<const float> values,
                                                  double largest);
 

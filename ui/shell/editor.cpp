@@ -14,7 +14,7 @@
 #include "ui/shell/playback.h"
 #include "ui/shell/questions.h"
 #include "ui/shell/shell_commands.h"
-#include "ui/shell/viewport_pane.h"
+#include "ui/viewport/viewport_pane.h"
 
 namespace stretch::ui {
 

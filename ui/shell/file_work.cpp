@@ -12,7 +12,7 @@
 #include "ui/shell/input.h"
 #include "ui/shell/recipe_work.h"
 #include "ui/shell/sequence_work.h"
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 

@@ -13,10 +13,10 @@
 #include "app/open_document.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"
-#include "ui/shell/tools.h"
 #include "ui/shell/user_files.h"
 #include "ui/shell/user_settings.h"
-#include "ui/shell/viewport_state.h"
+#include "ui/viewport/tools.h"
+#include "ui/viewport/viewport_state.h"
 
 namespace stretch::ui {
 

@@ -18,7 +18,7 @@ namespace stretch::ui {
 [[nodiscard]] std::vector<app::Command<Shell>> toolCommands();
 [[nodiscard]] std::vector<app::Command<Shell>> helpCommands();
 
-/// Whether a switch is on; false for commands that are none.
+/// Whether a switch is on; false for commands that are not switches.
 [[nodiscard]] bool isChecked(const Shell& shell, std::string_view commandId);
 
 /// Whether there is a command of this id.

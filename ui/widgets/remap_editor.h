@@ -8,8 +8,8 @@
 
 namespace stretch::ui {
 
-/// The two draggable points of the remap curve (spec/exaggeration.md, section 2). Percents are fractions in
-/// [0, 1), 0 = off; ease-out's point stands at x = 1 - percent.
+/// The two draggable points of the remap curve (docs/exaggeration.md, Remap and ease). Percents are fractions
+/// in [0, 1), 0 = off; ease-out's point stands at x = 1 - percent.
 struct RemapPoints {
   Vec2 easeIn{0.0, 0.1};  ///< (percent, value in [0, 0.5])
   Vec2 easeOut{0.0, 0.9}; ///< (percent, value in [0.5, 1])

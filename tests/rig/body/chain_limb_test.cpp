@@ -38,7 +38,7 @@ TEST_CASE("any chain of joints can be a limb, by name or by index") {
   CHECK(byIndex->joints == byName->joints);
 }
 
-TEST_CASE("a chain that is none is refused with what is wrong") {
+TEST_CASE("joints that make no chain are refused, with what is wrong") {
   BuiltBiped built = unreal();
   const auto refusal = [&](const std::string& a, const std::string& b) {
     const Result<Limb> limb = chainLimb(built.scene, a, b);

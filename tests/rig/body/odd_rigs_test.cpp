@@ -284,7 +284,7 @@ TEST_CASE("four legs are no biped, whatever the joints are called") {
   }
 }
 
-TEST_CASE("what is no character gives an empty list and a warning") {
+TEST_CASE("a scene without a character gives an empty list and a warning") {
   Scene scene;
   SECTION("nothing at all") {}
   SECTION("one node") {

@@ -1,4 +1,4 @@
-#include "ui/shell/viewport_pane.h"
+#include "ui/viewport/viewport_pane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panels.h"
-#include "ui/shell/content_key.h"
-#include "ui/shell/sequence_viewport.h"
-#include "ui/shell/viewport_labels.h"
-#include "ui/shell/viewport_mouse.h"
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/content_key.h"
+#include "ui/viewport/sequence_viewport.h"
+#include "ui/viewport/viewport_labels.h"
+#include "ui/viewport/viewport_mouse.h"
+#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/shell/viewport_labels.h"
+#include "ui/viewport/viewport_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "rig/trail/exaggeration.h"
 #include "ui/panels/command_ids.h"
 #include "ui/render/skeleton_drawing.h"
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"

@@ -1,4 +1,4 @@
-#include "ui/shell/sequence_viewport.h"
+#include "ui/viewport/sequence_viewport.h"
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@
 #include "ui/render/sequence_scene.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/value_colors.h"
-#include "ui/shell/content_key.h"
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/content_key.h"
+#include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/color_legend.h"
 
 namespace stretch::ui {

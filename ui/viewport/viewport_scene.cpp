@@ -1,4 +1,4 @@
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/viewport_scene.h"
 
 #include <algorithm>
 #include <cmath>

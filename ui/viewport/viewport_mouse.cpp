@@ -1,4 +1,4 @@
-#include "ui/shell/viewport_mouse.h"
+#include "ui/viewport/viewport_mouse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "app/commands/selection.h"
 #include "ui/render/picking.h"
-#include "ui/shell/viewport_scene.h"
+#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 

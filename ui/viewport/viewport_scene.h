@@ -10,7 +10,7 @@
 #include "ui/render/palette.h"
 #include "ui/render/picking.h"
 #include "ui/render/scene_renderer.h"
-#include "ui/shell/viewport_state.h"
+#include "ui/viewport/viewport_state.h"
 
 namespace stretch::ui {
 

@@ -4,7 +4,7 @@
 
 #include "app/commands/selection.h"
 #include "tests/support/app/boxer.h"
-#include "ui/shell/tools.h"
+#include "ui/viewport/tools.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/shell/viewport_pane.h"
+#include "ui/viewport/viewport_pane.h"
 
 namespace stretch::ui {
 

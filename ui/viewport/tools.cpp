@@ -1,4 +1,4 @@
-#include "ui/shell/tools.h"
+#include "ui/viewport/tools.h"
 
 #include <algorithm>
 #include <cmath>
