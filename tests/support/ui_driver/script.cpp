@@ -11,8 +11,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "ui/render/png.h"
 #include "tests/support/ui_driver/script_state.h"
+#include "ui/render/png.h"
 #include "ui/shell/shell_commands.h"
 
 namespace stretch::test {
