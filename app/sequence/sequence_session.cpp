@@ -26,8 +26,11 @@ std::optional<Status> SequenceSession::takeCompression() {
   const bool cancelled = job_->isCancelled();
   Result<Compression> made = job_->take();
   job_.reset();
+  if (cancelled) {
+    return std::nullopt;
+  }
   if (!made) {
-    return cancelled ? std::nullopt : std::optional(Status(made.error()));
+    return Status(made.error());
   }
   SequenceDocument changed = document();
   changed.result = std::make_shared<const Compression>(std::move(made).value());

@@ -61,7 +61,7 @@ void countRow(PanelContext& context, const SliderSpec& given, const RowLabels& l
 
 void optionRows(PanelContext& context) {
   using skinning::CompressSettings;
-  const app::SequenceDocument& document = context.open.sequence()->document();
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const bool hasLine = !document.analysis->joints.empty();
   const auto mostBones =
       static_cast<double>(std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000));
@@ -145,7 +145,7 @@ void compressRow(PanelContext& context) {
 
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument& document = context.open.sequence()->document();
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const double source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
@@ -183,7 +183,7 @@ void errorRows(PanelContext& context) {
 
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument& document = context.open.sequence()->document();
+  const app::SequenceDocument document = context.open.sequence()->document();
   if (!section(widgets, "sequence/result", "Result", context.ui.closedSections)) {
     return;
   }
