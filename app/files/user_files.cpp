@@ -1,4 +1,4 @@
-#include "ui/shell/user_files.h"
+#include "app/files/user_files.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace stretch::ui {
+namespace stretch::app {
 
 namespace {
 
@@ -34,6 +34,12 @@ fs::path configFolder() {
 fs::path stateFolder() {
   return userFolder("XDG_STATE_HOME", ".local/state");
 }
+
+} // namespace stretch::app
+
+namespace stretch {
+
+namespace fs = std::filesystem;
 
 std::optional<std::string> readText(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -67,6 +73,10 @@ Status writeText(const fs::path& path, const std::string& text) {
   return Success{};
 }
 
+} // namespace stretch
+
+namespace stretch::app {
+
 std::string nameFor(const fs::path& path) {
   std::error_code ignored;
   const std::string full = fs::absolute(path, ignored).lexically_normal().string();
@@ -88,4 +98,4 @@ std::optional<FileStamp> stampOf(const fs::path& path) {
   return problem ? std::nullopt : std::optional(stamp);
 }
 
-} // namespace stretch::ui
+} // namespace stretch::app

@@ -6,18 +6,26 @@
 
 #include "core/base/result.h"
 
-namespace stretch::ui {
+namespace stretch::app {
 
 /// Where a user's own files lie: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or their
 /// defaults below the home folder; below the temporary folder where there is no home.
 [[nodiscard]] std::filesystem::path configFolder();
 [[nodiscard]] std::filesystem::path stateFolder();
 
+} // namespace stretch::app
+
+namespace stretch {
+
 /// A whole text file; nothing when it cannot be read.
 [[nodiscard]] std::optional<std::string> readText(const std::filesystem::path& path);
 
 /// Replaces a text file at once, making its folder; on an error the old one stays.
 Status writeText(const std::filesystem::path& path, const std::string& text);
+
+} // namespace stretch
+
+namespace stretch::app {
 
 /// A short name for a path that is the same at every start: "punch-1f03a9c2".
 [[nodiscard]] std::string nameFor(const std::filesystem::path& path);
@@ -31,4 +39,4 @@ struct FileStamp {
 };
 [[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& path);
 
-} // namespace stretch::ui
+} // namespace stretch::app
