@@ -52,7 +52,7 @@ void commandRow(PanelContext& context, const CommandInfo& command) {
 /// Takes the key that was pressed while one is awaited.
 void takeKey(PanelContext& context) {
   KeysOverviewState& keys = context.ui.keys;
-  const std::string& pressed = context.ui.pressedKey;
+  const std::string& pressed = context.status.pressedKey;
   if (keys.waitingFor.empty() || pressed.empty()) {
     return;
   }

@@ -30,6 +30,7 @@ struct PanelContext {
   const std::vector<CommandInfo>& commands;
   std::vector<std::string>& requestedCommands;
   ItemRegistry& items;
+  const EditorStatus& status;
 };
 
 /// Null for an id that no command has.

@@ -13,33 +13,70 @@ void paragraph(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
-/// Enter stands for the last button, the primary one.
-int orEnter(int clicked, int primary) {
-  const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
-  return clicked < 0 && entered ? primary : clicked;
+/// The button that was clicked, or the one that Enter stands for.
+int orEnter(int clicked, int entered) {
+  const bool pressed = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
+  return clicked < 0 && pressed ? entered : clicked;
 }
 
-void drawUnsavedQuestion(PanelContext& context) {
-  UiState& ui = context.ui;
-  const bool wasOpen = ui.unsavedOpen;
-  if (!beginDialog(context,
-                   {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},
-                   ui.unsavedOpen)) {
+/// A question about files: what is said, and what each button answers.
+struct AskedDialog {
+  app::FileQuestion::Kind kind;
+  DialogSpec dialog;
+  std::string text;
+  std::vector<ButtonSpec> buttons;
+  std::vector<app::FileAnswer> answers; ///< One for each button.
+  int entered = -1;                     ///< Button that Enter stands for; -1: none.
+};
+
+AskedDialog unsavedDialog() {
+  return {app::FileQuestion::Kind::unsaved,
+          {.id = "unsaved", .icon = icon::warning, .title = "Save your changes?", .width = 440.0F},
+          "There are changes that are not saved. They are lost if you go on without saving.",
+          {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
+           {.id = "", .text = "Cancel"},
+           {.id = "", .text = "Save"}},
+          {app::FileAnswer::discard, app::FileAnswer::cancel, app::FileAnswer::save},
+          2};
+}
+
+AskedDialog overwriteDialog(const std::filesystem::path& file) {
+  return {app::FileQuestion::Kind::overwrite,
+          {.id = "overwrite", .icon = icon::warning, .title = "Changed by another program", .width = 460.0F},
+          file.filename().string() + " is not as it was when it was opened or saved here. Overwriting it "
+                                     "loses what the other program changed.",
+          {{.id = "", .text = "Overwrite", .emphasis = Emphasis::danger},
+           {.id = "", .text = "Cancel"},
+           {.id = "", .text = "Save as"}},
+          {app::FileAnswer::overwrite, app::FileAnswer::cancel, app::FileAnswer::otherName}};
+}
+
+AskedDialog restoreDialog(const std::filesystem::path& file) {
+  return {app::FileQuestion::Kind::restore,
+          {.id = "restore",
+           .icon = icon::clock,
+           .title = "Restore your work?",
+           .width = 460.0F,
+           .closable = false},
+          "The program ended before the last changes to " + file.string() +
+              " were saved. They were kept to the side.",
+          {{.id = "", .text = "Discard", .emphasis = Emphasis::danger}, {.id = "", .text = "Restore"}},
+          {app::FileAnswer::discard, app::FileAnswer::restore},
+          1};
+}
+
+void drawAsked(PanelContext& context, const AskedDialog& asked) {
+  bool open = context.status.question.kind == asked.kind;
+  if (!beginDialog(context, asked.dialog, open)) {
     return;
   }
-  paragraph("There are changes that are not saved. They are lost if you go on without saving.");
-  const int clicked = orEnter(dialogButtons(context, "unsaved",
-                                            {{.id = "", .text = "Don't save", .emphasis = Emphasis::danger},
-                                             {.id = "", .text = "Cancel"},
-                                             {.id = "", .text = "Save"}}),
-                              2);
-  constexpr UnsavedChoice choices[] = {UnsavedChoice::discard, UnsavedChoice::cancel, UnsavedChoice::save};
+  paragraph(asked.text);
+  const int clicked = orEnter(dialogButtons(context, asked.dialog.id, asked.buttons), asked.entered);
   if (clicked >= 0) {
-    ui.answers.unsaved = choices[clicked];
-    ui.unsavedOpen = false;
+    context.ui.answers.question = asked.answers[static_cast<std::size_t>(clicked)];
     ImGui::CloseCurrentPopup();
-  } else if (wasOpen && !ui.unsavedOpen) {
-    ui.answers.unsaved = UnsavedChoice::cancel; // closed by Esc or the cross
+  } else if (!open) {
+    context.ui.answers.question = app::FileAnswer::cancel; // closed by Esc or the cross
   }
   endDialog();
 }
@@ -103,32 +140,6 @@ void drawNavigationQuestion(PanelContext& context) {
   endDialog();
 }
 
-void drawRestoreQuestion(PanelContext& context) {
-  UiState& ui = context.ui;
-  bool open = !ui.restoreOffer.empty();
-  if (!beginDialog(context,
-                   {.id = "restore",
-                    .icon = icon::clock,
-                    .title = "Restore your work?",
-                    .width = 460.0F,
-                    .closable = false},
-                   open)) {
-    return;
-  }
-  paragraph("The program ended before the last changes to " + ui.restoreOffer +
-            " were saved. They were kept to the side.");
-  const int clicked = orEnter(dialogButtons(context, "restore",
-                                            {{.id = "", .text = "Discard", .emphasis = Emphasis::danger},
-                                             {.id = "", .text = "Restore"}}),
-                              1);
-  if (clicked >= 0) {
-    ui.answers.restoreAutosave = clicked == 1;
-    ui.restoreOffer.clear();
-    ImGui::CloseCurrentPopup();
-  }
-  endDialog();
-}
-
 void drawAbout(PanelContext& context) {
   UiState& ui = context.ui;
   if (!beginDialog(context, {.id = "about", .icon = icon::info, .title = "Stretch-Engine", .width = 480.0F},
@@ -150,8 +161,10 @@ void drawAbout(PanelContext& context) {
 } // namespace
 
 void drawQuestions(PanelContext& context) {
-  drawUnsavedQuestion(context);
-  drawRestoreQuestion(context);
+  const std::filesystem::path& file = context.status.question.about;
+  drawAsked(context, unsavedDialog());
+  drawAsked(context, overwriteDialog(file));
+  drawAsked(context, restoreDialog(file));
   drawNavigationQuestion(context);
   drawAbout(context);
 }

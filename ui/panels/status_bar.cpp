@@ -43,7 +43,7 @@ std::string selectionText(const app::Session& session) {
 
 void selectionPart(PanelContext& context) {
   app::Session& session = *context.open.character();
-  if (context.ui.modalText.empty()) { // which names its limb itself
+  if (context.status.modalText.empty()) { // which names its limb itself
     statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
                {"What is selected", "", {}});
   }
@@ -110,7 +110,8 @@ float hintWidth(const PanelContext& context, const KeyHint& hint) {
 void hintPart(PanelContext& context) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
-  const std::vector<KeyHint> hints = context.ui.keyHints.empty() ? usualHints(context) : context.ui.keyHints;
+  const std::vector<KeyHint> hints =
+      context.status.keyHints.empty() ? usualHints(context) : context.status.keyHints;
   const float free = ImGui::GetContentRegionAvail().x;
   float width = 0.0F;
   std::size_t count = 0;
@@ -133,12 +134,12 @@ void hintPart(PanelContext& context) {
 
 void busyPart(PanelContext& context) {
   const Theme& theme = context.theme;
-  const UiState& ui = context.ui;
-  if (ui.busyText.empty()) {
+  const EditorStatus& status = context.status;
+  if (status.busyText.empty()) {
     return;
   }
-  statusText(context, "status/busy", ui.busyText, theme.colours.accent,
-             {"Work in progress", ui.busyText, {}});
+  statusText(context, "status/busy", status.busyText, theme.colours.accent,
+             {"Work in progress", status.busyText, {}});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = theme.px(120.0F);
   const float middle = corner.y + theme.rowHeight() * 0.5F;
@@ -146,7 +147,7 @@ void busyPart(PanelContext& context) {
   const float half = theme.px(2.0F);
   list->AddRectFilled({corner.x, middle - half}, {corner.x + width, middle + half}, theme.colours.raised,
                       half);
-  const float part = ui.busyFraction < 0.0F ? 0.3F : ui.busyFraction;
+  const float part = status.busyFraction < 0.0F ? 0.3F : status.busyFraction;
   list->AddRectFilled({corner.x, middle - half}, {corner.x + width * part, middle + half},
                       theme.colours.accent, half);
   ImGui::Dummy({width, theme.rowHeight()});
@@ -165,8 +166,8 @@ void sequencePart(PanelContext& context) {
 
 void drawStatusBar(PanelContext& context) {
   busyPart(context);
-  if (!context.ui.modalText.empty()) {
-    statusText(context, "status/modal", context.ui.modalText, context.theme.colours.accent,
+  if (!context.status.modalText.empty()) {
+    statusText(context, "status/modal", context.status.modalText, context.theme.colours.accent,
                {"What is being done", "Enter keeps it, Esc restores.", {}});
   }
   if (context.open.sequence() != nullptr) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/file_work.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
@@ -149,7 +150,7 @@ struct SequencePanelState {
   std::string gravity;
 };
 
-enum class ToastKind { info, success, warning, error };
+using ToastKind = app::Tone;
 
 struct Toast {
   ToastKind kind = ToastKind::info;
@@ -161,8 +162,6 @@ struct KeyHint {
   std::string key;  ///< "Enter"
   std::string does; ///< "keep"
 };
-
-enum class UnsavedChoice { save, discard, cancel };
 
 struct FileChoice {
   FilePurpose purpose = FilePurpose::openModel;
@@ -177,12 +176,21 @@ struct KeyChange {
 /// What the user decided in a dialog, for the shell to take (and reset) in the same frame.
 struct UiAnswers {
   std::optional<FileChoice> file;
-  std::optional<UnsavedChoice> unsaved;
+  std::optional<app::FileAnswer> question; ///< To EditorStatus::question.
   std::optional<NavigationStyle> navigation;
-  std::optional<bool> restoreAutosave;
   std::optional<KeyChange> keyChange;
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
+};
+
+/// What is going on in this frame, as the panels show it: made anew for each one.
+struct EditorStatus {
+  app::FileQuestion question;    ///< Answered by UiAnswers::question.
+  std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
+  std::vector<KeyHint> keyHints; ///< What the keys do in a modal.
+  std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
+  float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
+  std::string pressedKey; ///< Pressed in this frame, as Command::keys spells it: for the keys overview.
 };
 
 /// View state of all panels: no widget keeps anything anywhere else. Not part of the document, not undone.
@@ -202,22 +210,11 @@ struct UiState {
   SequencePanelState sequencePanel;
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool unsavedOpen = false;          ///< Asks before the work is lost; answered by answers.unsaved.
   bool navigationChoiceOpen = false; ///< The first start.
-  std::string restoreOffer;          ///< File that an autosave was found for; empty: none. Answered by
-                                     ///< answers.restoreAutosave.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.
   std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
-
-  // Written by the shell, read by the panels.
-  std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
-  std::vector<KeyHint> keyHints; ///< What the keys do right now.
-  std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
-  float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
-  std::string pressedKey;        ///< The key pressed in this frame as Command::keys spells it: for the keys
-                                 ///< overview.
 
   UiAnswers answers;
 

@@ -9,11 +9,9 @@
 #include <GLFW/glfw3.h>
 
 #include "ui/panels/panels.h"
-#include "ui/panels/toasts.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/gui.h"
 #include "ui/shell/playback.h"
-#include "ui/shell/questions.h"
 #include "ui/shell/shell_commands.h"
 #include "ui/viewport/viewport_pane.h"
 
@@ -117,19 +115,19 @@ void takeAnswers(Editor& editor) {
 
 /// Dialogs, text fields, open menus and lists.
 bool widgetsTakeKeys(const Shell& shell) {
-  return widgetsOwnKeys(shell.ui) || ImGui::GetIO().WantTextInput || !shell.files.changedSavePath.empty() ||
+  return widgetsOwnKeys(shell) || ImGui::GetIO().WantTextInput ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 void takeKeys(Editor& editor) {
   Shell& shell = editor.shell;
-  shell.ui.pressedKey.clear();
+  shell.pressedKey.clear();
   for (const KeyInput& input : editor.window.input().keys) {
     const bool owned = widgetsTakeKeys(shell);
     if (!owned || !input.down) {
       dispatchKey(shell, input);
     } else if (input.down) {
-      shell.ui.pressedKey = app::chordText(input.press.chord);
+      shell.pressedKey = app::chordText(input.press.chord);
     }
   }
 }
@@ -140,7 +138,6 @@ void keepToolOnPress(Shell& shell) {
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     finishTool(*shell.open.character(), shell.tool, true);
-    describeTool(shell.tool, shell.ui);
   }
 }
 
@@ -212,7 +209,9 @@ Rect drawOverlayBar(PanelContext& context, const PanelSet& panels, const Rect& r
 void drawEverything(Editor& editor) {
   Shell& shell = editor.shell;
   const WindowSize size = editor.window.size();
-  PanelContext context{shell.open, shell.ui, shell.theme, shell.commandInfos, shell.requested, shell.items};
+  const EditorStatus status = statusOf(shell);
+  PanelContext context{shell.open,      shell.ui,    shell.theme, shell.commandInfos,
+                       shell.requested, shell.items, status};
   const PanelSet panels = panelSetOf(context);
   beginPanels(context);
   const float menuHeight = drawMenu(context);
@@ -226,7 +225,6 @@ void drawEverything(Editor& editor) {
   drawBottomPanes(context, panels, shell, rects);
   drawSplitters(context, rects, shell.panes);
   drawDialogs(context);
-  drawOverwriteQuestion(shell, context);
 }
 
 void runRequested(Shell& shell) {
@@ -234,12 +232,6 @@ void runRequested(Shell& shell) {
   for (const std::string& id : requested) {
     runCommand(shell, id);
   }
-}
-
-/// Work goes on beside the window.
-bool isBusy(const Shell& shell) {
-  return shell.files.loading.valid() ||
-         (shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing());
 }
 
 /// What happens without a picture: files, keys, time. Answers whether something may look different.
@@ -262,7 +254,6 @@ void drawFrame(Editor& editor) {
   Shell& shell = editor.shell;
   const double began = clockSeconds();
   updateTheme(editor);
-  describeTool(shell.tool, shell.ui);
   describeCommands(shell);
   editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
@@ -338,14 +329,6 @@ Result<Editor> openEditor(const EditorOptions& options) {
 
 } // namespace
 
-void tell(Shell& shell, ToastKind kind, const std::string& text) {
-  tell(shell.ui, kind, text);
-}
-
-void tellProblem(Shell& shell, const Status& status) {
-  tellProblem(shell.ui, status);
-}
-
 int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& options) {
   Result<Editor> editor = openEditor(options);
   if (!editor) {
@@ -357,7 +340,7 @@ int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptio
   if (!files.empty()) {
     openFile(editor->shell, files);
   } else {
-    offerAutosave(editor->shell, {});
+    editor->shell.files.offerAutosave({});
   }
   runLoop(*editor);
   return 0;

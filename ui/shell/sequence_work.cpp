@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "app/files/user_files.h"
 #include "ui/panels/command_ids.h"
 #include "ui/shell/file_work.h"
-#include "ui/shell/user_files.h"
 
 namespace stretch::ui {
 
@@ -83,12 +83,7 @@ void updateSequence(Shell& shell) {
   if (session == nullptr || !session->isCompressing()) {
     return;
   }
-  shell.ui.busyText = "Compressing " + session->document().mesh->name;
-  shell.ui.busyFraction = static_cast<float>(session->compressedShare());
   const std::optional<Status> done = session->takeCompression();
-  if (!session->isCompressing()) {
-    shell.ui.busyText.clear();
-  }
   if (done && *done) {
     tell(shell, ToastKind::success, resultText(session->document()));
   } else if (done) {

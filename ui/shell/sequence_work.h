@@ -9,7 +9,7 @@ namespace stretch::ui {
 /// Turns the view to a sequence that was opened.
 void showSequence(Shell& shell);
 
-/// Once per frame: takes up a compression that is done, tells how far one is.
+/// Once per frame: takes up a compression that is done.
 void updateSequence(Shell& shell);
 
 /// What a dialog answered while a sequence is open: where to export to, moduli to read or write.

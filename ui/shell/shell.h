@@ -1,49 +1,19 @@
 #pragma once
 
-#include <atomic>
-#include <filesystem>
-#include <future>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/command.h"
 #include "app/commands/keymap.h"
+#include "app/files/file_work.h"
 #include "app/open_document.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"
-#include "ui/shell/user_files.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_state.h"
 
 namespace stretch::ui {
-
-/// What is to be done once the user said what shall become of unsaved work.
-enum class AfterUnsaved { nothing, quit, open };
-
-/// Opening, saving and autosaving of the one file that is edited.
-struct FileWork {
-  std::filesystem::path path;               ///< As opened; empty: none is.
-  std::future<Result<app::Opened>> loading; ///< Runs beside the window.
-  std::vector<std::filesystem::path> loadingPaths;
-  std::shared_ptr<std::atomic<float>> loadingShare; ///< Done, 0..1; < 0 unknown.
-  std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up once `loading` is done.
-  AfterUnsaved afterUnsaved = AfterUnsaved::nothing;
-  std::vector<std::filesystem::path> pendingOpen;
-  std::filesystem::path offeredAutosave; ///< What ui.restoreOffer is about.
-  std::filesystem::path offeredSource;   ///< The file that it belongs to.
-  std::filesystem::path stampedPath;     ///< File whose stamp is kept.
-  std::optional<FileStamp> stamp;        ///< As we last read or wrote it.
-  std::filesystem::path changedSavePath; ///< Save that waits for "yes, overwrite": changed by another
-                                         ///< program.
-  bool changeTold = false;               ///< The user knows that the file changed.
-  double lastEditSeconds = 0.0;
-  double lastAutosaveSeconds = -1.0;
-  app::Document autosaved; ///< What the last autosave holds.
-  bool hasAutosave = false;
-};
 
 /// The editor's state: plain parts that functions join. The session of what is open is the only door to the
 /// document.
@@ -56,16 +26,23 @@ struct Shell {
   WindowMemory window;
   ViewportState viewport;
   Tool tool;
-  FileWork files;
+  app::FileWork files;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   std::vector<CommandInfo> commandInfos;
   std::vector<std::string> requested; ///< Command ids, run after the panels.
   app::Key heldKey = app::Key::none;
+  std::string pressedKey;     ///< In this frame, while widgets own the keys.
   double playRemainder = 0.0; ///< Played time that made no whole step yet, seconds.
   bool themeDirty = true;
+  bool nameAsked = false; ///< The file dialog was opened for the question where to save to.
   bool quit = false;
 };
+
+/// What is going on, for the panels.
+[[nodiscard]] EditorStatus statusOf(const Shell& shell);
+/// Work goes on beside the window.
+[[nodiscard]] bool isBusy(const Shell& shell);
 
 /// Tells the user something for a few seconds.
 void tell(Shell& shell, ToastKind kind, const std::string& text);

@@ -115,7 +115,7 @@ Status pickChain(Shell& shell) {
 }
 
 Status exportKeys(Shell& shell) {
-  const std::filesystem::path path = configFolder() / "keys-exported.json";
+  const std::filesystem::path path = app::configFolder() / "keys-exported.json";
   const Status done = writeText(path, shell.keymap.toJson(true));
   if (done) {
     tell(shell, ToastKind::success, "The keys are in " + path.string());
@@ -426,9 +426,11 @@ void describeCommands(Shell& shell) {
   }
 }
 
-bool widgetsOwnKeys(const UiState& ui) {
+bool widgetsOwnKeys(const Shell& shell) {
+  const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.unsavedOpen || ui.jointPick.open || ui.navigationChoiceOpen || !ui.restoreOffer.empty();
+         ui.jointPick.open || ui.navigationChoiceOpen ||
+         shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 void dispatchKey(Shell& shell, const KeyInput& input) {

@@ -34,6 +34,6 @@ void describeCommands(Shell& shell);
 void dispatchKey(Shell& shell, const KeyInput& input);
 
 /// Whether a dialog or text field takes the keys.
-[[nodiscard]] bool widgetsOwnKeys(const UiState& ui);
+[[nodiscard]] bool widgetsOwnKeys(const Shell& shell);
 
 } // namespace stretch::ui

@@ -5,8 +5,8 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "app/files/user_files.h"
 #include "core/gltf/json.h"
-#include "ui/shell/user_files.h"
 
 namespace stretch::ui {
 
@@ -209,13 +209,13 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
 }
 
 fs::path settingsPath() {
-  return configFolder() / "settings.json";
+  return app::configFolder() / "settings.json";
 }
 fs::path keysPath() {
-  return configFolder() / "keys.json";
+  return app::configFolder() / "keys.json";
 }
 fs::path viewPath(const fs::path& file) {
-  return configFolder() / "views" / (nameFor(file) + ".json");
+  return app::configFolder() / "views" / (app::nameFor(file) + ".json");
 }
 
 void rememberRecent(UiState& ui, const fs::path& file) {

@@ -178,20 +178,18 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
   }
 }
 
-void describeTool(const Tool& tool, UiState& ui) {
+void describeTool(const Tool& tool, EditorStatus& status) {
   std::vector<app::ModalHint> hints;
-  ui.modalText.clear();
-  ui.keyHints.clear();
   if (const auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
-    ui.modalText = app::modalText(exaggerate->modal, exaggerate->limbTitle);
+    status.modalText = app::modalText(exaggerate->modal, exaggerate->limbTitle);
     hints = app::modalHints(exaggerate->modal);
   } else if (const auto* grab = std::get_if<GrabTool>(&tool)) {
-    ui.modalText = app::modalText(grab->modal, grab->selected.size());
-    ui.modalText += grab->falloffRadius > 0.0 ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
+    status.modalText = app::modalText(grab->modal, grab->selected.size());
+    status.modalText += grab->falloffRadius > 0.0 ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
   }
   for (app::ModalHint& hint : hints) {
-    ui.keyHints.push_back({std::move(hint.key), std::move(hint.does)});
+    status.keyHints.push_back({std::move(hint.key), std::move(hint.does)});
   }
 }
 

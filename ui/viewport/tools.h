@@ -66,6 +66,6 @@ Status turnFalloff(app::Session& session, Tool& tool, double steps);
 void finishTool(app::Session& session, Tool& tool, bool keep);
 
 /// What the tool says: text for the status bar and what the keys do.
-void describeTool(const Tool& tool, UiState& ui);
+void describeTool(const Tool& tool, EditorStatus& status);
 
 } // namespace stretch::ui

@@ -236,8 +236,8 @@ void drawEmptyViewport(ViewportContext& context, const Rect& box) {
   const float width = std::min(theme.px(320.0F), box.width() - 2.0F * theme.unit());
   ImGui::SetCursorScreenPos({box.centre().x - 0.5F * width, box.centre().y - theme.px(90.0F)});
   ImGui::BeginChild("viewport-empty", {width, theme.px(200.0F)}, false, ImGuiWindowFlags_NoBackground);
-  if (!context.ui.busyText.empty()) {
-    emptyState(widgets, icon::clock, context.ui.busyText, "The window stays alive meanwhile.");
+  if (!context.status.busyText.empty()) {
+    emptyState(widgets, icon::clock, context.status.busyText, "The window stays alive meanwhile.");
   } else {
     emptyState(widgets, icon::cube, "Drop a character here",
                "A rigged biped with a clip, as .glb or .gltf. Or open one from the disk.");

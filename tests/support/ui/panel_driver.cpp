@@ -96,7 +96,7 @@ void PanelDriver::frame() {
   ImGui::GetIO().KeyShift = shift;
   commands = allCommands(open);
   ImGui::NewFrame();
-  ui::PanelContext context{open, ui, theme, commands, requested, items};
+  ui::PanelContext context{open, ui, theme, commands, requested, items, status};
   ui::beginPanels(context);
   drawPanes(context);
   ImGui::Render();

@@ -44,6 +44,7 @@ public:
 
   app::OpenDocument open; ///< A mesh sequence can be opened instead.
   ui::UiState ui;
+  ui::EditorStatus status;
   ui::Theme theme;
   ui::ItemRegistry items;
   std::vector<ui::CommandInfo> commands;

@@ -136,11 +136,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
-      {"autosaved",
-       [&] {
-         const FileWork& files = shell.files;
-         return yesNo(files.hasAutosave && app::sameDocument(files.autosaved, session.document()));
-       }},
+      {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session.document())); }},
       {"weight.limbs", [&] { return heavyLimbs(session); }},
       {"weight.stiffness", [&] { return heavyStiffness(session); }},
       {"chains", [&] { return std::to_string(session.document().chains.size()); }},
@@ -184,12 +180,14 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
+  using Kind = app::FileQuestion::Kind;
+  const Kind asked = shell.files.question().kind;
   const std::map<std::string_view, std::string> states{
-      {"file", shell.files.path.filename().string()},
-      {"unsaved", yesNo(hasUnsavedWork(shell))},
-      {"busy", yesNo(shell.files.loading.valid())},
+      {"file", shell.files.path().filename().string()},
+      {"unsaved", yesNo(app::hasUnsavedWork(shell.open))},
+      {"busy", yesNo(shell.files.isOpening())},
       {"compressing", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing())},
-      {"modal", shell.ui.modalText},
+      {"modal", statusOf(shell).modalText},
       {"playing", yesNo(shell.ui.timeline.playing)},
       {"ghosts", yesNo(shell.ui.overlays.ghosts)},
       {"navigation", shell.ui.navigation == NavigationStyle::maya ? "maya" : "blender"},
@@ -198,9 +196,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"keys", yesNo(shell.ui.keys.open)},
       {"settings", yesNo(shell.ui.settingsOpen)},
       {"popup", yesNo(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))},
-      {"asks-unsaved", yesNo(shell.ui.unsavedOpen)},
-      {"asks-overwrite", yesNo(!shell.files.changedSavePath.empty())},
-      {"offers-restore", yesNo(!shell.ui.restoreOffer.empty())},
+      {"asks-unsaved", yesNo(asked == Kind::unsaved)},
+      {"asks-overwrite", yesNo(asked == Kind::overwrite)},
+      {"offers-restore", yesNo(asked == Kind::restore)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},

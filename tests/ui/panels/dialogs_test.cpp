@@ -112,22 +112,49 @@ TEST_CASE("The palette runs what was typed with Enter") {
 
 TEST_CASE("Unsaved changes: every way out gives an answer") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  driver.ui.unsavedOpen = true;
+  driver.status.question.kind = app::FileQuestion::Kind::unsaved;
   driver.frames(3);
   SECTION("save") {
     driver.click("unsaved/Save");
-    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::save);
+    CHECK(driver.ui.answers.question == app::FileAnswer::save);
   }
   SECTION("discard") {
     driver.click("unsaved/Don't save");
-    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::discard);
+    CHECK(driver.ui.answers.question == app::FileAnswer::discard);
   }
   SECTION("Esc") {
     driver.pressKey(ImGuiKey_Escape);
     driver.frames(2);
-    CHECK(driver.ui.answers.unsaved == ui::UnsavedChoice::cancel);
+    CHECK(driver.ui.answers.question == app::FileAnswer::cancel);
   }
-  CHECK_FALSE(driver.ui.unsavedOpen);
+}
+
+TEST_CASE("A file that another program changed is overwritten, left, or saved elsewhere") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.status.question = {app::FileQuestion::Kind::overwrite, "/a/punch.glb"};
+  driver.frames(3);
+  SECTION("overwrite") {
+    driver.click("overwrite/Overwrite");
+    CHECK(driver.ui.answers.question == app::FileAnswer::overwrite);
+  }
+  SECTION("elsewhere") {
+    driver.click("overwrite/Save as");
+    CHECK(driver.ui.answers.question == app::FileAnswer::otherName);
+  }
+  SECTION("Enter decides nothing, Esc leaves it") {
+    driver.pressKey(ImGuiKey_Enter);
+    CHECK_FALSE(driver.ui.answers.question);
+    driver.pressKey(ImGuiKey_Escape);
+    CHECK(driver.ui.answers.question == app::FileAnswer::cancel);
+  }
+}
+
+TEST_CASE("Work that was left behind is restored with Enter") {
+  PanelDriver driver(PanelDriver::bundledCharacter());
+  driver.status.question = {app::FileQuestion::Kind::restore, "/a/punch.glb"};
+  driver.frames(3);
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(driver.ui.answers.question == app::FileAnswer::restore);
 }
 
 TEST_CASE("The first start asks how the view is turned") {
@@ -146,7 +173,7 @@ TEST_CASE("A key is changed in the keys overview, and the one that loses it is t
   driver.frames(3);
   driver.click("keys/trail.apply");
   CHECK(driver.ui.keys.waitingFor == "trail.apply");
-  driver.ui.pressedKey.assign(1, 'T');
+  driver.status.pressedKey.assign(1, 'T');
   driver.frame();
   REQUIRE(driver.ui.answers.keyChange);
   CHECK(driver.ui.answers.keyChange->commandId == "trail.apply");

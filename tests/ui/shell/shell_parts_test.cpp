@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/files/autosave.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/ui_driver/script_state.h"
-#include "ui/shell/autosave.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/pane_layout.h"
@@ -136,26 +136,16 @@ TEST_CASE("Recent files are kept once each, the newest first") {
   CHECK(ui.recentFiles[1] == "/folder/19.glb");
 }
 
-TEST_CASE("Save incremental takes the next free number") {
-  const UserFolder folder;
-  const fs::path file = folder.path() / "punch.glb";
-  CHECK(nextIncrement(file).filename() == "punch-001.glb");
-  touch(folder.path() / "punch-001.glb");
-  CHECK(nextIncrement(file).filename() == "punch-002.glb");
-  CHECK(nextIncrement(folder.path() / "punch-001.glb").filename() == "punch-002.glb");
-  CHECK(nextIncrement(folder.path() / "one-two.glb").filename() == "one-two-001.glb");
-}
-
 TEST_CASE("A change by another program shows in the stamp") {
   const UserFolder folder;
   const fs::path file = folder.path() / "a.glb";
-  CHECK_FALSE(stampOf(file));
+  CHECK_FALSE(app::stampOf(file));
   touch(file);
-  const auto before = stampOf(file);
+  const auto before = app::stampOf(file);
   REQUIRE(before);
-  CHECK(stampOf(file) == before);
+  CHECK(app::stampOf(file) == before);
   std::ofstream(file) << "longer";
-  CHECK(stampOf(file) != before);
+  CHECK(app::stampOf(file) != before);
 }
 
 TEST_CASE("Texts are replaced whole, and failures leave nothing behind") {

@@ -48,10 +48,10 @@ TEST_CASE("Exaggerate previews at once, and Enter makes one undo step of it") {
   stage.type("3 Y");
   CHECK(stage.settings().scale == 3.0);
   CHECK(stage.session.atBegin().trails.empty());
-  UiState ui;
-  describeTool(stage.tool, ui);
-  CHECK(ui.modalText == "left arm x3.00, axes X Z");
-  CHECK_FALSE(ui.keyHints.empty());
+  EditorStatus running;
+  describeTool(stage.tool, running);
+  CHECK(running.modalText == "left arm x3.00, axes X Z");
+  CHECK_FALSE(running.keyHints.empty());
   stage.type("Enter");
   CHECK_FALSE(isRunning(stage.tool));
   CHECK(stage.session.history().undoLabel() == "Exaggerate");
@@ -59,8 +59,9 @@ TEST_CASE("Exaggerate previews at once, and Enter makes one undo step of it") {
   stage.session.undo();
   CHECK(stage.session.document().trails.empty());
   CHECK_FALSE(stage.session.history().canUndo());
-  describeTool(stage.tool, ui);
-  CHECK(ui.modalText.empty());
+  EditorStatus over;
+  describeTool(stage.tool, over);
+  CHECK(over.modalText.empty());
 }
 
 TEST_CASE("Esc leaves nothing of an exaggeration") {

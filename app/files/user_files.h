@@ -6,7 +6,7 @@
 
 #include "core/base/file.h"
 
-namespace stretch::ui {
+namespace stretch::app {
 
 /// Where a user's own files lie: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or their
 /// defaults below the home folder; below the temporary folder where there is no home.
@@ -25,4 +25,4 @@ struct FileStamp {
 };
 [[nodiscard]] std::optional<FileStamp> stampOf(const std::filesystem::path& path);
 
-} // namespace stretch::ui
+} // namespace stretch::app

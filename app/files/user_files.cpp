@@ -1,4 +1,4 @@
-#include "ui/shell/user_files.h"
+#include "app/files/user_files.h"
 
 #include <cstdlib>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/hash.h"
 
-namespace stretch::ui {
+namespace stretch::app {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::optional<FileStamp> stampOf(const fs::path& path) {
   return problem ? std::nullopt : std::optional(stamp);
 }
 
-} // namespace stretch::ui
+} // namespace stretch::app

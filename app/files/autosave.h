@@ -7,7 +7,7 @@
 
 #include "app/document.h"
 
-namespace stretch::ui {
+namespace stretch::app {
 
 /// Work that was not saved when the program went away. The work is small (trails and settings, not the
 /// character), so it is written to the side every few seconds.
@@ -20,16 +20,15 @@ struct Autosave {
 [[nodiscard]] std::filesystem::path autosavePath(const std::filesystem::path& source);
 
 /// The autosave as text: what was edited, by which process, and the work.
-[[nodiscard]] std::string autosaveText(const app::Document& document, const std::filesystem::path& source);
+[[nodiscard]] std::string autosaveText(const Document& document, const std::filesystem::path& source);
 
 /// The newest autosave that no living process owns: of this file, or of any when `source` is empty.
 [[nodiscard]] std::optional<Autosave> findAutosave(const std::filesystem::path& source);
 
 /// The document with the autosaved work in place of its own.
-[[nodiscard]] Result<app::Document> withAutosave(const app::Document& document,
-                                                 const std::filesystem::path& autosave);
+[[nodiscard]] Result<Document> withAutosave(const Document& document, const std::filesystem::path& autosave);
 
 /// Forgets it: the work was saved, or the user does not want it.
 void removeAutosave(const std::filesystem::path& autosave);
 
-} // namespace stretch::ui
+} // namespace stretch::app

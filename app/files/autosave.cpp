@@ -1,4 +1,4 @@
-#include "ui/shell/autosave.h"
+#include "app/files/autosave.h"
 
 #include <csignal>
 #include <system_error>
@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include "app/files/saved_work.h"
+#include "app/files/user_files.h"
 #include "core/gltf/json.h"
-#include "ui/shell/user_files.h"
 
-namespace stretch::ui {
+namespace stretch::app {
 
 namespace {
 
@@ -44,11 +44,11 @@ fs::path autosavePath(const fs::path& source) {
   return autosaveFolder() / (nameFor(source) + ".json");
 }
 
-std::string autosaveText(const app::Document& document, const fs::path& source) {
+std::string autosaveText(const Document& document, const fs::path& source) {
   return Json{{"version", 1},
               {"source", absoluteText(source)},
               {"process", static_cast<long>(getpid())},
-              {"work", app::workOf(document)}}
+              {"work", workOf(document)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -72,17 +72,17 @@ std::optional<Autosave> findAutosave(const fs::path& source) {
   return newest;
 }
 
-Result<app::Document> withAutosave(const app::Document& document, const fs::path& autosave) {
+Result<Document> withAutosave(const Document& document, const fs::path& autosave) {
   const Json json = readAutosave(autosave);
   if (json.is_null()) {
     return Error{"the unsaved work cannot be read", autosave.string(), "go on with the file as it was saved"};
   }
-  app::Document restored = app::withoutWork(document);
+  Document restored = withoutWork(document);
   if (json["work"].is_null()) {
     return restored;
   }
-  const Status done = app::restoreWork(json["work"], restored);
-  return done ? Result<app::Document>(restored) : Result<app::Document>(done.error());
+  const Status done = restoreWork(json["work"], restored);
+  return done ? Result<Document>(restored) : Result<Document>(done.error());
 }
 
 void removeAutosave(const fs::path& autosave) {
@@ -90,4 +90,4 @@ void removeAutosave(const fs::path& autosave) {
   fs::remove(autosave, ignored);
 }
 
-} // namespace stretch::ui
+} // namespace stretch::app

@@ -1,0 +1,391 @@
+#include "app/files/file_work.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace stretch::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double keepAsideAfterSeconds = 3.0;
+
+template <typename... Cases>
+struct Match : Cases... {
+  using Cases::operator()...;
+};
+template <typename... Cases>
+Match(Cases...) -> Match<Cases...>;
+
+void tellWarnings(FileUser& user, const std::vector<std::string>& warnings) {
+  if (!warnings.empty()) {
+    user.tell(Tone::warning, warnings.size() == 1
+                                 ? warnings.front()
+                                 : fmt::format("{} (and {} more)", warnings.front(), warnings.size() - 1));
+  }
+}
+
+void tellDisconnected(FileUser& user, const Document& document) {
+  if (const std::size_t waiting = disconnectedTrails(document); waiting > 0) {
+    user.tell(Tone::warning,
+              fmt::format("{} {} not connected: the file keeps {}, other programs play it without. C connects "
+                          "the selected one.",
+                          waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
+  }
+}
+
+} // namespace
+
+bool hasUnsavedWork(const OpenDocument& open) {
+  const Session* const session = open.character();
+  return session != nullptr && !session->history().isSaved();
+}
+
+std::string shownName(const fs::path& path) {
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+fs::path nextIncrement(const fs::path& path) {
+  std::string stem = path.stem().string();
+  const std::size_t dash = stem.rfind('-');
+  const bool numbered = dash != std::string::npos && dash + 1 < stem.size() &&
+                        std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(dash) + 1, stem.end(),
+                                    [](unsigned char c) { return std::isdigit(c) != 0; });
+  stem = numbered ? stem.substr(0, dash) : stem;
+  fs::path next = path;
+  std::error_code ignored;
+  for (int number = 1; number < 100000; ++number) {
+    next.replace_filename(fmt::format("{}-{:03}{}", stem, number, path.extension().string()));
+    if (!fs::exists(next, ignored)) {
+      break;
+    }
+  }
+  return next;
+}
+
+FileQuestion FileWork::question() const {
+  using Kind = FileQuestion::Kind;
+  return std::visit(Match{[](const Idle&) { return FileQuestion{}; },
+                          [](const AskingUnsaved&) {
+                            return FileQuestion{Kind::unsaved, {}};
+                          },
+                          [](const AskingName&) {
+                            return FileQuestion{Kind::name, {}};
+                          },
+                          [](const AskingOverwrite& asked) {
+                            return FileQuestion{Kind::overwrite, asked.path};
+                          },
+                          [](const OfferingAutosave& offered) {
+                            return FileQuestion{Kind::restore, offered.autosave.source};
+                          }},
+                    state_);
+}
+
+std::string FileWork::openingName() const {
+  return opening_ ? shownName(opening_->paths.back()) : std::string();
+}
+
+float FileWork::openingShare() const {
+  return opening_ ? opening_->share->load() : -1.0F;
+}
+
+bool FileWork::isKeptAside(const Document& document) const {
+  return keptAside_ && sameDocument(keptAside_->document, document);
+}
+
+void FileWork::openFile(FileUser& user, const Paths& paths) {
+  if (question().kind != FileQuestion::Kind::none) {
+    user.tell(Tone::info, "Answer the question first");
+  } else if (opening_) {
+    user.tell(Tone::info, "Another file is being opened");
+  } else if (hasUnsavedWork(user.open())) {
+    state_ = AskingUnsaved{OpenPaths{paths}};
+  } else {
+    start(user, paths, std::nullopt);
+  }
+}
+
+void FileWork::start(FileUser& user, const Paths& paths, std::optional<fs::path> restoreFrom) {
+  if (opening_) {
+    user.tell(Tone::info, "Another file is being opened");
+    return;
+  }
+  opening_.emplace();
+  opening_->paths = paths;
+  opening_->restoreFrom = std::move(restoreFrom);
+  opening_->share = std::make_shared<std::atomic<float>>(-1.0F);
+  if (hasUnsavedWork(user.open())) {
+    opening_->given = user.open().character()->history().current();
+  }
+  opening_->work = std::async(std::launch::async, [load = loader_, paths, share = opening_->share] {
+    return load(paths, [&share](double done) { *share = static_cast<float>(done); });
+  });
+}
+
+void FileWork::takeRead(FileUser& user) {
+  if (opening_->work.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return;
+  }
+  Result<Opened> read = opening_->work.get();
+  if (!read) {
+    user.tell(Tone::error, openingName() + ": " + read.error().line());
+    opening_.reset();
+    return;
+  }
+  opening_->read = std::move(read).value();
+}
+
+/// Work that came after the user let the file be opened is asked for as well.
+void FileWork::show(FileUser& user) {
+  const bool given = opening_->given && hasUnsavedWork(user.open()) &&
+                     sameDocument(*opening_->given, user.open().character()->history().current());
+  if (hasUnsavedWork(user.open()) && !given) {
+    state_ = AskingUnsaved{ShowRead{}};
+    return;
+  }
+  Opening read = *std::exchange(opening_, std::nullopt);
+  close(user);
+  user.open().open(std::move(*read.read));
+  Session* const session = user.open().character();
+  path_ = session != nullptr ? read.paths.back() : pathOf(user.open().sequence()->document());
+  if (session != nullptr) {
+    stamp(path_);
+  } else {
+    stampedPath_.clear(); // Nothing is saved over a sequence: changes by others do not matter.
+    stamp_.reset();
+  }
+  user.opened();
+  if (session == nullptr) {
+    return;
+  }
+  tellWarnings(user, session->document().warnings);
+  if (read.restoreFrom) {
+    restore(user, *read.restoreFrom);
+  } else {
+    offerAutosave(path_);
+  }
+}
+
+void FileWork::save(FileUser& user) {
+  if (user.open().character() != nullptr) {
+    saveThen(user, Nothing{});
+  }
+}
+
+void FileWork::saveThen(FileUser& user, Next next) {
+  const fs::path path = user.open().character()->savePath();
+  if (path.empty()) {
+    state_ = AskingName{std::move(next)};
+  } else if (changedByOthers(path)) {
+    state_ = AskingOverwrite{path, std::move(next)};
+  } else {
+    write(user, path, std::move(next));
+  }
+}
+
+void FileWork::saveAs(FileUser& user, const fs::path& path) {
+  if (user.open().character() == nullptr) {
+    return;
+  }
+  const auto* const asked = std::get_if<AskingName>(&state_);
+  write(user, path, asked != nullptr ? asked->next : Next{});
+}
+
+void FileWork::saveIncremental(FileUser& user) {
+  if (const Session* const session = user.open().character()) {
+    saveAs(user, nextIncrement(session->proposedSavePath()));
+  }
+}
+
+void FileWork::write(FileUser& user, const fs::path& path, Next next) {
+  state_ = Idle{};
+  if (const Status done = user.open().character()->save(path, false); !done) {
+    user.tell(Tone::error, done.error().line());
+    cancel();
+    return;
+  }
+  user.tell(Tone::success, "Saved " + path.filename().string());
+  tellDisconnected(user, user.open().character()->document());
+  stamp(path);
+  forgetKeptAside();
+  user.saved(path);
+  goOn(user, next);
+}
+
+void FileWork::exportClean(FileUser& user, const fs::path& path) {
+  Session* const session = user.open().character();
+  if (session == nullptr) {
+    return;
+  }
+  if (const Status done = session->save(path, true); !done) {
+    user.tell(Tone::error, done.error().line());
+    return;
+  }
+  user.tell(Tone::success, "Exported " + path.filename().string());
+  tellDisconnected(user, session->document());
+}
+
+void FileWork::quit(FileUser& user) {
+  if (hasUnsavedWork(user.open())) {
+    state_ = AskingUnsaved{Quit{}};
+  } else {
+    user.quit();
+  }
+}
+
+void FileWork::goOn(FileUser& user, const Next& next) {
+  state_ = Idle{};
+  std::visit(Match{[](const Nothing&) {}, [&](const Quit&) { user.quit(); },
+                   [&](const OpenPaths& wanted) { start(user, wanted.paths, std::nullopt); },
+                   [&](const ShowRead&) {
+                     if (hasUnsavedWork(user.open())) {
+                       opening_->given = user.open().character()->history().current();
+                     }
+                     show(user);
+                   }},
+             next);
+}
+
+void FileWork::cancel() {
+  state_ = Idle{};
+  if (opening_ && opening_->read) {
+    opening_.reset(); // What is open stays.
+  }
+}
+
+void FileWork::answer(FileUser& user, FileAnswer answer) {
+  const State asked = state_;
+  if (const auto* unsaved = std::get_if<AskingUnsaved>(&asked)) {
+    answerUnsaved(user, *unsaved, answer);
+  } else if (const auto* overwrite = std::get_if<AskingOverwrite>(&asked)) {
+    answerOverwrite(user, *overwrite, answer);
+  } else if (const auto* offered = std::get_if<OfferingAutosave>(&asked)) {
+    answerOffer(user, *offered, answer);
+  } else if (std::holds_alternative<AskingName>(asked) && answer == FileAnswer::cancel) {
+    cancel();
+  }
+}
+
+void FileWork::answerUnsaved(FileUser& user, const AskingUnsaved& asked, FileAnswer answer) {
+  if (answer == FileAnswer::cancel) {
+    cancel();
+  } else if (answer == FileAnswer::discard) {
+    goOn(user, asked.next);
+  } else if (answer == FileAnswer::save) {
+    saveThen(user, asked.next);
+  }
+}
+
+void FileWork::answerOverwrite(FileUser& user, const AskingOverwrite& asked, FileAnswer answer) {
+  if (answer == FileAnswer::overwrite) {
+    write(user, asked.path, asked.next);
+  } else if (answer == FileAnswer::otherName) {
+    state_ = AskingName{asked.next};
+  } else if (answer == FileAnswer::cancel) {
+    cancel();
+  }
+}
+
+void FileWork::answerOffer(FileUser& user, const OfferingAutosave& offered, FileAnswer answer) {
+  const bool isOpen = user.open().character() != nullptr && offered.autosave.source == path_;
+  if (answer == FileAnswer::discard) {
+    removeAutosave(offered.autosave.file);
+    state_ = Idle{};
+  } else if (answer == FileAnswer::restore) {
+    state_ = Idle{};
+    if (isOpen) {
+      restore(user, offered.autosave.file);
+    } else {
+      start(user, {offered.autosave.source}, offered.autosave.file);
+    }
+  }
+}
+
+void FileWork::restore(FileUser& user, const fs::path& autosave) {
+  Session& session = *user.open().character();
+  Result<Document> restored = withAutosave(session.document(), autosave);
+  removeAutosave(autosave);
+  if (restored) {
+    session.edit(std::move(restored).value(), "Restore unsaved work");
+    user.tell(Tone::success, "The unsaved work is back");
+  } else {
+    user.tell(Tone::error, restored.error().line());
+  }
+}
+
+void FileWork::offerAutosave(const fs::path& file) {
+  if (auto found = findAutosave(file)) {
+    found->source = file.empty() ? found->source : file;
+    state_ = OfferingAutosave{std::move(*found)};
+  }
+}
+
+void FileWork::returned(FileUser& user) {
+  if (!changeTold_ && changedByOthers(stampedPath_)) {
+    changeTold_ = true;
+    user.tell(Tone::warning, stampedPath_.filename().string() + " was changed by another program");
+  }
+}
+
+void FileWork::update(FileUser& user, double nowSeconds) {
+  if (opening_ && !opening_->read) {
+    takeRead(user);
+  }
+  if (opening_ && opening_->read && std::holds_alternative<Idle>(state_)) {
+    show(user);
+  }
+  keepAside(user, nowSeconds);
+}
+
+void FileWork::keepAside(FileUser& user, double nowSeconds) {
+  const Session* const session = user.open().character();
+  if (session == nullptr || session->isDragging()) {
+    return;
+  }
+  if (!hasUnsavedWork(user.open())) {
+    forgetKeptAside();
+    return;
+  }
+  const Document& document = session->document();
+  if (nowSeconds - keptAsideSeconds_ < keepAsideAfterSeconds || isKeptAside(document)) {
+    return;
+  }
+  keptAsideSeconds_ = nowSeconds;
+  const fs::path file = autosavePath(path_);
+  const Status written = writeText(file, autosaveText(document, path_));
+  if (!written && !keptAside_) {
+    user.tell(Tone::warning, "Unsaved work is not kept aside: " + written.error().line());
+  }
+  keptAside_ = KeptAside{file, document};
+}
+
+void FileWork::forgetKeptAside() {
+  if (keptAside_) {
+    removeAutosave(keptAside_->file);
+    keptAside_.reset();
+  }
+}
+
+void FileWork::close(FileUser& user) {
+  if (!user.open().isEmpty()) {
+    user.closing();
+  }
+  forgetKeptAside();
+}
+
+void FileWork::stamp(const fs::path& path) {
+  stampedPath_ = path;
+  stamp_ = stampOf(path);
+  changeTold_ = false;
+}
+
+bool FileWork::changedByOthers(const fs::path& path) const {
+  return !path.empty() && path == stampedPath_ && stamp_ && stampOf(path) != stamp_;
+}
+
+} // namespace stretch::app

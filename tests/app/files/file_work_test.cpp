@@ -1,0 +1,282 @@
+#include "app/files/file_work.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <future>
+#include <thread>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/trail_edits.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Kind = FileQuestion::Kind;
+
+/// A user without a window, with a folder for files and settings.
+class Desk : public FileUser {
+public:
+  Desk() {
+    setenv("XDG_STATE_HOME", (folder.path() / "state").c_str(), 1);
+    fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", file("a.glb"));
+    fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", file("b.glb"));
+  }
+
+  OpenDocument& open() override { return document; }
+  void tell(Tone tone, const std::string& text) override { told.emplace_back(tone, text); }
+  void closing() override { happened += "closing "; }
+  void opened() override { happened += "opened "; }
+  void saved(const fs::path& path) override { happened += "saved:" + path.filename().string() + " "; }
+  void quit() override { happened += "quit "; }
+
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder.path() / name; }
+  /// What happened since the last time.
+  std::string news() { return std::exchange(happened, {}); }
+  [[nodiscard]] Tone lastTone() const { return told.empty() ? Tone::info : told.back().first; }
+
+  void waitWhileOpening(FileWork& work) {
+    for (int i = 0; i < 60000 && work.isOpening() && work.question().kind == Kind::none; ++i) {
+      work.update(*this, clock);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void openNow(FileWork& work, const std::string& name) {
+    work.openFile(*this, {file(name)});
+    waitWhileOpening(work);
+  }
+  /// Changes the open character; each call another change.
+  void edit() {
+    Session& session = *document.character();
+    const bool loops = !session.document().loopingClips.empty();
+    REQUIRE(session.edit(setLooping(session.document(), 0, !loops), "Loop"));
+  }
+  [[nodiscard]] bool isEdited() const { return !document.character()->document().loopingClips.empty(); }
+
+  const test::TemporaryFolder folder;
+  OpenDocument document;
+  std::vector<std::pair<Tone, std::string>> told;
+  std::string happened;
+  double clock = 0.0;
+};
+
+} // namespace
+
+TEST_CASE("A file is opened beside the caller; one that cannot be read leaves what is open") {
+  Desk desk;
+  FileWork work;
+  work.openFile(desk, {desk.file("a.glb")});
+  CHECK(work.isOpening());
+  CHECK(work.openingName() == "a.glb");
+  work.openFile(desk, {desk.file("b.glb")});
+  CHECK(desk.told.size() == 1); // One at a time.
+  desk.waitWhileOpening(work);
+  CHECK(desk.news() == "opened ");
+  CHECK(work.path() == desk.file("a.glb"));
+  std::ofstream(desk.file("broken.glb")) << "no model";
+  desk.openNow(work, "broken.glb");
+  CHECK(desk.lastTone() == Tone::error);
+  CHECK(desk.news().empty());
+  CHECK(work.path() == desk.file("a.glb"));
+  CHECK(work.question().kind == Kind::none);
+}
+
+TEST_CASE("Unsaved work is asked for before another file is opened") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  desk.news();
+  work.openFile(desk, {desk.file("b.glb")});
+  REQUIRE(work.question().kind == Kind::unsaved);
+  CHECK_FALSE(work.isOpening());
+  work.answer(desk, FileAnswer::overwrite); // Not offered.
+  REQUIRE(work.question().kind == Kind::unsaved);
+
+  SECTION("cancel leaves everything as it is") {
+    work.answer(desk, FileAnswer::cancel);
+    CHECK(work.question().kind == Kind::none);
+    CHECK_FALSE(work.isOpening());
+    CHECK(desk.isEdited());
+  }
+  SECTION("discard opens it, without asking again") {
+    work.answer(desk, FileAnswer::discard);
+    desk.waitWhileOpening(work);
+    CHECK(desk.news() == "closing opened ");
+    CHECK(work.path() == desk.file("b.glb"));
+  }
+  SECTION("save asks for a name, and goes on once it is saved") {
+    work.answer(desk, FileAnswer::save);
+    REQUIRE(work.question().kind == Kind::name);
+    work.saveAs(desk, desk.file("mine.glb"));
+    desk.waitWhileOpening(work);
+    CHECK(desk.news() == "saved:mine.glb closing opened ");
+    CHECK(work.path() == desk.file("b.glb"));
+  }
+  SECTION("a save that fails goes no further") {
+    work.answer(desk, FileAnswer::save);
+    work.saveAs(desk, desk.file("no-folder") / "mine.glb");
+    CHECK(desk.lastTone() == Tone::error);
+    CHECK(work.question().kind == Kind::none);
+    CHECK_FALSE(work.isOpening());
+  }
+}
+
+TEST_CASE("A name that is not given forgets what waited for it") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  desk.news();
+  work.quit(desk);
+  REQUIRE(work.question().kind == Kind::unsaved);
+  work.answer(desk, FileAnswer::save);
+  REQUIRE(work.question().kind == Kind::name);
+  work.answer(desk, FileAnswer::cancel);
+  work.saveAs(desk, desk.file("mine.glb"));
+  CHECK(desk.news() == "saved:mine.glb "); // and no quit
+  work.quit(desk);
+  CHECK(desk.news() == "quit ");
+}
+
+TEST_CASE("What another program changed is overwritten only when the user says so") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.save(desk);
+  work.saveAs(desk, desk.file("mine.glb"));
+  desk.edit();
+  work.returned(desk);
+  const std::size_t toldBefore = desk.told.size();
+  std::ofstream(desk.file("mine.glb"), std::ios::app) << "more";
+  work.returned(desk);
+  work.returned(desk);
+  CHECK(desk.told.size() == toldBefore + 1);
+  desk.news();
+  work.save(desk);
+  REQUIRE(work.question().kind == Kind::overwrite);
+  CHECK(work.question().about == desk.file("mine.glb"));
+  CHECK(desk.news().empty());
+
+  SECTION("overwrite") {
+    work.answer(desk, FileAnswer::overwrite);
+    CHECK(desk.news() == "saved:mine.glb ");
+    desk.edit();
+    work.save(desk);
+    CHECK(desk.news() == "saved:mine.glb "); // Its stamp is known again.
+  }
+  SECTION("cancel") {
+    work.answer(desk, FileAnswer::cancel);
+    CHECK(work.question().kind == Kind::none);
+    CHECK(hasUnsavedWork(desk.document));
+  }
+  SECTION("another name") {
+    work.answer(desk, FileAnswer::otherName);
+    REQUIRE(work.question().kind == Kind::name);
+    work.saveAs(desk, desk.file("other.glb"));
+    CHECK(desk.news() == "saved:other.glb ");
+  }
+}
+
+TEST_CASE("Work that comes while another file is read is asked for as well") {
+  Desk desk;
+  std::promise<void> mayRead;
+  std::shared_future<void> gate = mayRead.get_future().share();
+  bool blocks = false;
+  FileWork work([&](const FileWork::Paths& paths, const skinning::Progress& progress) {
+    if (blocks) {
+      gate.wait();
+    }
+    return openAny(paths, progress);
+  });
+  desk.openNow(work, "a.glb");
+  blocks = true;
+  work.openFile(desk, {desk.file("b.glb")});
+  CHECK(work.question().kind == Kind::none);
+  desk.edit();
+  mayRead.set_value();
+  desk.waitWhileOpening(work);
+  REQUIRE(work.question().kind == Kind::unsaved);
+  desk.news();
+  SECTION("cancel keeps what is open") {
+    work.answer(desk, FileAnswer::cancel);
+    CHECK_FALSE(work.isOpening());
+    CHECK(desk.isEdited());
+    CHECK(desk.news().empty());
+  }
+  SECTION("discard shows what was read") {
+    work.answer(desk, FileAnswer::discard);
+    CHECK(desk.news() == "closing opened ");
+    CHECK_FALSE(desk.isEdited());
+  }
+}
+
+TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once it is saved") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  desk.clock = 10.0;
+  work.update(desk, desk.clock);
+  CHECK(work.isKeptAside(desk.document.character()->document()));
+  desk.edit();
+  work.update(desk, desk.clock + 1.0); // Not yet again.
+  CHECK_FALSE(work.isKeptAside(desk.document.character()->document()));
+  desk.edit();
+
+  SECTION("saved") {
+    work.saveAs(desk, desk.file("mine.glb"));
+    CHECK_FALSE(findAutosave(desk.file("a.glb")));
+  }
+  SECTION("undone") {
+    while (desk.document.character()->undo()) {
+    }
+    work.update(desk, desk.clock + 1.0);
+    CHECK_FALSE(findAutosave(desk.file("a.glb")));
+  }
+  SECTION("a crash: the next start offers it with the file") {
+    FileWork next;
+    desk.document = OpenDocument();
+    desk.openNow(next, "a.glb");
+    REQUIRE(next.question().kind == Kind::restore);
+    CHECK(next.question().about == desk.file("a.glb"));
+    CHECK_FALSE(desk.isEdited());
+    next.answer(desk, FileAnswer::restore);
+    CHECK(desk.isEdited());
+    CHECK(hasUnsavedWork(desk.document));
+    CHECK_FALSE(findAutosave(desk.file("a.glb")));
+  }
+  SECTION("a crash: a start without a file offers the newest, and opens its file") {
+    FileWork next;
+    desk.document = OpenDocument();
+    next.offerAutosave({});
+    REQUIRE(next.question().kind == Kind::restore);
+    next.answer(desk, FileAnswer::restore);
+    desk.waitWhileOpening(next);
+    CHECK(desk.isEdited());
+    CHECK(next.question().kind == Kind::none);
+  }
+  SECTION("a crash: what is not wanted is gone") {
+    FileWork next;
+    next.offerAutosave({});
+    next.answer(desk, FileAnswer::discard);
+    CHECK(next.question().kind == Kind::none);
+    CHECK_FALSE(findAutosave(desk.file("a.glb")));
+  }
+}
+
+TEST_CASE("Save incremental takes the next free number") {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "punch.glb";
+  CHECK(nextIncrement(file).filename() == "punch-001.glb");
+  std::ofstream(folder.path() / "punch-001.glb") << "x";
+  CHECK(nextIncrement(file).filename() == "punch-002.glb");
+  CHECK(nextIncrement(folder.path() / "punch-001.glb").filename() == "punch-002.glb");
+  CHECK(nextIncrement(folder.path() / "one-two.glb").filename() == "one-two-001.glb");
+}

@@ -1,0 +1,35 @@
+#include "ui/shell/shell.h"
+
+#include "ui/panels/toasts.h"
+
+namespace stretch::ui {
+
+EditorStatus statusOf(const Shell& shell) {
+  EditorStatus status;
+  status.question = shell.files.question();
+  status.pressedKey = shell.pressedKey;
+  describeTool(shell.tool, status);
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  if (shell.files.isOpening()) {
+    status.busyText = "Opening " + shell.files.openingName();
+    status.busyFraction = shell.files.openingShare();
+  } else if (sequence != nullptr && sequence->isCompressing()) {
+    status.busyText = "Compressing " + sequence->document().mesh->name;
+    status.busyFraction = static_cast<float>(sequence->compressedShare());
+  }
+  return status;
+}
+
+bool isBusy(const Shell& shell) {
+  return !statusOf(shell).busyText.empty();
+}
+
+void tell(Shell& shell, ToastKind kind, const std::string& text) {
+  tell(shell.ui, kind, text);
+}
+
+void tellProblem(Shell& shell, const Status& status) {
+  tellProblem(shell.ui, status);
+}
+
+} // namespace stretch::ui
