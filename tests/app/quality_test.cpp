@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <catch2/catch.hpp>
+#include <glm/matrix.hpp>
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
@@ -34,6 +35,28 @@ void addFlight(Document& document) {
   std::vector<Clip> clips = *document.clips;
   clips.front().tracks.emplace_back(std::move(track));
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+}
+
+// A skinned mesh of one vertex, held by the left hand, so far beyond it along the arm.
+void addStaff(Document& document, float beyondHand) {
+  Scene scene = *document.scene;
+  const rig::Limb& arm = *findLimb(document, "left-arm");
+  const FrameState rest = evaluateOriginal(document, 0, 0.0);
+  const Mat4& hand = rest.worlds[static_cast<std::size_t>(arm.joints.back())];
+  Primitive primitive;
+  const Vec3 end = rig::endPosition(arm, rest);
+  primitive.positions = {glm::vec3(end) + glm::vec3(beyondHand, 0.0F, 0.0F)};
+  VertexInfluences whole;
+  whole.weights = {1.0F};
+  primitive.influences = {whole};
+  scene.meshes.push_back({"staff", {primitive}, {}});
+  scene.skins.push_back({"skin", {arm.joints.back()}, {glm::inverse(hand)}});
+  Node holder;
+  holder.mesh = static_cast<int>(scene.meshes.size()) - 1;
+  holder.skin = static_cast<int>(scene.skins.size()) - 1;
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()));
+  scene.nodes.push_back(holder);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
 std::vector<std::string> warningsOf(const Document& document) {
@@ -74,4 +97,20 @@ TEST_CASE("a trail that the character does not follow gives no warning") {
   addFlight(document);
   document.trails.front().connected = false;
   CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("a vertex that is thrown farther than the tip is told, where the mesh is looked at") {
+  // The arm's end is pulled aside by less than the staff that turns with it.
+  Document document = punching(10.0, 1.2);
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, 0.15, 0.0)}};
+  addStaff(document, 0.0F);
+  CHECK(warningsOf(document).empty());
+  document = punching(10.0, 1.2);
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, 0.15, 0.0)}};
+  addStaff(document, 1.2F);
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(), Contains("left-arm: a vertex is") && Contains("from its place"));
+  const rig::MotionState motion = prepareMotion(document, 0);
+  CHECK(motionWarnings(document, motion, motion.trails.front(), LookAt::limb).empty());
 }

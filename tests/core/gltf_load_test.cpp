@@ -249,8 +249,9 @@ struct Fault {
   const char* where;
 };
 
-// glTF files that no reading makes sense of, and the place that the error has to name.
-std::vector<Fault> faults() {
+// glTF files that no reading makes sense of, and the place that the error has to name: how their parts refer
+// to each other.
+std::vector<Fault> structuralFaults() {
   return {
       {"no asset", [](GlbBuilder& g) { g.json.erase("asset"); }, "asset"},
       {"version 1", [](GlbBuilder& g) { g.json["asset"]["version"] = "1.0"; }, "asset.version"},
@@ -273,6 +274,20 @@ std::vector<Fault> faults() {
        "meshes[0].primitives"},
       {"nodes are no objects", [](GlbBuilder& g) { g.json["nodes"][1] = 4; }, "nodes[1]"},
       {"no joints", [](GlbBuilder& g) { g.json["skins"][0]["joints"] = Json::array(); }, "skins[0].joints"},
+      {"sampler missing", [](GlbBuilder& g) { g.json["animations"][0]["channels"][0]["sampler"] = 9; },
+       "animations[0].channels[0].sampler"},
+      {"target twice",
+       [](GlbBuilder& g) {
+         Json& channels = g.json["animations"][0]["channels"];
+         channels.push_back(channels[0]);
+       },
+       "animations[0].channels[3]"},
+  };
+}
+
+// The same of what their numbers say.
+std::vector<Fault> faultsOfData() {
+  return {
       {"count is huge", [](GlbBuilder& g) { g.json["accessors"][0]["count"] = 4000000000U; }, "accessors[0]"},
       {"count without data",
        [](GlbBuilder& g) {
@@ -312,20 +327,19 @@ std::vector<Fault> faults() {
          g.json["skins"][0]["inverseBindMatrices"] = g.floats(std::vector<float>(16, 1), "MAT4", 16);
        },
        "skins[0].inverseBindMatrices"},
-      {"sampler missing", [](GlbBuilder& g) { g.json["animations"][0]["channels"][0]["sampler"] = 9; },
-       "animations[0].channels[0].sampler"},
       {"values too few",
        [](GlbBuilder& g) {
          g.json["animations"][0]["samplers"][0]["output"] = g.floats({0, 0, 0, 1}, "VEC4", 4);
        },
        "animations[0].samplers[0].output"},
-      {"target twice",
-       [](GlbBuilder& g) {
-         Json& channels = g.json["animations"][0]["channels"];
-         channels.push_back(channels[0]);
-       },
-       "animations[0].channels[3]"},
   };
+}
+
+std::vector<Fault> faults() {
+  std::vector<Fault> all = structuralFaults();
+  const std::vector<Fault> further = faultsOfData();
+  all.insert(all.end(), further.begin(), further.end());
+  return all;
 }
 
 } // namespace

@@ -149,6 +149,20 @@ TEST_CASE("A save that fails leaves nothing behind and the old file as it was") 
   CHECK(test::readBytes(folder / "model.glb") == armBuilder().bytes());
 }
 
+TEST_CASE("When the last of several files finds no place, the others are as they were") {
+  const TemporaryFolder folder;
+  writeSeparateFiles(folder.path() / "in");
+  fs::create_directories(folder / "out/taken.gltf/inside");
+  CHECK_FALSE(gltf::save(*sourceAt(folder / "in/model.gltf"), folder / "out/taken.gltf").ok());
+  CHECK(folder.fileCount() == 3);
+  CHECK_FALSE(fs::exists(folder / "out/textures"));
+  armBuilder().write(folder / "model.glb");
+  test::writeBytes(folder / "out/taken.bin", {7});
+  CHECK_FALSE(gltf::save(*sourceAt(folder / "model.glb"), folder / "out/taken.gltf").ok());
+  CHECK(test::readBytes(folder / "out/taken.bin") == gltf::Bytes{7});
+  CHECK(folder.fileCount() == 5);
+}
+
 TEST_CASE("A BIN chunk that no buffer refers to stays") {
   const TemporaryFolder folder;
   gltf::Glb glb;

@@ -9,14 +9,18 @@ import pathlib
 import sys
 
 import format_rule
+import function_rule
 import include_rules
 import pointer_rules
 import text_rules
 
 RULES = {
     "include-direction": include_rules.include_direction,
+    "room-layers": include_rules.room_layers,
+    "include-circles": include_rules.include_circles,
     "library-place": include_rules.library_place,
     "file-size": text_rules.file_size,
+    "function-size": function_rule.function_size,
     "open-ends": text_rules.open_ends,
     "distributive": text_rules.distributive,
     "machine-paths": text_rules.machine_paths,

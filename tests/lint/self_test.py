@@ -8,8 +8,10 @@ import unittest
 
 import command_line
 import format_rule
+import function_rule
 import include_rules
 import pointer_rules
+import run_clang_tidy
 import text_rules
 
 
@@ -59,6 +61,111 @@ class IncludeDirection(LintTest):
     def test_only_main_joins_app_with_ui(self):
         self.broken(self.rule, {"app/batch/a.cpp": '#include "ui/render/a.h"\n'}, "app/batch/a.cpp:1:")
         self.broken(self.rule, {"rig/a.cpp": '  #  include "app/a.h"\n'}, "rig/a.cpp:1:")
+
+
+class RoomLayers(LintTest):
+    rule = staticmethod(include_rules.room_layers)
+
+    def test_layers_of_the_house_are_kept(self):
+        self.kept(
+            self.rule,
+            {
+                "app/batch/a.cpp": '#include "app/batch/verb.h"\n#include "app/recipe/recipe.h"\n',
+                "app/main.cpp": '#include "app/batch/verb.h"\n#include "ui/shell/editor.h"\n',
+                "core/gltf/a.cpp": '#include "core/scene/scene.h"\n#include "core/base/check.h"\n',
+                "ui/panels/a.cpp": '#include "ui/widgets/button.h"\n#include "app/session.h"\n',
+                "ui/shell/a.cpp": '#include "ui/render/camera.h"\n#include "ui/panels/panels.h"\n',
+            },
+        )
+
+    def test_nothing_but_the_program_reaches_the_verbs(self):
+        for place in ("recipe/recipe", "files/saved_work", "schema/trail_json", "document"):
+            self.broken(self.rule, {f"app/{place}.cpp": '#include "app/batch/options.h"\n'}, f"app/{place}.cpp:1:")
+
+    def test_parts_do_not_know_the_whole(self):
+        for file, target in (
+            ("core/base/a.h", "core/math/types.h"),
+            ("core/scene/a.h", "core/gltf/source.h"),
+            ("rig/motion/a.cpp", "rig/rekey/rekey.h"),
+            ("rig/trail/a.cpp", "rig/motion/motion.h"),
+            ("skinning/fit/a.cpp", "skinning/compress/compress.h"),
+            ("app/edits/a.cpp", "app/session.h"),
+            ("ui/render/a.cpp", "ui/widgets/theme.h"),
+            ("ui/render/b.cpp", "app/document.h"),
+            ("ui/widgets/a.cpp", "app/document.h"),
+            ("ui/panels/a.cpp", "ui/render/camera.h"),
+            ("ui/batch/a.cpp", "ui/shell/editor.h"),
+        ):
+            self.broken(self.rule, {file: f'#include "{target}"\n'}, f"{file}:1: may not include {target}")
+
+
+class IncludeCircles(LintTest):
+    rule = staticmethod(include_rules.include_circles)
+
+    def test_a_house_without_a_circle_is_kept(self):
+        self.kept(
+            self.rule,
+            {
+                "core/a/a.h": '#include "core/b/b.h"\n',
+                "core/a/c.h": '#include "core/a/a.h"\n',
+                "core/b/b.h": "",
+                "app/document.cpp": '#include "app/document.h"\n',
+                "app/document.h": "",
+            },
+        )
+
+    def test_a_circle_of_files_is_found(self):
+        files = {
+            "core/a/a.h": '#include "core/a/b.h"\n',
+            "core/a/b.h": '\n#include "core/a/c.h"\n',
+            "core/a/c.h": '#include "core/a/a.h"\n',
+        }
+        self.broken(self.rule, files, "core/a/a.h:1: a circle of includes: core/a/a.h -> core/a/b.h -> core/a/c.h -> core/a/a.h")
+
+    def test_a_circle_of_folders_is_found(self):
+        files = {
+            "rig/a/one.cpp": '#include "rig/b/two.h"\n',
+            "rig/a/three.h": "",
+            "rig/b/two.h": "",
+            "rig/b/four.cpp": '#include "rig/a/three.h"\n',
+        }
+        self.broken(self.rule, files, "rig/a/one.cpp:1: a circle of includes: rig/a -> rig/b -> rig/a")
+
+    def test_a_file_that_stands_in_its_room_is_a_place_of_its_own(self):
+        files = {
+            "app/document.h": "",
+            "app/document.cpp": '#include "app/files/work.h"\n',
+            "app/files/work.h": '#include "app/document.h"\n',
+        }
+        self.broken(self.rule, files, "app/document.cpp:1: a circle of includes: app/document -> app/files")
+
+
+class FunctionSize(LintTest):
+    rule = staticmethod(function_rule.function_size)
+
+    def body(self, head, lines):
+        return f"{head} {{\n" + "  step();\n" * (lines - 2) + "}\n"
+
+    def test_functions_of_sixty_lines_are_kept(self):
+        self.kept(self.rule, {"core/a.cpp": self.body("int count(int a)", 60) * 2})
+        self.kept(self.rule, {"core/a.h": self.body("namespace a", 70) + self.body("class B", 70)})
+
+    def test_longer_ones_are_found_wherever_they_stand(self):
+        for head in (
+            "int count(int a)",
+            "Reader::Reader(int a) : a_(a)",
+            'TEST_CASE("it holds (always)")',
+            "template <typename T>\nT largest(const T& a) noexcept",
+            "auto read(int a) -> Result",
+        ):
+            lines = 61 - head.count("\n")
+            self.broken(self.rule, {"rig/a.cpp": "\n" + self.body(head, lines)}, "rig/a.cpp:2: 61 lines")
+            inside = "namespace a {\nstruct B {\n" + self.body(head, lines) + "};\n} // namespace a\n"
+            self.broken(self.rule, {"rig/a.h": inside}, "rig/a.h:3: 61 lines")
+
+    def test_braces_that_are_text_do_not_count(self):
+        text = 'void a() {\n  // }\n  f("}", \'}\', R"(\n}\n)");\n' + "  g(1'000, {2});\n" * 57 + "}\n"
+        self.broken(self.rule, {"core/a.cpp": text}, "core/a.cpp:1: 63 lines")
 
 
 class LibraryPlace(LintTest):
@@ -127,6 +234,51 @@ class Text(LintTest):
     def test_clocks_and_chance_are_found_below_the_interface(self):
         self.kept(text_rules.clocks_and_chance, {"ui/a.cpp": "std::chrono::steady_clock::now();\n"})
         self.broken(text_rules.clocks_and_chance, {"rig/a.cpp": "std::random_device seed;\n"}, "rig/a.cpp:1:")
+
+
+class ClangTidyRun(unittest.TestCase):
+    """What run_clang_tidy.py remembers, and what it checks together; clang-tidy itself is not needed."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+        self.write("core/a.h", "int a();\n")
+        self.write("core/b.h", '#include "core/a.h"\n')
+        self.write("core/c.cpp", '#include "core/b.h"\n')
+        self.write("core/d.cpp", "int d() { return 4; }\n")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def key(self, name, options=("-DA",), configuration="1"):
+        return run_clang_tidy.Keys(self.root, configuration).key(name, options)
+
+    def test_a_file_is_checked_again_when_anything_that_it_reaches_changes(self):
+        before = self.key("core/c.cpp")
+        self.assertEqual(self.key("core/c.cpp"), before)
+        other = self.key("core/d.cpp")
+        self.write("core/a.h", "int a(int);\n")
+        self.assertNotEqual(self.key("core/c.cpp"), before)
+        self.assertEqual(self.key("core/d.cpp"), other)
+
+    def test_a_file_is_checked_again_with_other_options_or_another_configuration(self):
+        before = self.key("core/d.cpp")
+        self.assertNotEqual(self.key("core/d.cpp", options=("-DB",)), before)
+        self.assertNotEqual(self.key("core/d.cpp", configuration="2"), before)
+
+    def test_sources_that_share_a_local_name_or_differ_in_options_are_checked_apart(self):
+        self.write("core/e.cpp", "double d(int x) {\n  return x;\n}\n")
+        sources = [
+            run_clang_tidy.Source(self.root / name, options, "")
+            for name, options in (("core/c.cpp", ()), ("core/d.cpp", ()), ("core/e.cpp", ()), ("core/a.h", ("-DA",)))
+        ]
+        batches = [[source.file.name for source in batch] for batch in run_clang_tidy.batches_of(sources)]
+        self.assertEqual(batches, [["c.cpp", "d.cpp"], ["e.cpp"], ["a.h"]])
 
 
 class Pointers(LintTest):

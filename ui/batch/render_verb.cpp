@@ -14,6 +14,7 @@
 #include "app/schema/trail_description.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"
+#include "ui/batch/character_pictures.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/render/picture.h"
 #include "ui/render/png.h"
@@ -117,65 +118,6 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, double la
   return frames;
 }
 
-constexpr std::size_t pathSamplesPerFrame = 2;
-
-TrailPicture pictureOf(const rig::SolvedTrail& solved, const app::TrailPaths& trailPaths, double frame) {
-  const rig::DrawnTrail& paths = trailPaths.drawn;
-  const rig::DrawnTrail& spheres = trailPaths.spheres;
-  const bool exaggerated = solved.trail.exaggerated;
-  TrailPicture picture;
-  picture.original = paths.original;
-  picture.exaggerated = exaggerated ? paths.exaggerated : std::vector<Vec3>{};
-  picture.samplesPerFrame = pathSamplesPerFrame;
-  if (frame >= paths.frames.front() && frame <= paths.frames.back()) {
-    picture.currentSample = (frame - paths.frames.front()) * static_cast<double>(pathSamplesPerFrame);
-  }
-  for (const Vec3& center : exaggerated ? spheres.exaggerated : spheres.original) {
-    picture.spheres.push_back({center, false, false});
-  }
-  return picture;
-}
-
-std::vector<Ghost> ghostsAround(const app::Document& document, const rig::MotionState& motion, double frame,
-                                int count) {
-  std::vector<Ghost> ghosts;
-  for (int i = 1; i <= count; ++i) {
-    const float opacity = 0.35F * (1.0F - static_cast<float>(i - 1) / static_cast<float>(count));
-    for (const int side : {-1, 1}) {
-      const double at = frame + 2.0 * side * i;
-      if (at >= 0.0 && at <= motion.endSeconds * motion.framesPerSecond) {
-        glm::vec4 tint = side < 0 ? rgba(okabe::skyBlue) : rgba(okabe::bluishGreen);
-        tint.a = opacity;
-        ghosts.push_back({app::evaluate(document, motion, at / motion.framesPerSecond), tint});
-      }
-    }
-  }
-  return ghosts;
-}
-
-std::vector<PictureFrame> picturesOf(const app::Document& document, const rig::MotionState& motion,
-                                     const std::vector<double>& frames, const RenderArguments& arguments) {
-  std::vector<PictureFrame> pictures;
-  const std::vector<app::TrailPaths> paths = motion.trails.empty()
-                                                 ? std::vector<app::TrailPaths>{}
-                                                 : app::trailPaths(document, motion, pathSamplesPerFrame);
-  for (const double frame : frames) {
-    PictureFrame picture;
-    picture.frame = app::evaluate(document, motion, frame / motion.framesPerSecond);
-    picture.label = motion.clip >= 0 && (frames.size() > 1 || arguments.sheet)
-                        ? fmt::format("frame {:g}", frame)
-                        : std::string();
-    picture.ghosts = ghostsAround(document, motion, frame, arguments.ghosts);
-    for (std::size_t i = 0; i < motion.trails.size(); ++i) {
-      if (motion.trails[i].trail.visible) {
-        picture.trails.push_back(pictureOf(motion.trails[i], paths[i], frame));
-      }
-    }
-    pictures.push_back(std::move(picture));
-  }
-  return pictures;
-}
-
 Status takeTrails(const RenderArguments& arguments, app::Document& document, int& clip) {
   if (arguments.trails.empty()) {
     return Success{};
@@ -232,7 +174,6 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   options.widthPixels = size->width;
   options.heightPixels = size->height;
   options.view = *view;
-  options.skeleton = arguments.skeleton;
   return options;
 }
 
@@ -292,8 +233,11 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!frames) {
     return frames.error();
   }
-  const rig::MotionState motion = app::prepareMotion(*document, clip);
-  return draw(arguments, *document->scene, *frames, picturesOf(*document, motion, *frames, arguments),
+  const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
+  const CharacterLook look{.skeleton = arguments.skeleton,
+                           .ghosts = arguments.ghosts,
+                           .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet)};
+  return draw(arguments, *document->scene, *frames, picturesOfCharacter(*document, motion, *frames, look),
               *options);
 }
 

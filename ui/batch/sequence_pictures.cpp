@@ -6,6 +6,7 @@
 
 #include "ui/render/sequence_scene.h"
 #include "ui/render/value_colors.h"
+#include "ui/viewport/assemble_picture.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {
@@ -14,13 +15,8 @@ namespace {
 
 constexpr ImU32 clay = IM_COL32(0xB9, 0xB4, 0xAC, 255);
 
-glm::vec4 toLinear(ImU32 colour) {
-  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
-  return linearLight({value.x, value.y, value.z, value.w});
-}
-
 PlainMesh meshOf(const MeshSequence& sequence, std::size_t frame, ImU32 colour) {
-  return {{sequence.frame(frame), sequence.vertexCount}, sequence.triangles, {toLinear(colour)}};
+  return {{sequence.frame(frame), sequence.vertexCount}, sequence.triangles, {linearLight(toColour(colour))}};
 }
 
 /// Makes the frames morph targets of the primitive, which is the first frame.
@@ -92,8 +88,8 @@ Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence, const 
   }
   for (std::size_t i = 0; i < whole->size(); ++i) {
     PictureFrame picture;
-    picture.frame = restOf(result.scene);
-    for (std::vector<float>& weights : picture.frame.pose.weights) {
+    picture.content.frame = restOf(result.scene);
+    for (std::vector<float>& weights : picture.content.frame.pose.weights) {
       weights.assign(whole->size(), 0.0F);
       weights[i] = 1.0F;
     }

@@ -78,4 +78,10 @@ double floorHeightOf(const Box& characterBox) {
   return std::abs(lowest) <= tolerance * characterBox.size().y ? 0.0 : lowest;
 }
 
+SceneMeasures measuresOf(const Scene& scene, const BoundsSampler& bounds) {
+  const Box box = bounds.boxOf(scene, frameOf(scene, restPose(scene), 0.0));
+  const Vec3 size = box.empty() ? Vec3(1.0) : box.size();
+  return {floorHeightOf(box), std::max({size.y, 0.3 * size.x, 0.3 * size.z, 1e-9})};
+}
+
 } // namespace stretch::ui

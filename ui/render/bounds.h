@@ -37,4 +37,13 @@ private:
 /// than a tenth of its height), then that point.
 [[nodiscard]] double floorHeightOf(const Box& characterBox);
 
+/// What floor, shadows and lights need to know of a scene, in world units.
+struct SceneMeasures {
+  double floorHeight = 0.0;     ///< y.
+  double characterHeight = 1.0; ///< Sets the grid's cell and the reach of the lights; above 0.
+};
+
+/// Those of a scene at rest.
+[[nodiscard]] SceneMeasures measuresOf(const Scene& scene, const BoundsSampler& bounds);
+
 } // namespace stretch::ui

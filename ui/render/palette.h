@@ -35,6 +35,8 @@ struct Palette {
   glm::vec4 boneSelected{};
   glm::vec4 outline{}; ///< Around lines and marks, so that they read on any ground.
   glm::vec4 label{};
+  glm::vec4 ghostBefore = rgba(okabe::skyBlue); ///< The character at frames before, and after.
+  glm::vec4 ghostAfter = rgba(okabe::orange);
 };
 
 [[nodiscard]] Palette darkPalette();

@@ -5,7 +5,6 @@
 
 #include "ui/render/image_edits.h"
 #include "ui/render/offscreen_context.h"
-#include "ui/render/skeleton_drawing.h"
 #include "ui/render/text.h"
 #include "ui/render/viewport_renderer.h"
 
@@ -17,32 +16,10 @@ constexpr int smallestSide = 16;
 constexpr int largestSide = 8192;
 constexpr int largestSheet = 16384;
 
-// The measures of a character that the style needs.
-SceneStyle measured(SceneStyle style, const Box& characterBox) {
-  const Vec3 size = characterBox.empty() ? Vec3(1.0) : characterBox.size();
-  style.floorHeight = floorHeightOf(characterBox);
-  style.characterHeight = std::max({size.y, 0.3 * size.x, 0.3 * size.z, 1e-9});
-  return style;
-}
-
 Camera cameraFor(const PictureOptions& options, const Viewport& viewport, const Box& shown) {
   return options.camera
              ? *options.camera
              : fitted(lookFrom({}, options.view, options.facingYawRadians), viewport, shown, 0.045);
-}
-
-Overlay overlayOf(const Scene& scene, const View& view, const PictureFrame& picture,
-                  const PictureOptions& options) {
-  Overlay overlay;
-  if (options.skeleton) {
-    overlay.add(
-        drawSkeleton(scene, picture.frame, skeletonStyle(options.style.palette), options.style.highlight));
-  }
-  for (std::size_t i = 0; i < picture.trails.size(); ++i) {
-    overlay.add(drawTrail(view, picture.trails[i],
-                          i < picture.trailStyles.size() ? picture.trailStyles[i] : TrailStyle{}));
-  }
-  return overlay;
 }
 
 int labelHeight(const PictureOptions& options) {
@@ -66,6 +43,7 @@ struct PictureMaker::Parts {
   RenderTarget target;
   TextFace face;
   const Scene* scene = nullptr;
+  SceneMeasures measures;
   PictureOptions options;
   View view;
   int scale = 1;
@@ -98,27 +76,29 @@ Result<PictureMaker> PictureMaker::create(const Scene& scene, const PictureOptio
                                              {},
                                              TextFace(labelHeight(options)),
                                              &scene,
+                                             measuresOf(scene, BoundsSampler(scene)),
                                              options,
                                              makeView(cameraFor(options, viewport, shown), viewport),
                                              scale});
-  const FrameState rest = frameOf(scene, restPose(scene), 0.0);
-  parts->options.style = measured(options.style, BoundsSampler(scene).boxOf(scene, rest));
   parts->renderer.setScene(scene);
   return PictureMaker(std::move(parts));
 }
 
 Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   Parts& parts = *parts_;
-  const Overlay overlay = overlayOf(*parts.scene, parts.view, picture, parts.options);
-  const Status drawn = parts.renderer.draw(parts.target, parts.view,
-                                           {picture.frame, picture.ghosts, overlay, parts.options.style});
+  const PictureContent& content = picture.content;
+  SceneStyle style = content.style;
+  style.measures = parts.measures;
+  const Overlay overlay = overlayOf(*parts.scene, parts.view, content);
+  const Status drawn =
+      parts.renderer.draw(parts.target, parts.view, {content.frame, content.ghosts, overlay, style});
   if (!drawn) {
     return drawn.error();
   }
   Image image = reduced(parts.target.readPixels(), parts.scale);
   makeOpaque(image);
   const int margin = labelHeight(parts.options);
-  parts.face.write(image, margin, 2 * margin, picture.label, parts.options.style.palette.label);
+  parts.face.write(image, margin, 2 * margin, picture.label, style.palette.label);
   return image;
 }
 
@@ -126,12 +106,12 @@ Box boxOfPictures(const Scene& scene, std::span<const PictureFrame> pictures) {
   const BoundsSampler bounds(scene);
   Box box;
   for (const PictureFrame& picture : pictures) {
-    box.add(bounds.boxOf(scene, picture.frame));
-    for (const Ghost& ghost : picture.ghosts) {
+    box.add(bounds.boxOf(scene, picture.content.frame));
+    for (const Ghost& ghost : picture.content.ghosts) {
       box.add(bounds.boxOf(scene, ghost.frame));
     }
-    for (const TrailPicture& trail : picture.trails) {
-      for (const std::vector<Vec3>* path : {&trail.original, &trail.exaggerated}) {
+    for (const StyledTrail& trail : picture.content.trails) {
+      for (const std::vector<Vec3>* path : {&trail.path.original, &trail.path.exaggerated}) {
         std::for_each(path->begin(), path->end(), [&](const Vec3& point) { box.add(point); });
       }
     }
@@ -173,7 +153,8 @@ Result<Image> renderSheet(const Scene& scene, std::span<const PictureFrame> pict
         "a contact sheet of " + std::to_string(pictures.size()) + " pictures cannot be made", "sheet",
         "choose between 1 frame and what fits on 16384 pixels along a side: a smaller size or a larger step"};
   }
-  Image sheet = filled(layout.widthPixels, layout.heightPixels, options.style.palette.backgroundBottom);
+  Image sheet = filled(layout.widthPixels, layout.heightPixels,
+                       pictures.front().content.style.palette.backgroundBottom);
   const Status made = renderSeries(scene, pictures, options, [&](std::size_t index, const Image& picture) {
     paste(sheet, picture, layout.left(index), layout.top(index));
     return Status(Success{});

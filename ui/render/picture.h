@@ -7,18 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "ui/render/scene_renderer.h"
-#include "ui/render/trail_drawing.h"
+#include "ui/render/picture_content.h"
 
 namespace stretch::ui {
 
-/// What one picture shows.
+/// One picture of a series.
 struct PictureFrame {
-  FrameState frame;
-  std::string label; ///< "frame 12", written in the corner; empty for none.
-  std::vector<Ghost> ghosts;
-  std::vector<TrailPicture> trails;
-  std::vector<TrailStyle> trailStyles; ///< One for each trail; missing ones are the usual blue and orange.
+  PictureContent content; ///< The measures in its style are taken from the scene instead.
+  std::string label = {}; ///< "frame 12", written in the corner; empty for none.
 };
 
 /// How pictures without a display are made.
@@ -28,9 +24,7 @@ struct PictureOptions {
   ViewDirection view = ViewDirection::threeQuarter;
   double facingYawRadians = 0.0; ///< Where the character faces: 0 is +Z.
   std::optional<Camera> camera;  ///< Instead of a standard view that fits what all frames show.
-  SceneStyle style; ///< Floor height and character height are measured; what stands here is not used.
-  bool skeleton = false;
-  int supersampling = 2; ///< Pixels drawn for each pixel of the picture, along each side; 1..4.
+  int supersampling = 2;         ///< Pixels drawn for each pixel of the picture, along each side; 1..4.
 };
 
 /// Draws pictures of one scene, one after the other, with the same camera. Owns its context without a

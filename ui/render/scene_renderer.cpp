@@ -32,7 +32,12 @@ JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
 }
 
 SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
-  return {style.palette, style.shading, style.wireframe, style.floorHeight, style.characterHeight, &shadows};
+  return {style.palette,
+          style.shading,
+          style.wireframe,
+          style.measures.floorHeight,
+          style.measures.characterHeight,
+          &shadows};
 }
 
 } // namespace
@@ -99,8 +104,8 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   ShadowMaps shadows;
   if (drawsMesh) {
     parts.posing.pose(*parts.scene, parts.uploaded, frame, attributesOf(frame, style));
-    const ShadowScene shadowScene{parts.bounds->boxOf(*parts.scene, frame), style.floorHeight,
-                                  style.characterHeight, lights.key};
+    const ShadowScene shadowScene{parts.bounds->boxOf(*parts.scene, frame), style.measures.floorHeight,
+                                  style.measures.characterHeight, lights.key};
     shadows = parts.shadows.draw(parts.uploaded, shadowScene, style.quality);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, targetFramebuffer);
@@ -109,7 +114,8 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
   parts.floor.drawBackground(style.palette);
   if (style.floor) {
     const Vec2 centre = drawsMesh ? shadows.area.centre : Vec2(0.0);
-    parts.floor.drawFloor(view, style.palette, {style.floorHeight, style.characterHeight, centre}, shadows);
+    parts.floor.drawFloor(view, style.palette,
+                          {style.measures.floorHeight, style.measures.characterHeight, centre}, shadows);
   }
   if (drawsMesh) {
     drawGhosts(parts, view, ghosts);

@@ -33,8 +33,7 @@ struct SceneStyle {
   bool mesh = true;
   bool floor = true;
   bool wireframe = false;
-  double floorHeight = 0.0;         ///< World y.
-  double characterHeight = 1.0;     ///< World units; sets the grid's cell and the reach of the lights.
+  SceneMeasures measures;
   std::vector<float> highlight;     ///< One for each node, 0..1: how much the joint belongs to the selection;
                                     ///< empty for none.
   std::vector<double> stretchRatio; ///< One for each node for the heat-map; empty: what FrameState::stretch

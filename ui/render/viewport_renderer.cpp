@@ -19,10 +19,10 @@ Overlay floorEdge(const View& view, const SceneStyle& style) {
   if (!style.floor || !orthographic || std::abs(view.forward.y) > steepestSine) {
     return overlay;
   }
-  const double away = heightsBehind * style.characterHeight - glm::dot(view.eye, view.forward);
+  const double away = heightsBehind * style.measures.characterHeight - glm::dot(view.eye, view.forward);
   Vec3 middle = view.eye + away * view.forward;
-  middle.y = style.floorHeight;
-  const Vec3 reach = 2.0 * style.characterHeight * viewRight(view);
+  middle.y = style.measures.floorHeight;
+  const Vec3 reach = 2.0 * style.measures.characterHeight * viewRight(view);
   const glm::vec4 full(style.palette.floorLine, 1.0F);
   const glm::vec4 none(style.palette.floorLine, 0.0F);
   Polyline line;

@@ -10,6 +10,7 @@
 #include <GLFW/glfw3.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/toasts.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/gui.h"
 #include "ui/shell/playback.h"
@@ -243,8 +244,8 @@ void drawEverything(Editor& editor) {
                   shell.theme.scale, menuHeight, shell.theme.rowHeight() + shell.theme.px(6.0F));
   drawSidePanes(context, panels, shell, rects);
   const double pixelsPerUnit = size.width > 0 ? static_cast<double>(size.framebufferWidth) / size.width : 1.0;
-  drawViewportPane(shell, context, *editor.gpu, drawOverlayBar(context, panels, rects.viewport),
-                   pixelsPerUnit);
+  ViewportContext viewport{context, shell.viewport, shell.tool};
+  drawViewportPane(viewport, *editor.gpu, drawOverlayBar(context, panels, rects.viewport), pixelsPerUnit);
   drawBottomPanes(context, panels, shell, rects);
   drawSplitters(context, rects, shell.panes);
   drawDialogs(context);
@@ -364,17 +365,11 @@ Result<Editor> openEditor(const EditorOptions& options) {
 } // namespace
 
 void tell(Shell& shell, ToastKind kind, const std::string& text) {
-  const bool shown = std::any_of(shell.ui.toasts.begin(), shell.ui.toasts.end(),
-                                 [&](const Toast& toast) { return toast.text == text; });
-  if (!shown) {
-    shell.ui.toasts.push_back({kind, text, kind == ToastKind::error ? 8.0F : 4.0F});
-  }
+  tell(shell.ui, kind, text);
 }
 
 void tellProblem(Shell& shell, const Status& status) {
-  if (!status) {
-    tell(shell, ToastKind::error, status.error().line());
-  }
+  tellProblem(shell.ui, status);
 }
 
 int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& given) {

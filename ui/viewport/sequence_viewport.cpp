@@ -109,15 +109,14 @@ void uploadFrame(const app::SequenceSession& session, ViewportGpu& gpu) {
   gpu.sequenceKey = key;
 }
 
-SceneStyle sequenceStyleOf(const Shell& shell, const ViewportGpu& gpu) {
-  const app::SequenceDocument& document = shell.sequence->document;
+SceneStyle sequenceStyleOf(const ViewportContext& context, const ViewportGpu& gpu) {
+  const app::SequenceDocument& document = context.sequence->document;
   SceneStyle style;
-  style.palette = paletteOf(shell.theme.kind);
+  style.palette = paletteOf(context.theme.kind);
   style.quality = qualityOf(gpu.governor.level());
-  style.wireframe = shell.ui.overlays.wire;
-  style.floor = shell.ui.overlays.grid;
-  style.floorHeight = document.analysis->low.y;
-  style.characterHeight = 0.4 * diagonalOf(document);
+  style.wireframe = context.ui.overlays.wire;
+  style.floor = context.ui.overlays.grid;
+  style.measures = {document.analysis->low.y, 0.4 * diagonalOf(document)};
   return style;
 }
 
@@ -165,13 +164,13 @@ std::optional<ColorLegend> legendOf(const app::SequenceSession& session) {
   return std::nullopt;
 }
 
-void drawLegend(Shell& shell, PanelContext& context) {
-  const auto legend = legendOf(*shell.sequence);
+void drawLegend(ViewportContext& context) {
+  const auto legend = legendOf(*context.sequence);
   if (!legend) {
     return;
   }
   const Theme& theme = context.theme;
-  const Rect& box = shell.viewport.box;
+  const Rect& box = context.viewport.box;
   const ImVec2 size = legendSize(theme, *legend);
   drawColorLegend(WidgetContext{theme, context.items}, "viewport/legend",
                   {box.min.x + theme.px(12.0F), box.max.y - theme.px(12.0F) - size.y}, *legend);
@@ -179,22 +178,23 @@ void drawLegend(Shell& shell, PanelContext& context) {
 
 } // namespace
 
-void frameSequence(Shell& shell) {
-  const app::SequenceAnalysis& analysis = *shell.sequence->document.analysis;
+void frameSequence(ViewportContext& context) {
+  const app::SequenceAnalysis& analysis = *context.sequence->document.analysis;
   Box box;
   box.add(analysis.low);
   box.add(analysis.high);
-  shell.viewport.camera = fitted(shell.viewport.camera, shell.viewport.view.viewport, box, 0.06);
+  context.viewport.camera = fitted(context.viewport.camera, context.viewport.view.viewport, box, 0.06);
 }
 
-void drawSequenceScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture) {
-  uploadFrame(*shell.sequence, gpu);
-  const SceneStyle style = sequenceStyleOf(shell, gpu);
-  const Overlay overlay = shell.ui.overlays.skeleton ? bonesOf(*shell.sequence, style.palette) : Overlay{};
+void drawSequenceScene(ViewportContext& context, ViewportGpu& gpu, const Rect& picture) {
+  uploadFrame(*context.sequence, gpu);
+  const SceneStyle style = sequenceStyleOf(context, gpu);
+  const Overlay overlay =
+      context.ui.overlays.skeleton ? bonesOf(*context.sequence, style.palette) : Overlay{};
   const FrameState frame = restOf(*gpu.uploaded);
-  drawPicture(shell, gpu, gpu.picture, {frame, {}, overlay, style});
+  drawPicture(context, gpu, gpu.picture, {frame, {}, overlay, style});
   showPicture(gpu.picture, picture);
-  drawLegend(shell, context);
+  drawLegend(context);
 }
 
 } // namespace stretch::ui

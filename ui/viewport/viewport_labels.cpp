@@ -41,54 +41,55 @@ void label(const PanelContext& context, const ImVec2& corner, const std::string&
   draw->AddText(font, font->FontSize, corner, colour, text.c_str());
 }
 
-void recordSpheres(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+void recordSpheres(ViewportContext& context) {
+  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
   if (trail == nullptr) {
     return;
   }
   const float reach = context.theme.px(20.0F);
   for (const app::PlacedSphere& sphere : trail->spheres) {
-    if (const auto place = placeOf(shell.viewport, sphere.positionWorld)) {
+    if (const auto place = placeOf(context.viewport, sphere.positionWorld)) {
       context.items.add(fmt::format("viewport/sphere/{:.0f}", sphere.frame),
                         {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
     }
   }
 }
 
-void recordHandles(const Shell& shell, PanelContext& context) {
-  const auto handles = handlesOf(*shell.session, shell.viewport.shown);
+void recordHandles(ViewportContext& context) {
+  const app::ViewState& view = context.session->view();
+  const auto handles = handlesOf(context.viewport.shown, view.selectedTrail, view.selectedSpheres);
   if (!handles) {
     return;
   }
   const float reach = context.theme.px(6.0F);
-  const std::array<Vec3, 3> tips = handleTips(shell.viewport.view, *handles);
+  const std::array<Vec3, 3> tips = handleTips(context.viewport.view, *handles);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (const auto place = placeOf(shell.viewport, glm::mix(handles->origin, tips[axis], 0.8))) {
+    if (const auto place = placeOf(context.viewport, glm::mix(handles->origin, tips[axis], 0.8))) {
       context.items.add(std::string("viewport/axis/") + "xyz" [axis], { place->x - reach, place->y - reach },
                         {place->x + reach, place->y + reach});
     }
   }
 }
 
-void recordLimbs(const Shell& shell, PanelContext& context, const FrameState& frame) {
-  const LimbBones bones = limbBones(shell.session->document(), frame);
+void recordLimbs(ViewportContext& context, const FrameState& frame) {
+  const LimbBones bones = limbBones(context.session->document(), frame);
   const float reach = context.theme.px(6.0F);
   for (std::size_t i = 0; i < bones.bones.size(); ++i) {
     const BoneSegment& bone = bones.bones[i];
-    if (const auto place = placeOf(shell.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
+    if (const auto place = placeOf(context.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
       context.items.add("viewport/limb/" + bones.limbOf[i], {place->x - reach, place->y - reach},
                         {place->x + reach, place->y + reach});
     }
   }
 }
 
-void drawFrameNumbers(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
-  if (trail == nullptr || !shell.ui.overlays.trailFrameNumbers) {
+void drawFrameNumbers(ViewportContext& context) {
+  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  if (trail == nullptr || !context.ui.overlays.trailFrameNumbers) {
     return;
   }
   for (const app::PlacedSphere& sphere : trail->spheres) {
-    if (const auto place = placeOf(shell.viewport, sphere.positionWorld)) {
+    if (const auto place = placeOf(context.viewport, sphere.positionWorld)) {
       label(context, {place->x + context.theme.px(12.0F), place->y - context.theme.px(18.0F)},
             fmt::format("{:.4g}", sphere.frame), context.theme.colours.text);
     }
@@ -96,36 +97,36 @@ void drawFrameNumbers(const Shell& shell, PanelContext& context) {
 }
 
 /// The number of the sphere under the mouse, and how far it was pulled.
-void drawHoverLabel(const Shell& shell, PanelContext& context) {
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
-  if (!shell.viewport.hoveredSphere || trail == nullptr) {
+void drawHoverLabel(ViewportContext& context) {
+  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  if (!context.viewport.hoveredSphere || trail == nullptr) {
     return;
   }
   for (const app::PlacedSphere& sphere : trail->spheres) {
-    const auto place = placeOf(shell.viewport, sphere.positionWorld);
-    if (place && app::sameFrame(sphere.frame, *shell.viewport.hoveredSphere)) {
+    const auto place = placeOf(context.viewport, sphere.positionWorld);
+    if (place && app::sameFrame(sphere.frame, *context.viewport.hoveredSphere)) {
       label(context, {place->x + context.theme.px(16.0F), place->y + context.theme.px(10.0F)},
             fmt::format("frame {:.4g}", sphere.frame), context.theme.colours.text);
     }
   }
 }
 
-void drawJointNames(const Shell& shell, PanelContext& context, const FrameState& frame) {
-  if (!shell.ui.overlays.jointNames) {
+void drawJointNames(ViewportContext& context, const FrameState& frame) {
+  if (!context.ui.overlays.jointNames) {
     return;
   }
-  const Scene& scene = *shell.session->document().scene;
+  const Scene& scene = *context.session->document().scene;
   for (const NodeIndex joint : jointsOf(scene)) {
     const auto index = at(joint);
-    if (const auto place = placeOf(shell.viewport, positionOf(frame.worlds[index]))) {
+    if (const auto place = placeOf(context.viewport, positionOf(frame.worlds[index]))) {
       label(context, {place->x + context.theme.px(6.0F), place->y - context.theme.px(8.0F)},
             scene.nodes[index].name, context.theme.colours.quietText);
     }
   }
 }
 
-void drawSelectionBox(const Shell& shell, PanelContext& context) {
-  const ViewportState& viewport = shell.viewport;
+void drawSelectionBox(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
   if (viewport.gesture != ViewportGesture::boxSelect) {
     return;
   }
@@ -141,34 +142,34 @@ void drawSelectionBox(const Shell& shell, PanelContext& context) {
 }
 
 /// The circle within which neighbours follow a pulled sphere.
-void drawFalloff(const Shell& shell, PanelContext& context) {
-  const auto* grab = std::get_if<GrabTool>(&shell.tool);
+void drawFalloff(ViewportContext& context) {
+  const auto* grab = std::get_if<GrabTool>(&context.tool);
   if (grab == nullptr || grab->falloffRadius <= 0.0) {
     return;
   }
   const Vec3 centre = grab->anchor + app::grabDelta(grab->modal);
-  const double pixels = grab->falloffRadius / unitsPerPixel(shell.viewport.view, centre);
-  if (const auto place = placeOf(shell.viewport, centre)) {
-    ImGui::GetWindowDrawList()->AddCircle(*place, static_cast<float>(pixels / shell.viewport.pixelsPerUnit),
+  const double pixels = grab->falloffRadius / unitsPerPixel(context.viewport.view, centre);
+  if (const auto place = placeOf(context.viewport, centre)) {
+    ImGui::GetWindowDrawList()->AddCircle(*place, static_cast<float>(pixels / context.viewport.pixelsPerUnit),
                                           faded(context.theme.colours.accent, 0.7F), 64,
                                           context.theme.px(1.5F));
   }
 }
 
 /// The remap curve beside the trail while its ease is edited by keys.
-void drawEaseCurve(const Shell& shell, PanelContext& context) {
-  const auto* tool = std::get_if<ExaggerateTool>(&shell.tool);
+void drawEaseCurve(ViewportContext& context) {
+  const auto* tool = std::get_if<ExaggerateTool>(&context.tool);
   const bool easing = tool != nullptr && (tool->modal.field == app::ExaggerateField::easeIn ||
                                           tool->modal.field == app::ExaggerateField::easeOut);
-  const ShownTrail* trail = findShown(shell.viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
   if (!easing || trail == nullptr) {
     return;
   }
   const Theme& theme = context.theme;
   const float side = theme.px(112.0F);
-  const Rect& box = shell.viewport.box;
+  const Rect& box = context.viewport.box;
   const ImVec2 tip =
-      placeOf(shell.viewport, pointOnTrail(*trail, trail->endFrame, true)).value_or(box.centre());
+      placeOf(context.viewport, pointOnTrail(*trail, trail->endFrame, true)).value_or(box.centre());
   const ImVec2 corner{
       std::clamp(tip.x + theme.px(24.0F), box.min.x + theme.unit(), box.max.x - side - theme.unit()),
       std::clamp(tip.y - 0.5F * side, box.min.y + theme.unit(), box.max.y - side - theme.unit())};
@@ -196,45 +197,45 @@ void drawEaseCurve(const Shell& shell, PanelContext& context) {
 }
 
 /// What the picture shows when it is not the plain result.
-void drawStateLabels(const Shell& shell, PanelContext& context) {
-  const Rect& box = shell.viewport.box;
+void drawStateLabels(ViewportContext& context) {
+  const Rect& box = context.viewport.box;
   const float inset = context.theme.unit() * 1.5F;
   const ImVec2 corner{box.min.x + inset, box.max.y - inset - context.theme.px(16.0F)};
-  if (shell.ui.overlays.sideBySide) {
+  if (context.ui.overlays.sideBySide) {
     const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
     label(context, {left + inset, corner.y}, "Original", originalTrailColour);
     label(context, corner, "Exaggerated", context.theme.colours.text);
-  } else if (shell.session->view().showOriginal) {
+  } else if (context.session->view().showOriginal) {
     label(context, corner, "Original", originalTrailColour);
   }
 }
 
 } // namespace
 
-void drawViewportLabels(Shell& shell, PanelContext& context, const FrameState& frame) {
-  ImGui::PushClipRect(shell.viewport.box.min, shell.viewport.box.max, true);
-  recordLimbs(shell, context, frame);
-  recordSpheres(shell, context);
-  recordHandles(shell, context);
-  drawJointNames(shell, context, frame);
-  drawFrameNumbers(shell, context);
-  drawHoverLabel(shell, context);
-  drawFalloff(shell, context);
-  drawEaseCurve(shell, context);
-  drawSelectionBox(shell, context);
+void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
+  ImGui::PushClipRect(context.viewport.box.min, context.viewport.box.max, true);
+  recordLimbs(context, frame);
+  recordSpheres(context);
+  recordHandles(context);
+  drawJointNames(context, frame);
+  drawFrameNumbers(context);
+  drawHoverLabel(context);
+  drawFalloff(context);
+  drawEaseCurve(context);
+  drawSelectionBox(context);
   ImGui::PopClipRect();
-  drawStateLabels(shell, context);
+  drawStateLabels(context);
 }
 
-void drawEmptyViewport(Shell& shell, PanelContext& context, const Rect& box) {
+void drawEmptyViewport(ViewportContext& context, const Rect& box) {
   const Theme& theme = context.theme;
   ImGui::GetWindowDrawList()->AddRectFilled(box.min, box.max, theme.colours.background);
   const WidgetContext widgets{theme, context.items};
   const float width = std::min(theme.px(320.0F), box.width() - 2.0F * theme.unit());
   ImGui::SetCursorScreenPos({box.centre().x - 0.5F * width, box.centre().y - theme.px(90.0F)});
   ImGui::BeginChild("viewport-empty", {width, theme.px(200.0F)}, false, ImGuiWindowFlags_NoBackground);
-  if (!shell.ui.busyText.empty()) {
-    emptyState(widgets, icon::clock, shell.ui.busyText, "The window stays alive meanwhile.");
+  if (!context.ui.busyText.empty()) {
+    emptyState(widgets, icon::clock, context.ui.busyText, "The window stays alive meanwhile.");
   } else {
     emptyState(widgets, icon::cube, "Drop a character here",
                "A rigged biped with a clip, as .glb or .gltf. Or open one from the disk.");

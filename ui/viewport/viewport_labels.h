@@ -1,14 +1,14 @@
 #pragma once
 
-#include "ui/shell/shell.h"
+#include "ui/viewport/viewport_context.h"
 
 namespace stretch::ui {
 
 /// Text and flat shapes over the picture: frame numbers, joint names, what is shown, the box of a selection,
 /// the ease curve while it is edited. Records where spheres and limbs are.
-void drawViewportLabels(Shell& shell, PanelContext& context, const FrameState& frame);
+void drawViewportLabels(ViewportContext& context, const FrameState& frame);
 
 /// What the viewport says while no file is open.
-void drawEmptyViewport(Shell& shell, PanelContext& context, const Rect& box);
+void drawEmptyViewport(ViewportContext& context, const Rect& box);
 
 } // namespace stretch::ui

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/commands/selection.h"
+#include "ui/panels/toasts.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -78,18 +79,18 @@ void selectSphere(app::Session& session, double frame, bool add) {
   }
 }
 
-void grabFromPress(Shell& shell, const GrabStart& start) {
-  tellProblem(shell, startGrab(*shell.session, shell.tool, start));
+void grabFromPress(ViewportContext& context, const GrabStart& start) {
+  tellProblem(context.ui, startGrab(*context.session, context.tool, start));
 }
 
 /// A press with the left button: axis handle, sphere, trail, limb, or the beginning of a box.
-void pressLeft(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
-  app::Session& session = *shell.session;
+void pressLeft(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
+  app::Session& session = *context.session;
   const bool add = ImGui::GetIO().KeyShift;
   if (viewport.hoveredAxis) {
-    grabFromPress(shell, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
-                          viewport.falloffRadius});
+    grabFromPress(context, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
+                            viewport.falloffRadius});
   } else if (viewport.hoveredSphere) {
     viewport.gesture = ViewportGesture::pressSphere;
     viewport.pressedFrame = viewport.hoveredSphere;
@@ -103,26 +104,26 @@ void pressLeft(Shell& shell) {
   }
 }
 
-void beginGesture(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
+void beginGesture(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
   viewport.pressPixels = viewport.mousePixels;
   viewport.lastPixels = viewport.mousePixels;
-  viewport.gesture = navigationGesture(shell.ui.navigation, ImGui::GetIO());
+  viewport.gesture = navigationGesture(context.ui.navigation, ImGui::GetIO());
   if (viewport.gesture != ViewportGesture::none) {
     return;
   }
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-  if (isRunning(shell.tool) && (left || right)) {
-    finishTool(*shell.session, shell.tool, left);
+  if (isRunning(context.tool) && (left || right)) {
+    finishTool(*context.session, context.tool, left);
   } else if (left) {
-    pressLeft(shell);
+    pressLeft(context);
   }
 }
 
-void selectInBox(Shell& shell) {
-  const ViewportState& viewport = shell.viewport;
-  app::Session& session = *shell.session;
+void selectInBox(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  app::Session& session = *context.session;
   const Vec2 low = glm::min(viewport.pressPixels, viewport.mousePixels);
   const Vec2 high = glm::max(viewport.pressPixels, viewport.mousePixels);
   std::vector<double>& selected = session.view().selectedSpheres;
@@ -146,30 +147,30 @@ void selectInBox(Shell& shell) {
   }
 }
 
-void continueGesture(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
+void continueGesture(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
   navigate(viewport);
-  if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(shell.tool)) {
+  if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(context.tool)) {
     const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
     if (glm::distance(viewport.mousePixels, viewport.pressPixels) > far &&
-        !shell.session->view().selectedSpheres.empty()) {
+        !context.session->view().selectedSpheres.empty()) {
       grabFromPress(
-          shell, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
+          context, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
     }
   }
 }
 
-void endGesture(Shell& shell) {
-  if (shell.viewport.gesture == ViewportGesture::boxSelect) {
-    selectInBox(shell);
+void endGesture(ViewportContext& context) {
+  if (context.viewport.gesture == ViewportGesture::boxSelect) {
+    selectInBox(context);
   }
-  shell.viewport.gesture = ViewportGesture::none;
+  context.viewport.gesture = ViewportGesture::none;
 }
 
 /// The mouse for a running tool: it follows without a button under G, with the button held in a drag.
-void driveTool(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
-  auto* grab = std::get_if<GrabTool>(&shell.tool);
+void driveTool(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
+  auto* grab = std::get_if<GrabTool>(&context.tool);
   const bool navigating = viewport.gesture == ViewportGesture::orbit ||
                           viewport.gesture == ViewportGesture::pan ||
                           viewport.gesture == ViewportGesture::zoom;
@@ -177,21 +178,22 @@ void driveTool(Shell& shell) {
     return;
   }
   if (viewport.mousePixels != viewport.lastPixels) {
-    tellProblem(shell, moveToolMouse(*shell.session, shell.tool, viewport.view, viewport.mousePixels));
+    tellProblem(context.ui,
+                moveToolMouse(*context.session, context.tool, viewport.view, viewport.mousePixels));
   }
   viewport.falloffRadius = grab->falloffRadius;
   if (grab->byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    finishTool(*shell.session, shell.tool, true);
+    finishTool(*context.session, context.tool, true);
     viewport.gesture = ViewportGesture::none;
   }
 }
 
-void turnWheel(Shell& shell, double steps) {
-  if (std::holds_alternative<GrabTool>(shell.tool)) {
-    tellProblem(shell, turnFalloff(*shell.session, shell.tool, steps));
+void turnWheel(ViewportContext& context, double steps) {
+  if (std::holds_alternative<GrabTool>(context.tool)) {
+    tellProblem(context.ui, turnFalloff(*context.session, context.tool, steps));
     return;
   }
-  ViewportState& viewport = shell.viewport;
+  ViewportState& viewport = context.viewport;
   viewport.camera =
       zoomed(viewport.camera, viewport.view.viewport, std::pow(0.88, steps), viewport.mousePixels);
 }
@@ -202,12 +204,12 @@ void hoverSphere(ViewportState& viewport, const ShownTrail& trail) {
   }
 }
 
-void hoverTrails(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
+void hoverTrails(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
   double nearest = 1e300;
   for (const ShownTrail& trail : viewport.shown.trails) {
-    const rig::Trail* source = app::findTrail(shell.session->document(), trail.id);
-    if (source == nullptr || !isDrawn(*shell.session, shell.ui.overlays, *source)) {
+    const rig::Trail* source = app::findTrail(context.session->document(), trail.id);
+    if (source == nullptr || !isDrawn(*source, context.session->view().selectedLimbs, context.ui.overlays)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
@@ -219,21 +221,21 @@ void hoverTrails(Shell& shell) {
   }
 }
 
-void hoverLimbs(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
+void hoverLimbs(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
   const LimbBones bones =
-      limbBones(shell.session->document(), shell.session->frameAt(shell.session->view().frame));
+      limbBones(context.session->document(), context.session->frameAt(context.session->view().frame));
   if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
     viewport.hoveredLimb = bones.limbOf[*hit];
   }
 }
 
 /// On a mesh sequence nothing can be picked: the left button alone turns the view as well.
-void lookAround(Shell& shell, bool pressed, bool held) {
-  ViewportState& viewport = shell.viewport;
+void lookAround(ViewportContext& context, bool pressed, bool held) {
+  ViewportState& viewport = context.viewport;
   if (pressed) {
     viewport.pressPixels = viewport.lastPixels = viewport.mousePixels;
-    viewport.gesture = navigationGesture(shell.ui.navigation, ImGui::GetIO());
+    viewport.gesture = navigationGesture(context.ui.navigation, ImGui::GetIO());
     if (viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       viewport.gesture = ViewportGesture::orbit;
     }
@@ -246,57 +248,58 @@ void lookAround(Shell& shell, bool pressed, bool held) {
 
 } // namespace
 
-void updateHover(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
-  if (viewport.gesture != ViewportGesture::none || isRunning(shell.tool)) {
+void updateHover(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
+  if (viewport.gesture != ViewportGesture::none || isRunning(context.tool)) {
     return; // What was taken stays marked until it is let go.
   }
   viewport.hoveredSphere.reset();
   viewport.hoveredAxis.reset();
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
-  if (!viewport.hovered || shell.session == nullptr) {
+  if (!viewport.hovered || context.session == nullptr) {
     return;
   }
-  if (const auto handles = handlesOf(*shell.session, viewport.shown)) {
+  const app::ViewState& view = context.session->view();
+  if (const auto handles = handlesOf(viewport.shown, view.selectedTrail, view.selectedSpheres)) {
     viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
   }
-  const ShownTrail* selected = findShown(viewport.shown, shell.session->view().selectedTrail);
+  const ShownTrail* selected = findShown(viewport.shown, view.selectedTrail);
   if (!viewport.hoveredAxis && selected != nullptr) {
     hoverSphere(viewport, *selected);
   }
   if (!viewport.hoveredAxis && !viewport.hoveredSphere) {
-    hoverTrails(shell);
+    hoverTrails(context);
   }
   if (!viewport.hoveredAxis && !viewport.hoveredSphere && viewport.hoveredTrail == 0) {
-    hoverLimbs(shell);
+    hoverLimbs(context);
   }
 }
 
-void handleViewportMouse(Shell& shell, bool hovered, bool held) {
-  ViewportState& viewport = shell.viewport;
+void handleViewportMouse(ViewportContext& context, bool hovered, bool held) {
+  ViewportState& viewport = context.viewport;
   const ImGuiIO& io = ImGui::GetIO();
   viewport.hovered = hovered;
   viewport.lastPixels = viewport.mousePixels;
   viewport.mousePixels =
       viewport.pixelsPerUnit * Vec2(io.MousePos.x - viewport.box.min.x, io.MousePos.y - viewport.box.min.y);
-  updateHover(shell);
+  updateHover(context);
   const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Right));
-  if (shell.session == nullptr) {
-    lookAround(shell, pressed, held);
+  if (context.session == nullptr) {
+    lookAround(context, pressed, held);
   } else if (pressed) {
-    beginGesture(shell);
+    beginGesture(context);
   } else if (held) {
-    continueGesture(shell);
+    continueGesture(context);
   } else if (viewport.gesture != ViewportGesture::none) {
-    endGesture(shell);
+    endGesture(context);
   }
   if (hovered && io.MouseWheel != 0.0F) {
-    turnWheel(shell, static_cast<double>(io.MouseWheel));
+    turnWheel(context, static_cast<double>(io.MouseWheel));
   }
-  driveTool(shell);
+  driveTool(context);
 }
 
 } // namespace stretch::ui

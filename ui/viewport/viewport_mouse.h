@@ -1,15 +1,15 @@
 #pragma once
 
-#include "ui/shell/shell.h"
+#include "ui/viewport/viewport_context.h"
 
 namespace stretch::ui {
 
 /// The mouse in the viewport for one frame, as Dear ImGui tells it: navigation, picking, dragging spheres,
 /// box selection. `hovered`: nothing lies above the picture; `held`: a button that was pressed over it is
 /// still down.
-void handleViewportMouse(Shell& shell, bool hovered, bool held);
+void handleViewportMouse(ViewportContext& context, bool hovered, bool held);
 
 /// What lies under the mouse, for highlights and for the next press.
-void updateHover(Shell& shell);
+void updateHover(ViewportContext& context);
 
 } // namespace stretch::ui

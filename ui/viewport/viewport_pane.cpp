@@ -7,7 +7,7 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/toasts.h"
 #include "ui/viewport/content_key.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
@@ -69,28 +69,15 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const Scen
   return key.value();
 }
 
-SceneStyle styleOf(const Shell& shell, const ViewportGpu& gpu) {
-  SceneStyle style;
-  style.palette = paletteOf(shell.theme.kind);
-  style.quality = qualityOf(gpu.governor.level());
-  style.shading = shell.ui.overlays.heatMap ? SurfaceShading::stretchHeat : SurfaceShading::material;
-  style.wireframe = shell.ui.overlays.wire;
-  style.floor = shell.ui.overlays.grid;
-  style.floorHeight = gpu.floorHeight;
-  style.characterHeight = shell.session->document().biped.height;
-  style.highlight = highlightOf(*shell.session, shell.viewport.hoveredLimb);
-  return style;
-}
-
-void uploadScene(Shell& shell, ViewportGpu& gpu) {
-  const app::Document& document = shell.session->document();
+void uploadScene(ViewportContext& context, ViewportGpu& gpu) {
+  const app::Document& document = context.session->document();
   if (gpu.uploaded == document.scene) {
     return;
   }
   gpu.renderer.setScene(*document.scene);
   gpu.uploaded = document.scene;
   gpu.bounds.emplace(*document.scene);
-  gpu.floorHeight = floorHeightOf(gpu.bounds->boxOf(*document.scene, shell.session->originalAt(0.0)));
+  gpu.measures = measuresOf(*document.scene, *gpu.bounds);
 }
 
 /// The place of the picture that is worked on: the right half while the original stands beside it.
@@ -98,104 +85,93 @@ Rect workBox(const Rect& picture, bool sideBySide) {
   return sideBySide ? Rect{{std::floor(picture.centre().x) + 1.0F, picture.min.y}, picture.max} : picture;
 }
 
-void drawOriginalBeside(Shell& shell, ViewportGpu& gpu, const Rect& picture) {
-  ViewportState& viewport = shell.viewport;
-  const Rect left{picture.min, {viewport.box.min.x - 2.0F, picture.max.y}};
-  const Overlay nothing;
-  drawPicture(shell, gpu, gpu.originalPicture,
-              {shell.session->originalAt(shell.session->view().frame), {}, nothing, styleOf(shell, gpu)});
-  showPicture(gpu.originalPicture, left);
+void drawContent(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn, PictureContent content) {
+  content.style.quality = qualityOf(gpu.governor.level());
+  const Overlay overlay = overlayOf(*gpu.uploaded, context.viewport.view, content);
+  drawPicture(context, gpu, drawn, {content.frame, content.ghosts, overlay, content.style});
 }
 
-void drawScene(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& picture) {
-  app::Session& session = *shell.session;
-  const double at = session.view().frame;
-  const FrameState& frame = session.view().showOriginal ? session.originalAt(at) : session.frameAt(at);
-  const SceneStyle style = styleOf(shell, gpu);
-  const std::vector<Ghost> ghosts = ghostsOf(session, shell.ui.overlays);
-  const Overlay overlay = overlayOf(session, shell.ui, shell.viewport, frame, style.palette);
-  drawPicture(shell, gpu, gpu.picture, {frame, ghosts, overlay, style});
-  showPicture(gpu.picture, shell.viewport.box);
-  if (shell.ui.overlays.sideBySide) {
-    drawOriginalBeside(shell, gpu, picture);
+void drawScene(ViewportContext& context, ViewportGpu& gpu, const Rect& picture) {
+  app::Session& session = *context.session;
+  const ViewportState& viewport = context.viewport;
+  const ViewportOverlays& overlays = context.ui.overlays;
+  const Palette palette = paletteOf(context.theme.kind);
+  PictureContent content = workPicture(session, viewport, overlays, palette, gpu.measures);
+  const FrameState pose = content.frame;
+  drawContent(context, gpu, gpu.picture, std::move(content));
+  showPicture(gpu.picture, viewport.box);
+  if (overlays.sideBySide) {
+    const Rect left{picture.min, {viewport.box.min.x - 2.0F, picture.max.y}};
+    drawContent(context, gpu, gpu.originalPicture,
+                originalPicture(session, viewport, overlays, palette, gpu.measures));
+    showPicture(gpu.originalPicture, left);
   }
-  drawViewportLabels(shell, context, frame);
+  drawViewportLabels(context, pose);
 }
 
-void updateView(Shell& shell) {
-  ViewportState& viewport = shell.viewport;
+void updateView(ViewportContext& context) {
+  ViewportState& viewport = context.viewport;
   Viewport size;
   size.widthPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.width()));
   size.heightPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.height()));
-  size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(shell.theme.scale);
+  size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(context.theme.scale);
   viewport.view = makeView(viewport.camera, size);
-  if (shell.session != nullptr) {
-    shell.session->view().cameraAxes =
+  if (context.session != nullptr) {
+    context.session->view().cameraAxes =
         Mat3(viewRight(viewport.view), viewUp(viewport.view), -viewport.view.forward);
   }
 }
 
-void drawPictureArea(Shell& shell, PanelContext& context, ViewportGpu& gpu) {
-  ViewportState& viewport = shell.viewport;
+void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
+  ViewportState& viewport = context.viewport;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const Rect picture{corner, {corner.x + std::max(room.x, 8.0F), corner.y + std::max(room.y, 8.0F)}};
-  viewport.box = workBox(picture, shell.ui.overlays.sideBySide && shell.session != nullptr);
+  viewport.box = workBox(picture, context.ui.overlays.sideBySide && context.session != nullptr);
   ImGui::InvisibleButton("viewport", {picture.width(), picture.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   context.items.add("viewport", viewport.box.min, viewport.box.max);
   const bool hovered = ImGui::IsItemHovered();
   const bool held = ImGui::IsItemActive();
-  updateView(shell);
-  if (shell.sequence != nullptr) {
+  updateView(context);
+  if (context.sequence != nullptr) {
     if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
-      frameSequence(shell);
+      frameSequence(context);
     }
-    handleViewportMouse(shell, hovered, held);
-    updateView(shell);
-    drawSequenceScene(shell, context, gpu, picture);
+    handleViewportMouse(context, hovered, held);
+    updateView(context);
+    drawSequenceScene(context, gpu, picture);
     return;
   }
-  if (shell.session == nullptr) {
-    drawEmptyViewport(shell, context, picture);
+  if (context.session == nullptr) {
+    drawEmptyViewport(context, picture);
     return;
   }
-  uploadScene(shell, gpu);
+  uploadScene(context, gpu);
   if (viewport.framePending || viewport.frameSelectionPending) {
-    frameCamera(shell, gpu, viewport.framePending);
+    frameCamera(context, gpu, viewport.framePending);
     viewport.framePending = false;
     viewport.frameSelectionPending = false;
   }
-  updateShownTrails(*shell.session, viewport.shown);
-  handleViewportMouse(shell, hovered, held);
-  updateView(shell);
-  updateShownTrails(*shell.session, viewport.shown);
-  drawScene(shell, context, gpu, picture);
+  updateShownTrails(*context.session, viewport.shown);
+  handleViewportMouse(context, hovered, held);
+  updateView(context);
+  updateShownTrails(*context.session, viewport.shown);
+  drawScene(context, gpu, picture);
 }
 
 } // namespace
 
-Palette paletteOf(ThemeKind theme) {
-  switch (theme) {
-  case ThemeKind::light:
-    return lightPalette();
-  case ThemeKind::highContrast:
-    return highContrastPalette();
-  case ThemeKind::dark:
-    break;
-  }
-  return darkPalette();
-}
-
-void drawPicture(Shell& shell, ViewportGpu& gpu, DrawnPicture& drawn, const ViewportPicture& picture) {
-  const std::uint64_t key = keyOf(shell.viewport.view, picture, gpu.uploaded.get(), shell.theme.kind);
+void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
+                 const ViewportPicture& picture) {
+  const std::uint64_t key = keyOf(context.viewport.view, picture, gpu.uploaded.get(), context.theme.kind);
   if (key == drawn.contentKey && drawn.target.textureId() != 0) {
     return;
   }
-  const Status done = gpu.renderer.draw(drawn.target, shell.viewport.view, picture);
+  const Status done = gpu.renderer.draw(drawn.target, context.viewport.view, picture);
   drawn.contentKey = done ? key : 0;
-  tellProblem(shell, done);
+  tellProblem(context.ui, done);
   gpu.drewPicture = true;
 }
 
@@ -211,12 +187,11 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
     return renderer.error();
   }
   return std::unique_ptr<ViewportGpu>(new ViewportGpu{
-      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, 0.0, 0, false});
+      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, 0, false});
 }
 
-void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& rect,
-                      double pixelsPerUnit) {
-  shell.viewport.pixelsPerUnit = pixelsPerUnit;
+void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit) {
+  context.viewport.pixelsPerUnit = pixelsPerUnit;
   ImGui::SetNextWindowPos(rect.min);
   ImGui::SetNextWindowSize({rect.width(), rect.height()});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
@@ -226,24 +201,24 @@ void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, con
                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                  ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("viewport-pane", nullptr, flags)) {
-    drawPictureArea(shell, context, gpu);
+    drawPictureArea(context, gpu);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);
 }
 
-void frameCamera(Shell& shell, ViewportGpu& gpu, bool everything) {
-  if (shell.session == nullptr) {
+void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything) {
+  if (context.session == nullptr) {
     return;
   }
-  app::Session& session = *shell.session;
-  updateShownTrails(session, shell.viewport.shown);
-  Box box = everything ? Box{} : selectionBox(session, shell.viewport.shown);
+  app::Session& session = *context.session;
+  updateShownTrails(session, context.viewport.shown);
+  Box box = everything ? Box{} : selectionBox(session, context.viewport.shown);
   if (box.empty() && gpu.bounds) {
     box = gpu.bounds->boxOf(*session.document().scene, session.frameAt(session.view().frame));
-    box.add(everything ? selectionBox(session, shell.viewport.shown) : Box{});
+    box.add(everything ? selectionBox(session, context.viewport.shown) : Box{});
   }
-  shell.viewport.camera = fitted(shell.viewport.camera, shell.viewport.view.viewport, box, 0.1);
+  context.viewport.camera = fitted(context.viewport.camera, context.viewport.view.viewport, box, 0.1);
 }
 
 } // namespace stretch::ui

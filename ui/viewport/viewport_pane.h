@@ -7,7 +7,7 @@
 #include "ui/render/bounds.h"
 #include "ui/render/quality.h"
 #include "ui/render/viewport_renderer.h"
-#include "ui/shell/shell.h"
+#include "ui/viewport/viewport_context.h"
 
 namespace stretch::ui {
 
@@ -25,24 +25,23 @@ struct ViewportGpu {
   QualityGovernor governor;
   std::shared_ptr<const Scene> uploaded;
   std::optional<BoundsSampler> bounds;
-  double floorHeight = 0.0;
+  SceneMeasures measures;
   std::uint64_t sequenceKey = 0; ///< Of the frame of a mesh sequence that `uploaded` holds.
   bool drewPicture = false;      ///< In this frame: tells the governor whether the frame's time counts.
 };
 
 [[nodiscard]] Result<std::unique_ptr<ViewportGpu>> createViewportGpu();
 
-[[nodiscard]] Palette paletteOf(ThemeKind theme);
 /// Draws a picture unless it would be the same again.
-void drawPicture(Shell& shell, ViewportGpu& gpu, DrawnPicture& drawn, const ViewportPicture& picture);
+void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
+                 const ViewportPicture& picture);
 /// Puts it into the current window.
 void showPicture(const DrawnPicture& drawn, const Rect& box);
 
 /// The viewport with its bar, mouse and overlays, in `rect` (window units).
-void drawViewportPane(Shell& shell, PanelContext& context, ViewportGpu& gpu, const Rect& rect,
-                      double pixelsPerUnit);
+void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit);
 
 /// Moves the camera so that the selection (or with `everything` the character) fills the viewport.
-void frameCamera(Shell& shell, ViewportGpu& gpu, bool everything);
+void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything);
 
 } // namespace stretch::ui

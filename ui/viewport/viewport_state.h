@@ -1,38 +1,16 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "app/edits/sphere_edits.h"
-#include "rig/motion/motion.h"
 #include "ui/render/camera.h"
-#include "ui/render/picking.h"
+#include "ui/viewport/shown_trails.h"
 #include "ui/widgets/control.h"
 
 namespace stretch::ui {
 
 /// What the mouse does in the viewport from press to release.
 enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, boxSelect };
-
-/// One trail as the viewport shows it.
-struct ShownTrail {
-  int id = 0;
-  rig::DrawnTrail drawn;
-  std::vector<app::PlacedSphere> spheres;
-  int colour = 0;
-  bool exaggerated = false;
-  double startFrame = 0.0;
-  double endFrame = 0.0;
-  rig::Pivot pivot = rig::Pivot::start;
-};
-
-/// The trails of the viewed clip that are visible, and what they were made from.
-struct ShownTrails {
-  std::vector<ShownTrail> trails;
-  std::shared_ptr<const rig::MotionState> madeFrom; ///< They are made again only when it is another.
-};
 
 /// What the viewport remembers between frames.
 struct ViewportState {

@@ -88,6 +88,37 @@ TEST_CASE("Work comes back as it was saved") {
   CHECK(workOf(restored) == workOf(document));
 }
 
+TEST_CASE("Nothing about a trail is lost on the way into a file and back") {
+  Document document = trailed();
+  rig::Trail& trail = document.trails.back();
+  trail.follow = false;
+  trail.pinned = true;
+  trail.visible = false;
+  trail.colour = 3;
+  trail.controlFrames = {0.0, 4.0, 10.0};
+  trail.connected = false;
+  trail.settings.space = rig::TrailSpace::view;
+  trail.settings.viewAxes = Mat3(0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0);
+  trail.settings.axes = {true, false, true};
+  trail.settings.pivot = rig::Pivot::end;
+  trail.settings.reference = rig::Reference::rest;
+  trail.settings.bend = rig::Bend::straighten;
+  trail.settings.remap = rig::RemapKind::linear;
+  trail.settings.easeIn = {0.3, 0.2};
+  trail.settings.easeOut = {0.2, 0.8};
+  trail.settings.stretchSwitch = 0.5;
+  trail.settings.volume = 0.25;
+  trail.settings.releaseFrames = 3.5;
+  trail.settings.overshoot = 0.1;
+  trail.settings.pull = false;
+  trail.settings.blend = 1.5;
+  trail.settings.stayInWorld = true;
+  trail.settings.turnEnd = true;
+  Document restored = test::boxer();
+  REQUIRE(restoreWork(workOf(document), restored));
+  CHECK(restored.trails == document.trails);
+}
+
 TEST_CASE("Work takes the place of what is there, and nothing is left without it") {
   Document document = trailed();
   REQUIRE(restoreWork(workOf(trailed()), document));

@@ -52,6 +52,20 @@ TEST_CASE("the mesh reaches as far as its vertices, by as much as they follow") 
   CHECK(meshReach(scene) == std::vector<double>{2.0, 3.0, 1.0});
 }
 
+TEST_CASE("a skinned mesh reaches as far as it does from its joint in the bind pose") {
+  Scene scene;
+  scene.nodes.resize(2);
+  Mat4 fromJoint(1.0);
+  fromJoint[3] = Vec4(-5.0, 0.0, 0.0, 1.0); // the joint stands at x = 5
+  scene.skins.push_back({"skin", {1}, {fromJoint}});
+  scene.nodes[0].mesh = addMesh(scene, {{5.0F, 0.5F, 0.0F}});
+  scene.nodes[0].skin = 0;
+  VertexInfluences whole;
+  whole.weights = {1.0F};
+  scene.meshes[0].primitives.front().influences = {whole};
+  CHECK(meshReach(scene) == std::vector<double>{0.0, 0.5});
+}
+
 TEST_CASE("the tip of a sword follows the exact motion as closely as the hand that holds it") {
   const MovingBiped moving = swordsman();
   const Rekeyed rekeyed = rekeyedOf(moving, {connectedTrail("left-arm", 0, 12, 3.0)});

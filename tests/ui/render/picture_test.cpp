@@ -46,12 +46,19 @@ TrailPicture handTrail() {
   return trail;
 }
 
+PictureFrame atRest(const Scene& scene) {
+  return {{.frame = frameOf(scene, restPose(scene), 0.0)}};
+}
+
+PictureFrame waving(const Scene& scene) {
+  return {{.frame = wavingFrame(scene), .trails = {{handTrail(), {}}}}};
+}
+
 } // namespace
 
 TEST_CASE("Picture: the biped from the front") {
   const Scene scene = bipedScene();
-  const auto image = renderFrame(scene, {frameOf(scene, restPose(scene), 0.0), {}, {}, {}, {}},
-                                 smallPicture(ViewDirection::front));
+  const auto image = renderFrame(scene, atRest(scene), smallPicture(ViewDirection::front));
   REQUIRE(image);
   const std::string difference = differenceFromBaseline("biped-front", *image);
   INFO(difference);
@@ -60,11 +67,10 @@ TEST_CASE("Picture: the biped from the front") {
 
 TEST_CASE("Picture: trail, skeleton and ghosts from three quarters") {
   const Scene scene = bipedScene();
-  PictureOptions options = smallPicture(ViewDirection::threeQuarter);
-  options.skeleton = true;
-  const FrameState rest = frameOf(scene, restPose(scene), 0.0);
-  const PictureFrame picture{wavingFrame(scene), "", {{rest, rgba(okabe::skyBlue, 0.4F)}}, {handTrail()}, {}};
-  const auto image = renderFrame(scene, picture, options);
+  PictureFrame picture = waving(scene);
+  picture.content.skeleton = true;
+  picture.content.ghosts = {{frameOf(scene, restPose(scene), 0.0), rgba(okabe::skyBlue, 0.4F)}};
+  const auto image = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
   REQUIRE(image);
   const std::string difference = differenceFromBaseline("biped-trail", *image);
   INFO(difference);
@@ -73,15 +79,15 @@ TEST_CASE("Picture: trail, skeleton and ghosts from three quarters") {
 
 TEST_CASE("Picture: stretch as colour, wires and a light background from the side") {
   const Scene scene = bipedScene();
-  PictureOptions options = smallPicture(ViewDirection::side);
-  options.style.shading = SurfaceShading::stretchHeat;
-  options.style.wireframe = true;
-  options.style.palette = lightPalette();
-  FrameState frame = wavingFrame(scene);
+  PictureFrame picture{{.frame = wavingFrame(scene)}};
+  picture.content.style.shading = SurfaceShading::stretchHeat;
+  picture.content.style.wireframe = true;
+  picture.content.style.palette = lightPalette();
+  FrameState& frame = picture.content.frame;
   frame.stretch.assign(scene.nodes.size(), Mat3(1.0));
   frame.stretch[at(BipedNodes{}.leftForearm)] = Mat3(1.0, 0, 0, 0, 2.2, 0, 0, 0, 1.0);
   frame.stretch[at(BipedNodes{}.head)] = Mat3(1.0, 0, 0, 0, 0.6, 0, 0, 0, 1.0);
-  const auto image = renderFrame(scene, {frame, "", {}, {}, {}}, options);
+  const auto image = renderFrame(scene, picture, smallPicture(ViewDirection::side));
   REQUIRE(image);
   const std::string difference = differenceFromBaseline("biped-stretch", *image);
   INFO(difference);
@@ -98,7 +104,7 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
   renderer->setScene(scene);
   SceneStyle style;
   style.palette = highContrastPalette();
-  style.characterHeight = 1.8;
+  style.measures.characterHeight = 1.8;
   style.highlight.assign(scene.nodes.size(), 0.0F);
   const BipedNodes nodes;
   for (const NodeIndex node : {nodes.leftUpperArm, nodes.leftForearm, nodes.leftHand}) {
@@ -122,7 +128,8 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
 
 TEST_CASE("The same picture twice has the same bytes") {
   const Scene scene = bipedScene();
-  const PictureFrame picture{wavingFrame(scene), "frame 7", {}, {handTrail()}, {}};
+  PictureFrame picture = waving(scene);
+  picture.label = "frame 7";
   const auto first = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
   const auto second = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
   REQUIRE(first);
@@ -135,7 +142,7 @@ TEST_CASE("A contact sheet holds every picture in its cell") {
   PictureOptions options = smallPicture(ViewDirection::front);
   options.widthPixels = 64;
   options.heightPixels = 64;
-  std::vector<PictureFrame> pictures(5, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}});
+  std::vector<PictureFrame> pictures(5, atRest(scene));
   const auto sheet = renderSheet(scene, pictures, options, 3);
   REQUIRE(sheet);
   CHECK(sheet->width == 3 * 64 + 2 * 2);
@@ -153,13 +160,13 @@ TEST_CASE("A contact sheet needs a picture and a size that fits") {
   CHECK_FALSE(renderSheet(scene, {}, smallPicture(ViewDirection::front)));
   PictureOptions huge = smallPicture(ViewDirection::front);
   huge.widthPixels = 9000;
-  CHECK_FALSE(renderFrame(scene, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}}, huge));
+  CHECK_FALSE(renderFrame(scene, atRest(scene), huge));
 }
 
 TEST_CASE("A series stops when a picture cannot be kept") {
   const Scene scene = triangleScene();
   PictureOptions options = smallPicture(ViewDirection::front);
-  const std::vector<PictureFrame> pictures(3, {frameOf(scene, restPose(scene), 0.0), "", {}, {}, {}});
+  const std::vector<PictureFrame> pictures(3, atRest(scene));
   std::size_t kept = 0;
   const Status status = renderSeries(scene, pictures, options, [&](std::size_t index, const Image&) {
     kept = index;

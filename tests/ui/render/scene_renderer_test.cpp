@@ -201,7 +201,7 @@ TEST_CASE("The character is the brightest thing in the dark viewport") {
   const FrameState frame = frameOf(scene, restPose(scene), 0.0);
   SceneStyle style;
   style.quality = qualityOf(3);
-  style.characterHeight = 1.8;
+  style.measures.characterHeight = 1.8;
   Camera camera = lookFrom({}, ViewDirection::threeQuarter);
   const View view = makeView(fitted(camera, {320.0, 240.0, 1.0}, BoundsSampler(scene).boxOf(scene, frame)),
                              {320.0, 240.0, 1.0});

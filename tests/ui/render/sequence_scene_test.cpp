@@ -85,7 +85,7 @@ TEST_CASE("pictures of a sequence show the frames that were asked for, one scene
   REQUIRE(pictures->scene.meshes.size() == 2);
   const Primitive& primitive = pictures->scene.meshes[1].primitives[0];
   REQUIRE(primitive.morphTargets.size() == 2);
-  const std::vector<float>& weights = pictures->pictures[1].frame.pose.weights[1];
+  const std::vector<float>& weights = pictures->pictures[1].content.frame.pose.weights[1];
   CHECK(weights == std::vector<float>{0.0F, 1.0F});
   const std::size_t vertex = tube.vertexCount / 2;
   CHECK(glm::distance(primitive.positions[vertex] + primitive.morphTargets[1].positions[vertex],
@@ -106,8 +106,9 @@ TEST_CASE("Picture: the wrong half of a body is red, the right one grey") {
   options.widthPixels = 160;
   options.heightPixels = 160;
   options.view = ViewDirection::front;
-  options.style.floor = false;
-  const auto image = renderFrame(scene, {restOf(scene), "", {}, {}, {}}, options);
+  PictureFrame picture{{.frame = restOf(scene)}};
+  picture.content.style.floor = false;
+  const auto image = renderFrame(scene, picture, options);
   REQUIRE(image);
   const Pixel wrong = pixelAt(*image, 0.62, 0.5);
   const Pixel right = pixelAt(*image, 0.38, 0.5);

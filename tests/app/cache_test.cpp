@@ -1,0 +1,156 @@
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/limb_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/edits/weight_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "core/math/rotation.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+Document orFail(const Result<Document>& edited) {
+  INFO((edited ? std::string() : edited.error().line()));
+  REQUIRE(edited);
+  return *edited;
+}
+
+rig::Trail& trailOf(Document& document, const std::string& limb) {
+  for (rig::Trail& trail : document.trails) {
+    if (trail.limb == limb) {
+      return trail;
+    }
+  }
+  FAIL("no trail of " + limb);
+  return document.trails.front();
+}
+
+Mat3 turnedView(double radians) {
+  return glm::mat3_cast(axisAngle(Vec3(0.0, 1.0, 0.0), radians));
+}
+
+// A stretched spine that carries a stretched arm, seen from a camera, and weight on the other arm.
+Document busyBoxer() {
+  Document document = test::boxer();
+  for (const char* const limb : {"spine", "left-arm"}) {
+    NewTrail wanted;
+    wanted.limb = limb;
+    wanted.settings.startFrame = 2.0;
+    wanted.settings.endFrame = 10.0;
+    wanted.settings.scale = 1.5;
+    wanted.settings.spheres = {{6.0, Vec3(0.05, 0.1, 0.0)}};
+    wanted.connected = true;
+    const Result<CreatedTrail> created = createTrail(document, wanted);
+    REQUIRE(created);
+    document = created->document;
+  }
+  rig::Trail& arm = trailOf(document, "left-arm");
+  arm.settings.space = rig::TrailSpace::view;
+  arm.settings.viewAxes = turnedView(0.7);
+  arm.settings.axes = {true, false, true};
+  return orFail(setWeight(document, {"right-arm", 0, true, {}}));
+}
+
+Document withShorterArm(const Document& document, const std::string& id) {
+  rig::Limb arm = *findLimb(document, id);
+  arm.joints.erase(arm.joints.begin());
+  arm.restLength = 0.3;
+  return orFail(correctLimb(document, arm));
+}
+
+struct Change {
+  std::string name;
+  std::function<void(Document&)> make;
+};
+
+// Everything that a frame is made from, each changed by itself.
+std::vector<Change> changes() {
+  const auto arm = [](auto&& change) {
+    return [change](Document& d) { change(trailOf(d, "left-arm").settings); };
+  };
+  using Settings = rig::TrailSettings;
+  return {
+      {"a limb corrected", [](Document& d) { d = withShorterArm(d, "left-arm"); }},
+      {"a limb with weight corrected", [](Document& d) { d = withShorterArm(d, "right-arm"); }},
+      {"the hips", [](Document& d) { d.biped.hips = d.biped.limbs.back().joints.front(); }},
+      {"the pivot", arm([](Settings& s) { s.pivot = rig::Pivot::end; })},
+      {"the view's axes", arm([](Settings& s) { s.viewAxes = turnedView(-0.4); })},
+      {"the space", arm([](Settings& s) { s.space = rig::TrailSpace::root; })},
+      {"the end of the range", arm([](Settings& s) { s.endFrame = 14.0; })},
+      {"the start of the range", arm([](Settings& s) { s.startFrame = 0.0; })},
+      {"the scale", arm([](Settings& s) { s.scale = 0.6; })},
+      {"the spheres set by hand",
+       [](Document& d) {
+         trailOf(d, "left-arm").controlFrames = {2.0, 5.0, 10.0};
+       }},
+      {"an inner trail", [](Document& d) { trailOf(d, "spine").settings.scale = 0.7; }},
+      {"an inner trail let go", [](Document& d) { trailOf(d, "spine").connected = false; }},
+      {"a loop",
+       [](Document& d) {
+         trailOf(d, "left-arm").settings.releaseFrames = 15.0;
+         d = setLooping(d, 0, true);
+       }},
+      {"the frame rate", [](Document& d) { setFramesPerSecond(d, 24.0); }},
+      {"the limb that has weight",
+       [](Document& d) {
+         d = orFail(setWeight(removeWeight(d, "right-arm", 0), {"spine", 0, true, {}}));
+       }},
+      {"a trail under the weight",
+       [](Document& d) {
+         NewTrail wanted;
+         wanted.limb = "right-arm";
+         wanted.settings.endFrame = 10.0;
+         wanted.settings.spheres = {{5.0, Vec3(0.0, 0.3, 0.2)}};
+         wanted.connected = true;
+         const Result<CreatedTrail> created = createTrail(d, wanted);
+         REQUIRE(created);
+         d = created->document;
+       }},
+      {"how the weight is damped", [](Document& d) { d.weights.front().settings.damping = 0.1; }},
+  };
+}
+
+void checkAnswers(EvaluationCache& cache, const Document& document) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  for (const double frame : {0.0, 5.0, 9.0, 12.0, 17.5}) {
+    const double timeSeconds = frame / clipOf(document, 0).framesPerSecond;
+    const FrameState fresh = evaluate(document, motion, timeSeconds);
+    const FrameState& cached = cache.frame(document, 0, timeSeconds);
+    CAPTURE(frame);
+    CHECK(cached.worlds == fresh.worlds);
+    CHECK(cached.stretch == fresh.stretch);
+  }
+  for (const std::size_t samplesPerFrame : {std::size_t{1}, std::size_t{3}}) {
+    const std::vector<TrailPaths> fresh = trailPaths(document, motion, samplesPerFrame);
+    const std::vector<TrailPaths>& cached = cache.paths(document, 0, samplesPerFrame);
+    REQUIRE(cached.size() == fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      CHECK(cached[i].drawn.exaggerated == fresh[i].drawn.exaggerated);
+      CHECK(cached[i].drawn.original == fresh[i].drawn.original);
+      CHECK(cached[i].spheres.frames == fresh[i].spheres.frames);
+      CHECK(cached[i].spheres.exaggerated == fresh[i].spheres.exaggerated);
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("the cache sees every change that a frame is made from, and its undoing") {
+  const Document before = busyBoxer();
+  for (const Change& change : changes()) {
+    EvaluationCache cache;
+    checkAnswers(cache, before);
+    Document after = before;
+    change.make(after);
+    INFO(change.name);
+    checkAnswers(cache, after);
+    checkAnswers(cache, before);
+  }
+}

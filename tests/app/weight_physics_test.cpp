@@ -1,0 +1,103 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/edits/trail_edits.h"
+#include "app/edits/weight_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "core/math/rotation.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr double turnSeconds = 0.5;
+
+// The boxer with another clip: its left arm whirls in a circle, one turn in turnSeconds, over whole turns;
+// `travel`: how far the hips get along x in each second. Keys on each of `keysPerSecond`.
+Document whirling(int turns, double travelPerSecond, double keysPerSecond = 30.0) {
+  Document document = test::boxer();
+  Track arm;
+  arm.node = findLimb(document, "left-arm")->joints.front();
+  arm.channel = Channel::rotation;
+  arm.width = 4;
+  Track hips;
+  hips.node = document.biped.hips;
+  const double seconds = turns * turnSeconds;
+  for (int key = 0; key <= static_cast<int>(std::lround(seconds * keysPerSecond)); ++key) {
+    const double t = key / keysPerSecond;
+    const Quat turn = axisAngle(Vec3(0.0, 0.0, 1.0), 2.0 * pi * t / turnSeconds);
+    arm.times.push_back(static_cast<float>(t));
+    for (const double value : {turn.x, turn.y, turn.z, turn.w}) {
+      arm.values.push_back(static_cast<float>(value));
+    }
+  }
+  hips.times = {0.0F, static_cast<float>(seconds)};
+  hips.values = {0.0F, 1.0F, 0.0F, static_cast<float>(travelPerSecond * seconds), 1.0F, 0.0F};
+  Clip clip;
+  clip.name = "whirl";
+  clip.sourceIndex = 0;
+  clip.endSeconds = seconds;
+  clip.framesPerSecond = keysPerSecond;
+  clip.tracks.emplace_back(std::move(arm));
+  clip.tracks.emplace_back(std::move(hips));
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  return document;
+}
+
+Document heavy(const Document& document, const WeightSettings& settings = {}) {
+  const Result<Document> weighted = setWeight(document, {"left-arm", 0, true, settings});
+  REQUIRE(weighted);
+  return *weighted;
+}
+
+// The left arm's length along its bones, in lengths of itself: its joints and their stretch.
+double armLength(const Document& document, double seconds) {
+  const FrameState frame = evaluate(document, prepareMotion(document, 0), seconds);
+  const std::vector<Vec3> points = rig::limbPoints(*findLimb(document, "left-arm"), frame);
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += glm::length(points[i] - points[i - 1]);
+  }
+  return length / 0.6;
+}
+
+double longest(const Document& document) {
+  return weightReports(document, 0).front().longest;
+}
+
+} // namespace
+
+TEST_CASE("a loop is in its swing from the first frame on, and ends as it begins") {
+  for (const double travel : {0.0, 3.0}) {
+    const Document once = heavy(whirling(2, travel));
+    const Document loop = setLooping(once, 0, true);
+    CAPTURE(travel);
+    CHECK(armLength(loop, 0.0) == Approx(armLength(loop, 2 * turnSeconds)).epsilon(1e-3));
+    // Two turns later the same: what came before the first frame was the end of the clip.
+    CHECK(armLength(loop, 0.0) == Approx(armLength(loop, turnSeconds)).epsilon(1e-3));
+    CHECK(std::abs(armLength(once, 0.0) - armLength(once, turnSeconds)) > 0.01);
+  }
+}
+
+TEST_CASE("how often a clip is keyed does not change how much its limbs give way") {
+  const double wanted = longest(heavy(whirling(2, 0.0)));
+  REQUIRE(wanted > 1.05);
+  CHECK(longest(heavy(whirling(2, 0.0, 120.0))) == Approx(wanted).epsilon(0.02));
+  CHECK(longest(heavy(whirling(2, 0.0, 240.0))) == Approx(wanted).epsilon(0.02));
+  CHECK(longest(heavy(whirling(2, 0.0, 16.0))) == Approx(wanted).epsilon(0.1));
+}
+
+TEST_CASE("damping and inertia of a limb's weight reach its motion") {
+  WeightSettings loose;
+  loose.damping = 0.1;
+  WeightSettings damped;
+  damped.damping = 2.0;
+  CHECK(longest(heavy(whirling(2, 0.0), loose)) > 1.02 * longest(heavy(whirling(2, 0.0), damped)));
+  WeightSettings massless;
+  massless.inertia = 0.0;
+  CHECK(longest(heavy(whirling(2, 0.0), massless)) - 1.0 < 0.5 * (longest(heavy(whirling(2, 0.0))) - 1.0));
+}

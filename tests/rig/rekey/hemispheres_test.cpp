@@ -1,0 +1,84 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/rekeyed_clip.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+// The same turns, told by the other of their two quaternions at every second key: what exporters write that
+// take each key by itself.
+MovingBiped withFlippedKeys() {
+  MovingBiped moving = punchingBiped(Interpolation::linear);
+  for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+    leaf.edit([](Track& track) {
+      for (std::size_t i = 0; track.channel == Channel::rotation && i < track.values.size(); ++i) {
+        track.values[i] *= i / 4 % 2 == 1 ? -1.0F : 1.0F;
+      }
+    });
+  }
+  return moving;
+}
+
+Vec4 valueAt(const Track& track, std::size_t key) {
+  const std::size_t perKey = track.interpolation == Interpolation::cubicSpline ? 12 : 4;
+  const std::size_t first = key * perKey + (perKey == 12 ? 4 : 0);
+  return {track.values[first], track.values[first + 1], track.values[first + 2], track.values[first + 3]};
+}
+
+// Neighbouring keys from `first` to `last`, frames, that a reader would turn between the long way round.
+int longWays(const Track& track, double first, double last) {
+  int count = 0;
+  for (std::size_t i = 1; i < track.times.size(); ++i) {
+    const bool inside = 24.0 * static_cast<double>(track.times[i - 1]) > first - 1e-3 &&
+                        24.0 * static_cast<double>(track.times[i]) < last + 1e-3;
+    count += inside && glm::dot(valueAt(track, i - 1), valueAt(track, i)) < 0.0 ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("keys of ours follow each other the short way, also for a reader that looks at no signs") {
+  const MovingBiped moving = withFlippedKeys();
+  const Rekeyed rekeyed = rekeyedOf(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  int turning = 0;
+  for (const Track& track : rekeyed.keys.tracks) {
+    if (track.channel == Channel::rotation) {
+      ++turning;
+      CAPTURE(track.node);
+      CHECK(longWays(track, 0.0, 12.0) == 0);
+    }
+  }
+  CHECK(turning > 0);
+}
+
+TEST_CASE("a curve that comes to our keys on the other hemisphere keeps its shape outside of them") {
+  for (const double flip : {1.0, -1.0}) {
+    MovingBiped moving = punchingBiped(Interpolation::cubicSpline);
+    for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+      leaf.edit([&](Track& track) {
+        for (float& value : track.values) {
+          value *= track.channel == Channel::rotation ? static_cast<float>(flip) : 1.0F;
+        }
+      });
+    }
+    Trail trail = connectedTrail("left-arm", 7, 11, 2.5);
+    trail.settings.releaseFrames = 3.0;
+    const Rekeyed rekeyed = rekeyedOf(moving, {trail});
+    CAPTURE(flip);
+    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+    for (double frame = 0.0; frame <= 24.0; frame += 0.25) {
+      if (frame < 7.0 || frame > 14.0) {
+        CAPTURE(frame);
+        CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
+              1e-6 * moving.biped.height);
+      }
+    }
+  }
+}

@@ -1,0 +1,130 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
+#include "tests/support/app/boxer.h"
+#include "ui/batch/character_pictures.h"
+#include "ui/render/png.h"
+#include "ui/viewport/viewport_scene.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+/// The boxer with a trail of its left arm, exaggerated twice.
+app::Document punch() {
+  app::NewTrail wanted;
+  wanted.limb = "left-arm";
+  wanted.settings.startFrame = 2.0;
+  wanted.settings.endFrame = 12.0;
+  wanted.settings.scale = 2.0;
+  wanted.exaggerated = true;
+  wanted.connected = true;
+  const Result<app::CreatedTrail> created = app::createTrail(test::boxer(), wanted);
+  REQUIRE(created);
+  return created->document;
+}
+
+struct Window {
+  app::Session session{punch()};
+  ViewportState viewport;
+  ViewportOverlays overlays;
+
+  [[nodiscard]] PictureContent picture() {
+    updateShownTrails(session, viewport.shown);
+    const Scene& scene = *session.document().scene;
+    return workPicture(session, viewport, overlays, paletteOf(ThemeKind::dark),
+                       measuresOf(scene, BoundsSampler(scene)));
+  }
+};
+
+std::vector<std::uint8_t> drawn(const Scene& scene, const PictureContent& content) {
+  PictureOptions options;
+  options.widthPixels = 160;
+  options.heightPixels = 120;
+  const Result<Image> image = renderFrame(scene, {content}, options);
+  REQUIRE(image);
+  return *encodePng(*image);
+}
+
+} // namespace
+
+TEST_CASE("The window and the verb render make the same picture, ghosts, trails and skeleton included") {
+  Window window;
+  window.overlays.ghosts = true;
+  window.overlays.skeleton = true;
+  window.session.view().frame = 6.0;
+  window.session.view().selectedTrail = window.session.document().trails.front().id;
+  const PictureContent shown = window.picture();
+  REQUIRE(shown.ghosts.size() == 6);
+  REQUIRE(shown.trails.size() == 1);
+  const app::Document& document = window.session.document();
+  const auto pictures = picturesOfCharacter(document, window.session.sharedMotion(), {6.0},
+                                            {.skeleton = true, .ghosts = 3, .labelled = false});
+  const PictureContent& written = pictures.at(0).content;
+  REQUIRE(written.ghosts.size() == shown.ghosts.size());
+  for (std::size_t i = 0; i < shown.ghosts.size(); ++i) {
+    CHECK(written.ghosts[i].tint == shown.ghosts[i].tint);
+    CHECK(written.ghosts[i].frame.timeSeconds == shown.ghosts[i].frame.timeSeconds);
+  }
+  CHECK(drawn(*document.scene, written) == drawn(*document.scene, shown));
+}
+
+TEST_CASE("Ghosts before and after have two colours, the nearest the strongest, none outside of the clip") {
+  Window window;
+  window.overlays.ghosts = true;
+  window.session.view().frame = 3.0;
+  const std::vector<Ghost> ghosts = window.picture().ghosts;
+  REQUIRE(ghosts.size() == 4); // frame 1, then 9, 7 and 5
+  const Palette palette = darkPalette();
+  CHECK(glm::vec3(ghosts[0].tint) == glm::vec3(palette.ghostBefore));
+  CHECK(glm::vec3(ghosts[1].tint) == glm::vec3(palette.ghostAfter));
+  CHECK(ghosts[3].tint.a > ghosts[1].tint.a);
+}
+
+TEST_CASE("Spheres stand on the selected trail only, handles on its last selected sphere") {
+  Window window;
+  CHECK(window.picture().trails.at(0).path.spheres.empty());
+  app::selectTrail(window.session, window.session.document().trails.front().id);
+  const PictureContent selected = window.picture();
+  REQUIRE_FALSE(selected.trails.at(0).path.spheres.empty());
+  CHECK_FALSE(selected.handles);
+  const app::PlacedSphere& sphere = window.viewport.shown.trails.at(0).spheres.at(1);
+  window.session.view().selectedSpheres = {sphere.frame};
+  const PictureContent held = window.picture();
+  REQUIRE(held.handles);
+  CHECK(held.handles->origin == sphere.positionWorld);
+  CHECK(held.trails.at(0).path.spheres.at(1).selected);
+}
+
+TEST_CASE("The original beside the work has neither trails nor ghosts nor skeleton, but the same look") {
+  Window window;
+  window.overlays.ghosts = true;
+  window.overlays.skeleton = true;
+  window.overlays.wire = true;
+  window.session.view().frame = 8.0;
+  const PictureContent work = window.picture();
+  const PictureContent beside = originalPicture(window.session, window.viewport, window.overlays,
+                                                paletteOf(ThemeKind::dark), work.style.measures);
+  CHECK(beside.trails.empty());
+  CHECK(beside.ghosts.empty());
+  CHECK_FALSE(beside.skeleton);
+  CHECK(beside.style.wireframe);
+  CHECK(beside.frame.worlds == window.session.originalAt(8.0).worlds);
+  CHECK_FALSE(beside.frame.worlds == work.frame.worlds);
+}
+
+TEST_CASE("Trails are drawn when they are visible, or only those of selected limbs and pinned ones") {
+  ViewportOverlays overlays;
+  rig::Trail trail;
+  trail.limb = "left-arm";
+  CHECK(isDrawn(trail, {}, overlays));
+  overlays.trailsOnlyWhenSelected = true;
+  CHECK_FALSE(isDrawn(trail, {}, overlays));
+  CHECK(isDrawn(trail, {"left-arm"}, overlays));
+  trail.pinned = true;
+  CHECK(isDrawn(trail, {}, overlays));
+  trail.visible = false;
+  CHECK_FALSE(isDrawn(trail, {"left-arm"}, overlays));
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/render/handle_drawing.h"
+#include "ui/render/scene_renderer.h"
+#include "ui/render/trail_drawing.h"
+
+namespace stretch::ui {
+
+/// A trail of a picture, and how it looks.
+struct StyledTrail {
+  TrailPicture path;
+  TrailStyle style;
+};
+
+/// What is drawn of a scene at one moment, wherever the camera stands.
+struct PictureContent {
+  FrameState frame = {};
+  std::vector<Ghost> ghosts = {}; ///< The farthest in time first.
+  SceneStyle style = {};
+  bool skeleton = false; ///< Bones over the mesh; `style.highlight` tells which are selected.
+  std::vector<StyledTrail> trails = {};
+  std::optional<AxisHandles> handles = {};
+  std::optional<std::size_t> activeAxis = {}; ///< Of the handles: under the mouse.
+};
+
+/// Skeleton, trails and handles, as they lie over the scene in a view.
+[[nodiscard]] Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& content);
+
+} // namespace stretch::ui

@@ -1,0 +1,195 @@
+#include "ui/viewport/assemble_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/theme.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr float hoveredHighlight = 0.45F;
+constexpr float nearestGhostOpacity = 0.34F;
+
+/// 1 for the joints of selected limbs, less for the hovered limb; one for each node.
+std::vector<float> highlightOf(const app::Document& document, const PictureSelection& selection) {
+  std::vector<float> highlight(document.scene->nodes.size(), 0.0F);
+  const auto mark = [&](const std::string& limbId, float amount) {
+    const rig::Limb* limb = app::findLimb(document, limbId);
+    for (const NodeIndex joint : limb == nullptr ? std::vector<NodeIndex>{} : limb->joints) {
+      float& value = highlight[at(joint)];
+      value = std::max(value, amount);
+    }
+  };
+  mark(selection.hoveredLimb, hoveredHighlight);
+  for (const std::string& limbId : selection.limbs) {
+    mark(limbId, 1.0F);
+  }
+  return highlight;
+}
+
+SceneStyle sceneStyleOf(const PictureSubject& subject, const PictureSelection& selection,
+                        const ViewportOverlays& overlays, const Palette& palette) {
+  SceneStyle style;
+  style.palette = palette;
+  style.shading = overlays.heatMap ? SurfaceShading::stretchHeat : SurfaceShading::material;
+  style.wireframe = overlays.wire;
+  style.floor = overlays.grid;
+  style.measures = subject.measures;
+  style.highlight = highlightOf(subject.document, selection);
+  return style;
+}
+
+bool isPickedOut(const PictureSelection& selection, int trailId) {
+  return selection.everyTrail || selection.trail == trailId;
+}
+
+std::vector<TrailSphere> spheresOf(const ShownTrail& trail, const PictureSelection& selection) {
+  std::vector<TrailSphere> spheres;
+  for (const app::PlacedSphere& sphere : trail.spheres) {
+    const auto isIt = [&](double frame) { return app::sameFrame(frame, sphere.frame); };
+    const bool chosen = std::any_of(selection.spheres.begin(), selection.spheres.end(), isIt);
+    spheres.push_back(
+        {sphere.positionWorld, chosen, selection.hoveredSphere && isIt(*selection.hoveredSphere)});
+  }
+  return spheres;
+}
+
+TrailPicture pathOf(const ShownTrail& trail, double frame, const PictureSelection& selection,
+                    const ViewportOverlays& overlays) {
+  constexpr auto samples = static_cast<double>(pathSamplesPerFrame);
+  TrailPicture picture;
+  picture.original = trail.drawn.original;
+  const double first = trail.drawn.frames.empty() ? 0.0 : trail.drawn.frames.front();
+  const double sample = (frame - first) * samples;
+  if (sample >= 0.0 && sample <= static_cast<double>(picture.original.size()) - 1.0) {
+    picture.currentSample = sample;
+  }
+  const double ticks = std::max(1.0, std::round(overlays.trailIncrement * samples));
+  picture.samplesPerFrame = overlays.trailTicks ? static_cast<std::size_t>(ticks) : 0;
+  if (overlays.trailWindow) {
+    picture.windowSamples = static_cast<double>(overlays.trailWindowFrames) * samples;
+  }
+  if (isPickedOut(selection, trail.id)) {
+    picture.spheres = spheresOf(trail, selection);
+  }
+  if (trail.exaggerated) {
+    const bool fromStart = trail.pivot == rig::Pivot::start;
+    picture.exaggerated = trail.drawn.exaggerated;
+    picture.pivot = pointOnTrail(trail, fromStart ? trail.startFrame : trail.endFrame, true);
+    picture.tip = pointOnTrail(trail, fromStart ? trail.endFrame : trail.startFrame, true);
+  }
+  return picture;
+}
+
+TrailStyle trailStyleOf(const ShownTrail& trail, const PictureSelection& selection,
+                        const ViewportOverlays& overlays, const Palette& palette) {
+  TrailStyle style;
+  style.originalColor = toColour(originalTrailColour);
+  style.exaggeratedColor = toColour(trailColour(trail.colour));
+  style.currentColor = palette.label;
+  style.exaggeratedWidthPoints = overlays.trailThickness;
+  style.originalWidthPoints = std::max(1.0F, 0.5F * overlays.trailThickness);
+  style.sphereRadiusPoints = overlays.sphereSize;
+  style.emphasised = isPickedOut(selection, trail.id) || trail.id == selection.hoveredTrail;
+  return style;
+}
+
+void addGhost(const PictureSubject& subject, double frame, const glm::vec4& tint,
+              std::vector<Ghost>& ghosts) {
+  const rig::MotionState& motion = subject.motion;
+  if (frame >= 0.0 && frame <= motion.endSeconds * motion.framesPerSecond) {
+    ghosts.push_back({app::evaluate(subject.document, motion, frame / motion.framesPerSecond), tint});
+  }
+}
+
+/// The character at the frames around, the farthest first.
+std::vector<Ghost> ghostsOf(const PictureSubject& subject, const ViewportOverlays& overlays,
+                            const Palette& palette) {
+  std::vector<Ghost> ghosts;
+  if (!overlays.ghosts || subject.motion.clip < 0) {
+    return ghosts;
+  }
+  const double step = std::max(1, overlays.ghostStepFrames);
+  const auto tint = [](const glm::vec4& colour, int i, int count) {
+    const float share = static_cast<float>(count + 1 - i) / static_cast<float>(count);
+    return glm::vec4(glm::vec3(colour), nearestGhostOpacity * share);
+  };
+  for (int i = overlays.ghostsBefore; i >= 1; --i) {
+    addGhost(subject, subject.frame - step * i, tint(palette.ghostBefore, i, overlays.ghostsBefore), ghosts);
+  }
+  for (int i = overlays.ghostsAfter; i >= 1; --i) {
+    addGhost(subject, subject.frame + step * i, tint(palette.ghostAfter, i, overlays.ghostsAfter), ghosts);
+  }
+  return ghosts;
+}
+
+} // namespace
+
+bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
+             const ViewportOverlays& overlays) {
+  const bool selected =
+      std::find(selectedLimbs.begin(), selectedLimbs.end(), trail.limb) != selectedLimbs.end();
+  return trail.visible && (trail.pinned || selected || !overlays.trailsOnlyWhenSelected);
+}
+
+std::optional<AxisHandles> handlesOf(const ShownTrails& trails, int selectedTrail,
+                                     const std::vector<double>& selectedSpheres) {
+  const ShownTrail* trail = findShown(trails, selectedTrail);
+  if (trail == nullptr || selectedSpheres.empty()) {
+    return std::nullopt;
+  }
+  for (const app::PlacedSphere& sphere : trail->spheres) {
+    if (app::sameFrame(sphere.frame, selectedSpheres.back())) {
+      AxisHandles handles;
+      handles.origin = sphere.positionWorld;
+      return handles;
+    }
+  }
+  return std::nullopt;
+}
+
+PictureContent assembleBare(const PictureSubject& subject, const PictureSelection& selection,
+                            const ViewportOverlays& overlays, const Palette& palette) {
+  PictureContent content;
+  content.frame = subject.pose;
+  content.style = sceneStyleOf(subject, selection, overlays, palette);
+  return content;
+}
+
+PictureContent assemblePicture(const PictureSubject& subject, const PictureSelection& selection,
+                               const ViewportOverlays& overlays, const Palette& palette) {
+  PictureContent content = assembleBare(subject, selection, overlays, palette);
+  content.ghosts = ghostsOf(subject, overlays, palette);
+  content.skeleton = overlays.skeleton;
+  for (const ShownTrail& trail : subject.trails.trails) {
+    const rig::Trail* source = app::findTrail(subject.document, trail.id);
+    if (source != nullptr && isDrawn(*source, selection.limbs, overlays)) {
+      content.trails.push_back({pathOf(trail, subject.frame, selection, overlays),
+                                trailStyleOf(trail, selection, overlays, palette)});
+    }
+  }
+  content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);
+  content.activeAxis = selection.hoveredAxis;
+  return content;
+}
+
+Palette paletteOf(ThemeKind theme) {
+  switch (theme) {
+  case ThemeKind::light:
+    return lightPalette();
+  case ThemeKind::highContrast:
+    return highContrastPalette();
+  case ThemeKind::dark:
+    break;
+  }
+  return darkPalette();
+}
+
+glm::vec4 toColour(ImU32 colour) {
+  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(colour);
+  return {value.x, value.y, value.z, value.w};
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/render/picture_content.h"
+#include "ui/viewport/shown_trails.h"
+
+namespace stretch::ui {
+
+// The one place that says what is drawn of a character. The window and the verb `render` both ask here, so
+// that a picture on the disk shows what the window showed.
+
+/// What is drawn: a moment of a document in motion.
+struct PictureSubject {
+  const app::Document& document;
+  const rig::MotionState& motion;
+  const ShownTrails& trails;
+  double frame = 0.0;
+  const FrameState& pose; ///< The character there: exaggerated, or as the source has it.
+  SceneMeasures measures;
+};
+
+/// What the artist picked out, and what lies under the mouse.
+struct PictureSelection {
+  std::vector<std::string> limbs; ///< Limb ids.
+  int trail = 0;                  ///< Trail id; 0 none.
+  std::vector<double> spheres;    ///< Frames, of that trail; the last one carries the axis handles.
+  bool everyTrail = false;        ///< Nobody selects: each trail is shown as the selected one is.
+  std::string hoveredLimb = {};
+  int hoveredTrail = 0;
+  std::optional<double> hoveredSphere = std::nullopt;
+  std::optional<std::size_t> hoveredAxis = std::nullopt;
+};
+
+[[nodiscard]] PictureContent assemblePicture(const PictureSubject& subject, const PictureSelection& selection,
+                                             const ViewportOverlays& overlays, const Palette& palette);
+
+/// The character alone in the same look: what stands beside the work for comparison.
+[[nodiscard]] PictureContent assembleBare(const PictureSubject& subject, const PictureSelection& selection,
+                                          const ViewportOverlays& overlays, const Palette& palette);
+
+/// Whether a trail is drawn: visible, and pinned, on a selected limb, or everything is.
+[[nodiscard]] bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,
+                           const ViewportOverlays& overlays);
+
+/// Axis handles at the last selected sphere; nothing when none is selected.
+[[nodiscard]] std::optional<AxisHandles> handlesOf(const ShownTrails& trails, int selectedTrail,
+                                                   const std::vector<double>& selectedSpheres);
+
+[[nodiscard]] Palette paletteOf(ThemeKind theme);
+
+/// A colour of the theme (Dear ImGui's packed sRGB) as shaders take it.
+[[nodiscard]] glm::vec4 toColour(ImU32 colour);
+
+} // namespace stretch::ui
