@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "app/schema/sequence_schema.h"
+#include "core/gltf/json.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sequence_rows.h"
+#include "ui/panels/setting_rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
@@ -15,72 +18,32 @@ namespace stretch::ui {
 
 namespace {
 
-template <typename Enum>
-void choiceRow(PanelContext& context, const char* id, const char* label, std::vector<Choice> choices,
-               Enum& value) {
-  const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, label, choices[static_cast<std::size_t>(value)].help);
-  const int chosen = segmented(widgets, id, choices, static_cast<int>(value));
-  value = chosen >= 0 ? static_cast<Enum>(chosen) : value;
-}
-
-template <typename Number>
-void countRow(PanelContext& context, const SliderSpec& given, const char* label, Number& value) {
-  const WidgetContext widgets = widgetsOf(context);
-  SliderSpec spec = given;
-  spec.step = 1.0;
-  spec.decimals = 0;
-  labelledRow(widgets, label, spec.help);
-  auto number = static_cast<double>(value);
-  if (slider(widgets, spec, number).changed) {
-    value = static_cast<Number>(std::llround(number));
+/// What the sequence allows: a body without a centre line has no elastic model.
+RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
+  const bool hasLine = !context.sequence->document.analysis->joints.empty();
+  if (setting.name == "bones") {
+    return {.maximum = std::min(100.0, mostBones)};
   }
+  if (setting.name == "skip") {
+    return {.maximum = std::max(1.0, app::lastFrame(*context.sequence))};
+  }
+  if (setting.name == "stretch") {
+    return {.offered = {true, hasLine, true}};
+  }
+  return {.offered = setting.name == "weights" ? std::vector<bool>{hasLine, true} : std::vector<bool>{}};
 }
 
 void optionRows(PanelContext& context) {
   app::SequenceDocument& document = context.sequence->document;
-  skinning::CompressSettings& settings = document.settings;
-  const bool hasLine = !document.analysis->joints.empty();
-  const auto mostBones =
-      static_cast<double>(std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000));
-  countRow(context,
-           {.id = "sequence/bones",
-            .minimum = 1.0,
-            .maximum = std::min(100.0, mostBones),
-            .defaultValue = 30.0,
-            .hardMaximum = mostBones,
-            .help = {"Bones", "In a row along the body.", {}}},
-           "Bones", settings.bones);
-  choiceRow(
-      context, "sequence/stretch", "Stretch",
-      {{"None", {"No stretch", "Bones turn; the body keeps its length and thickness.", {}}},
-       {"Elastic",
-        {"Elastic", "By the physical model: gravity flattens, curvature shortens. A handful of numbers.", {}},
-        hasLine},
-       {"Measured",
-        {"Measured", "Scales fitted frame by frame: the best that bones with scales can do.", {}}}},
-      settings.stretch);
-  choiceRow(
-      context, "sequence/weights", "Weights",
-      {{"Geodesic", {"Geodesic", "By distance over the surface, from the first frame alone.", {}}, hasLine},
-       {"Fitted", {"Fitted", "By least squares over the frames.", {}}}},
-      settings.weights);
-  if (hasLine) {
-    choiceRow(
-        context, "sequence/model", "Length",
-        {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
-         {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
-        settings.body.lengthModel);
+  const auto mostBones = std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000);
+  for (const app::Setting<skinning::CompressSettings>& setting : app::sequenceSchema()) {
+    const bool applies = setting.name != "length" || !document.analysis->joints.empty();
+    if (setting.row.section == "options" && applies) {
+      viewRow(context, "sequence/", setting, document.settings,
+              extrasOf(context, setting, static_cast<double>(mostBones)));
+    }
   }
-  countRow(context,
-           {.id = "sequence/skip",
-            .maximum = std::max(1.0, app::lastFrame(*context.sequence)),
-            .suffix = " frames",
-            .defaultValue = 0.0,
-            .help = {"Skip",
-                     "Settling frames at the start that no fit uses. They are in the clip all the same.",
-                     {}}},
-           "Skip", settings.body.firstFittedFrame);
+  document.settings.bones = std::min(document.settings.bones, static_cast<int>(mostBones));
 }
 
 void progressRow(PanelContext& context) {

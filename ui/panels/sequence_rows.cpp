@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "app/schema/sequence_schema.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/setting_rows.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -31,6 +33,10 @@ bool numberField(PanelContext& context, const std::string& id, const char* label
   const WidgetContext widgets = widgetsOf(context);
   labelledRow(widgets, label, help);
   return textField(widgets, id, hint, text);
+}
+
+Help helpFor(const char* setting) {
+  return settingHelp(*app::findSetting(app::sequenceSchema(), setting));
 }
 
 void complain(PanelContext& context, const std::string& text, bool right, const char* wanted) {
@@ -59,8 +65,7 @@ void optionalRow(PanelContext& context, const std::string& id, const char* label
 void scaleRow(PanelContext& context) {
   std::string& text = context.ui.sequencePanel.metresPerUnit;
   double& metres = context.sequence->document.settings.body.metresPerUnit;
-  if (numberField(context, "sequence/scale", "Scale", "1 metre per unit",
-                  {"Metres per unit", "How long a unit of the mesh is.", {}}, text)) {
+  if (numberField(context, "sequence/scale", "Scale", "1 metre per unit", helpFor("metres_per_unit"), text)) {
     metres = positiveNumber(text).value_or(1.0);
   }
   complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, such as 2.03e-6.");
@@ -69,8 +74,8 @@ void scaleRow(PanelContext& context) {
 void gravityRow(PanelContext& context) {
   std::string& text = context.ui.sequencePanel.gravity;
   Vec3& gravity = context.sequence->document.settings.body.gravity;
-  if (numberField(context, "sequence/gravity", "Gravity", "0, -9.81, 0 m/s\xC2\xB2",
-                  {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}}, text)) {
+  if (numberField(context, "sequence/gravity", "Gravity", "0, -9.81, 0 m/s\xC2\xB2", helpFor("gravity"),
+                  text)) {
     gravity = parseThree(text).value_or(skinning::BodyStretchSettings{}.gravity);
   }
   complain(context, text, parseThree(text).has_value(), "Three numbers, such as 0, -9.81, 0.");
@@ -173,12 +178,11 @@ void elasticModelRows(PanelContext& context) {
   SequencePanelState& typed = context.ui.sequencePanel;
   skinning::BodyStretchSettings& body = context.sequence->document.settings.body;
   optionalRow(context, "sequence/young", "Young",
-              chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
-              {"Young's modulus", "Pa. Left empty, the one that explains the frames best.", {}}, typed.young,
-              body.youngModulus);
-  optionalRow(
-      context, "sequence/mass", "Mass", chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
-      {"Mass of the body", "kg. Left empty, that of water in the body's volume.", {}}, typed.mass, body.mass);
+              chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"), helpFor("young"),
+              typed.young, body.youngModulus);
+  optionalRow(context, "sequence/mass", "Mass",
+              chosen(context, &skinning::BodyStretch::mass, "kg", "of water"), helpFor("mass"), typed.mass,
+              body.mass);
   scaleRow(context);
   gravityRow(context);
   moduliRows(context);
