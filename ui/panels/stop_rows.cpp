@@ -34,7 +34,7 @@ std::size_t sideOf(const Vec3& normal) {
 }
 
 void setStop(PanelContext& context, const EditPhase& phase, const std::optional<rig::StopPlane>& plane) {
-  editSettings(context, phase, "Change where the limb stops", [&](TrailSettings& s) { s.stopAt = plane; });
+  editSettings(context, phase, "Change where the limb stops", [&](rig::TrailSettings& s) { s.stopAt = plane; });
 }
 
 } // namespace
