@@ -20,12 +20,12 @@ namespace {
 
 /// What the sequence allows: a body without a centre line has no elastic model.
 RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
-  const bool hasLine = !context.sequence->document.analysis->joints.empty();
+  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
   if (setting.name == "bones") {
     return {.maximum = std::min(100.0, mostBones)};
   }
   if (setting.name == "skip") {
-    return {.maximum = std::max(1.0, app::lastFrame(*context.sequence))};
+    return {.maximum = std::max(1.0, app::lastFrame(*context.open.sequence()))};
   }
   if (setting.name == "stretch") {
     return {.offered = {true, hasLine, true}};
@@ -34,16 +34,23 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
 }
 
 void optionRows(PanelContext& context) {
-  app::SequenceDocument& document = context.sequence->document;
+  using skinning::CompressSettings;
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const auto mostBones = std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000);
-  for (const app::Setting<skinning::CompressSettings>& setting : app::sequenceSchema()) {
+  const auto edit = [&](const EditPhase& phase, const std::string& label,
+                        const std::function<void(CompressSettings&)>& change) {
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
+      change(changed.settings);
+      changed.settings.bones = std::min(changed.settings.bones, static_cast<int>(mostBones));
+    });
+  };
+  for (const app::Setting<CompressSettings>& setting : app::sequenceSchema()) {
     const bool applies = setting.name != "length" || !document.analysis->joints.empty();
     if (setting.row.section == "options" && applies) {
-      viewRow(context, "sequence/", setting, document.settings,
-              extrasOf(context, setting, static_cast<double>(mostBones)));
+      settingRow(context, "sequence/", setting, document.settings, edit,
+                 extrasOf(context, setting, static_cast<double>(mostBones)));
     }
   }
-  document.settings.bones = std::min(document.settings.bones, static_cast<int>(mostBones));
 }
 
 void progressRow(PanelContext& context) {
@@ -53,7 +60,7 @@ void progressRow(PanelContext& context) {
   const Control place =
       takePlace(widgets, "sequence/progress",
                 {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
-  const double share = context.sequence->job->share();
+  const double share = context.open.sequence()->compressedShare();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
   list->AddRectFilled(place.box.min,
@@ -67,12 +74,12 @@ void progressRow(PanelContext& context) {
 
 void compressRow(PanelContext& context) {
   verticalSpace(widgetsOf(context), 4.0F);
-  if (context.sequence->job != nullptr) {
+  if (context.open.sequence()->isCompressing()) {
     progressRow(context);
     return;
   }
-  const bool next =
-      context.sequence->document.result == nullptr || app::isOutdated(context.sequence->document);
+  const bool next = context.open.sequence()->document().result == nullptr ||
+                    app::isOutdated(context.open.sequence()->document());
   commandButton(context, {.command = command::sequenceCompress,
                           .icon = icon::bolt,
                           .text = "Compress",
@@ -82,7 +89,7 @@ void compressRow(PanelContext& context) {
 
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const double source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
@@ -96,13 +103,14 @@ void sizeRows(PanelContext& context) {
               {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}});
   if (toggle(widgets, "sequence/quantise", document.quantise ? "On" : "Off", document.quantise,
              {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}})) {
-    document.quantise = !document.quantise;
+    editSequence(context, {true, true}, "Quantise",
+                 [](app::SequenceDocument& changed) { changed.quantise = !changed.quantise; });
   }
 }
 
 void errorRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const skinning::SequenceMetrics& metrics = context.sequence->document.result->compressed.metrics;
+  const skinning::SequenceMetrics& metrics = context.open.sequence()->document().result->compressed.metrics;
   valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
            {"Root of the mean squared error",
             "Over all frames and vertices, in percent of the first frame's "
@@ -119,7 +127,7 @@ void errorRows(PanelContext& context) {
 
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument document = context.open.sequence()->document();
   if (!section(widgets, "sequence/result", "Result", context.ui.closedSections)) {
     return;
   }
@@ -146,10 +154,10 @@ void drawSequencePanel(PanelContext& context) {
   panelTitle(widgets, icon::skeleton, "Skinned clip");
   optionRows(context);
   compressRow(context);
-  if (context.sequence->document.result != nullptr) {
+  if (context.open.sequence()->document().result != nullptr) {
     resultSection(context);
   }
-  const bool hasLine = !context.sequence->document.analysis->joints.empty();
+  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
   if (hasLine && section(widgets, "sequence/elastic", "Elastic model", context.ui.closedSections)) {
     elasticModelRows(context);
   }
