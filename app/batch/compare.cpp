@@ -42,7 +42,7 @@ Result<std::pair<Words, Words>> twoSides(const Words& words) {
     }
   }
   if (sides.size() != 2) {
-    return Error{fmt::format("{} things to compare", sides.size()), "compare",
+    return Error{fmt::format("two are compared, {} were named", sides.size()), "compare",
                  "name two: each an animated glTF, a folder of frames, or BASE.obj CACHE.pc2"};
   }
   return std::pair(sides[0], sides[1]);

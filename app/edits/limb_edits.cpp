@@ -20,7 +20,7 @@ Status validateJoints(const Document& document, const rig::Limb& limb) {
 
 Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   if (limb.kind == rig::LimbKind::chain) {
-    return Error{"a chain is no limb of the body", limb.id, "add it as a chain"};
+    return Error{"a chain is not a limb of the body", limb.id, "add it as a chain"};
   }
   if (const Status valid = validateJoints(document, limb); !valid) {
     return valid.error();

@@ -253,7 +253,7 @@ Document withoutWork(Document document) {
 Status restoreWork(const Json& work, Document& document) {
   try {
     if (!work.is_object() || work.value("version", 0) != workVersion) {
-      return Error{"the work is of a version that this program does not know", "extras.stretch_engine",
+      return Error{"this program does not know this version of the work", "extras.stretch_engine",
                    "open it with the program that wrote it"};
     }
     Document restored = withoutWork(document);

@@ -39,7 +39,7 @@ Status checkKeys(const Json& json) {
     }
   }
   if (!json.contains("version") || json["version"] != recipeVersion) {
-    return Error{"the recipe is of a version that this program does not know", "version",
+    return Error{"this program does not know this version of recipes", "version",
                  fmt::format("give {}", recipeVersion)};
   }
   if (!json.contains("trails") || !json["trails"].is_array()) {

@@ -7,36 +7,14 @@
 #include "app/schema/sequence_schema.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
+#include "tests/support/app/other_value.h"
 
 using namespace stretch;
 using namespace stretch::app;
 using gltf::Json;
+using test::otherValue;
 
 namespace {
-
-// A value of the setting that is not its default.
-Json otherValue(const SettingFacts& setting) {
-  const Json standard = Json::parse(setting.standard);
-  switch (setting.kind) {
-  case SettingKind::number:
-  case SettingKind::whole:
-    return standard.get<double>() == setting.maximum ? setting.minimum : setting.maximum;
-  case SettingKind::optionalNumber:
-    return 7.5;
-  case SettingKind::flag:
-    return !standard.get<bool>();
-  case SettingKind::choice:
-    return standard == setting.choices.back().name ? setting.choices.front().name
-                                                   : setting.choices.back().name;
-  case SettingKind::axes:
-    return "y";
-  case SettingKind::ease:
-    return Json::array({0.25, 0.75});
-  case SettingKind::vector:
-    return Json::array({1.0, -2.5, 0.0});
-  }
-  return nullptr;
-}
 
 std::string textOfValue(const Json& value) {
   std::string text = value.is_string() ? value.get<std::string>() : value.dump();

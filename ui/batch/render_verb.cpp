@@ -86,7 +86,7 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
   constexpr double mostPictures = 100000.0;
   const double count = std::floor((range->y - range->x) / *step + 1e-9);
   if (count > mostPictures) {
-    return Error{"more than 100000 pictures", "--frames", "give a larger step"};
+    return Error{"that is more than 100000 pictures", "--frames", "give a larger step"};
   }
   std::vector<double> frames;
   for (double i = 0.0; i <= count; i += 1.0) {
@@ -164,7 +164,7 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
     return size ? view.error() : size.error();
   }
   if (std::filesystem::path(arguments.output).extension() != ".png") {
-    return Error{"a picture has to end in .png", arguments.output, "name it so"};
+    return Error{"a picture has to end in .png", arguments.output, "give a name that ends in .png"};
   }
   PictureOptions options;
   options.widthPixels = size->width;
@@ -243,7 +243,7 @@ Status runRender(const RenderArguments& arguments) {
     return renderSequence(arguments);
   }
   if (!arguments.over.empty()) {
-    return Error{"--over lies over a mesh sequence", arguments.input.file,
+    return Error{"--over draws a clip over a mesh sequence, and this is none", arguments.input.file,
                  "give a folder of frames or a .pc2 cache to draw it over"};
   }
   return renderCharacter(arguments);

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "app/schema/sequence_schema.h"
+#include "core/gltf/json.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sequence_rows.h"
+#include "ui/panels/setting_rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
@@ -15,98 +18,39 @@ namespace stretch::ui {
 
 namespace {
 
-/// Where a row's value lies in the settings.
-template <typename Value>
-using Place = Value& (*)(skinning::CompressSettings&);
-
-/// What a row is called: before its widget, and as a step of undo.
-struct RowLabels {
-  const char* row = "";
-  const char* undo = "";
-};
-
-template <typename Value>
-Value valueAt(const PanelContext& context, Place<Value> place) {
-  skinning::CompressSettings settings = context.open.sequence()->document().settings;
-  return place(settings);
-}
-
-template <typename Enum>
-void choiceRow(PanelContext& context, const char* id, const RowLabels& labels,
-               const std::vector<Choice>& choices, Place<Enum> place) {
-  const WidgetContext widgets = widgetsOf(context);
-  const Enum value = valueAt(context, place);
-  labelledRow(widgets, labels.row, choices[static_cast<std::size_t>(value)].help);
-  const int chosen = segmented(widgets, id, choices, static_cast<int>(value));
-  if (chosen >= 0) {
-    editSequence(context, {true, true}, labels.undo, [&](app::SequenceDocument& document) {
-      place(document.settings) = static_cast<Enum>(chosen);
-    });
+/// What the sequence allows: a body without a centre line has no elastic model.
+RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
+  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
+  if (setting.name == "bones") {
+    return {.maximum = std::min(100.0, mostBones)};
   }
-}
-
-template <typename Number>
-void countRow(PanelContext& context, const SliderSpec& given, const RowLabels& labels, Place<Number> place) {
-  const WidgetContext widgets = widgetsOf(context);
-  SliderSpec spec = given;
-  spec.step = 1.0;
-  spec.decimals = 0;
-  labelledRow(widgets, labels.row, spec.help);
-  auto number = static_cast<double>(valueAt(context, place));
-  const EditPhase phase = slider(widgets, spec, number);
-  editSequence(context, phase, labels.undo, [&](app::SequenceDocument& document) {
-    place(document.settings) = static_cast<Number>(std::llround(number));
-  });
+  if (setting.name == "skip") {
+    return {.maximum = std::max(1.0, app::lastFrame(*context.open.sequence()))};
+  }
+  if (setting.name == "stretch") {
+    return {.offered = {true, hasLine, true}};
+  }
+  return {.offered = setting.name == "weights" ? std::vector<bool>{hasLine, true} : std::vector<bool>{}};
 }
 
 void optionRows(PanelContext& context) {
   using skinning::CompressSettings;
   const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
-  const bool hasLine = !document.analysis->joints.empty();
-  const auto mostBones =
-      static_cast<double>(std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000));
-  countRow(context,
-           {.id = "sequence/bones",
-            .minimum = 1.0,
-            .maximum = std::min(100.0, mostBones),
-            .defaultValue = 30.0,
-            .hardMaximum = mostBones,
-            .help = {"Bones", "In a row along the body.", {}}},
-           {"Bones", "Change the bones"}, Place<int>([](CompressSettings& s) -> int& { return s.bones; }));
-  choiceRow(
-      context, "sequence/stretch", {"Stretch", "Change the stretch"},
-      {{"None", {"No stretch", "Bones turn; the body keeps its length and thickness.", {}}},
-       {"Elastic",
-        {"Elastic", "By the physical model: gravity flattens, curvature shortens. A handful of numbers.", {}},
-        hasLine},
-       {"Measured",
-        {"Measured", "Scales fitted frame by frame: the best that bones with scales can do.", {}}}},
-      Place<skinning::StretchOption>(
-          [](CompressSettings& s) -> skinning::StretchOption& { return s.stretch; }));
-  choiceRow(
-      context, "sequence/weights", {"Weights", "Change the weights"},
-      {{"Geodesic", {"Geodesic", "By distance over the surface, from the first frame alone.", {}}, hasLine},
-       {"Fitted", {"Fitted", "By least squares over the frames.", {}}}},
-      Place<skinning::WeightOption>(
-          [](CompressSettings& s) -> skinning::WeightOption& { return s.weights; }));
-  if (hasLine) {
-    choiceRow(
-        context, "sequence/model", {"Length", "Change the length's curve"},
-        {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
-         {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
-        Place<skinning::LengthModel>(
-            [](CompressSettings& s) -> skinning::LengthModel& { return s.body.lengthModel; }));
+  const auto mostBones = std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000);
+  const auto edit = [&](const EditPhase& phase, const std::string& label,
+                        const std::function<void(CompressSettings&)>& change) {
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
+      change(changed.settings);
+      changed.settings.bones = std::min(changed.settings.bones, static_cast<int>(mostBones));
+    });
+  };
+  for (const app::Setting<CompressSettings>& setting : app::sequenceSchema()) {
+    const bool applies = setting.name != "length" || !document.analysis->joints.empty();
+    if (setting.row.section == "options" && applies) {
+      settingRow(context, "sequence/", setting, document.settings, edit,
+                 extrasOf(context, setting, static_cast<double>(mostBones)));
+    }
   }
-  countRow(context,
-           {.id = "sequence/skip",
-            .maximum = std::max(1.0, app::lastFrame(*context.open.sequence())),
-            .suffix = " frames",
-            .defaultValue = 0.0,
-            .help = {"Skip",
-                     "Settling frames at the start that no fit uses. They are in the clip all the same.",
-                     {}}},
-           {"Skip", "Skip frames"},
-           Place<std::size_t>([](CompressSettings& s) -> std::size_t& { return s.body.firstFittedFrame; }));
 }
 
 void progressRow(PanelContext& context) {

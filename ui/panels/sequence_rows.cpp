@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "app/schema/sequence_schema.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/setting_rows.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -57,6 +59,10 @@ void typedRow(PanelContext& context, const TypedRow<Value>& row, std::string& te
                [&](app::SequenceDocument& document) { row.place(document.settings.body) = row.parse(text); });
 }
 
+Help helpFor(const char* setting) {
+  return settingHelp(*app::findSetting(app::sequenceSchema(), setting));
+}
+
 void complain(PanelContext& context, const std::string& text, bool right, const char* wanted) {
   if (!text.empty() && !right) {
     notice(widgetsOf(context), NoticeKind::error, wanted);
@@ -85,7 +91,7 @@ void scaleRow(PanelContext& context) {
        .label = "Scale",
        .undoLabel = "Change the scale",
        .hint = "1 metre per unit",
-       .help = {"Metres per unit", "How long a unit of the mesh is.", {}},
+       .help = helpFor("metres_per_unit"),
        .parse = [](const std::string& typed) { return positiveNumber(typed).value_or(1.0); },
        .print = [](const double& metres) { return metres == 1.0 ? "" : textOf(metres); },
        .place = [](skinning::BodyStretchSettings& body) -> double& { return body.metresPerUnit; }},
@@ -102,7 +108,7 @@ void gravityRow(PanelContext& context) {
        .label = "Gravity",
        .undoLabel = "Change the gravity",
        .hint = "0, -9.81, 0 m/s\xC2\xB2",
-       .help = {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}},
+       .help = helpFor("gravity"),
        .parse =
            [](const std::string& typed) { return parseThree(typed).value_or(BodyStretchSettings{}.gravity); },
        .print =
@@ -234,7 +240,7 @@ void elasticModelRows(PanelContext& context) {
                .label = "Young",
                .undoLabel = "Change Young's modulus",
                .hint = chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
-               .help = {"Young's modulus", "Pa. Left empty, the one that explains the frames best.", {}},
+               .help = helpFor("young"),
                .parse = positiveNumber,
                .print = textOf,
                .place = [](Body& body) -> std::optional<double>& { return body.youngModulus; }},
@@ -244,7 +250,7 @@ void elasticModelRows(PanelContext& context) {
                .label = "Mass",
                .undoLabel = "Change the mass",
                .hint = chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
-               .help = {"Mass of the body", "kg. Left empty, that of water in the body's volume.", {}},
+               .help = helpFor("mass"),
                .parse = positiveNumber,
                .print = textOf,
                .place = [](Body& body) -> std::optional<double>& { return body.mass; }},

@@ -2,121 +2,142 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "app/schema/trail_schema.h"
-#include "ui/widgets/dropdown.h"
+#include "core/gltf/json.h"
+#include "ui/widgets/layout.h"
+#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 
 namespace {
 
-using rig::TrailSettings;
+using gltf::Json;
 
-struct StopSide {
-  const char* text;
-  Vec3 normal; ///< Points to the side that is forbidden.
-};
-
-constexpr std::array<StopSide, 6> stopSides{{{"Right of X", Vec3(1.0, 0.0, 0.0)},
-                                             {"Left of X", Vec3(-1.0, 0.0, 0.0)},
-                                             {"Above Y", Vec3(0.0, 1.0, 0.0)},
-                                             {"Below Y", Vec3(0.0, -1.0, 0.0)},
-                                             {"In front of Z", Vec3(0.0, 0.0, 1.0)},
-                                             {"Behind Z", Vec3(0.0, 0.0, -1.0)}}};
-
-/// Index into stopSides of the nearest direction.
-std::size_t sideOf(const Vec3& normal) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < stopSides.size(); ++i) {
-    best = glm::dot(stopSides[i].normal, normal) > glm::dot(stopSides[best].normal, normal) ? i : best;
+/// A unit as it is written behind a number: " kg/m³".
+std::string suffixOf(const app::SettingFacts& setting) {
+  if (setting.row.percent) {
+    return " %";
   }
-  return best;
+  std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
+  for (const auto& [plain, raised] : {std::pair("^2", "\xC2\xB2"), std::pair("^3", "\xC2\xB3")}) {
+    if (const std::size_t at = unit.find(plain); at != std::string::npos) {
+      unit.replace(at, 2, raised);
+    }
+  }
+  return unit;
 }
 
-void setStop(PanelContext& context, const EditPhase& phase, const std::optional<rig::StopPlane>& plane) {
-  editSettings(context, phase, "Change where the limb stops", [&](TrailSettings& s) { s.stopAt = plane; });
+int decimalsOf(const app::SettingFacts& setting) {
+  const bool isWhole =
+      setting.row.percent || setting.kind == app::SettingKind::whole || setting.row.step >= 1.0;
+  return isWhole ? 0 : setting.row.step >= 0.1 ? 1 : 2;
 }
 
-} // namespace
-
-Help settingHelp(const std::string& setting, const std::string& title) {
-  const app::SettingFacts* const known = app::findSetting(app::trailSchema(), setting);
-  return {title, known != nullptr ? known->help : std::string(), {}};
-}
-
-void numberRow(PanelContext& context, const NumberRow& row, const TrailSettings& settings,
-               double TrailSettings::*member) {
-  double value = settings.*member;
-  const Help help = settingHelp(row.setting, row.label);
-  const EditPhase phase = numberControl(context, "trail/" + row.setting, row, help, value);
-  editSettings(context, phase, row.undoLabel, [&](TrailSettings& s) { s.*member = value; });
-}
-
-Help dragHelp(Help help) {
-  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
-  return help;
-}
-
-EditPhase numberControl(PanelContext& context, const std::string& id, const NumberRow& row, const Help& help,
-                        double& value) {
-  const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, row.label, help);
+/// A slider of the setting's range; `standard` is what a right click gives.
+EditPhase numberSlider(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                       const RowExtras& extras, const Json& standard, float width, double& value) {
+  const std::string suffix = suffixOf(setting);
   SliderSpec spec{.id = id,
-                  .minimum = row.minimum,
-                  .maximum = row.maximum,
-                  .step = row.step,
-                  .decimals = row.decimals,
-                  .prefix = row.prefix,
-                  .suffix = row.suffix,
-                  .displayFactor = row.factor,
-                  .defaultValue = row.defaultValue};
-  spec.hardMaximum = std::max(row.maximum, row.hardMaximum);
-  spec.help = dragHelp(help);
-  return slider(widgets, spec, value);
+                  .minimum = setting.row.minimum.value_or(setting.minimum),
+                  .maximum = extras.maximum.value_or(setting.row.maximum.value_or(setting.maximum)),
+                  .step = setting.kind == app::SettingKind::whole ? 1.0 : setting.row.step,
+                  .decimals = decimalsOf(setting),
+                  .prefix = setting.row.prefix.c_str(),
+                  .suffix = suffix.c_str(),
+                  .displayFactor = setting.row.percent ? 100.0 : 1.0};
+  if (standard.is_number()) {
+    spec.defaultValue = standard.get<double>();
+  }
+  spec.hardMinimum = setting.minimum;
+  spec.hardMaximum = setting.maximum;
+  spec.width = width;
+  spec.help = dragHelp(settingHelp(setting));
+  return slider(widgetsOf(context), spec, value);
 }
 
-void choiceRow(PanelContext& context, const ChoiceRow& row, int selected,
-               const std::function<void(TrailSettings&, int)>& set) {
-  const WidgetContext widgets = widgetsOf(context);
-  const Help help = settingHelp(row.setting, row.label);
-  labelledRow(widgets, row.label, help);
+RowEdit numberControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                      const Json& value, const RowExtras& extras) {
+  double number = value.get<double>();
+  const EditPhase phase =
+      numberSlider(context, id, setting, extras, Json::parse(setting.standard), 0.0F, number);
+  return {phase, Json(setting.kind == app::SettingKind::whole ? std::round(number) : number)};
+}
+
+/// A number, and a switch that leaves it to the program.
+RowEdit optionalControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                        const Json& value, const RowExtras& extras) {
+  const float autoWidth = context.theme.px(80.0F);
+  double number = value.is_null() ? extras.automatic : value.get<double>();
+  RowEdit edit{numberSlider(context, id, setting, extras, Json(),
+                            ImGui::GetContentRegionAvail().x - autoWidth, number),
+               Json(number)};
+  ImGui::SameLine();
+  const Help help{"Automatic", "The program chooses the value.", {}};
+  if (toggle(widgetsOf(context), id + "-auto", "Auto", value.is_null(), help)) {
+    const bool whole = setting.row.step >= 1.0;
+    edit = {{true, true}, value.is_null() ? Json(whole ? std::round(number) : number) : Json()};
+  }
+  return edit;
+}
+
+RowEdit flagControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                    const Json& value) {
+  const bool on = value.get<bool>();
+  const bool clicked = toggle(widgetsOf(context), id, on ? "On" : "Off", on, settingHelp(setting));
+  return {{clicked, clicked}, Json(on != clicked)};
+}
+
+RowEdit choiceControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                      const Json& value, const RowExtras& extras) {
   std::vector<Choice> choices;
-  for (const std::string& text : row.choices) {
-    choices.push_back({text, {row.label + ": " + text, help.text, {}}});
+  int selected = -1;
+  for (const app::SettingChoice& choice : setting.choices) {
+    const std::size_t index = choices.size();
+    const std::string text = capitalised(choice.name);
+    const std::string help = choice.help.empty() ? setting.help : choice.help;
+    selected = choice.name == value ? static_cast<int>(index) : selected;
+    choices.push_back({text,
+                       {app::labelOf(setting) + ": " + text, help, {}},
+                       extras.offered.empty() || extras.offered[index]});
   }
-  if (const int chosen = segmented(widgets, "trail/" + row.setting, choices, selected);
-      chosen >= 0 && chosen != selected) {
-    editSettings(context, {true, true}, row.undoLabel, [&](TrailSettings& s) {
-      set(s, chosen);
-      if (row.also) {
-        row.also(s);
-      }
-    });
-  }
+  const int chosen = segmented(widgetsOf(context), id, choices, selected);
+  const bool changed = chosen >= 0 && chosen != selected;
+  return {{changed, changed}, changed ? Json(setting.choices[static_cast<std::size_t>(chosen)].name) : value};
 }
 
-void flagRow(PanelContext& context, const FlagRow& row, const TrailSettings& settings,
-             bool TrailSettings::*member) {
-  const WidgetContext widgets = widgetsOf(context);
-  const Help help = settingHelp(row.setting, row.label);
-  labelledRow(widgets, row.label, help);
-  const bool on = settings.*member;
-  if (toggle(widgets, "trail/" + row.setting, on ? "On" : "Off", on, help)) {
-    editSettings(context, {true, true}, row.undoLabel, [&](TrailSettings& s) { s.*member = !on; });
+RowEdit axesControl(PanelContext& context, const std::string& id, const Json& value) {
+  const auto axes = value.get<std::string>();
+  std::array<bool, 3> on{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    on[i] = axes.find("xyz"[i]) != std::string::npos;
   }
+  const Help help{.text = "Click turns this axis on or off, Shift+click leaves only this one on."};
+  const int axis = axisButtons(widgetsOf(context), id, on, help);
+  if (axis < 0) {
+    return {{}, value};
+  }
+  const auto chosen = static_cast<std::size_t>(axis);
+  const bool only = ImGui::GetIO().KeyShift;
+  std::string changed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool stays = i == chosen ? only || !on[i] : on[i] && !only;
+    changed += stays ? std::string(1, "xyz"[i]) : "";
+  }
+  return {{true, true}, Json(changed)};
 }
 
-void easeRow(PanelContext& context, const EaseRow& row, const Vec2& point, const Vec2& values,
-             const std::function<void(const Vec2&, TrailSettings&)>& set) {
+/// Percent and value of one point of the remap curve.
+RowEdit easeControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                    const Json& value) {
   const WidgetContext widgets = widgetsOf(context);
-  const Help help = settingHelp(row.setting, row.label);
-  labelledRow(widgets, row.label, help);
   const float width = columnWidth(2);
-  Vec2 edited = point;
-  SliderSpec percent{.id = row.id + "/percent",
+  const std::string label = app::labelOf(setting);
+  const bool isLow = Json::parse(setting.standard)[1].get<double>() < 0.5;
+  Vec2 point(value[0].get<double>(), value[1].get<double>());
+  SliderSpec percent{.id = id + "/percent",
                      .maximum = 0.98,
                      .decimals = 0,
                      .suffix = " %",
@@ -124,56 +145,101 @@ void easeRow(PanelContext& context, const EaseRow& row, const Vec2& point, const
                      .defaultValue = 0.0,
                      .width = width};
   percent.help = {
-      row.label + ": part of the path", "0 % is off. Drag, double click to type, right click for 0.", {}};
-  const EditPhase first = slider(widgets, percent, edited.x);
-  ImGui::SameLine();
-  SliderSpec value{.id = row.id + "/value",
-                   .minimum = values.x,
-                   .maximum = values.y,
+      label + ": part of the path", "0 % is off. Drag, double click to type, right click for 0.", {}};
+  SliderSpec there{.id = id + "/value",
+                   .minimum = isLow ? 0.0 : 0.5,
+                   .maximum = isLow ? 0.5 : 1.0,
                    .width = width,
                    .enabled = point.x > 0.0};
-  value.help = {row.label + ": value there", "How much of the exaggeration is reached at that point.", {}};
-  const EditPhase second = slider(widgets, value, edited.y);
-  editSettings(context, {first.changed || second.changed, first.ended || second.ended},
-               "Shape the transition", [&](TrailSettings& s) { set(edited, s); });
+  there.help = {label + ": value there", "How much of the exaggeration is reached at that point.", {}};
+  const EditPhase first = slider(widgets, percent, point.x);
+  ImGui::SameLine();
+  const EditPhase second = slider(widgets, there, point.y);
+  return {{first.changed || second.changed, first.ended || second.ended}, Json::array({point.x, point.y})};
 }
 
-void stopRows(PanelContext& context, const rig::Trail& trail) {
-  const WidgetContext widgets = widgetsOf(context);
-  const std::optional<rig::StopPlane>& plane = trail.settings.stopAt;
-  const Help help{"Stop at a plane",
-                  "The limb's end is not carried past it: up to the second ledge, and not past it.",
-                  {}};
-  labelledRow(widgets, "Stop at", help);
-  std::vector<Choice> choices{{"Nowhere"}};
-  for (const StopSide& side : stopSides) {
-    choices.push_back({side.text});
+RowEdit vectorControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                      const Json& value) {
+  RowEdit edit{{}, value};
+  const Json standard = Json::parse(setting.standard);
+  const float width = columnWidth(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i > 0) {
+      ImGui::SameLine();
+    }
+    double number = value[i].get<double>();
+    const EditPhase phase =
+        numberSlider(context, id + "/" + std::string(1, "XYZ"[i]), setting, {}, standard[i], width, number);
+    (*edit.value)[i] = number;
+    edit.phase = {edit.phase.changed || phase.changed, edit.phase.ended || phase.ended};
   }
-  const int selected = plane ? static_cast<int>(sideOf(plane->normal)) + 1 : 0;
-  if (const int chosen = dropdown(widgets, "trail/stop-side", choices, selected, help); chosen == 0) {
-    setStop(context, {true, true}, std::nullopt);
-  } else if (chosen > 0) {
-    const Vec3 point = plane ? plane->point : Vec3(0.0);
-    setStop(context, {true, true},
-            rig::StopPlane{point, stopSides[static_cast<std::size_t>(chosen - 1)].normal});
+  return edit;
+}
+
+} // namespace
+
+Help settingHelp(const app::SettingFacts& setting) {
+  return {app::labelOf(setting), setting.help, {}};
+}
+
+Help dragHelp(Help help) {
+  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
+  return help;
+}
+
+std::string undoLabel(const app::SettingFacts& setting) {
+  std::string label = app::labelOf(setting);
+  if (setting.kind == app::SettingKind::flag) {
+    return label;
   }
-  if (!plane) {
-    return;
+  label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(label.front())));
+  return "Change the " + label;
+}
+
+RowEdit settingControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                       const Json& value, const RowExtras& extras) {
+  labelledRow(widgetsOf(context), app::labelOf(setting), settingHelp(setting));
+  switch (setting.kind) {
+  case app::SettingKind::number:
+  case app::SettingKind::whole:
+    return numberControl(context, id, setting, value, extras);
+  case app::SettingKind::optionalNumber:
+    return optionalControl(context, id, setting, value, extras);
+  case app::SettingKind::flag:
+    return flagControl(context, id, setting, value);
+  case app::SettingKind::choice:
+    return choiceControl(context, id, setting, value, extras);
+  case app::SettingKind::axes:
+    return axesControl(context, id, value);
+  case app::SettingKind::ease:
+    return easeControl(context, id, setting, value);
+  case app::SettingKind::vector:
+    break;
   }
-  labelledRow(widgets, "", help);
-  const Vec3 axis = glm::abs(stopSides[sideOf(plane->normal)].normal);
-  double at = glm::dot(axis, plane->point);
-  const double reach = context.open.character()->document().biped.height * 4.0;
-  SliderSpec spec{.id = "trail/stop-at",
-                  .minimum = -reach,
-                  .maximum = reach,
-                  .step = 0.001,
-                  .suffix = " m",
-                  .showsFill = false};
-  spec.help = {"Where the plane is", "Drag, or double click to type.", {}};
-  const EditPhase phase = slider(widgets, spec, at);
-  setStop(context, phase,
-          rig::StopPlane{plane->point + axis * (at - glm::dot(axis, plane->point)), plane->normal});
+  return vectorControl(context, id, setting, value);
+}
+
+void trailRow(PanelContext& context, const rig::Trail& trail, const std::string& name,
+              const SettingsChange& also, const RowExtras& extras) {
+  const auto edit = [&](const EditPhase& phase, const std::string& label, const SettingsChange& change) {
+    editSettings(context, phase, label, [&](rig::TrailSettings& settings) {
+      change(settings);
+      if (also) {
+        also(settings);
+      }
+    });
+  };
+  settingRow(context, "trail/", *app::findSetting(app::trailSchema(), name), trail.settings, edit, extras);
+}
+
+void trailSection(PanelContext& context, const rig::Trail& trail, const std::string& section,
+                  const SettingsChange& also, const std::vector<std::string>& except) {
+  for (const app::SettingFacts& setting : app::trailSchema()) {
+    const bool elsewhere = std::find(except.begin(), except.end(), setting.name) != except.end();
+    if (setting.row.section == section && !elsewhere) {
+      trailRow(context, trail, setting.name, also);
+    }
+  }
 }
 
 } // namespace stretch::ui

@@ -1,80 +1,71 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/schema/schema.h"
 #include "ui/panels/panel_support.h"
-#include "ui/widgets/layout.h"
-#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 
-// Rows of the trail settings: one control each for a number, a choice, a flag, a point of the remap. Each
-// edits the same setting of every trail that commands act on. Help texts come from the table that describes
-// the settings.
+// Rows of panels, drawn from the described setting: its label, range, unit, choices and help.
 
-/// Help of a setting by its name in recipes ("ease_in").
-[[nodiscard]] Help settingHelp(const std::string& setting, const std::string& title);
+/// Label and help sentence of a setting.
+[[nodiscard]] Help settingHelp(const app::SettingFacts& setting);
 
 /// The help with what the mouse does on a slider.
 [[nodiscard]] Help dragHelp(Help help);
 
-struct NumberRow {
-  std::string setting; ///< Name in recipes; the widget is "trail/" or "weight/" + it.
-  std::string label;
-  std::string undoLabel;
-  double minimum = 0.0;
-  double maximum = 1.0;
-  double defaultValue = 0.0;
-  double hardMaximum = 0.0; ///< Of typing; `maximum` where it is smaller.
-  const char* prefix = "";
-  const char* suffix = "";
-  int decimals = 2;
-  double factor = 1.0; ///< Shown value = value x factor.
-  double step = 0.01;
-};
-/// Label and slider of a number; answers what the hand does and changes `value`.
-[[nodiscard]] EditPhase numberControl(PanelContext& context, const std::string& id, const NumberRow& row,
-                                      const Help& help, double& value);
-void numberRow(PanelContext& context, const NumberRow& row, const rig::TrailSettings& settings,
-               double rig::TrailSettings::*member);
+/// "Change the scale": what undo calls a change of it.
+[[nodiscard]] std::string undoLabel(const app::SettingFacts& setting);
 
-struct ChoiceRow {
-  std::string setting;
-  std::string label;
-  std::string undoLabel;
-  std::vector<std::string> choices; ///< In the order of the enumeration.
-  SettingsChange also = {};         ///< What else changes with it.
+/// What only the moment knows about a row.
+struct RowExtras {
+  double automatic = 0.0;             ///< Shown while an optional number is left to the program.
+  std::optional<double> maximum = {}; ///< Of dragging, instead of the setting's own.
+  std::vector<bool> offered = {};     ///< Choices that can be chosen; empty: all.
 };
-void choiceRow(PanelContext& context, const ChoiceRow& row, int selected,
-               const std::function<void(rig::TrailSettings&, int)>& set);
 
-template <typename Enum>
-void choiceRow(PanelContext& context, const ChoiceRow& row, const rig::TrailSettings& settings,
-               Enum rig::TrailSettings::*member) {
-  choiceRow(context, row, static_cast<int>(settings.*member),
-            [member](rig::TrailSettings& s, int chosen) { s.*member = static_cast<Enum>(chosen); });
+struct RowEdit {
+  EditPhase phase;
+  gltf::JsonDocument value;
+};
+
+/// Label and control of a setting that has `value` now; answers what the hand makes of it.
+[[nodiscard]] RowEdit settingControl(PanelContext& context, const std::string& id,
+                                     const app::SettingFacts& setting, const gltf::Json& value,
+                                     const RowExtras& extras = {});
+
+/// A row whose edits go through `edit(phase, undo label, change of the settings)`. The widget is `prefix` and
+/// the setting's name.
+template <typename Settings, typename Edit>
+void settingRow(PanelContext& context, const std::string& prefix, const app::Setting<Settings>& setting,
+                const Settings& settings, Edit&& edit, const RowExtras& extras = {}) {
+  const RowEdit row = settingControl(context, prefix + setting.name, setting, setting.read(settings), extras);
+  edit(row.phase, undoLabel(setting), [&](Settings& s) { setting.write(row.value, s); });
 }
 
-struct FlagRow {
-  std::string setting;
-  std::string label;
-  std::string undoLabel;
-};
-void flagRow(PanelContext& context, const FlagRow& row, const rig::TrailSettings& settings,
-             bool rig::TrailSettings::*member);
+/// The same for settings that are no document: changed at once, without undo. True when the value was
+/// changed.
+template <typename Settings>
+bool viewRow(PanelContext& context, const std::string& prefix, const app::Setting<Settings>& setting,
+             Settings& settings, const RowExtras& extras = {}) {
+  const RowEdit row = settingControl(context, prefix + setting.name, setting, setting.read(settings), extras);
+  if (row.phase.changed) {
+    setting.write(row.value, settings);
+  }
+  return row.phase.changed;
+}
 
-struct EaseRow {
-  std::string setting;
-  std::string label;
-  std::string id;
-};
-/// Percent and value of one ease point; `values` is the range of the value.
-void easeRow(PanelContext& context, const EaseRow& row, const Vec2& point, const Vec2& values,
-             const std::function<void(const Vec2&, rig::TrailSettings&)>& set);
+/// One setting of a trail; the edit goes to every trail that commands act on. `also` changes what goes with
+/// it.
+void trailRow(PanelContext& context, const rig::Trail& trail, const std::string& name,
+              const SettingsChange& also = {}, const RowExtras& extras = {});
 
-/// "Up to here and not past it": an axis-aligned plane that the limb's end does not pass.
-void stopRows(PanelContext& context, const rig::Trail& trail);
+/// Every setting of a section of the trail's panel but `except`, which stand elsewhere.
+void trailSection(PanelContext& context, const rig::Trail& trail, const std::string& section,
+                  const SettingsChange& also = {}, const std::vector<std::string>& except = {});
 
 } // namespace stretch::ui

@@ -1,5 +1,11 @@
+#include <array>
+#include <cmath>
+
+#include "core/gltf/json.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/setting_rows.h"
+#include "ui/panels/view_schema.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
@@ -7,21 +13,6 @@
 namespace stretch::ui {
 
 namespace {
-
-void themeRow(PanelContext& context) {
-  const WidgetContext widgets = widgetsOf(context);
-  UiState& ui = context.ui;
-  labelledRow(widgets, "Theme", {"Theme", "Colours of the whole program.", {}});
-  const std::vector<Choice> choices{
-      {"Dark", {"Dark theme", "Calm and dark: the character is the brightest thing.", {}}},
-      {"Light", {"Light theme", "For bright rooms.", {}}},
-      {"Contrast", {"High contrast", "Black and white with bright edges.", {}}}};
-  if (const int chosen = segmented(widgets, "settings/theme", choices, static_cast<int>(ui.theme));
-      chosen >= 0) {
-    ui.theme = static_cast<ThemeKind>(chosen);
-    ui.answers.themeChanged = true;
-  }
-}
 
 void interfaceScaleRow(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
@@ -41,16 +32,18 @@ void interfaceScaleRow(PanelContext& context) {
   }
 }
 
+const app::Setting<UiState>& windowSetting(const std::string& name) {
+  return *app::findSetting(windowSchema(), name);
+}
+
+void themeRow(PanelContext& context) {
+  if (viewRow(context, "settings/", windowSetting("theme"), context.ui)) {
+    context.ui.answers.themeChanged = true;
+  }
+}
+
 void navigationRow(PanelContext& context) {
-  const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, "Navigation", {"Navigation", "How the mouse turns the view.", {}});
-  const std::vector<Choice> choices{
-      {"Maya", {"Maya", "Alt with the left, middle and right button: orbit, pan, zoom.", {}}},
-      {"Blender", {"Blender", "Middle button orbits, Shift+middle pans, the wheel zooms.", {}}}};
-  if (const int chosen =
-          segmented(widgets, "settings/navigation", choices, static_cast<int>(context.ui.navigation));
-      chosen >= 0) {
-    context.ui.navigation = static_cast<NavigationStyle>(chosen);
+  if (viewRow(context, "settings/", windowSetting("navigation"), context.ui)) {
     context.ui.answers.navigation = context.ui.navigation;
   }
 }
@@ -63,15 +56,10 @@ void drawSettingsDialog(PanelContext& context) {
                    ui.settingsOpen)) {
     return;
   }
-  const WidgetContext widgets = widgetsOf(context);
   themeRow(context);
   interfaceScaleRow(context);
   navigationRow(context);
-  labelledRow(widgets, "Timeline", {"Timeline", "What the mouse does in the timeline.", {}});
-  if (toggle(widgets, "settings/snap", "Snap to whole frames", ui.timeline.snapToFrames,
-             {"Snap to whole frames", "Playhead and ranges stop at whole frames.", {}})) {
-    ui.timeline.snapToFrames = !ui.timeline.snapToFrames;
-  }
+  viewRow(context, "settings/", windowSetting("snap"), context.ui);
   const int clicked = dialogButtons(context, "settings",
                                     {{.id = "",
                                       .icon = icon::keyboard,

@@ -61,38 +61,11 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
 } // namespace
 
 void releaseRows(PanelContext& context, const rig::Trail& trail) {
-  const WidgetContext widgets = widgetsOf(context);
-  const TrailSettings& settings = trail.settings;
   const double rate = app::clipOf(context.open.character()->document(), trail.clip).framesPerSecond;
   const double last = std::max(1.0, app::lastFrame(context.open.character()->document(), trail.clip));
-  labelledRow(widgets, "Release", settingHelp("release", "Release"));
-  const bool automatic = !settings.releaseFrames.has_value();
-  double frames = settings.releaseFrames.value_or(
-      releaseFrames(app::solvedTrail(*context.open.character(), trail.id), rate));
-  const float autoWidth = context.theme.px(52.0F);
-  SliderSpec spec{.id = "trail/release", .maximum = last, .step = 1.0, .decimals = 0, .suffix = " frames"};
-  spec.width = ImGui::GetContentRegionAvail().x - autoWidth - ImGui::GetStyle().ItemSpacing.x;
-  spec.help = settingHelp("release", "Release");
-  const EditPhase phase = slider(widgets, spec, frames);
-  editSettings(context, phase, "Change the release", [&](TrailSettings& s) { s.releaseFrames = frames; });
-  ImGui::SameLine();
-  ButtonSpec reset{.id = "trail/release-auto", .text = "Auto", .on = automatic, .width = autoWidth};
-  reset.help = {
-      "Automatic release", "To the limb's next key on a sparsely keyed clip, else a third of the range.", {}};
-  if (button(widgets, reset)) {
-    const std::optional<double> next = automatic ? std::optional<double>(std::round(frames)) : std::nullopt;
-    editSettings(context, {true, true}, "Change the release",
-                 [&](TrailSettings& s) { s.releaseFrames = next; });
-  }
-  numberRow(context,
-            {.setting = "overshoot",
-             .label = "Overshoot",
-             .undoLabel = "Change the overshoot",
-             .defaultValue = 0.0,
-             .suffix = " %",
-             .decimals = 0,
-             .factor = 100.0},
-            settings, &TrailSettings::overshoot);
+  const double solved = releaseFrames(app::solvedTrail(*context.open.character(), trail.id), rate);
+  trailRow(context, trail, "release", {}, {.automatic = solved, .maximum = last});
+  trailSection(context, trail, "release", {}, {"release"});
 }
 
 void sphereRows(PanelContext& context, const rig::Trail& trail) {

@@ -13,5 +13,7 @@ void scaleRows(PanelContext& context, const rig::Trail& trail); ///< Scale, styl
 void tipMessages(PanelContext& context, int trailId);
 void releaseRows(PanelContext& context, const rig::Trail& trail);
 void sphereRows(PanelContext& context, const rig::Trail& trail);
+/// "Up to here and not past it": an axis-aligned plane that the limb's end does not pass.
+void stopRows(PanelContext& context, const rig::Trail& trail);
 
 } // namespace stretch::ui

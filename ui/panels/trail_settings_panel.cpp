@@ -32,78 +32,19 @@ void remapRows(PanelContext& context, const rig::Trail& trail) {
       widgets, "trail/remap-curve", [&](double r) { return curve.at(r); }, points, trailColour(trail.colour),
       height);
   editSettings(context, phase, "Shape the transition", [&](TrailSettings& s) { set(points, s); });
-  easeRow(context, {"ease_in", "Ease-in", "trail/ease-in"}, points.easeIn, {0.0, 0.5},
-          [&](const Vec2& value, TrailSettings& s) {
-            set(clampedRemap({value, points.easeOut}), s);
-          });
-  easeRow(context, {"ease_out", "Ease-out", "trail/ease-out"}, points.easeOut, {0.5, 1.0},
-          [&](const Vec2& value, TrailSettings& s) {
-            set(clampedRemap({points.easeIn, value}), s);
-          });
-  choiceRow(context,
-            {.setting = "remap",
-             .label = "Curve",
-             .undoLabel = "Change the curve",
-             .choices = {"Spline", "Linear"}},
-            settings, &TrailSettings::remap);
+  trailSection(context, trail, "transition", [&](TrailSettings& s) {
+    set(clampedRemap({{s.easeIn.percent, s.easeIn.value}, {s.easeOut.percent, s.easeOut.value}}), s);
+  });
 }
 
 void spaceRows(PanelContext& context, const rig::Trail& trail) {
-  const TrailSettings& settings = trail.settings;
   const Mat3 camera = context.open.character()->view().cameraAxes;
-  choiceRow(context,
-            {.setting = "space",
-             .label = "Space",
-             .undoLabel = "Change the space",
-             .choices = {"World", "Root", "Base", "View"},
-             .also =
-                 [camera](TrailSettings& s) {
-                   if (s.space == rig::TrailSpace::view) {
-                     s.viewAxes = camera;
-                   }
-                 }},
-            settings, &TrailSettings::space);
-  choiceRow(context,
-            {.setting = "reference",
-             .label = "Reference",
-             .undoLabel = "Change the reference",
-             .choices = {"Pose", "Rest"}},
-            settings, &TrailSettings::reference);
-  flagRow(context, {.setting = "pull", .label = "Pull", .undoLabel = "Change the pull"}, settings,
-          &TrailSettings::pull);
-  flagRow(context, {.setting = "stay_in_world", .label = "Stay in world", .undoLabel = "Stay in world"},
-          settings, &TrailSettings::stayInWorld);
-}
-
-void limbRows(PanelContext& context, const rig::Trail& trail) {
-  const TrailSettings& settings = trail.settings;
-  choiceRow(
-      context,
-      {.setting = "bend", .label = "Bend", .undoLabel = "Change the bend", .choices = {"Keep", "Straighten"}},
-      settings, &TrailSettings::bend);
-  numberRow(context,
-            {.setting = "blend", .label = "Blend", .undoLabel = "Blend", .maximum = 2.0, .defaultValue = 2.0},
-            settings, &TrailSettings::blend);
-  numberRow(context,
-            {.setting = "switch",
-             .label = "Stretch",
-             .undoLabel = "Change the stretch",
-             .defaultValue = 1.0,
-             .suffix = " %",
-             .decimals = 0,
-             .factor = 100.0},
-            settings, &TrailSettings::stretchSwitch);
-  numberRow(context,
-            {.setting = "volume",
-             .label = "Volume",
-             .undoLabel = "Change the volume",
-             .defaultValue = 1.0,
-             .suffix = " %",
-             .decimals = 0,
-             .factor = 100.0},
-            settings, &TrailSettings::volume);
-  flagRow(context, {.setting = "turn_end", .label = "Turn end", .undoLabel = "Turn the end"}, settings,
-          &TrailSettings::turnEnd);
+  trailRow(context, trail, "space", [camera](TrailSettings& s) {
+    if (s.space == rig::TrailSpace::view) {
+      s.viewAxes = camera;
+    }
+  });
+  trailSection(context, trail, "space", {}, {"space"});
 }
 
 void settingSections(PanelContext& context, const rig::Trail& trail) {
@@ -116,7 +57,7 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
     remapRows(context, trail);
   }
   if (section(widgets, "trail/section-limb", "Limb", closed)) {
-    limbRows(context, trail);
+    trailSection(context, trail, "limb");
   }
   if (section(widgets, "trail/section-release", "Back to the original motion", closed)) {
     releaseRows(context, trail);

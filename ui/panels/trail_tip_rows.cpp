@@ -121,34 +121,9 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
 }
 
 void scaleRows(PanelContext& context, const rig::Trail& trail) {
-  numberRow(context,
-            {.setting = "scale",
-             .label = "Scale",
-             .undoLabel = "Change the scale",
-             .minimum = 0.0,
-             .maximum = rig::largestScale,
-             .defaultValue = 1.0,
-             .hardMaximum = 100.0,
-             .prefix = "\xC3\x97"},
-            trail.settings, &TrailSettings::scale);
+  trailRow(context, trail, "scale");
   styleRow(context);
-  const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, "Axes", settingHelp("axes", "Axes"));
-  const Help help{.text = "Click turns this axis on or off, Shift+click leaves only this one on."};
-  if (const int axis = axisButtons(widgets, "trail/axes", trail.settings.axes, help); axis >= 0) {
-    const auto chosen = static_cast<std::size_t>(axis);
-    const bool only = ImGui::GetIO().KeyShift;
-    editSettings(context, {true, true}, "Change the axes", [&](TrailSettings& s) {
-      if (only) {
-        s.axes = {false, false, false};
-      }
-      s.axes[chosen] = only || !trail.settings.axes[chosen];
-    });
-  }
-  choiceRow(
-      context,
-      {.setting = "pivot", .label = "Pivot", .undoLabel = "Change the pivot", .choices = {"Start", "End"}},
-      trail.settings, &TrailSettings::pivot);
+  trailSection(context, trail, "tip", {}, {"scale"});
 }
 
 void tipMessages(PanelContext& context, int trailId) {

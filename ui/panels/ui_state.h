@@ -37,7 +37,9 @@ struct ViewportOverlays {
   int trailWindowFrames = 12;
   float trailThickness = 3.0F; ///< Design pixels.
   float sphereSize = 7.0F;     ///< Radius, design pixels.
-  double trailIncrement = 1.0; ///< Frames between drawn samples.
+  double trailIncrement = 0.5; ///< Frames between drawn samples.
+
+  friend bool operator==(const ViewportOverlays&, const ViewportOverlays&) = default;
 };
 
 /// Time as the bottom panes show it, and how it plays.

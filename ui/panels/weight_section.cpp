@@ -11,6 +11,7 @@
 #include "app/edits/weight_edits.h"
 #include "app/schema/weight_schema.h"
 #include "app/weight/weight_motion.h"
+#include "core/gltf/json.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
@@ -26,11 +27,6 @@ using app::WeightSettings;
 using Change = std::function<void(WeightSettings&)>;
 
 constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
-
-Help helpOf(const std::string& setting, const std::string& title) {
-  const app::SettingFacts* const known = app::findSetting(app::weightSchema(), setting);
-  return {title, known != nullptr ? known->help : std::string(), {}};
-}
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
                 const Change& change) {
@@ -55,51 +51,9 @@ void editWeight(PanelContext& context, const EditPhase& phase, const std::string
   });
 }
 
-void weightRow(PanelContext& context, const NumberRow& row, const WeightSettings& settings,
-               double WeightSettings::*member) {
-  double value = settings.*member;
-  const Help help = helpOf(row.setting, row.label);
-  const EditPhase phase = numberControl(context, "weight/" + row.setting, row, help, value);
-  editWeight(context, phase, row.undoLabel, [&](WeightSettings& s) { s.*member = value; });
-}
-
 const WeightSettings& defaults() {
   static const WeightSettings settings;
   return settings;
-}
-
-void mainRows(PanelContext& context, const WeightSettings& settings) {
-  const auto percent = [&](const char* setting, const char* label, const char* undo,
-                           double WeightSettings::*member) {
-    weightRow(context,
-              {.setting = setting,
-               .label = label,
-               .undoLabel = undo,
-               .defaultValue = defaults().*member,
-               .suffix = " %",
-               .decimals = 0,
-               .factor = 100.0},
-              settings, member);
-  };
-  percent("amount", "Amount", "Change the amount of weight", &WeightSettings::amount);
-  weightRow(context,
-            {.setting = "stiffness",
-             .label = "Stiffness",
-             .undoLabel = "Change the stiffness",
-             .minimum = 0.05,
-             .maximum = 5.0,
-             .defaultValue = defaults().stiffness,
-             .hardMaximum = 100.0},
-            settings, &WeightSettings::stiffness);
-  weightRow(context,
-            {.setting = "damping",
-             .label = "Damping",
-             .undoLabel = "Change the damping",
-             .maximum = 2.0,
-             .defaultValue = defaults().damping,
-             .hardMaximum = 10.0},
-            settings, &WeightSettings::damping);
-  percent("inertia", "Inertia", "Change the inertia", &WeightSettings::inertia);
 }
 
 void gravityRow(PanelContext& context, const WeightSettings& settings) {
@@ -135,7 +89,7 @@ SliderSpec modulusSlider(const std::string& id, double used) {
 
 void modulusRow(PanelContext& context, const WeightSettings& settings, double used) {
   const WidgetContext widgets = widgetsOf(context);
-  const Help help = helpOf("young", "Modulus");
+  const Help help = settingHelp(*app::findSetting(app::weightSchema(), "young"));
   labelledRow(widgets, "Modulus", help);
   const float width = ImGui::GetContentRegionAvail().x;
   const float autoWidth = context.theme.px(80.0F);
@@ -154,6 +108,22 @@ void modulusRow(PanelContext& context, const WeightSettings& settings, double us
     editWeight(context, {true, true}, "Change the modulus", [&](WeightSettings& s) {
       s.youngModulus = automatic ? std::optional<double>(used) : std::nullopt;
     });
+  }
+}
+
+/// Every described setting; gravity is drawn by its size, the modulus beside what the program chose.
+void schemaRows(PanelContext& context, const WeightSettings& settings, double usedModulus) {
+  const auto edit = [&](const EditPhase& phase, const std::string& label, const Change& change) {
+    editWeight(context, phase, label, change);
+  };
+  for (const app::Setting<WeightSettings>& setting : app::weightSchema()) {
+    if (setting.name == "gravity") {
+      gravityRow(context, settings);
+    } else if (setting.name == "young") {
+      modulusRow(context, settings, usedModulus);
+    } else {
+      settingRow(context, "weight/", setting, settings, edit);
+    }
   }
 }
 
@@ -253,20 +223,7 @@ void weightSettings(PanelContext& context, const WeightedLimb& entry) {
   if (report != nullptr) {
     const app::WeightReport shown = *report; // a copy: the rows change what it was made from
     outcomeRows(context, shown);
-    mainRows(context, entry.settings);
-    gravityRow(context, entry.settings);
-    weightRow(context,
-              {.setting = "density",
-               .label = "Density",
-               .undoLabel = "Change the density",
-               .maximum = 4000.0,
-               .defaultValue = defaults().density,
-               .hardMaximum = 100000.0,
-               .suffix = " kg/m\xC2\xB3",
-               .decimals = 0,
-               .step = 10.0},
-              entry.settings, &WeightSettings::density);
-    modulusRow(context, entry.settings, shown.youngModulus);
+    schemaRows(context, entry.settings, shown.youngModulus);
     boneRows(context, entry, shown.youngModulus);
     rangeRow(context, entry.settings);
   }

@@ -6,7 +6,10 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/files/user_files.h"
+#include "app/schema/schema_json.h"
+#include "app/schema/schema_rows.h"
 #include "core/gltf/json.h"
+#include "ui/panels/view_schema.h"
 
 namespace stretch::ui {
 
@@ -33,57 +36,44 @@ void take(const Json& json, const char* name, Number& value, double smallest, do
   }
 }
 
-template <typename Choice>
-void takeChoice(const Json& json, const char* name, Choice& value, int count) {
-  int index = static_cast<int>(value);
-  take(json, name, index, 0.0, static_cast<double>(count - 1));
-  value = static_cast<Choice>(index);
-}
-
 Json child(const Json& json, const char* name) {
   return json.is_object() && json.contains(name) && json[name].is_object() ? json[name] : Json::object();
 }
 
-Json overlaysJson(const ViewportOverlays& overlays) {
-  return {{"skeleton", overlays.skeleton},
-          {"wire", overlays.wire},
-          {"grid", overlays.grid},
-          {"trail_ticks", overlays.trailTicks},
-          {"trail_frame_numbers", overlays.trailFrameNumbers},
-          {"only_when_selected", overlays.trailsOnlyWhenSelected},
-          {"ghosts_before", overlays.ghostsBefore},
-          {"ghosts_after", overlays.ghostsAfter},
-          {"ghost_step", overlays.ghostStepFrames},
-          {"trail_thickness", overlays.trailThickness},
-          {"sphere_size", overlays.sphereSize}};
+app::Setting<PaneSizes> paneSize(const char* name, float PaneSizes::*member) {
+  return app::setting<PaneSizes>(
+      {.name = name, .minimum = smallestPane, .maximum = 900.0, .unit = "px", .help = "Size of a pane."},
+      member);
 }
 
-void readOverlays(const Json& json, ViewportOverlays& overlays) {
-  take(json, "skeleton", overlays.skeleton);
-  take(json, "wire", overlays.wire);
-  take(json, "grid", overlays.grid);
-  take(json, "trail_ticks", overlays.trailTicks);
-  take(json, "trail_frame_numbers", overlays.trailFrameNumbers);
-  take(json, "only_when_selected", overlays.trailsOnlyWhenSelected);
-  take(json, "ghosts_before", overlays.ghostsBefore, 0, 20);
-  take(json, "ghosts_after", overlays.ghostsAfter, 0, 20);
-  take(json, "ghost_step", overlays.ghostStepFrames, 1, 100);
-  take(json, "trail_thickness", overlays.trailThickness, 1, 12);
-  take(json, "sphere_size", overlays.sphereSize, 3, 20);
+const app::Schema<PaneSizes>& paneSchema() {
+  static const app::Schema<PaneSizes> schema{
+      paneSize("left", &PaneSizes::left),
+      paneSize("right", &PaneSizes::right),
+      paneSize("bottom", &PaneSizes::bottom),
+      app::setting<PaneSizes>({.name = "left_open", .help = "Whether it is open."}, &PaneSizes::leftOpen),
+      app::setting<PaneSizes>({.name = "right_open", .help = "Whether it is open."}, &PaneSizes::rightOpen),
+      app::setting<PaneSizes>({.name = "bottom_open", .help = "Whether it is open."},
+                              &PaneSizes::bottomOpen)};
+  return schema;
 }
 
-Json panesJson(const PaneSizes& panes) {
-  return {{"left", panes.left},          {"right", panes.right},          {"bottom", panes.bottom},
-          {"left_open", panes.leftOpen}, {"right_open", panes.rightOpen}, {"bottom_open", panes.bottomOpen}};
+const app::Schema<WindowMemory>& placeSchema() {
+  using W = WindowMemory;
+  constexpr double largest = 16384.0;
+  static const app::Schema<W> schema{
+      app::setting<W>({.name = "width", .minimum = 320.0, .maximum = largest, .help = "Width."}, &W::width),
+      app::setting<W>({.name = "height", .minimum = 240.0, .maximum = largest, .help = "Height."},
+                      &W::height),
+      app::setting<W>({.name = "maximised", .help = "Whether it fills the screen."}, &W::maximised)};
+  return schema;
 }
 
-void readPanes(const Json& json, PaneSizes& panes) {
-  take(json, "left", panes.left, smallestPane, 900);
-  take(json, "right", panes.right, smallestPane, 900);
-  take(json, "bottom", panes.bottom, smallestPane, 900);
-  take(json, "left_open", panes.leftOpen);
-  take(json, "right_open", panes.rightOpen);
-  take(json, "bottom_open", panes.bottomOpen);
+template <typename Settings>
+Json objectOf(const app::Schema<Settings>& schema, const Settings& settings) {
+  Json object = Json::object();
+  app::writeSettings(schema, settings, object);
+  return object;
 }
 
 Json vectorJson(const Vec3& vector) {
@@ -120,20 +110,14 @@ std::string settingsText(const UiState& ui, const PaneSizes& panes, const Window
   for (const fs::path& file : ui.recentFiles) {
     recent.push_back(file.string());
   }
-  return Json{{"version", 1},
-              {"theme", static_cast<int>(ui.theme)},
-              {"scale", ui.scale},
-              {"navigation", static_cast<int>(ui.navigation)},
-              {"loop", ui.timeline.loop},
-              {"snap", ui.timeline.snapToFrames},
-              {"overlays", overlaysJson(ui.overlays)},
-              {"panes", panesJson(panes)},
-              {"window",
-               {{"width", window.width}, {"height", window.height}, {"maximised", window.maximised}}},
-              {"closed_sections", ui.closedSections},
-              {"recent", std::move(recent)}}
-             .dump(2, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  Json json{{"version", 1}};
+  app::writeSettings(windowSchema(), ui, json);
+  json["overlays"] = objectOf(overlaySchema(), ui.overlays);
+  json["panes"] = objectOf(paneSchema(), panes);
+  json["window"] = objectOf(placeSchema(), window);
+  json["closed_sections"] = ui.closedSections;
+  json["recent"] = std::move(recent);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, WindowMemory& window) {
@@ -141,17 +125,10 @@ void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, Window
   if (!json.is_object()) {
     return;
   }
-  takeChoice(json, "theme", ui.theme, 3);
-  takeChoice(json, "navigation", ui.navigation, 2);
-  take(json, "scale", ui.scale, 0.5, 4.0);
-  take(json, "loop", ui.timeline.loop);
-  take(json, "snap", ui.timeline.snapToFrames);
-  readOverlays(child(json, "overlays"), ui.overlays);
-  readPanes(child(json, "panes"), panes);
-  const Json windowJson = child(json, "window");
-  take(windowJson, "width", window.width, 320, 16384);
-  take(windowJson, "height", window.height, 240, 16384);
-  take(windowJson, "maximised", window.maximised);
+  app::takeSettings(json, windowSchema(), ui);
+  app::takeSettings(child(json, "overlays"), overlaySchema(), ui.overlays);
+  app::takeSettings(child(json, "panes"), paneSchema(), panes);
+  app::takeSettings(child(json, "window"), placeSchema(), window);
   if (json.contains("closed_sections") && json["closed_sections"].is_array()) {
     for (const Json& entry : json["closed_sections"]) {
       if (entry.is_string()) {

@@ -56,27 +56,50 @@ std::vector<TrailSphere> spheresOf(const ShownTrail& trail, const PictureSelecti
   return spheres;
 }
 
+/// Every so many of the path's samples, and the last one.
+std::vector<Vec3> everySo(const std::vector<Vec3>& path, std::size_t stride) {
+  std::vector<Vec3> drawn;
+  for (std::size_t i = 0; i < path.size(); i += stride) {
+    drawn.push_back(path[i]);
+  }
+  if (!path.empty() && (path.size() - 1) % stride != 0) {
+    drawn.push_back(path.back());
+  }
+  return drawn;
+}
+
+/// Where a sample of a path of `count` stands among those that everySo() leaves.
+double placeAmong(double sample, std::size_t count, std::size_t stride) {
+  const double whole = static_cast<double>((count - 1) / stride);
+  const double step = static_cast<double>(stride);
+  const double rest = static_cast<double>(count - 1) - whole * step;
+  return sample <= whole * step ? sample / step : whole + (sample - whole * step) / rest;
+}
+
 TrailPicture pathOf(const ShownTrail& trail, double frame, const PictureSelection& selection,
                     const ViewportOverlays& overlays) {
   constexpr auto samples = static_cast<double>(pathSamplesPerFrame);
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(overlays.trailIncrement * samples)));
+  const std::size_t count = trail.drawn.original.size();
   TrailPicture picture;
-  picture.original = trail.drawn.original;
+  picture.original = everySo(trail.drawn.original, stride);
   const double first = trail.drawn.frames.empty() ? 0.0 : trail.drawn.frames.front();
   const double sample = (frame - first) * samples;
-  if (sample >= 0.0 && sample <= static_cast<double>(picture.original.size()) - 1.0) {
-    picture.currentSample = sample;
+  if (count > 0 && sample >= 0.0 && sample <= static_cast<double>(count) - 1.0) {
+    picture.currentSample = placeAmong(sample, count, stride);
   }
-  const double ticks = std::max(1.0, std::round(overlays.trailIncrement * samples));
-  picture.samplesPerFrame = overlays.trailTicks ? static_cast<std::size_t>(ticks) : 0;
+  // A tick at every frame, or at every sample where those lie farther apart.
+  picture.samplesPerFrame = overlays.trailTicks ? std::max<std::size_t>(1, pathSamplesPerFrame / stride) : 0;
   if (overlays.trailWindow) {
-    picture.windowSamples = static_cast<double>(overlays.trailWindowFrames) * samples;
+    picture.windowSamples =
+        static_cast<double>(overlays.trailWindowFrames) * samples / static_cast<double>(stride);
   }
   if (isPickedOut(selection, trail.id)) {
     picture.spheres = spheresOf(trail, selection);
   }
   if (trail.exaggerated) {
     const bool fromStart = trail.pivot == rig::Pivot::start;
-    picture.exaggerated = trail.drawn.exaggerated;
+    picture.exaggerated = everySo(trail.drawn.exaggerated, stride);
     picture.pivot = pointOnTrail(trail, fromStart ? trail.startFrame : trail.endFrame, true);
     picture.tip = pointOnTrail(trail, fromStart ? trail.endFrame : trail.startFrame, true);
   }

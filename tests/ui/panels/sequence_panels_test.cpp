@@ -56,7 +56,7 @@ TEST_CASE("Stretch, weights and length are chosen by click") {
   CHECK(panels.settings().stretch == skinning::StretchOption::none);
   panels.driver.click("sequence/weights/Geodesic");
   CHECK(panels.settings().weights == skinning::WeightOption::geodesic);
-  panels.driver.click("sequence/model/Monotone");
+  panels.driver.click("sequence/length/Monotone");
   CHECK(panels.settings().body.lengthModel == skinning::LengthModel::monotone);
   panels.driver.drag("sequence/bones", 60.0F, 0.0F);
   CHECK(panels.settings().bones > 8);

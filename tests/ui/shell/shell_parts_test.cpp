@@ -7,8 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "app/files/autosave.h"
+#include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/other_value.h"
 #include "tests/support/ui_driver/script_state.h"
+#include "ui/panels/view_schema.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/pane_layout.h"
@@ -103,6 +106,37 @@ TEST_CASE("Settings survive the file, and a damaged file is harmless") {
     CHECK(plain.overlays.ghostsBefore >= 0);
     CHECK(static_cast<int>(plain.theme) <= 2);
   }
+}
+
+TEST_CASE("Every setting of the view is remembered") {
+  UiState ui;
+  for (const app::Setting<ViewportOverlays>& setting : overlaySchema()) {
+    INFO(setting.name);
+    REQUIRE(app::setSetting(setting, test::otherValue(setting), ui.overlays));
+  }
+  for (const app::Setting<UiState>& setting : windowSchema()) {
+    REQUIRE(app::setSetting(setting, test::otherValue(setting), ui));
+  }
+  PaneSizes panes;
+  WindowMemory window;
+  const std::string text = settingsText(ui, panes, window);
+  UiState read;
+  readSettings(text, read, panes, window);
+  CHECK(read.overlays == ui.overlays);
+  for (const app::Setting<UiState>& setting : windowSchema()) {
+    INFO(setting.name);
+    CHECK(setting.read(read) == setting.read(ui));
+  }
+}
+
+TEST_CASE("Settings of earlier versions name theme and navigation by number") {
+  UiState ui;
+  PaneSizes panes;
+  WindowMemory window;
+  readSettings("{\"theme\": 1, \"navigation\": 1, \"overlays\": {\"ghost_step\": 7}}", ui, panes, window);
+  CHECK(ui.theme == ThemeKind::light);
+  CHECK(ui.navigation == NavigationStyle::blender);
+  CHECK(ui.overlays.ghostStepFrames == 7);
 }
 
 TEST_CASE("How a file was looked at survives, as far as it still makes sense") {

@@ -71,6 +71,23 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
   CHECK(drawn(*document.scene, written) == drawn(*document.scene, shown));
 }
 
+TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays where it was") {
+  Window window;
+  window.session.view().frame = 6.0;
+  const TrailPicture fine = window.picture().trails.at(0);
+  window.overlays.trailIncrement = 3.0;
+  const TrailPicture coarse = window.picture().trails.at(0);
+  REQUIRE(fine.original.size() > 24);
+  const std::size_t pieces = (fine.original.size() - 1 + 5) / 6; // of six half frames each
+  CHECK(coarse.original.size() == pieces + 1);
+  CHECK(coarse.exaggerated.size() == pieces + 1);
+  CHECK(coarse.original.back() == fine.original.back());
+  CHECK(coarse.original.at(2) == fine.original.at(12));
+  CHECK(fine.currentSample == 12.0);
+  CHECK(coarse.currentSample == 2.0);
+  CHECK(coarse.samplesPerFrame == 1);
+}
+
 TEST_CASE("Ghosts before and after have two colours, the nearest the strongest, none outside of the clip") {
   Window window;
   window.overlays.ghosts = true;

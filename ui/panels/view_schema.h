@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/schema/schema.h"
+#include "ui/panels/ui_state.h"
+
+namespace stretch::ui {
+
+/// What the viewport draws over the character: all of it is remembered.
+[[nodiscard]] const app::Schema<ViewportOverlays>& overlaySchema();
+
+/// Theme, size, navigation and the like: what is remembered of the window's ways.
+[[nodiscard]] const app::Schema<UiState>& windowSchema();
+
+} // namespace stretch::ui
