@@ -22,7 +22,7 @@ struct SampledClip {
   std::vector<OfLimb> limbs; ///< Those with weight, and the legs.
 };
 
-/// `motion`: trails of the clip, without flesh.
+/// `motion`: trails of the clip, without weight.
 [[nodiscard]] SampledClip sampleClip(const Document& document, const rig::MotionState& motion);
 
 } // namespace stretch::app

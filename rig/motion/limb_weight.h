@@ -19,7 +19,7 @@ struct WeightSample {
   double planted = 0.0; ///< 0..1: how much the limb stands on its end.
 };
 
-/// How the flesh of one limb gives way over a clip: linear between the samples, held before and after them.
+/// How one limb gives way over a clip: linear between the samples, held before and after them.
 struct LimbWeight {
   std::string limb;                  ///< Limb::id.
   std::vector<WeightSample> samples; ///< Ascending in time.
@@ -29,14 +29,14 @@ struct LimbWeight {
   double fadeOutSeconds = 0.0;
 };
 
-/// The flesh of a limb, ready for evaluation. Without samples: a leg that only keeps its foot in place.
+/// The weight of a limb, ready for evaluation. Without samples: a leg that only keeps its foot in place.
 struct SolvedWeight {
   LimbWeight weight;
   Limb limb;
   LimbTopology topology;
 };
 
-/// The flesh at one time, its fades applied; no strains where nothing happens.
+/// The weight at one time, its fades applied; no strains where nothing happens.
 [[nodiscard]] WeightSample weightAt(const LimbWeight& weight, double timeSeconds);
 
 /// Lets the limbs of a frame, its trails applied, give way. Each bone is stretched by its K (on top of a

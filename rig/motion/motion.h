@@ -68,12 +68,12 @@ struct MotionInput {
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// Lets limbs give way on top of the trails. A leg that has no flesh of its own keeps its foot where it is
-/// when the other one moves the hips. Flesh of limbs that are missing, or that has not one strain a bone, is
-/// left out.
+/// Lets limbs give way on top of the trails. A leg that has no weight of its own keeps its foot where it is
+/// when the other one moves the hips. Weight of limbs that are missing, or without one strain for each bone,
+/// is left out.
 void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion);
 
-/// The character at one time with every active trail and all flesh applied.
+/// The character at one time with every active trail and the weight of all limbs applied.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 

@@ -25,7 +25,7 @@ struct Window {
   bool jumpsAfter = false;  ///< The same after the end.
 };
 
-/// What one active trail, or the flesh of one limb, moves and when.
+/// What one active trail, or the weight of one limb, moves and when.
 struct KeyedPart {
   std::vector<int> nodes;         ///< Whose local transforms may change.
   double boneLength = 0.0;        ///< Of the limb on average, world units.

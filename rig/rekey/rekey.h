@@ -28,17 +28,17 @@ struct StretchKeys {
   [[nodiscard]] bool axisIsFixed() const { return axes.size() == 1; }
 };
 
-/// A clip with its active trails and its flesh keyed in.
+/// A clip with its active trails and the weight of its limbs keyed in.
 struct RekeyedClip {
   std::vector<Track> tracks; ///< The tracks that change, whole: keys outside range and release are the
                              ///< source's bit for bit.
   std::vector<StretchKeys> stretches;
 };
 
-/// Turns the active trails and the flesh into keys (docs/exaggeration.md, What saving writes): every key time
-/// of the limb's channels in range and release, the tip, the ends, and as few between as the tolerance needs.
-/// LINEAR stays LINEAR, CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its steps
-/// kept outside as pairs of neighbouring keys.
+/// Turns the active trails and the weight into keys (docs/exaggeration.md, What saving writes): every key
+/// time of the limb's channels in range and release, the tip, the ends, and as few between as the tolerance
+/// needs. LINEAR stays LINEAR, CUBICSPLINE keys get tangents along the new path, STEP becomes LINEAR with its
+/// steps kept outside as pairs of neighbouring keys.
 [[nodiscard]] RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motion,
                                 const RekeyOptions& options);
 

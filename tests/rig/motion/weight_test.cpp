@@ -39,7 +39,7 @@ SoftBones squashed(double frame) {
 
 } // namespace
 
-TEST_CASE("flesh that does not give way leaves every number of the clip alone") {
+TEST_CASE("weight that does not give way leaves every number of the clip alone") {
   const MovingBiped moving = punchingBiped();
   const MotionState motion =
       softMotion(moving, {}, {softLimb(moving, "left-arm", none), softLimb(moving, "left-leg", none)});
@@ -130,7 +130,7 @@ TEST_CASE("a leg in the air is stretched without moving the hips") {
         Approx(1.2 * lengthOf(moving.limb("left-leg"), source)).epsilon(1e-6));
 }
 
-TEST_CASE("outside its range flesh does nothing, inside it fades in and out without a jump") {
+TEST_CASE("outside its range weight does nothing, inside it fades in and out without a jump") {
   const MovingBiped moving = punchingBiped();
   LimbWeight weight = softLimb(moving, "left-arm", longer);
   weight.startSeconds = 0.25;
@@ -154,7 +154,7 @@ TEST_CASE("outside its range flesh does nothing, inside it fades in and out with
   }
 }
 
-TEST_CASE("flesh of a limb that is missing or has other bones is left out") {
+TEST_CASE("weight of a limb that is missing or has other bones is left out") {
   const MovingBiped moving = punchingBiped();
   LimbWeight wrong = softLimb(moving, "left-arm", longer);
   wrong.samples.front().strains.pop_back();

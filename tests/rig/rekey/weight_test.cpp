@@ -62,7 +62,7 @@ std::vector<Trail> punch() {
 
 } // namespace
 
-TEST_CASE("keys of flesh follow it at every frame and half frame, alone and on top of a trail") {
+TEST_CASE("keys of a limb with weight follow it at every frame and half frame, alone and on top of a trail") {
   for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubicSpline}) {
     const MovingBiped moving = punchingBiped(interpolation);
     for (const bool withTrail : {false, true}) {
@@ -78,7 +78,7 @@ TEST_CASE("keys of flesh follow it at every frame and half frame, alone and on t
   }
 }
 
-TEST_CASE("a trail that ends without release jumps inside the flesh as it does outside") {
+TEST_CASE("a trail that ends without release jumps inside the range of weight as it does outside") {
   const MovingBiped moving = punchingBiped();
   std::vector<Trail> trails = punch();
   trails[0].settings.releaseFrames = 0.0;
@@ -88,7 +88,7 @@ TEST_CASE("a trail that ends without release jumps inside the flesh as it does o
   CHECK(worstStretchMiss(moving, rekeyed) < 1e-3);
 }
 
-TEST_CASE("keys outside a range of flesh are the source's bit for bit") {
+TEST_CASE("keys outside a range of weight are the source's bit for bit") {
   const MovingBiped moving = punchingBiped();
   LimbWeight weight = softLimb(moving, "left-leg", standing);
   weight.startSeconds = 0.25;
@@ -134,7 +134,7 @@ TEST_CASE("a stretch round across its bone keeps one fixed set of axes and one l
   CHECK(edits.addedNodes.size() == rekeyed.keys.stretches.size());
 }
 
-TEST_CASE("flesh over a whole clip of stepped keys has no key before the clip begins") {
+TEST_CASE("weight over a whole clip of stepped keys has no key before the clip begins") {
   MovingBiped moving = punchingBiped(Interpolation::step);
   for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
     leaf.edit([](Track& track) {

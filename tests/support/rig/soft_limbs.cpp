@@ -22,10 +22,10 @@ rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame, con
 }
 
 rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
-                            const std::vector<rig::LimbWeight>& flesh) {
+                            const std::vector<rig::LimbWeight>& weights) {
   const rig::MotionInput input = motionInput(moving, trails);
   rig::MotionState motion = rig::solveMotion(input);
-  rig::setWeight(input, flesh, motion);
+  rig::setWeight(input, weights, motion);
   return motion;
 }
 

@@ -14,7 +14,7 @@ struct SoftBones {
   double planted = 0.0;
 };
 
-/// The flesh of a limb over the whole clip, one sample for each frame; `bonesAt(frame)` answers its
+/// The weight of a limb over the whole clip, one sample for each frame; `bonesAt(frame)` answers its
 /// SoftBones.
 template <typename BonesAt>
 rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt);
@@ -23,18 +23,18 @@ rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, Bon
 [[nodiscard]] rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame,
                                            const SoftBones& bones);
 
-/// Trails and flesh, solved.
+/// Trails and weight, solved.
 [[nodiscard]] rig::MotionState softMotion(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
-                                          const std::vector<rig::LimbWeight>& flesh);
+                                          const std::vector<rig::LimbWeight>& weights);
 
 template <typename BonesAt>
 rig::LimbWeight softLimb(const MovingBiped& moving, const std::string& limb, BonesAt&& bonesAt) {
-  rig::LimbWeight flesh{limb, {}, moving.clip.startSeconds, moving.clip.endSeconds, 0.0, 0.0};
+  rig::LimbWeight weight{limb, {}, moving.clip.startSeconds, moving.clip.endSeconds, 0.0, 0.0};
   for (double frame = 0.0; frame <= moving.clip.endSeconds * moving.clip.framesPerSecond + 1e-6;
        frame += 1.0) {
-    flesh.samples.push_back(softSample(moving.limb(limb), sourceAtFrame(moving, frame), bonesAt(frame)));
+    weight.samples.push_back(softSample(moving.limb(limb), sourceAtFrame(moving, frame), bonesAt(frame)));
   }
-  return flesh;
+  return weight;
 }
 
 } // namespace stretch::test
