@@ -81,12 +81,13 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
                                   ? Result<double>(1.0)
                                   : app::parseNumber(text.substr(second + 1), "--frames");
   if (!step || *step <= 0.0) {
-    return Error{"the step is not a positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
+    return Error{"the step has to be above 0", "--frames", "give A:B:STEP, such as 0:60:5"};
   }
   constexpr double mostPictures = 100000.0;
   const double count = std::floor((range->y - range->x) / *step + 1e-9);
   if (count > mostPictures) {
-    return Error{"that is more than 100000 pictures", "--frames", "give a larger step"};
+    return Error{fmt::format("{:.0f} pictures are too many", count + 1.0), "--frames",
+                 "give a larger step: 100000 pictures at most"};
   }
   std::vector<double> frames;
   for (double i = 0.0; i <= count; i += 1.0) {
@@ -164,7 +165,8 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
     return size ? view.error() : size.error();
   }
   if (std::filesystem::path(arguments.output).extension() != ".png") {
-    return Error{"a picture has to end in .png", arguments.output, "give a name that ends in .png"};
+    return Error{"the name of a picture has to end in .png", arguments.output,
+                 "give a name such as picture.png"};
   }
   PictureOptions options;
   options.widthPixels = size->width;
