@@ -4,61 +4,13 @@
 #include <utility>
 
 #include "app/files/save.h"
-#include "core/base/check.h"
 
 namespace stretch::app {
 
-Session::Session(Document document) : history_(std::move(document)) {
-  if (history_.current().carriedWork) {
-    savePath_ = history_.current().source->path;
+Session::Session(Document document) : Editing(std::move(document)) {
+  if (history().current().carriedWork) {
+    savePath_ = history().current().source->path;
   }
-}
-
-bool Session::edit(Document changed, std::string label) {
-  if (isDragging()) {
-    return false;
-  }
-  const bool pushed = history_.push(std::move(changed), std::move(label));
-  dropInvalidSelection();
-  return pushed;
-}
-
-void Session::begin(std::string label) {
-  cancel();
-  preview_ = history_.current();
-  dragLabel_ = std::move(label);
-}
-
-void Session::preview(Document changed) {
-  check(isDragging(), "a preview belongs to a drag that was begun");
-  preview_ = std::move(changed);
-}
-
-void Session::commit() {
-  check(isDragging(), "a commit ends a drag that was begun");
-  Document changed = std::move(*preview_);
-  preview_.reset();
-  history_.push(std::move(changed), std::move(dragLabel_));
-  dropInvalidSelection();
-}
-
-void Session::cancel() {
-  preview_.reset();
-  dropInvalidSelection();
-}
-
-bool Session::undo() {
-  cancel();
-  const bool done = history_.undo();
-  dropInvalidSelection();
-  return done;
-}
-
-bool Session::redo() {
-  cancel();
-  const bool done = history_.redo();
-  dropInvalidSelection();
-  return done;
 }
 
 const FrameState& Session::frameAt(double frame) {
@@ -100,16 +52,16 @@ std::filesystem::path Session::proposedSavePath() const {
 
 Status Session::save(const std::filesystem::path& path, bool clean) {
   cancel();
-  const Status saved = saveDocument(history_.current(), path, {.clean = clean});
+  const Status saved = saveDocument(history().current(), path, {.clean = clean});
   // A clean export is a copy for others: the work itself is not saved by it.
   if (saved && !clean) {
     savePath_ = path;
-    history_.markSaved();
+    markSaved();
   }
   return saved;
 }
 
-void Session::dropInvalidSelection() {
+void Session::documentChanged() {
   const Document& shown = document();
   if (findTrail(shown, view_.selectedTrail) == nullptr) {
     view_.selectedTrail = 0;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/editing.h"
 #include "app/evaluate/evaluate.h"
-#include "app/history.h"
 
 namespace stretch::app {
 
@@ -26,31 +26,13 @@ struct ViewState {
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
 };
 
-/// One open file being edited: history, what is being dragged, and the caches. The one door for edits.
-class Session {
+/// One open character being edited: the door for its edits, what is looked at, and the caches.
+class Session : public Editing<Document> {
 public:
   explicit Session(Document document);
 
-  /// The document to show: the preview while a drag is on, else the current state.
-  [[nodiscard]] const Document& document() const { return preview_ ? *preview_ : history_.current(); }
-  [[nodiscard]] const History& history() const { return history_; }
   [[nodiscard]] ViewState& view() { return view_; }
   [[nodiscard]] const ViewState& view() const { return view_; }
-
-  /// One finished edit, one undo step. Refused (false) while a drag is on.
-  bool edit(Document changed, std::string label);
-
-  /// A drag or a modal: begin remembers the state; each preview is computed from the state AT BEGIN; commit
-  /// pushes one undo step (none when nothing changed), cancel restores.
-  void begin(std::string label);
-  [[nodiscard]] bool isDragging() const { return preview_.has_value(); }
-  [[nodiscard]] const Document& atBegin() const { return history_.current(); }
-  void preview(Document changed);
-  void commit();
-  void cancel();
-
-  bool undo(); ///< Cancels a drag first.
-  bool redo();
 
   /// The character at a frame of the viewed clip, trails and weight included; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
@@ -73,11 +55,8 @@ public:
   Status save(const std::filesystem::path& path, bool clean);
 
 private:
-  void dropInvalidSelection();
+  void documentChanged() override; ///< Drops what is selected and is not there any more.
 
-  History history_;
-  std::optional<Document> preview_;
-  std::string dragLabel_;
   ViewState view_;
   EvaluationCache cache_;
   std::filesystem::path savePath_;

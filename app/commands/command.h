@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "app/session.h"
+#include "app/open_document.h"
 
 namespace stretch::app {
 
-/// What a user asks for, by whatever door: menu, palette, key, batch or test. `Context` is what running
-/// needs: Session for commands of the document, the shell's own type for those of the view.
+/// What a user asks for, by whatever door: menu, palette, key or test. `Context` is what running needs: the
+/// shell's own type for commands of the window.
 template <typename Context>
 struct Command {
   std::string id;                ///< "trail.apply": stable, used by key files and scripts.
@@ -19,5 +19,22 @@ struct Command {
   std::function<bool(const Context&)> enabled;
   std::function<Status(Context&)> run;
 };
+
+/// A command of what is open. It says what it means for each kind of document; for one that it has no
+/// functions for it has no meaning, and is off.
+struct DocumentCommand {
+  std::string id;
+  std::string label;
+  std::string help;
+  std::vector<std::string> keys;
+  std::function<bool(const Session&)> enabled = {};
+  std::function<Status(Session&)> run = {};
+  std::function<bool(const SequenceSession&)> enabledOnSequence = {};
+  std::function<Status(SequenceSession&)> runOnSequence = {};
+};
+
+[[nodiscard]] bool isEnabled(const DocumentCommand& command, const OpenDocument& open);
+/// What is open must be of a kind that the command has a meaning for.
+Status run(const DocumentCommand& command, OpenDocument& open);
 
 } // namespace stretch::app

@@ -4,34 +4,55 @@
 
 namespace stretch::app {
 
-std::vector<Command<Session>> historyCommands() {
+namespace {
+
+constexpr auto canUndo = [](const auto& session) { return session.history().canUndo(); };
+constexpr auto canRedo = [](const auto& session) { return session.history().canRedo(); };
+constexpr auto undo = [](auto& session) -> Status {
+  session.undo();
+  return Success{};
+};
+constexpr auto redo = [](auto& session) -> Status {
+  session.redo();
+  return Success{};
+};
+
+} // namespace
+
+bool isEnabled(const DocumentCommand& command, const OpenDocument& open) {
+  if (const Session* const character = open.character()) {
+    return command.enabled && command.enabled(*character);
+  }
+  const SequenceSession* const sequence = open.sequence();
+  return sequence != nullptr && command.enabledOnSequence && command.enabledOnSequence(*sequence);
+}
+
+Status run(const DocumentCommand& command, OpenDocument& open) {
+  if (Session* const character = open.character()) {
+    return command.run(*character);
+  }
+  return command.runOnSequence(*open.sequence());
+}
+
+std::vector<DocumentCommand> historyCommands() {
   return {
-      {"edit.undo",
-       "Undo",
-       "Takes the last change back.",
-       {"Ctrl+Z"},
-       [](const Session& session) { return session.history().canUndo(); },
-       [](Session& session) -> Status {
-         session.undo();
-         return Success{};
-       }},
+      {"edit.undo", "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo},
       {"edit.redo",
        "Redo",
        "Brings the change that was taken back again.",
        {"Ctrl+Shift+Z", "Ctrl+Y"},
-       [](const Session& session) { return session.history().canRedo(); },
-       [](Session& session) -> Status {
-         session.redo();
-         return Success{};
-       }},
+       canRedo,
+       redo,
+       canRedo,
+       redo},
   };
 }
 
-std::vector<Command<Session>> documentCommands() {
-  std::vector<Command<Session>> all;
-  for (const auto table :
-       {historyCommands, limbCommands, timeCommands, trailCommands, sphereCommands, weightCommands}) {
-    std::vector<Command<Session>> commands = table();
+std::vector<DocumentCommand> documentCommands() {
+  std::vector<DocumentCommand> all;
+  for (const auto table : {historyCommands, limbCommands, timeCommands, trailCommands, sphereCommands,
+                           weightCommands, sequenceCommands}) {
+    std::vector<DocumentCommand> commands = table();
     std::move(commands.begin(), commands.end(), std::back_inserter(all));
   }
   return all;

@@ -6,17 +6,18 @@
 
 namespace stretch::app {
 
-/// Every command of the document, in the order in which menus show them. They act on what is selected in the
+/// Every command of what is open, in the order in which menus show them. They act on what is selected in the
 /// session's view: `enabled` tells whether there is something to act on, `run` says in one line why it could
 /// not.
-[[nodiscard]] std::vector<Command<Session>> documentCommands();
+[[nodiscard]] std::vector<DocumentCommand> documentCommands();
 
 // The tables that it is made of, one per subject.
-[[nodiscard]] std::vector<Command<Session>> historyCommands();
-[[nodiscard]] std::vector<Command<Session>> limbCommands();
-[[nodiscard]] std::vector<Command<Session>> timeCommands();
-[[nodiscard]] std::vector<Command<Session>> trailCommands();
-[[nodiscard]] std::vector<Command<Session>> sphereCommands();
-[[nodiscard]] std::vector<Command<Session>> weightCommands();
+[[nodiscard]] std::vector<DocumentCommand> historyCommands();
+[[nodiscard]] std::vector<DocumentCommand> limbCommands();
+[[nodiscard]] std::vector<DocumentCommand> timeCommands();
+[[nodiscard]] std::vector<DocumentCommand> trailCommands();
+[[nodiscard]] std::vector<DocumentCommand> sphereCommands();
+[[nodiscard]] std::vector<DocumentCommand> weightCommands();
+[[nodiscard]] std::vector<DocumentCommand> sequenceCommands();
 
 } // namespace stretch::app

@@ -51,10 +51,10 @@ private:
 };
 
 /// The keys of a table of commands.
-template <typename Context>
-[[nodiscard]] std::vector<KeyedCommand> keyedCommands(const std::vector<Command<Context>>& commands) {
+template <typename AnyCommand>
+[[nodiscard]] std::vector<KeyedCommand> keyedCommands(const std::vector<AnyCommand>& commands) {
   std::vector<KeyedCommand> keyed;
-  for (const Command<Context>& command : commands) {
+  for (const AnyCommand& command : commands) {
     keyed.push_back({command.id, command.keys});
   }
   return keyed;

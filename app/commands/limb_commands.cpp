@@ -22,10 +22,10 @@ constexpr std::array<LimbKey, 6> limbKeys{{{"left-arm", "left arm", "1"},
                                            {"spine", "spine", "5"},
                                            {"neck", "neck", "6"}}};
 
-Command<Session> selectCommand(const LimbKey& limb, bool add) {
+DocumentCommand selectCommand(const LimbKey& limb, bool add) {
   const std::string id = limb.id;
   const std::string title = limb.title;
-  Command<Session> command;
+  DocumentCommand command;
   command.id = "limb." + id + (add ? "-add" : "");
   command.label = (add ? "Add " : "Select ") + title;
   command.help = add ? "Adds the " + title + " to the selection, or takes it away."
@@ -58,8 +58,8 @@ Status detectAgain(Session& session) {
 
 } // namespace
 
-std::vector<Command<Session>> limbCommands() {
-  std::vector<Command<Session>> commands;
+std::vector<DocumentCommand> limbCommands() {
+  std::vector<DocumentCommand> commands;
   for (const LimbKey& limb : limbKeys) {
     commands.push_back(selectCommand(limb, false));
   }

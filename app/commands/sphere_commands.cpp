@@ -133,9 +133,9 @@ constexpr std::array<Reach, 3> reaches{{{"", "", false, false},
                                         {"-far", ", ten times as far", false, true},
                                         {"-fine", ", a tenth", true, false}}};
 
-Command<Session> nudgeCommand(const Direction& direction, const Reach& reach) {
+DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
   const Chord chord{direction.key, reach.ctrl, reach.shift, false};
-  Command<Session> command;
+  DocumentCommand command;
   command.id = std::string("sphere.nudge-") + direction.id + reach.idSuffix;
   command.label = std::string("Nudge ") + direction.title + reach.title;
   command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
@@ -148,8 +148,8 @@ Command<Session> nudgeCommand(const Direction& direction, const Reach& reach) {
 
 } // namespace
 
-std::vector<Command<Session>> sphereCommands() {
-  std::vector<Command<Session>> commands{
+std::vector<DocumentCommand> sphereCommands() {
+  std::vector<DocumentCommand> commands{
       {"sphere.next",
        "Next sphere",
        "Selects the next control sphere; the playhead jumps there.",

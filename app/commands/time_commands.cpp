@@ -43,6 +43,15 @@ Status goToKey(Session& session, bool next) {
   return found == frames.rend() ? Status(Success{}) : goTo(session, *found);
 }
 
+bool alwaysOnSequence(const SequenceSession& /*session*/) {
+  return true;
+}
+
+Status goToFrame(SequenceSession& session, double frame) {
+  session.view().frame = std::clamp(frame, 0.0, lastFrame(session));
+  return Success{};
+}
+
 void setWorkingRange(Session& session, bool start) {
   ViewState& view = session.view();
   const double last = lastFrame(session.document(), view.clip);
@@ -84,7 +93,7 @@ Status toggleLoop(Session& session) {
 
 } // namespace
 
-std::vector<Command<Session>> timeCommands() {
+std::vector<DocumentCommand> timeCommands() {
   return {
       {"range.start",
        "Range starts here",
@@ -108,8 +117,22 @@ std::vector<Command<Session>> timeCommands() {
          session.view().rangeEnd = -1.0;
          return Success{};
        }},
-      {"time.back", "Frame back", "Steps to the frame before.", {","}, hasViewedClip, stepBack},
-      {"time.forward", "Frame forward", "Steps to the next frame.", {"."}, hasViewedClip, stepForward},
+      {"time.back",
+       "Frame back",
+       "Steps to the frame before.",
+       {","},
+       hasViewedClip,
+       stepBack,
+       alwaysOnSequence,
+       [](SequenceSession& session) { return goToFrame(session, std::ceil(session.view().frame) - 1.0); }},
+      {"time.forward",
+       "Frame forward",
+       "Steps to the next frame.",
+       {"."},
+       hasViewedClip,
+       stepForward,
+       alwaysOnSequence,
+       [](SequenceSession& session) { return goToFrame(session, std::floor(session.view().frame) + 1.0); }},
       {"time.previous-key",
        "Previous key",
        "Jumps to the key before, of the selected limbs if there are any.",
@@ -127,13 +150,17 @@ std::vector<Command<Session>> timeCommands() {
        "Jumps to the clip's first frame.",
        {"Home"},
        hasViewedClip,
-       [](Session& session) { return goTo(session, 0.0); }},
+       [](Session& session) { return goTo(session, 0.0); },
+       alwaysOnSequence,
+       [](SequenceSession& session) { return goToFrame(session, 0.0); }},
       {"time.end",
        "To the end",
        "Jumps to the clip's last frame.",
        {"End"},
        hasViewedClip,
-       [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); }},
+       [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
+       alwaysOnSequence,
+       [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }},
       {"clip.loop",
        "Clip loops",
        "Marks the clip as a loop: a release at its end goes on at its start.",

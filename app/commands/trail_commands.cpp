@@ -183,7 +183,7 @@ bool canDelete(const Session& session) {
 
 } // namespace
 
-std::vector<Command<Session>> trailCommands() {
+std::vector<DocumentCommand> trailCommands() {
   return {
       {"trail.toggle",
        "Motion trail",

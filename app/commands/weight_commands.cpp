@@ -69,7 +69,7 @@ Status weightForAll(Session& session) {
 
 } // namespace
 
-std::vector<Command<Session>> weightCommands() {
+std::vector<DocumentCommand> weightCommands() {
   return {
       {"weight.toggle",
        "Weight on or off",

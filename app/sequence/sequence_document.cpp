@@ -42,6 +42,11 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
 
 } // namespace
 
+bool sameDocument(const SequenceDocument& a, const SequenceDocument& b) {
+  return a.paths == b.paths && a.mesh == b.mesh && a.analysis == b.analysis && a.settings == b.settings &&
+         a.quantise == b.quantise && a.result == b.result;
+}
+
 const std::filesystem::path& pathOf(const SequenceDocument& document) {
   return document.paths.back();
 }

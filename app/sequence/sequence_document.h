@@ -42,6 +42,9 @@ struct SequenceDocument {
   std::shared_ptr<const Compression> result; ///< Null: nothing was compressed yet.
 };
 
+/// Equal by value (shared parts by identity).
+[[nodiscard]] bool sameDocument(const SequenceDocument& a, const SequenceDocument& b);
+
 /// The path that names the sequence: the folder, the file, or the cache.
 [[nodiscard]] const std::filesystem::path& pathOf(const SequenceDocument& document);
 

@@ -5,35 +5,46 @@
 
 namespace stretch::app {
 
-double lastFrame(const SequenceSession& session) {
-  return static_cast<double>(session.document.mesh->frameCount() - 1);
-}
-
-std::size_t shownFrame(const SequenceSession& session) {
-  return static_cast<std::size_t>(std::clamp(std::round(session.view.frame), 0.0, lastFrame(session)));
-}
-
-Status startCompression(SequenceSession& session) {
-  if (session.job != nullptr) {
+Status SequenceSession::startCompression() {
+  if (isCompressing()) {
     return Error{"a compression is being made", "", "wait for it or cancel it"};
   }
-  session.job = std::make_unique<CompressionJob>(session.document.mesh, session.document.settings);
+  job_ = std::make_unique<CompressionJob>(document().mesh, document().settings);
   return Success{};
 }
 
-std::optional<Status> takeCompression(SequenceSession& session) {
-  if (session.job == nullptr || !session.job->isFinished()) {
+void SequenceSession::cancelCompression() {
+  if (job_ != nullptr) {
+    job_->cancel();
+  }
+}
+
+std::optional<Status> SequenceSession::takeCompression() {
+  if (job_ == nullptr || !job_->isFinished() || isDragging()) {
     return std::nullopt;
   }
-  const bool cancelled = session.job->isCancelled();
-  Result<Compression> made = session.job->take();
-  session.job.reset();
-  if (!made) {
-    return cancelled ? std::nullopt : std::optional(Status(made.error()));
+  const bool cancelled = job_->isCancelled();
+  Result<Compression> made = job_->take();
+  job_.reset();
+  if (cancelled) {
+    return std::nullopt;
   }
-  session.document.result = std::make_shared<const Compression>(std::move(made).value());
-  session.view.showSkinned = true;
+  if (!made) {
+    return Status(made.error());
+  }
+  SequenceDocument changed = document();
+  changed.result = std::make_shared<const Compression>(std::move(made).value());
+  edit(std::move(changed), "Compress");
+  view_.showSkinned = true;
   return Status(Success{});
+}
+
+double lastFrame(const SequenceSession& session) {
+  return static_cast<double>(session.document().mesh->frameCount() - 1);
+}
+
+std::size_t shownFrame(const SequenceSession& session) {
+  return static_cast<std::size_t>(std::clamp(std::round(session.view().frame), 0.0, lastFrame(session)));
 }
 
 } // namespace stretch::app

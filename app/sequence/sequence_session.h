@@ -2,7 +2,9 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "app/editing.h"
 #include "app/sequence/compression_job.h"
 
 namespace stretch::app {
@@ -22,23 +24,33 @@ struct SequenceView {
   SequenceColours colours = SequenceColours::plain;
 };
 
-/// An open mesh sequence: the document, what is looked at, and the compression that is being made.
-struct SequenceSession {
-  SequenceDocument document;
-  SequenceView view;
-  std::unique_ptr<CompressionJob> job; ///< Null: nothing is being made.
+/// An open mesh sequence: the door for its edits, what is looked at, and the compression that is being made.
+class SequenceSession : public Editing<SequenceDocument> {
+public:
+  explicit SequenceSession(SequenceDocument document) : Editing(std::move(document)) {}
+
+  [[nodiscard]] SequenceView& view() { return view_; }
+  [[nodiscard]] const SequenceView& view() const { return view_; }
+
+  /// Compresses with the document's settings, beside the caller; refused while a compression is being made.
+  Status startCompression();
+  /// Asks it to end soon.
+  void cancelCompression();
+  [[nodiscard]] bool isCompressing() const { return job_ != nullptr; }
+  [[nodiscard]] double compressedShare() const { return job_ == nullptr ? 0.0 : job_->share(); } ///< 0..1.
+
+  /// Takes up what a finished compression made, as an edit; not while something is dragged. Empty while
+  /// there is none to take; an error when it failed, not when it was cancelled.
+  [[nodiscard]] std::optional<Status> takeCompression();
+
+private:
+  SequenceView view_;
+  std::unique_ptr<CompressionJob> job_; ///< Null: nothing is being made.
 };
 
 /// The last frame, >= 0.
 [[nodiscard]] double lastFrame(const SequenceSession& session);
 /// The frame that is shown: sequences are not interpolated.
 [[nodiscard]] std::size_t shownFrame(const SequenceSession& session);
-
-/// Compresses with the document's settings, beside the caller; refused while a compression is being made.
-Status startCompression(SequenceSession& session);
-
-/// Takes up what a finished compression made. Empty while there is none to take; an error when it failed, not
-/// when it was cancelled.
-[[nodiscard]] std::optional<Status> takeCompression(SequenceSession& session);
 
 } // namespace stretch::app

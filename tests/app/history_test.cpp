@@ -16,7 +16,7 @@ Document looping(const Document& document, bool loops) {
 } // namespace
 
 TEST_CASE("A new history has nothing to undo and is saved") {
-  History history(test::boxer());
+  History<Document> history(test::boxer());
   CHECK_FALSE(history.canUndo());
   CHECK_FALSE(history.canRedo());
   CHECK_FALSE(history.undo());
@@ -28,7 +28,7 @@ TEST_CASE("A new history has nothing to undo and is saved") {
 
 TEST_CASE("Undo and redo walk between documents and name what they take back or bring") {
   const Document start = test::boxer();
-  History history(start);
+  History<Document> history(start);
   REQUIRE(history.push(looping(start, true), "Loop the clip"));
   CHECK(history.undoLabel() == "Loop the clip");
   REQUIRE(history.undo());
@@ -40,14 +40,14 @@ TEST_CASE("Undo and redo walk between documents and name what they take back or 
 
 TEST_CASE("A state equal to the current one is no step") {
   const Document start = test::boxer();
-  History history(start);
+  History<Document> history(start);
   CHECK_FALSE(history.push(looping(start, false), "Nothing"));
   CHECK_FALSE(history.canUndo());
 }
 
 TEST_CASE("A new edit drops what was undone") {
   const Document start = test::boxer();
-  History history(start);
+  History<Document> history(start);
   history.push(looping(start, true), "First");
   history.undo();
   Document other = start;
@@ -59,7 +59,7 @@ TEST_CASE("A new edit drops what was undone") {
 
 TEST_CASE("A document is saved where it was marked, and nowhere once that state is dropped") {
   const Document start = test::boxer();
-  History history(start);
+  History<Document> history(start);
   history.push(looping(start, true), "First");
   CHECK_FALSE(history.isSaved());
   history.markSaved();

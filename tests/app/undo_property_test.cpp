@@ -102,7 +102,7 @@ TEST_CASE("random edits, all undone, give the start back, and all redone, the en
   for (const unsigned seed : {1U, 2U, 3U}) {
     Dice dice(seed);
     const Document start = test::boxer();
-    History history(start);
+    History<Document> history(start);
     int pushed = 0;
     for (int i = 0; i < 300; ++i) {
       const Document before = history.current();

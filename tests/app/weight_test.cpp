@@ -233,7 +233,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
 }
 
 TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
-  History history(opened(dummyPath));
+  History<Document> history(opened(dummyPath));
   const Document start = history.current();
   history.push(*switchWeight(start, {"left-arm"}, 0, true), "Weight");
   CHECK(history.current().weights.size() == 1);

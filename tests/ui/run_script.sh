@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Drives the real window through a script, on a screen of its own: run_script.sh PROGRAM SCRIPT
+# Drives the real window through a script, on a screen of its own: run_script.sh DRIVEN_EDITOR SCRIPT
 # Lines of the script set it up: "#! file PATH" (from the root of the sources), "#! size 1280x720", "#! scale 2",
 # "#! sequence NAME" (a folder of frames made by the program make-sequence, opened instead of a file),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
@@ -24,11 +24,11 @@ run() {
   fi
   sequence=$(setting sequence "$1")
   if [ -n "$sequence" ]; then
-    "$(dirname "$program")/tests/make-sequence" "$work/$sequence" || return 1
+    "$(dirname "$program")/make-sequence" "$work/$sequence" || return 1
     file=$sequence
   fi
-  (cd "$work" && STRETCH_UI_SCRIPT=$1 STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} \
-    timeout 300 xvfb-run -a -s "-screen 0 2560x1440x24" "$program" ${file:+"$work/$(basename "$file")"})
+  (cd "$work" && STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} \
+    timeout 300 xvfb-run -a -s "-screen 0 2560x1440x24" "$program" "$1" ${file:+"$work/$(basename "$file")"})
 }
 
 status=0

@@ -12,7 +12,7 @@ std::string clipName(const Clip& clip, std::size_t index) {
 }
 
 void chooseClip(PanelContext& context, int clip) {
-  app::ViewState& view = context.session->view();
+  app::ViewState& view = context.open.character()->view();
   view.clip = clip;
   view.frame = 0.0;
   view.rangeStart = 0.0;
@@ -26,7 +26,7 @@ void chooseClip(PanelContext& context, int clip) {
 } // namespace
 
 void clipChooser(PanelContext& context, const std::string& id, float width) {
-  const std::vector<Clip>& clips = *context.session->document().clips;
+  const std::vector<Clip>& clips = *context.open.character()->document().clips;
   std::vector<Choice> choices;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
@@ -34,8 +34,9 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
   }
   const Help help{.title = "Clip",
                   .text = "The animation to work on. Trails belong to the clip that they were made in."};
-  const int chosen = dropdown(widgetsOf(context), id, choices, context.session->view().clip, help, width);
-  if (chosen >= 0 && chosen != context.session->view().clip) {
+  const int chosen =
+      dropdown(widgetsOf(context), id, choices, context.open.character()->view().clip, help, width);
+  if (chosen >= 0 && chosen != context.open.character()->view().clip) {
     chooseClip(context, chosen);
   }
 }

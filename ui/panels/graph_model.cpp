@@ -98,7 +98,7 @@ bool movesIn(const rig::MotionState& motion) {
 }
 
 std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, int node, const Span& frames) {
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const app::Document& document = session.document();
   const Clip& clip = app::clipOf(document, session.view().clip);
   const rig::MotionState& motion = session.motion();
@@ -138,7 +138,7 @@ const std::vector<Curve>& graphCurves(PanelContext& context, const rig::Limb& li
   const int node =
       nodes[static_cast<std::size_t>(std::clamp(graph.joint, 0, static_cast<int>(nodes.size()) - 1))];
   const GraphKey key{
-      context.session->sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};
+      context.open.character()->sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};
   if (!graph.madeFrom || !(*graph.madeFrom == key)) {
     graph.curves = makeCurves(context, limb, node, frames);
     graph.madeFrom = key;

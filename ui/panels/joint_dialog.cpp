@@ -36,7 +36,7 @@ bool isBetween(const Scene& scene, const JointPick& pick, int node) {
 }
 
 void jointRow(PanelContext& context, int node, int depth) {
-  const Scene& scene = *context.session->document().scene;
+  const Scene& scene = *context.open.character()->document().scene;
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   JointPick& pick = context.ui.jointPick;
@@ -93,7 +93,7 @@ std::vector<std::pair<int, int>> treeRows(const Scene& scene) {
 }
 
 void tree(PanelContext& context) {
-  const Scene& scene = *context.session->document().scene;
+  const Scene& scene = *context.open.character()->document().scene;
   const std::string& filter = context.ui.jointPick.filter;
   ImGui::BeginChild("joints/tree", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
@@ -150,17 +150,17 @@ Result<app::Document> changedDocument(const app::Document& document, const Joint
 
 void useChain(PanelContext& context) {
   JointPick& pick = context.ui.jointPick;
-  const Result<app::Document> changed = changedDocument(context.session->document(), pick);
+  const Result<app::Document> changed = changedDocument(context.open.character()->document(), pick);
   if (!changed) {
     pick.message = changed.error().line();
     return;
   }
   const bool adds = pick.limbId.empty();
   editOnce(context, adds ? "Add a chain" : "Choose a limb's joints", changed);
-  if (adds && !context.session->document().chains.empty()) {
-    app::selectLimb(*context.session, context.session->document().chains.back().id, false);
+  if (adds && !context.open.character()->document().chains.empty()) {
+    app::selectLimb(*context.open.character(), context.open.character()->document().chains.back().id, false);
   } else if (!adds) {
-    app::selectLimb(*context.session, pick.limbId, false);
+    app::selectLimb(*context.open.character(), pick.limbId, false);
   }
   pick = {};
   ImGui::CloseCurrentPopup();
@@ -184,10 +184,11 @@ void drawJointDialog(PanelContext& context) {
     pick.open = false;
   }
   const std::string title =
-      pick.limbId.empty() ? "Pick a chain"
-                          : "Joints of the " + (context.session != nullptr
-                                                    ? app::limbTitle(context.session->document(), pick.limbId)
-                                                    : pick.limbId);
+      pick.limbId.empty()
+          ? "Pick a chain"
+          : "Joints of the " + (context.open.character() != nullptr
+                                    ? app::limbTitle(context.open.character()->document(), pick.limbId)
+                                    : pick.limbId);
   if (!beginDialog(
           context,
           {.id = "joints", .icon = icon::skeleton, .title = title, .width = 480.0F, .height = 560.0F},
@@ -197,7 +198,7 @@ void drawJointDialog(PanelContext& context) {
   textField(widgetsOf(context), "joints/filter", "Search a joint", pick.filter);
   tree(context);
   note(widgetsOf(context),
-       pick.message.empty() ? summary(*context.session->document().scene, pick) : pick.message);
+       pick.message.empty() ? summary(*context.open.character()->document().scene, pick) : pick.message);
   const bool complete = pick.baseNode >= 0 && pick.endNode >= 0;
   const int clicked = dialogButtons(
       context, "joints", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Use them", .enabled = complete}});

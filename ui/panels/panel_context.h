@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/sequence/sequence_session.h"
-#include "app/session.h"
+#include "app/open_document.h"
 #include "ui/panels/ui_state.h"
 #include "ui/widgets/item_registry.h"
 #include "ui/widgets/theme.h"
@@ -22,16 +21,15 @@ struct CommandInfo {
   bool checked = false; ///< A switch that is on.
 };
 
-/// Everything a panel may see and touch. Panels draw, read the session, make edits through it (begin,
+/// Everything a panel may see and touch. Panels draw, read what is open, make edits through it (begin,
 /// preview, commit) and ask for commands by id; the shell runs those after the frame's panels, in order.
 struct PanelContext {
-  app::Session* session = nullptr; ///< Null: no file is open.
+  app::OpenDocument& open;
   UiState& ui;
   const Theme& theme;
   const std::vector<CommandInfo>& commands;
   std::vector<std::string>& requestedCommands;
   ItemRegistry& items;
-  app::SequenceSession* sequence = nullptr; ///< Instead of `session` while a mesh sequence is open.
 };
 
 /// Null for an id that no command has.

@@ -17,7 +17,7 @@ void characterRight(PanelContext& context) {
 } // namespace
 
 PanelSet panelSetOf(const PanelContext& context) {
-  if (context.sequence != nullptr) {
+  if (context.open.sequence() != nullptr) {
     return {drawSequenceFacts, drawSequencePanel, drawSequenceTimeline, drawSequenceBar};
   }
   return {characterLeft, characterRight, drawBottomPanel, drawViewportBar};

@@ -14,6 +14,53 @@
 
 namespace stretch::ui {
 
+namespace {
+
+/// Ends a drag that a panel began when Esc or the end of its widget asks for it.
+template <typename Document>
+bool dragGoesOn(app::Editing<Document>& session) {
+  if (!session.isDragging()) {
+    return false;
+  }
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    session.cancel();
+    ImGui::ClearActiveID();
+    return false;
+  }
+  if (ImGui::GetActiveID() == 0 && ImGui::GetCurrentContext()->ActiveIdPreviousFrame == 0) {
+    session.commit(); // its widget was not drawn any more when the gesture ended
+    return false;
+  }
+  return true;
+}
+
+template <typename Document, typename Change>
+void carry(PanelContext& context, app::Editing<Document>& session, const EditPhase& phase,
+           const std::string& label, const Change& change) {
+  const bool foreignDrag = session.isDragging() && !context.ui.panelDrag;
+  if (foreignDrag) {
+    return;
+  }
+  if (phase.changed) {
+    Result<Document> changed = change(session.atBegin());
+    if (!changed) {
+      toast(context.ui, ToastKind::warning, changed.error().line());
+    } else {
+      if (!session.isDragging()) {
+        session.begin(label);
+        context.ui.panelDrag = true;
+      }
+      session.preview(std::move(changed).value());
+    }
+  }
+  if (phase.ended && context.ui.panelDrag) {
+    session.commit();
+    context.ui.panelDrag = false;
+  }
+}
+
+} // namespace
+
 const CommandInfo* findCommand(const PanelContext& context, std::string_view id) {
   const auto found = std::find_if(context.commands.begin(), context.commands.end(),
                                   [&](const CommandInfo& c) { return c.id == id; });
@@ -29,17 +76,7 @@ void beginPanels(PanelContext& context) {
   if (!context.ui.panelDrag) {
     return;
   }
-  app::Session* session = context.session;
-  if (session == nullptr || !session->isDragging()) {
-    context.ui.panelDrag = false;
-  } else if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-    session->cancel();
-    context.ui.panelDrag = false;
-    ImGui::ClearActiveID();
-  } else if (ImGui::GetActiveID() == 0 && ImGui::GetCurrentContext()->ActiveIdPreviousFrame == 0) {
-    session->commit(); // its widget was not drawn any more when the gesture ended
-    context.ui.panelDrag = false;
-  }
+  context.ui.panelDrag = context.open.with(false, [](auto& session) { return dragGoesOn(session); });
 }
 
 void commandButton(PanelContext& context, const CommandButton& spec) {
@@ -80,27 +117,17 @@ std::string keyOf(const PanelContext& context, std::string_view commandId) {
 
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
                  const DocumentChange& change) {
-  app::Session& session = *context.session;
-  const bool foreignDrag = session.isDragging() && !context.ui.panelDrag;
-  if (foreignDrag) {
-    return;
-  }
-  if (phase.changed) {
-    const Result<app::Document> changed = change(session.atBegin());
-    if (!changed) {
-      toast(context.ui, ToastKind::warning, changed.error().line());
-    } else {
-      if (!session.isDragging()) {
-        session.begin(label);
-        context.ui.panelDrag = true;
-      }
-      session.preview(*changed);
-    }
-  }
-  if (phase.ended && context.ui.panelDrag) {
-    session.commit();
-    context.ui.panelDrag = false;
-  }
+  carry(context, *context.open.character(), phase, label, change);
+}
+
+void editSequence(PanelContext& context, const EditPhase& phase, const std::string& label,
+                  const SequenceChange& change) {
+  carry(context, *context.open.sequence(), phase, label,
+        [&](const app::SequenceDocument& start) -> Result<app::SequenceDocument> {
+          app::SequenceDocument changed = start;
+          change(changed);
+          return changed;
+        });
 }
 
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed) {
@@ -108,16 +135,16 @@ void editOnce(PanelContext& context, const std::string& label, const Result<app:
     toast(context.ui, ToastKind::warning, changed.error().line());
     return;
   }
-  if (context.session->isDragging()) {
+  if (context.open.character()->isDragging()) {
     toast(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
     return;
   }
-  context.session->edit(*changed, label);
+  context.open.character()->edit(*changed, label);
 }
 
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change) {
-  const std::vector<int> targets = app::targetTrails(*context.session);
+  const std::vector<int> targets = app::targetTrails(*context.open.character());
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const int id : targets) {
@@ -175,15 +202,15 @@ std::string nodeName(const Scene& scene, int node) {
 }
 
 bool hasCharacter(const PanelContext& context) {
-  return context.session != nullptr && context.session->document().scene != nullptr;
+  return context.open.character() != nullptr && context.open.character()->document().scene != nullptr;
 }
 
 bool hasViewedClip(const PanelContext& context) {
-  if (!hasCharacter(context) || !context.session->document().clips) {
+  if (!hasCharacter(context) || !context.open.character()->document().clips) {
     return false;
   }
-  const int clip = context.session->view().clip;
-  return clip >= 0 && clip < static_cast<int>(context.session->document().clips->size());
+  const int clip = context.open.character()->view().clip;
+  return clip >= 0 && clip < static_cast<int>(context.open.character()->document().clips->size());
 }
 
 std::string shortNumber(double value, int decimals) {

@@ -44,6 +44,11 @@ using DocumentChange = std::function<Result<app::Document>(const app::Document&)
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
                  const DocumentChange& change);
 
+/// The same for a mesh sequence.
+using SequenceChange = std::function<void(app::SequenceDocument&)>;
+void editSequence(PanelContext& context, const EditPhase& phase, const std::string& label,
+                  const SequenceChange& change);
+
 /// One finished edit; an error is told in a toast.
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed);
 

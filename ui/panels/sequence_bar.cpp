@@ -20,20 +20,20 @@ void swatch(const PanelContext& context, ImU32 colour) {
 }
 
 void meshSwitch(PanelContext& context, const char* id, const char* text, ImU32 colour) {
-  const bool coloured = context.sequence->view.colours == app::SequenceColours::plain;
+  const bool coloured = context.open.sequence()->view().colours == app::SequenceColours::plain;
   swatch(context, coloured ? colour : faded(context.theme.colours.quietText, 0.5F));
   commandButton(context, {.command = id, .text = text, .emphasis = Emphasis::quiet});
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
 void coloursChoice(PanelContext& context) {
-  app::SequenceSession& session = *context.sequence;
-  const bool hasThickness = !session.document.analysis->vertexDiameters.empty();
+  app::SequenceSession& session = *context.open.sequence();
+  const bool hasThickness = !session.document().analysis->vertexDiameters.empty();
   const std::vector<Choice> choices{
       {"Plain", {"Plain", "The original in red, the skinned result in green.", {}}},
       {"Error",
        {"Error", "How far each vertex of the result is from the original.", {}},
-       session.document.result != nullptr},
+       session.document().result != nullptr},
       {"Thickness",
        {"Thickness", "The shape diameter: how thick the body is under each vertex.", {}},
        hasThickness}};
@@ -44,10 +44,10 @@ void coloursChoice(PanelContext& context) {
   }
   ImGui::BeginChild("sequence/colours-box", {std::min(width, free), context.theme.rowHeight()});
   const int chosen =
-      segmented(widgetsOf(context), "sequence/colours", choices, static_cast<int>(session.view.colours));
+      segmented(widgetsOf(context), "sequence/colours", choices, static_cast<int>(session.view().colours));
   ImGui::EndChild();
   if (chosen >= 0) {
-    session.view.colours = static_cast<app::SequenceColours>(chosen);
+    session.view().colours = static_cast<app::SequenceColours>(chosen);
   }
 }
 

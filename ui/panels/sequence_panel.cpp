@@ -15,31 +15,53 @@ namespace stretch::ui {
 
 namespace {
 
+/// Where a row's value lies in the settings.
+template <typename Value>
+using Place = Value& (*)(skinning::CompressSettings&);
+
+/// What a row is called: before its widget, and as a step of undo.
+struct RowLabels {
+  const char* row = "";
+  const char* undo = "";
+};
+
+template <typename Value>
+Value valueAt(const PanelContext& context, Place<Value> place) {
+  skinning::CompressSettings settings = context.open.sequence()->document().settings;
+  return place(settings);
+}
+
 template <typename Enum>
-void choiceRow(PanelContext& context, const char* id, const char* label, std::vector<Choice> choices,
-               Enum& value) {
+void choiceRow(PanelContext& context, const char* id, const RowLabels& labels,
+               const std::vector<Choice>& choices, Place<Enum> place) {
   const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, label, choices[static_cast<std::size_t>(value)].help);
+  const Enum value = valueAt(context, place);
+  labelledRow(widgets, labels.row, choices[static_cast<std::size_t>(value)].help);
   const int chosen = segmented(widgets, id, choices, static_cast<int>(value));
-  value = chosen >= 0 ? static_cast<Enum>(chosen) : value;
+  if (chosen >= 0) {
+    editSequence(context, {true, true}, labels.undo, [&](app::SequenceDocument& document) {
+      place(document.settings) = static_cast<Enum>(chosen);
+    });
+  }
 }
 
 template <typename Number>
-void countRow(PanelContext& context, const SliderSpec& given, const char* label, Number& value) {
+void countRow(PanelContext& context, const SliderSpec& given, const RowLabels& labels, Place<Number> place) {
   const WidgetContext widgets = widgetsOf(context);
   SliderSpec spec = given;
   spec.step = 1.0;
   spec.decimals = 0;
-  labelledRow(widgets, label, spec.help);
-  auto number = static_cast<double>(value);
-  if (slider(widgets, spec, number).changed) {
-    value = static_cast<Number>(std::llround(number));
-  }
+  labelledRow(widgets, labels.row, spec.help);
+  auto number = static_cast<double>(valueAt(context, place));
+  const EditPhase phase = slider(widgets, spec, number);
+  editSequence(context, phase, labels.undo, [&](app::SequenceDocument& document) {
+    place(document.settings) = static_cast<Number>(std::llround(number));
+  });
 }
 
 void optionRows(PanelContext& context) {
-  app::SequenceDocument& document = context.sequence->document;
-  skinning::CompressSettings& settings = document.settings;
+  using skinning::CompressSettings;
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const bool hasLine = !document.analysis->joints.empty();
   const auto mostBones =
       static_cast<double>(std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000));
@@ -50,37 +72,41 @@ void optionRows(PanelContext& context) {
             .defaultValue = 30.0,
             .hardMaximum = mostBones,
             .help = {"Bones", "In a row along the body.", {}}},
-           "Bones", settings.bones);
+           {"Bones", "Change the bones"}, Place<int>([](CompressSettings& s) -> int& { return s.bones; }));
   choiceRow(
-      context, "sequence/stretch", "Stretch",
+      context, "sequence/stretch", {"Stretch", "Change the stretch"},
       {{"None", {"No stretch", "Bones turn; the body keeps its length and thickness.", {}}},
        {"Elastic",
         {"Elastic", "By the physical model: gravity flattens, curvature shortens. A handful of numbers.", {}},
         hasLine},
        {"Measured",
         {"Measured", "Scales fitted frame by frame: the best that bones with scales can do.", {}}}},
-      settings.stretch);
+      Place<skinning::StretchOption>(
+          [](CompressSettings& s) -> skinning::StretchOption& { return s.stretch; }));
   choiceRow(
-      context, "sequence/weights", "Weights",
+      context, "sequence/weights", {"Weights", "Change the weights"},
       {{"Geodesic", {"Geodesic", "By distance over the surface, from the first frame alone.", {}}, hasLine},
        {"Fitted", {"Fitted", "By least squares over the frames.", {}}}},
-      settings.weights);
+      Place<skinning::WeightOption>(
+          [](CompressSettings& s) -> skinning::WeightOption& { return s.weights; }));
   if (hasLine) {
     choiceRow(
-        context, "sequence/model", "Length",
+        context, "sequence/model", {"Length", "Change the length's curve"},
         {{"Line", {"The paper's line", "Length falls with curvature along a straight line.", {}}},
          {"Monotone", {"Monotone curve", "Length never grows with curvature; copes with saturation.", {}}}},
-        settings.body.lengthModel);
+        Place<skinning::LengthModel>(
+            [](CompressSettings& s) -> skinning::LengthModel& { return s.body.lengthModel; }));
   }
   countRow(context,
            {.id = "sequence/skip",
-            .maximum = std::max(1.0, app::lastFrame(*context.sequence)),
+            .maximum = std::max(1.0, app::lastFrame(*context.open.sequence())),
             .suffix = " frames",
             .defaultValue = 0.0,
             .help = {"Skip",
                      "Settling frames at the start that no fit uses. They are in the clip all the same.",
                      {}}},
-           "Skip", settings.body.firstFittedFrame);
+           {"Skip", "Skip frames"},
+           Place<std::size_t>([](CompressSettings& s) -> std::size_t& { return s.body.firstFittedFrame; }));
 }
 
 void progressRow(PanelContext& context) {
@@ -90,7 +116,7 @@ void progressRow(PanelContext& context) {
   const Control place =
       takePlace(widgets, "sequence/progress",
                 {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
-  const double share = context.sequence->job->share();
+  const double share = context.open.sequence()->compressedShare();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
   list->AddRectFilled(place.box.min,
@@ -104,12 +130,12 @@ void progressRow(PanelContext& context) {
 
 void compressRow(PanelContext& context) {
   verticalSpace(widgetsOf(context), 4.0F);
-  if (context.sequence->job != nullptr) {
+  if (context.open.sequence()->isCompressing()) {
     progressRow(context);
     return;
   }
-  const bool next =
-      context.sequence->document.result == nullptr || app::isOutdated(context.sequence->document);
+  const bool next = context.open.sequence()->document().result == nullptr ||
+                    app::isOutdated(context.open.sequence()->document());
   commandButton(context, {.command = command::sequenceCompress,
                           .icon = icon::bolt,
                           .text = "Compress",
@@ -119,7 +145,7 @@ void compressRow(PanelContext& context) {
 
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
   const double source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
@@ -133,13 +159,14 @@ void sizeRows(PanelContext& context) {
               {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}});
   if (toggle(widgets, "sequence/quantise", document.quantise ? "On" : "Off", document.quantise,
              {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}})) {
-    document.quantise = !document.quantise;
+    editSequence(context, {true, true}, "Quantise",
+                 [](app::SequenceDocument& changed) { changed.quantise = !changed.quantise; });
   }
 }
 
 void errorRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const skinning::SequenceMetrics& metrics = context.sequence->document.result->compressed.metrics;
+  const skinning::SequenceMetrics& metrics = context.open.sequence()->document().result->compressed.metrics;
   valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
            {"Root of the mean squared error",
             "Over all frames and vertices, in percent of the first frame's "
@@ -156,7 +183,7 @@ void errorRows(PanelContext& context) {
 
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument document = context.open.sequence()->document();
   if (!section(widgets, "sequence/result", "Result", context.ui.closedSections)) {
     return;
   }
@@ -183,10 +210,10 @@ void drawSequencePanel(PanelContext& context) {
   panelTitle(widgets, icon::skeleton, "Skinned clip");
   optionRows(context);
   compressRow(context);
-  if (context.sequence->document.result != nullptr) {
+  if (context.open.sequence()->document().result != nullptr) {
     resultSection(context);
   }
-  const bool hasLine = !context.sequence->document.analysis->joints.empty();
+  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
   if (hasLine && section(widgets, "sequence/elastic", "Elastic model", context.ui.closedSections)) {
     elasticModelRows(context);
   }

@@ -25,12 +25,36 @@ std::optional<double> positiveNumber(const std::string& text) {
   return read && std::isfinite(value) && value > 0.0 ? std::optional(value) : std::nullopt;
 }
 
-/// A number that may be left to the program: the text, its meaning when it is right.
-bool numberField(PanelContext& context, const std::string& id, const char* label, const std::string& hint,
-                 const Help& help, std::string& text) {
+std::string textOf(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
+/// What is typed for one value of the settings; empty text stands for what the program takes by itself.
+template <typename Value>
+struct TypedRow {
+  std::string id;
+  const char* label = "";
+  const char* undoLabel = "";
+  std::string hint;
+  Help help;
+  Value (*parse)(const std::string&) = nullptr;
+  std::string (*print)(const Value&) = nullptr;
+  Value& (*place)(skinning::BodyStretchSettings&) = nullptr;
+};
+
+/// The text stays as it is typed while it says what the settings hold; after undo or another file it is made
+/// anew.
+template <typename Value>
+void typedRow(PanelContext& context, const TypedRow<Value>& row, std::string& text) {
   const WidgetContext widgets = widgetsOf(context);
-  labelledRow(widgets, label, help);
-  return textField(widgets, id, hint, text);
+  skinning::BodyStretchSettings body = context.open.sequence()->document().settings.body;
+  if (!(row.parse(text) == row.place(body))) {
+    text = row.print(row.place(body));
+  }
+  labelledRow(widgets, row.label, row.help);
+  const EditPhase phase = editText(widgets, row.id, row.hint, text);
+  editSequence(context, phase, row.undoLabel,
+               [&](app::SequenceDocument& document) { row.place(document.settings.body) = row.parse(text); });
 }
 
 void complain(PanelContext& context, const std::string& text, bool right, const char* wanted) {
@@ -42,42 +66,65 @@ void complain(PanelContext& context, const std::string& text, bool right, const 
 /// What the program chose where nothing is typed, once it is known.
 std::string chosen(const PanelContext& context, double skinning::BodyStretch::*value, const char* unit,
                    const char* before) {
-  const auto& result = context.sequence->document.result;
+  const auto& result = context.open.sequence()->document().result;
   return result != nullptr && result->compressed.model && (*result->compressed.model).*value > 0.0
              ? fmt::format("{}: {:.4g} {}", before, (*result->compressed.model).*value, unit)
              : before;
 }
 
-void optionalRow(PanelContext& context, const std::string& id, const char* label, const std::string& hint,
-                 const Help& help, std::string& text, std::optional<double>& value) {
-  if (numberField(context, id, label, hint, help, text)) {
-    value = positiveNumber(text);
-  }
-  complain(context, text, value.has_value(), "A number above 0, such as 3770 or 5.8e-10.");
+void optionalRow(PanelContext& context, const TypedRow<std::optional<double>>& row, std::string& text) {
+  typedRow(context, row, text);
+  complain(context, text, positiveNumber(text).has_value(), "A number above 0, such as 3770 or 5.8e-10.");
 }
 
 void scaleRow(PanelContext& context) {
   std::string& text = context.ui.sequencePanel.metresPerUnit;
-  double& metres = context.sequence->document.settings.body.metresPerUnit;
-  if (numberField(context, "sequence/scale", "Scale", "1 metre per unit",
-                  {"Metres per unit", "How long a unit of the mesh is.", {}}, text)) {
-    metres = positiveNumber(text).value_or(1.0);
-  }
+  typedRow<double>(
+      context,
+      {.id = "sequence/scale",
+       .label = "Scale",
+       .undoLabel = "Change the scale",
+       .hint = "1 metre per unit",
+       .help = {"Metres per unit", "How long a unit of the mesh is.", {}},
+       .parse = [](const std::string& typed) { return positiveNumber(typed).value_or(1.0); },
+       .print = [](const double& metres) { return metres == 1.0 ? "" : textOf(metres); },
+       .place = [](skinning::BodyStretchSettings& body) -> double& { return body.metresPerUnit; }},
+      text);
   complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, such as 2.03e-6.");
 }
 
 void gravityRow(PanelContext& context) {
+  using skinning::BodyStretchSettings;
   std::string& text = context.ui.sequencePanel.gravity;
-  Vec3& gravity = context.sequence->document.settings.body.gravity;
-  if (numberField(context, "sequence/gravity", "Gravity", "0, -9.81, 0 m/s\xC2\xB2",
-                  {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}}, text)) {
-    gravity = parseThree(text).value_or(skinning::BodyStretchSettings{}.gravity);
-  }
+  typedRow<Vec3>(
+      context,
+      {.id = "sequence/gravity",
+       .label = "Gravity",
+       .undoLabel = "Change the gravity",
+       .hint = "0, -9.81, 0 m/s\xC2\xB2",
+       .help = {"Gravity", "Its direction and size in the axes of the mesh, m/s\xC2\xB2.", {}},
+       .parse =
+           [](const std::string& typed) { return parseThree(typed).value_or(BodyStretchSettings{}.gravity); },
+       .print =
+           [](const Vec3& gravity) {
+             return gravity == BodyStretchSettings{}.gravity
+                        ? std::string()
+                        : fmt::format("{}, {}, {}", gravity.x, gravity.y, gravity.z);
+           },
+       .place = [](BodyStretchSettings& body) -> Vec3& { return body.gravity; }},
+      text);
   complain(context, text, parseThree(text).has_value(), "Three numbers, such as 0, -9.81, 0.");
 }
 
-void segmentSlider(PanelContext& context, const std::string& id, const char* prefix, double most,
-                   std::size_t& value) {
+using Ranges = std::vector<skinning::SegmentModuli::Range>;
+
+void editRanges(PanelContext& context, const EditPhase& phase, const std::function<void(Ranges&)>& change) {
+  editSequence(context, phase, "Change the moduli",
+               [&](app::SequenceDocument& document) { change(document.settings.body.moduli.ranges); });
+}
+
+EditPhase segmentSlider(PanelContext& context, const std::string& id, const char* prefix, double most,
+                        std::size_t& value) {
   SliderSpec spec{.id = id,
                   .maximum = std::max(1.0, most),
                   .step = 1.0,
@@ -87,20 +134,14 @@ void segmentSlider(PanelContext& context, const std::string& id, const char* pre
                   .width = context.theme.px(64.0F)};
   spec.help = {"Segment", "Counted from 0 at the body's first end. Both ends belong to the range.", {}};
   auto number = static_cast<double>(value);
-  if (slider(widgetsOf(context), spec, number).changed) {
-    value = static_cast<std::size_t>(std::llround(number));
-  }
+  const EditPhase phase = slider(widgetsOf(context), spec, number);
+  value = static_cast<std::size_t>(std::llround(number));
   ImGui::SameLine(0.0F, context.theme.px(4.0F));
+  return phase;
 }
 
-/// One range of segments; true when it is to go.
-bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli::Range& range) {
-  const std::string id = fmt::format("sequence/moduli/{}", index);
-  const double most = static_cast<double>(context.sequence->document.settings.bones - 1);
-  segmentSlider(context, id + "/from", "", most, range.first);
-  segmentSlider(context, id + "/to", "\xE2\x80\x93 ", most, range.last);
-  range.last = std::max(range.first, range.last);
-  SliderSpec spec{.id = id + "/young",
+EditPhase modulusSlider(PanelContext& context, const std::string& id, double& youngModulus) {
+  SliderSpec spec{.id = id,
                   .minimum = 0.01,
                   .maximum = 10000.0,
                   .step = 0.01,
@@ -110,8 +151,24 @@ bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli:
                   .showsFill = false,
                   .width = ImGui::GetContentRegionAvail().x - context.theme.px(34.0F)};
   spec.help = {"Young's modulus", "Of these segments. Double click to type.", {}};
-  slider(widgetsOf(context), spec, range.youngModulus);
+  const EditPhase phase = slider(widgetsOf(context), spec, youngModulus);
   ImGui::SameLine(0.0F, context.theme.px(4.0F));
+  return phase;
+}
+
+/// One range of segments; true when it is to go.
+bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli::Range range) {
+  const std::string id = fmt::format("sequence/moduli/{}", index);
+  const auto most = static_cast<double>(context.open.sequence()->document().settings.bones - 1);
+  EditPhase phase;
+  const auto gather = [&phase](const EditPhase& part) {
+    phase = {phase.changed || part.changed, phase.ended || part.ended};
+  };
+  gather(segmentSlider(context, id + "/from", "", most, range.first));
+  gather(segmentSlider(context, id + "/to", "\xE2\x80\x93 ", most, range.last));
+  range.last = std::max(range.first, range.last);
+  gather(modulusSlider(context, id + "/young", range.youngModulus));
+  editRanges(context, phase, [&](Ranges& ranges) { ranges[index] = range; });
   ButtonSpec remove{.id = id + "/remove",
                     .icon = icon::close,
                     .emphasis = Emphasis::quiet,
@@ -122,19 +179,18 @@ bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli:
 }
 
 void addRange(PanelContext& context) {
-  const app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument& document = context.open.sequence()->document();
   skinning::SegmentModuli::Range range;
   range.last = static_cast<std::size_t>(std::max(0, std::min(4, document.settings.bones - 1)));
   const bool known = document.result != nullptr && document.result->compressed.model &&
                      document.result->compressed.model->youngModulus > 0.0;
   range.youngModulus = known ? 10.0 * document.result->compressed.model->youngModulus : 1000.0;
-  context.sequence->document.settings.body.moduli.ranges.push_back(range);
+  editRanges(context, {true, true}, [&](Ranges& ranges) { ranges.push_back(range); });
 }
 
 void moduliRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  std::vector<skinning::SegmentModuli::Range>& ranges =
-      context.sequence->document.settings.body.moduli.ranges;
+  const Ranges ranges = context.open.sequence()->document().settings.body.moduli.ranges; // rows edit it
   note(widgets,
        ranges.empty() ? "Segments: all are as stiff as the body." : "Segments with a modulus of their own");
   std::optional<std::size_t> removed;
@@ -142,7 +198,8 @@ void moduliRows(PanelContext& context) {
     removed = rangeRow(context, i, ranges[i]) ? std::optional(i) : removed;
   }
   if (removed) {
-    ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(*removed));
+    editRanges(context, {true, true},
+               [&](Ranges& kept) { kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(*removed)); });
   }
   const float width = columnWidth(3);
   ButtonSpec add{.id = "sequence/moduli/add", .icon = icon::plus, .text = "Add", .width = width};
@@ -170,15 +227,28 @@ std::optional<Vec3> parseThree(const std::string& text) {
 }
 
 void elasticModelRows(PanelContext& context) {
+  using Body = skinning::BodyStretchSettings;
   SequencePanelState& typed = context.ui.sequencePanel;
-  skinning::BodyStretchSettings& body = context.sequence->document.settings.body;
-  optionalRow(context, "sequence/young", "Young",
-              chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
-              {"Young's modulus", "Pa. Left empty, the one that explains the frames best.", {}}, typed.young,
-              body.youngModulus);
-  optionalRow(
-      context, "sequence/mass", "Mass", chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
-      {"Mass of the body", "kg. Left empty, that of water in the body's volume.", {}}, typed.mass, body.mass);
+  optionalRow(context,
+              {.id = "sequence/young",
+               .label = "Young",
+               .undoLabel = "Change Young's modulus",
+               .hint = chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
+               .help = {"Young's modulus", "Pa. Left empty, the one that explains the frames best.", {}},
+               .parse = positiveNumber,
+               .print = textOf,
+               .place = [](Body& body) -> std::optional<double>& { return body.youngModulus; }},
+              typed.young);
+  optionalRow(context,
+              {.id = "sequence/mass",
+               .label = "Mass",
+               .undoLabel = "Change the mass",
+               .hint = chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
+               .help = {"Mass of the body", "kg. Left empty, that of water in the body's volume.", {}},
+               .parse = positiveNumber,
+               .print = textOf,
+               .place = [](Body& body) -> std::optional<double>& { return body.mass; }},
+              typed.mass);
   scaleRow(context);
   gravityRow(context);
   moduliRows(context);

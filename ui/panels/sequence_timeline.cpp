@@ -14,27 +14,31 @@ constexpr float sequenceLabelWidth = 112.0F;
 
 /// The working range is what the fits use: its start is the number of settling frames that are left out.
 TimelineModel modelOf(const PanelContext& context) {
-  const app::SequenceSession& session = *context.sequence;
+  const app::SequenceSession& session = *context.open.sequence();
   const TimelineState& time = context.ui.timeline;
   TimelineModel model;
   model.clip = {0.0, app::lastFrame(session)};
   model.view = time.viewEnd > time.viewStart ? Span{time.viewStart, time.viewEnd}
                                              : Span{0.0, std::max(1.0, model.clip.end)};
-  model.playhead = session.view.frame;
-  const auto skip = static_cast<double>(session.document.settings.body.firstFittedFrame);
+  model.playhead = session.view().frame;
+  const auto skip = static_cast<double>(session.document().settings.body.firstFittedFrame);
   model.range = {std::min(skip, model.clip.end), model.clip.end};
   model.snap = true;
   return model;
 }
 
 void apply(PanelContext& context, const TimelineOutcome& outcome) {
-  app::SequenceSession& session = *context.sequence;
+  app::SequenceSession& session = *context.open.sequence();
   if (outcome.playheadMoved) {
-    session.view.frame = outcome.playhead;
+    session.view().frame = outcome.playhead;
   }
   if (outcome.rangeChanged) {
     const double first = std::clamp(std::round(outcome.range.start), 0.0, app::lastFrame(session));
-    session.document.settings.body.firstFittedFrame = static_cast<std::size_t>(first);
+    editSequence(context, {true, outcome.gestureEnded}, "Skip frames", [&](app::SequenceDocument& document) {
+      document.settings.body.firstFittedFrame = static_cast<std::size_t>(first);
+    });
+  } else if (outcome.gestureEnded) {
+    editSequence(context, {false, true}, "Skip frames", [](app::SequenceDocument&) {});
   }
   if (outcome.viewChanged) {
     context.ui.timeline.viewStart = outcome.view.start;

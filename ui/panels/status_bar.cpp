@@ -42,7 +42,7 @@ std::string selectionText(const app::Session& session) {
 }
 
 void selectionPart(PanelContext& context) {
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   if (context.ui.modalText.empty()) { // which names its limb itself
     statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
                {"What is selected", "", {}});
@@ -67,7 +67,7 @@ void addHint(const PanelContext& context, std::vector<KeyHint>& hints, const cha
 /// What the keys do outside of tools: the next steps with what is selected, from the real keys.
 std::vector<KeyHint> usualHints(const PanelContext& context) {
   std::vector<KeyHint> hints;
-  if (context.sequence != nullptr) {
+  if (context.open.sequence() != nullptr) {
     addHint(context, hints, command::sequenceCompress, "compress");
     addHint(context, hints, command::fileExportClean, "export");
     addHint(context, hints, command::timePlay, "play");
@@ -79,7 +79,7 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
     addHint(context, hints, command::palette, "all commands");
     return hints;
   }
-  const app::Session& session = *context.session;
+  const app::Session& session = *context.open.character();
   const bool limbChosen = !session.view().selectedLimbs.empty();
   if (!limbChosen) {
     const std::string first = keyOf(context, command::selectLeftArm);
@@ -154,10 +154,10 @@ void busyPart(PanelContext& context) {
 }
 
 void sequencePart(PanelContext& context) {
-  const app::SequenceSession& session = *context.sequence;
+  const app::SequenceSession& session = *context.open.sequence();
   statusText(context, "status/selection",
-             session.document.mesh->name + ", frame " + std::to_string(app::shownFrame(session)) + " of " +
-                 std::to_string(session.document.mesh->frameCount()),
+             session.document().mesh->name + ", frame " + std::to_string(app::shownFrame(session)) + " of " +
+                 std::to_string(session.document().mesh->frameCount()),
              context.theme.colours.text, {"What is shown", "", {}});
 }
 
@@ -169,7 +169,7 @@ void drawStatusBar(PanelContext& context) {
     statusText(context, "status/modal", context.ui.modalText, context.theme.colours.accent,
                {"What is being done", "Enter keeps it, Esc restores.", {}});
   }
-  if (context.sequence != nullptr) {
+  if (context.open.sequence() != nullptr) {
     sequencePart(context);
   } else if (hasCharacter(context)) {
     selectionPart(context);

@@ -41,7 +41,7 @@ void moveRange(rig::TrailSettings& settings, const Span& span) {
 }
 
 void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   if (outcome.clickedBar != 0) {
     app::selectTrail(session, outcome.clickedBar);
   }
@@ -81,7 +81,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
                                            context.theme.px(labelWidth), height);
   ImGui::EndChild();
-  applyRange(*context.session, outcome);
+  applyRange(*context.open.character(), outcome);
   applyBars(context, outcome);
   applyView(context, outcome);
 }

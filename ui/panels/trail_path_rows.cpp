@@ -29,7 +29,7 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
                                   [&](const rig::SphereOffset& s) { return app::sameFrame(s.frame, frame); });
   rig::SphereOffset sphere =
       found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
-  const double reach = context.session->document().biped.height * 2.0;
+  const double reach = context.open.character()->document().biped.height * 2.0;
   labelledRow(widgets, "Offset",
               {"Offset of the sphere at frame " + shortNumber(frame),
                "How far the path is pulled there, along the axes of the trail's space.",
@@ -63,12 +63,12 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
 void releaseRows(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
   const TrailSettings& settings = trail.settings;
-  const double rate = app::clipOf(context.session->document(), trail.clip).framesPerSecond;
-  const double last = std::max(1.0, app::lastFrame(context.session->document(), trail.clip));
+  const double rate = app::clipOf(context.open.character()->document(), trail.clip).framesPerSecond;
+  const double last = std::max(1.0, app::lastFrame(context.open.character()->document(), trail.clip));
   labelledRow(widgets, "Release", settingHelp("release", "Release"));
   const bool automatic = !settings.releaseFrames.has_value();
-  double frames =
-      settings.releaseFrames.value_or(releaseFrames(app::solvedTrail(*context.session, trail.id), rate));
+  double frames = settings.releaseFrames.value_or(
+      releaseFrames(app::solvedTrail(*context.open.character(), trail.id), rate));
   const float autoWidth = context.theme.px(52.0F);
   SliderSpec spec{.id = "trail/release", .maximum = last, .step = 1.0, .decimals = 0, .suffix = " frames"};
   spec.width = ImGui::GetContentRegionAvail().x - autoWidth - ImGui::GetStyle().ItemSpacing.x;
@@ -97,7 +97,7 @@ void releaseRows(PanelContext& context, const rig::Trail& trail) {
 
 void sphereRows(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const rig::SolvedTrail* solved = app::solvedTrail(session, trail.id);
   const std::size_t count = solved != nullptr ? solved->controlFrames.size() : 0;
   labelledRow(widgets, "Spheres",

@@ -18,7 +18,7 @@ namespace stretch::ui {
 namespace {
 
 void jumps(PanelContext& context) {
-  const bool hasKeys = context.sequence == nullptr;
+  const bool hasKeys = context.open.sequence() == nullptr;
   iconButton(context, command::timeStart, icon::toStart, "|<");
   if (hasKeys) {
     iconButton(context, command::timePreviousKey, icon::previousKey, "<k");
@@ -82,17 +82,17 @@ void speedChooser(PanelContext& context) {
 }
 
 std::string rangeText(const PanelContext& context) {
-  if (context.sequence != nullptr) {
-    const MeshSequence& mesh = *context.sequence->document.mesh;
-    const std::size_t frame = app::shownFrame(*context.sequence);
+  if (context.open.sequence() != nullptr) {
+    const MeshSequence& mesh = *context.open.sequence()->document().mesh;
+    const std::size_t frame = app::shownFrame(*context.open.sequence());
     return frame < mesh.frameNames.size() ? mesh.frameNames[frame] : std::string();
   }
-  const Span range = shownRange(*context.session);
+  const Span range = shownRange(*context.open.character());
   return "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" + shortNumber(range.end, 1);
 }
 
 Help rangeHelp(const PanelContext& context) {
-  if (context.sequence != nullptr) {
+  if (context.open.sequence() != nullptr) {
     return {
         "Frame, time and rate", "Mesh sequences carry no rate of their own unless their file says one.", {}};
   }
@@ -115,11 +115,11 @@ void timeText(PanelContext& context, const ShownTime& time) {
 } // namespace
 
 ShownTime shownTime(PanelContext& context) {
-  if (context.sequence != nullptr) {
-    return {&context.sequence->view.frame, app::lastFrame(*context.sequence),
-            context.sequence->document.mesh->framesPerSecond};
+  if (context.open.sequence() != nullptr) {
+    return {&context.open.sequence()->view().frame, app::lastFrame(*context.open.sequence()),
+            context.open.sequence()->document().mesh->framesPerSecond};
   }
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const app::Document& document = session.document();
   const int clip = session.view().clip;
   return {&session.view().frame, app::lastFrame(document, clip), app::clipOf(document, clip).framesPerSecond};
@@ -131,7 +131,7 @@ void drawTransport(PanelContext& context) {
   loopSwitch(context);
   frameField(context, time);
   speedChooser(context);
-  if (context.session != nullptr && context.session->document().clips->size() > 1) {
+  if (context.open.character() != nullptr && context.open.character()->document().clips->size() > 1) {
     clipChooser(context, "timeline/clip", context.theme.px(150.0F));
     ImGui::SameLine(0.0F, context.theme.unit());
   }

@@ -36,8 +36,8 @@ Help helpOf(const std::string& setting, const std::string& title) {
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
                 const Change& change) {
-  const int clip = context.session->view().clip;
-  const std::vector<std::string> limbs = app::targetLimbs(*context.session);
+  const int clip = context.open.character()->view().clip;
+  const std::vector<std::string> limbs = app::targetLimbs(*context.open.character());
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const std::string& limb : limbs) {
@@ -177,7 +177,7 @@ void setBoneModulus(std::size_t bone, std::optional<double> young, WeightSetting
 
 void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::Document& document = context.session->document();
+  const app::Document& document = context.open.character()->document();
   const rig::Limb* const limb = app::findLimb(document, entry.limb);
   if (limb == nullptr) {
     return;
@@ -200,7 +200,8 @@ void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
 
 void rangeRow(PanelContext& context, const WeightSettings& settings) {
   const WidgetContext widgets = widgetsOf(context);
-  const double last = app::lastFrame(context.session->document(), context.session->view().clip);
+  const double last =
+      app::lastFrame(context.open.character()->document(), context.open.character()->view().clip);
   const Help help{"Range", "First and last frame with weight; inside the clip it fades in and out.", {}};
   labelledRow(widgets, "Range", help);
   const Vec2 range = settings.rangeFrames.value_or(Vec2(0.0, last));
@@ -231,7 +232,7 @@ void rangeRow(PanelContext& context, const WeightSettings& settings) {
 }
 
 const app::WeightReport* reportOf(PanelContext& context, const std::string& limbId) {
-  const std::vector<app::WeightReport>& reports = context.session->weightReports();
+  const std::vector<app::WeightReport>& reports = context.open.character()->weightReports();
   const auto found = std::find_if(reports.begin(), reports.end(),
                                   [&](const app::WeightReport& report) { return report.limb == limbId; });
   return found == reports.end() ? nullptr : &*found;
@@ -285,7 +286,7 @@ void weightSection(PanelContext& context, const std::string& limbId) {
     return;
   }
   const WeightedLimb* const present =
-      app::findWeight(context.session->document(), limbId, context.session->view().clip);
+      app::findWeight(context.open.character()->document(), limbId, context.open.character()->view().clip);
   const bool on = present != nullptr && present->on;
   const Help help{"Weight",
                   "The limb sags, squashes when it lands and stretches when it swings, by its own load. "

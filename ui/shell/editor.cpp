@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 #include <imgui.h>
 
@@ -15,7 +14,6 @@
 #include "ui/shell/gui.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/questions.h"
-#include "ui/shell/script.h"
 #include "ui/shell/shell_commands.h"
 #include "ui/viewport/viewport_pane.h"
 
@@ -32,7 +30,7 @@ struct Editor {
   Gui gui;
   std::unique_ptr<ViewportGpu> gpu;
   Shell shell;
-  std::optional<Script> script;
+  EditorHand* hand = nullptr;
   float scaleOption = 0.0F;
   double liveUntil = 0.0;
 };
@@ -40,26 +38,6 @@ struct Editor {
 int failWith(const Error& error) {
   std::fprintf(stderr, "stretch-engine: %s\n", error.line().c_str());
   return 1;
-}
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
-
-EditorOptions withEnvironment(EditorOptions options) {
-  if (options.script.empty()) {
-    options.script = environment("STRETCH_UI_SCRIPT");
-  }
-  if (options.scale <= 0.0F) {
-    options.scale = std::strtof(environment("STRETCH_UI_SCALE").c_str(), nullptr);
-  }
-  const std::string size = environment("STRETCH_UI_SIZE");
-  if (options.width <= 0 && size.find('x') != std::string::npos) {
-    options.width = std::atoi(size.c_str());
-    options.height = std::atoi(size.c_str() + size.find('x') + 1);
-  }
-  return options;
 }
 
 void readUserFiles(Shell& shell) {
@@ -161,7 +139,7 @@ void keepToolOnPress(Shell& shell) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    finishTool(*shell.session, shell.tool, true);
+    finishTool(*shell.open.character(), shell.tool, true);
     describeTool(shell.tool, shell.ui);
   }
 }
@@ -234,8 +212,7 @@ Rect drawOverlayBar(PanelContext& context, const PanelSet& panels, const Rect& r
 void drawEverything(Editor& editor) {
   Shell& shell = editor.shell;
   const WindowSize size = editor.window.size();
-  PanelContext context{shell.session.get(), shell.ui,    shell.theme,         shell.commandInfos,
-                       shell.requested,     shell.items, shell.sequence.get()};
+  PanelContext context{shell.open, shell.ui, shell.theme, shell.commandInfos, shell.requested, shell.items};
   const PanelSet panels = panelSetOf(context);
   beginPanels(context);
   const float menuHeight = drawMenu(context);
@@ -261,7 +238,8 @@ void runRequested(Shell& shell) {
 
 /// Work goes on beside the window.
 bool isBusy(const Shell& shell) {
-  return shell.files.loading.valid() || (shell.sequence != nullptr && shell.sequence->job != nullptr);
+  return shell.files.loading.valid() ||
+         (shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing());
 }
 
 /// What happens without a picture: files, keys, time. Answers whether something may look different.
@@ -274,7 +252,7 @@ bool update(Editor& editor) {
   takeAnswers(editor);
   takeKeys(editor);
   const bool happened = input.anything || wasLoading || shell.ui.timeline.playing ||
-                        !shell.ui.toasts.empty() || isRunning(shell.tool) || editor.script.has_value();
+                        !shell.ui.toasts.empty() || isRunning(shell.tool) || editor.hand != nullptr;
   input.clear();
   editor.liveUntil = happened ? now + liveSeconds : editor.liveUntil;
   return now < editor.liveUntil;
@@ -286,7 +264,7 @@ void drawFrame(Editor& editor) {
   updateTheme(editor);
   describeTool(shell.tool, shell.ui);
   describeCommands(shell);
-  editor.gui.beginFrame(editor.script ? &editor.script->mouse() : nullptr);
+  editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
@@ -295,44 +273,40 @@ void drawFrame(Editor& editor) {
   editor.window.input().guiTakesKeys = widgetsTakeKeys(shell);
   editor.window.setTitle(windowTitle(shell));
   editor.gui.endFrame(shell.theme, editor.window.size());
-  if (editor.script) {
-    editor.script->afterFrame(shell, editor.window.size());
+  if (editor.hand != nullptr) {
+    editor.hand->afterFrame(shell, editor.window.size());
   }
   releaseTappedKeys(editor.window.input(), editor.window.handle());
   editor.window.present();
-  if (editor.gpu->drewPicture && !editor.script) {
+  if (editor.gpu->drewPicture && editor.hand == nullptr) {
     editor.gpu->governor.frameTook(clockSeconds() - began);
   }
 }
 
 double waitingTime(const Editor& editor) {
-  if (editor.script || clockSeconds() < editor.liveUntil) {
+  if (editor.hand != nullptr || clockSeconds() < editor.liveUntil) {
     return 0.0;
   }
   return isBusy(editor.shell) ? 0.03 : 0.5;
 }
 
-int runLoop(Editor& editor) {
+void runLoop(Editor& editor) {
   Shell& shell = editor.shell;
   while (!shell.quit) {
     waitForEvents(waitingTime(editor));
-    if (editor.script && !editor.script->beforeFrame(shell, editor.window)) {
+    if (editor.hand != nullptr && !editor.hand->beforeFrame(shell, editor.window)) {
       break;
     }
     if (update(editor)) {
       drawFrame(editor);
     }
   }
-  if (editor.script && editor.script->abandoned()) {
-    return 0;
+  if (editor.hand != nullptr && editor.hand->abandons()) {
+    return;
   }
   rememberWindow(editor);
   saveUserFiles(editor);
   closeFile(shell);
-  if (editor.script && !editor.script->failure().empty()) {
-    return failWith({editor.script->failure(), "script", ""});
-  }
-  return 0;
 }
 
 Result<Editor> openEditor(const EditorOptions& options) {
@@ -357,7 +331,7 @@ Result<Editor> openEditor(const EditorOptions& options) {
                 std::move(gui).value(),
                 std::move(gpu).value(),
                 std::move(shell),
-                {},
+                options.hand,
                 options.scale,
                 0.0};
 }
@@ -372,18 +346,12 @@ void tellProblem(Shell& shell, const Status& status) {
   tellProblem(shell.ui, status);
 }
 
-int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& given) {
-  const EditorOptions options = withEnvironment(given);
+int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& options) {
   Result<Editor> editor = openEditor(options);
   if (!editor) {
     return failWith(editor.error());
   }
-  if (!options.script.empty()) {
-    Result<Script> script = Script::read(options.script);
-    if (!script) {
-      return failWith(script.error());
-    }
-    editor->script = std::move(script).value();
+  if (options.hand != nullptr) {
     editor->shell.ui.navigationChoiceOpen = false;
   }
   if (!files.empty()) {
@@ -391,7 +359,8 @@ int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptio
   } else {
     offerAutosave(editor->shell, {});
   }
-  return runLoop(*editor);
+  runLoop(*editor);
+  return 0;
 }
 
 } // namespace stretch::ui

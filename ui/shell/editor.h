@@ -3,20 +3,38 @@
 #include <filesystem>
 #include <vector>
 
+#include "ui/shell/shell.h"
+#include "ui/shell/window.h"
+
 namespace stretch::ui {
+
+struct DrivenMouse;
+
+/// Stands in for the user's hand: feeds input before a frame and looks at what was drawn after it.
+class EditorHand {
+public:
+  virtual ~EditorHand() = default;
+
+  /// Before a frame: may feed the window's input queue. False: the editor is to end.
+  virtual bool beforeFrame(Shell& shell, Window& window) = 0;
+  /// After a frame was drawn and before it is shown.
+  virtual void afterFrame(Shell& shell, const WindowSize& size) = 0;
+  /// Replaces the window's mouse.
+  [[nodiscard]] virtual const DrivenMouse& mouse() const = 0;
+  /// The editor is to end as a crash would: nothing is closed or written.
+  [[nodiscard]] virtual bool abandons() const = 0;
+};
 
 struct EditorOptions {
   float scale = 0.0F; ///< Everything this many times as large, in place of the screen's and the user's scale;
                       ///< 0: theirs.
   int width = 0;      ///< Of the window; 0: as it was left.
   int height = 0;
-  std::filesystem::path script; ///< Runs the editor by itself: see ui/shell/script.h. Empty: a user does.
+  EditorHand* hand = nullptr; ///< Null: a user's.
 };
 
 /// Opens the editor, on a file or mesh sequence unless there is none, and returns when the user leaves: 0, or
-/// 1 with one line on standard error when there is no display, no OpenGL 3.3, or a script failed. The
-/// environment's STRETCH_UI_SCRIPT, STRETCH_UI_SCALE and STRETCH_UI_SIZE ("1280x720") stand in for options
-/// that are not given.
+/// 1 with one line on standard error when there is no display or no OpenGL 3.3.
 int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptions& options = {});
 
 } // namespace stretch::ui

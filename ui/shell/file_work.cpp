@@ -55,36 +55,34 @@ void startLoading(Shell& shell, const std::vector<fs::path>& paths, std::optiona
 
 void showNewFile(Shell& shell, const fs::path& path) {
   ViewportState& viewport = shell.viewport;
-  const app::Document& document = shell.session->document();
+  const app::Document& document = shell.open.character()->document();
   viewport.shown = {};
   viewport.facingYawRadians = facingYaw(document, 0);
   viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, viewport.facingYawRadians);
   viewport.framePending = true;
   if (const auto text = readText(viewPath(path))) {
-    readView(*text, document, shell.session->view(), viewport.camera);
+    readView(*text, document, shell.open.character()->view(), viewport.camera);
     viewport.framePending = false;
   }
 }
 
 void takeRestored(Shell& shell, app::Document document) {
-  shell.session->edit(std::move(document), "Restore unsaved work");
+  shell.open.character()->edit(std::move(document), "Restore unsaved work");
   tell(shell, ToastKind::success, "The unsaved work is back");
 }
 
-void takeSequence(Shell& shell, app::SequenceDocument document) {
-  shell.files.path = app::pathOf(document);
+void takeSequence(Shell& shell) {
+  shell.files.path = app::pathOf(shell.open.sequence()->document());
   shell.files.stampedPath.clear(); // Nothing is saved over a sequence: changes by others do not matter.
   shell.files.stamp.reset();
   rememberRecent(shell.ui, shell.files.path);
-  showSequence(shell, std::move(document));
+  showSequence(shell);
 }
 
-void takeDocument(Shell& shell, app::Document document) {
+void takeDocument(Shell& shell) {
   FileWork& files = shell.files;
   const std::optional<fs::path> restoreFrom = std::exchange(files.restoreFrom, std::nullopt);
-  const std::vector<std::string> warnings = document.warnings;
-  shell.sequence.reset();
-  shell.session = std::make_unique<app::Session>(std::move(document));
+  const std::vector<std::string> warnings = shell.open.character()->document().warnings;
   files.path = files.loadingPaths.back();
   stampFile(files, files.path);
   rememberRecent(shell.ui, files.path);
@@ -95,7 +93,7 @@ void takeDocument(Shell& shell, app::Document document) {
                               : fmt::format("{} (and {} more)", warnings.front(), warnings.size() - 1));
   }
   if (restoreFrom) {
-    Result<app::Document> restored = withAutosave(shell.session->document(), *restoreFrom);
+    Result<app::Document> restored = withAutosave(shell.open.character()->document(), *restoreFrom);
     removeAutosave(*restoreFrom);
     if (restored) {
       takeRestored(shell, std::move(restored).value());
@@ -117,17 +115,18 @@ void takeLoaded(Shell& shell) {
     return;
   }
   closeFile(shell);
-  if (auto* document = std::get_if<app::Document>(&loaded.value())) {
-    takeDocument(shell, std::move(*document));
+  shell.open.open(std::move(loaded).value());
+  if (shell.open.character() != nullptr) {
+    takeDocument(shell);
   } else {
-    takeSequence(shell, std::get<app::SequenceDocument>(std::move(loaded).value()));
+    takeSequence(shell);
   }
 }
 
 void saved(Shell& shell, const fs::path& path, bool clean) {
   tell(shell, ToastKind::success,
        fmt::format("{} {}", clean ? "Exported" : "Saved", path.filename().string()));
-  if (const std::size_t waiting = app::unappliedTrails(shell.session->document()); waiting > 0) {
+  if (const std::size_t waiting = app::unappliedTrails(shell.open.character()->document()); waiting > 0) {
     tell(shell, ToastKind::warning,
          fmt::format("{} {} not applied: other programs play the file without {}. Enter applies the selected "
                      "one.",
@@ -169,11 +168,11 @@ void answerUnsaved(Shell& shell, UnsavedChoice choice) {
 }
 
 void answerFile(Shell& shell, const FileChoice& choice) {
-  if (shell.sequence != nullptr && choice.purpose != FilePurpose::openModel) {
+  if (shell.open.sequence() != nullptr && choice.purpose != FilePurpose::openModel) {
     answerSequenceFile(shell, choice);
     return;
   }
-  if (shell.session == nullptr && choice.purpose != FilePurpose::openModel) {
+  if (shell.open.character() == nullptr && choice.purpose != FilePurpose::openModel) {
     return;
   }
   switch (choice.purpose) {
@@ -206,8 +205,8 @@ void answerRestore(Shell& shell, bool restore) {
   shell.ui.restoreOffer.clear();
   if (!restore) {
     removeAutosave(autosave);
-  } else if (shell.session != nullptr && source == shell.files.path) {
-    Result<app::Document> restored = withAutosave(shell.session->document(), autosave);
+  } else if (shell.open.character() != nullptr && source == shell.files.path) {
+    Result<app::Document> restored = withAutosave(shell.open.character()->document(), autosave);
     removeAutosave(autosave);
     if (restored) {
       takeRestored(shell, std::move(restored).value());
@@ -244,10 +243,10 @@ std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
 /// Writes unsaved work aside, a few seconds after the last change.
 void autosave(Shell& shell, double nowSeconds) {
   FileWork& files = shell.files;
-  if (shell.session == nullptr || shell.session->isDragging()) {
+  if (shell.open.character() == nullptr || shell.open.character()->isDragging()) {
     return;
   }
-  const app::Document& document = shell.session->document();
+  const app::Document& document = shell.open.character()->document();
   if (!hasUnsavedWork(shell)) {
     if (files.hasAutosave) {
       removeAutosave(autosavePath(files.path));
@@ -280,7 +279,7 @@ void tellForeignChange(Shell& shell) {
 } // namespace
 
 bool hasUnsavedWork(const Shell& shell) {
-  return shell.session != nullptr && !shell.session->history().isSaved();
+  return shell.open.character() != nullptr && !shell.open.character()->history().isSaved();
 }
 
 void openFile(Shell& shell, const std::vector<fs::path>& paths) {
@@ -292,17 +291,20 @@ void openFile(Shell& shell, const std::vector<fs::path>& paths) {
   startLoading(shell, paths, std::nullopt);
 }
 
-void askForFile(Shell& shell, FilePurpose purpose) {
+void askForFile(Shell& shell, FilePurpose given) {
+  const bool whole = given == FilePurpose::saveModel || given == FilePurpose::exportClean;
+  const FilePurpose purpose = shell.open.sequence() != nullptr && whole ? FilePurpose::exportSequence : given;
   FileDialogState& dialog = shell.ui.fileDialog;
   dialog = {};
   dialog.open = true;
   dialog.purpose = purpose;
   const bool saving = isSaving(purpose);
   std::error_code ignored;
-  const fs::path near = shell.session != nullptr ? shell.session->proposedSavePath() : shell.files.path;
+  const fs::path near =
+      shell.open.character() != nullptr ? shell.open.character()->proposedSavePath() : shell.files.path;
   dialog.folder =
       near.has_parent_path() ? fs::absolute(near.parent_path(), ignored) : fs::current_path(ignored);
-  if (saving && shell.session != nullptr) {
+  if (saving && shell.open.character() != nullptr) {
     fs::path proposed = near.filename();
     if (purpose == FilePurpose::exportClean) {
       proposed = near.stem().string() + "-clean.glb";
@@ -311,17 +313,21 @@ void askForFile(Shell& shell, FilePurpose purpose) {
     }
     dialog.typed = proposed.string();
   }
-  if (shell.sequence != nullptr && saving) {
-    const std::string name = shell.sequence->document.mesh->name;
+  if (shell.open.sequence() != nullptr && saving) {
+    const std::string name = shell.open.sequence()->document().mesh->name;
     dialog.typed = name + (purpose == FilePurpose::saveModuli ? "-moduli.json" : ".glb");
   }
 }
 
 void saveFile(Shell& shell) {
-  if (shell.session == nullptr) {
+  if (shell.open.sequence() != nullptr) {
+    askForFile(shell, FilePurpose::exportSequence);
     return;
   }
-  const fs::path path = shell.session->savePath();
+  if (shell.open.character() == nullptr) {
+    return;
+  }
+  const fs::path path = shell.open.character()->savePath();
   if (path.empty()) {
     askForFile(shell, FilePurpose::saveModel);
   } else if (changedByOthers(shell.files, path) && shell.files.changedSavePath.empty()) {
@@ -332,11 +338,11 @@ void saveFile(Shell& shell) {
 }
 
 void saveFileAs(Shell& shell, const fs::path& path, bool clean) {
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     return;
   }
   shell.files.changedSavePath.clear();
-  const Status done = shell.session->save(path, clean);
+  const Status done = shell.open.character()->save(path, clean);
   if (!done) {
     tellProblem(shell, done);
     shell.files.afterUnsaved = AfterUnsaved::nothing;
@@ -367,8 +373,8 @@ fs::path nextIncrement(const fs::path& path) {
 }
 
 void saveIncremental(Shell& shell) {
-  if (shell.session != nullptr) {
-    saveFileAs(shell, nextIncrement(shell.session->proposedSavePath()), false);
+  if (shell.open.character() != nullptr) {
+    saveFileAs(shell, nextIncrement(shell.open.character()->proposedSavePath()), false);
   }
 }
 
@@ -411,14 +417,14 @@ void offerAutosave(Shell& shell, const fs::path& file) {
 
 void closeFile(Shell& shell) {
   FileWork& files = shell.files;
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     return;
   }
-  finishTool(*shell.session, shell.tool, false);
-  const std::string view = viewText(shell.session->view(), shell.viewport.camera);
+  finishTool(*shell.open.character(), shell.tool, false);
+  const std::string view = viewText(shell.open.character()->view(), shell.viewport.camera);
   tellProblem(shell, writeText(viewPath(files.path), view));
-  if (!shell.session->savePath().empty() && shell.session->savePath() != files.path) {
-    tellProblem(shell, writeText(viewPath(shell.session->savePath()), view));
+  if (!shell.open.character()->savePath().empty() && shell.open.character()->savePath() != files.path) {
+    tellProblem(shell, writeText(viewPath(shell.open.character()->savePath()), view));
   }
   if (files.hasAutosave) {
     removeAutosave(autosavePath(files.path));
@@ -428,13 +434,14 @@ void closeFile(Shell& shell) {
 }
 
 std::string windowTitle(const Shell& shell) {
-  if (shell.sequence != nullptr) {
+  if (shell.open.sequence() != nullptr) {
     return nameOf(shell.files.path) + " \xE2\x80\x93 Stretch-Engine";
   }
-  if (shell.session == nullptr) {
+  if (shell.open.character() == nullptr) {
     return "Stretch-Engine";
   }
-  const fs::path& path = shell.session->savePath().empty() ? shell.files.path : shell.session->savePath();
+  const fs::path& path =
+      shell.open.character()->savePath().empty() ? shell.files.path : shell.open.character()->savePath();
   return (hasUnsavedWork(shell) ? "\xE2\x97\x8F " : "") + path.filename().string() +
          " \xE2\x80\x93 Stretch-Engine";
 }

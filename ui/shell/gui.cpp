@@ -47,7 +47,7 @@ Theme Gui::setTheme(ThemeKind kind, float scale) {
   return theme;
 }
 
-void Gui::beginFrame(const ScriptedMouse* mouse) {
+void Gui::beginFrame(const DrivenMouse* mouse) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   if (mouse != nullptr) {

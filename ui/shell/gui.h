@@ -6,8 +6,8 @@
 
 namespace stretch::ui {
 
-/// Where the mouse is and what it holds, when a script moves it instead of a hand.
-struct ScriptedMouse {
+/// Where the mouse is and what it holds, when something else moves it than a hand.
+struct DrivenMouse {
   float x = 0.0F; ///< Window units.
   float y = 0.0F;
   bool buttons[3] = {false, false, false}; ///< Left, right, middle.
@@ -27,7 +27,7 @@ public:
 
   /// `mouse` replaces the window's mouse, and time then runs in steps of a sixtieth of a second; null for a
   /// user.
-  void beginFrame(const ScriptedMouse* mouse);
+  void beginFrame(const DrivenMouse* mouse);
   /// Draws the widgets into the window.
   void endFrame(const Theme& theme, const WindowSize& size);
 

@@ -28,12 +28,12 @@ void play(Shell& shell, double secondsPassed) {
   if (!time.playing) {
     return;
   }
-  if (shell.sequence != nullptr) {
-    time.playing = advance(time, shell.sequence->view.frame, app::lastFrame(*shell.sequence),
-                           shell.sequence->document.mesh->framesPerSecond, secondsPassed);
-  } else if (shell.session != nullptr) {
-    const app::Document& document = shell.session->document();
-    app::ViewState& view = shell.session->view();
+  if (shell.open.sequence() != nullptr) {
+    time.playing = advance(time, shell.open.sequence()->view().frame, app::lastFrame(*shell.open.sequence()),
+                           shell.open.sequence()->document().mesh->framesPerSecond, secondsPassed);
+  } else if (shell.open.character() != nullptr) {
+    const app::Document& document = shell.open.character()->document();
+    app::ViewState& view = shell.open.character()->view();
     time.playing =
         advance(time, view.frame, app::lastFrame(document, view.clip),
                 app::hasClip(document, view.clip) ? app::clipOf(document, view.clip).framesPerSecond : 0.0,

@@ -9,7 +9,8 @@
 namespace stretch::ui {
 
 void saveRecipeFile(Shell& shell, const std::filesystem::path& path) {
-  const gltf::Json json = app::recipeToJson(shell.session->document(), shell.session->view().clip);
+  const gltf::Json json =
+      app::recipeToJson(shell.open.character()->document(), shell.open.character()->view().clip);
   const Status done = writeText(path, json.dump(2, ' ', false, gltf::Json::error_handler_t::replace) + "\n");
   tellProblem(shell, done);
   if (done) {
@@ -18,7 +19,7 @@ void saveRecipeFile(Shell& shell, const std::filesystem::path& path) {
 }
 
 void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
-  app::Document document = shell.session->document();
+  app::Document document = shell.open.character()->document();
   const Result<app::Recipe> recipe = app::loadRecipe(path, document);
   if (!recipe) {
     tell(shell, ToastKind::error, recipe.error().line());
@@ -29,8 +30,8 @@ void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::error, changed.error().line());
     return;
   }
-  shell.session->edit(std::move(changed).value(), "Replay a recipe");
-  shell.session->view().clip = recipe->clip;
+  shell.open.character()->edit(std::move(changed).value(), "Replay a recipe");
+  shell.open.character()->view().clip = recipe->clip;
   tell(shell, ToastKind::success, fmt::format("{} trails from the recipe", recipe->trails.size()));
 }
 

@@ -14,43 +14,8 @@ namespace stretch::ui {
 
 namespace {
 
-bool alwaysEnabled(const app::SequenceSession& /*session*/) {
-  return true;
-}
-bool hasResult(const app::SequenceSession& session) {
-  return session.document.result != nullptr;
-}
 bool hasSequence(const Shell& shell) {
-  return shell.sequence != nullptr;
-}
-
-Status goTo(Shell& shell, double frame) {
-  shell.sequence->view.frame = std::clamp(frame, 0.0, app::lastFrame(*shell.sequence));
-  return Success{};
-}
-
-Status askForExport(Shell& shell) {
-  askForFile(shell, FilePurpose::exportSequence);
-  return Success{};
-}
-
-Status switchOriginal(Shell& shell) {
-  shell.sequence->view.showOriginal = !shell.sequence->view.showOriginal;
-  return Success{};
-}
-
-Status switchSkinned(Shell& shell) {
-  shell.sequence->view.showSkinned = !shell.sequence->view.showSkinned;
-  return Success{};
-}
-
-Status compressNow(Shell& shell) {
-  return app::startCompression(*shell.sequence);
-}
-
-Status cancelCompression(Shell& shell) {
-  shell.sequence->job->cancel();
-  return Success{};
+  return shell.open.sequence() != nullptr;
 }
 
 Status ask(Shell& shell, FilePurpose purpose) {
@@ -59,7 +24,7 @@ Status ask(Shell& shell, FilePurpose purpose) {
 }
 
 void exportTo(Shell& shell, const std::filesystem::path& path) {
-  const Status done = app::exportResult(shell.sequence->document, path);
+  const Status done = app::exportResult(shell.open.sequence()->document(), path);
   if (done) {
     tell(shell, ToastKind::success, "Exported " + path.filename().string());
   }
@@ -77,17 +42,17 @@ void loadModuli(Shell& shell, const std::filesystem::path& path) {
     tell(shell, ToastKind::error, path.filename().string() + ": " + moduli.error().line());
     return;
   }
-  skinning::BodyStretchSettings& body = shell.sequence->document.settings.body;
+  app::SequenceSession& session = *shell.open.sequence();
+  app::SequenceDocument changed = session.document();
+  skinning::BodyStretchSettings& body = changed.settings.body;
   body.moduli.ranges = moduli->ranges;
-  if (moduli->youngModulus) {
-    body.youngModulus = moduli->youngModulus;
-    shell.ui.sequencePanel.young = fmt::format("{}", *moduli->youngModulus);
-  }
+  body.youngModulus = moduli->youngModulus ? moduli->youngModulus : body.youngModulus;
+  session.edit(std::move(changed), "Load moduli");
 }
 
 void saveModuli(Shell& shell, const std::filesystem::path& path) {
-  skinning::SegmentModuli moduli = shell.sequence->document.settings.body.moduli;
-  moduli.youngModulus = shell.sequence->document.settings.body.youngModulus;
+  skinning::SegmentModuli moduli = shell.open.sequence()->document().settings.body.moduli;
+  moduli.youngModulus = shell.open.sequence()->document().settings.body.youngModulus;
   const Status done = writeText(path, skinning::moduliText(moduli));
   if (done) {
     tell(shell, ToastKind::success, "Saved " + path.filename().string());
@@ -102,32 +67,30 @@ std::string resultText(const app::SequenceDocument& document) {
 
 } // namespace
 
-void showSequence(Shell& shell, app::SequenceDocument document) {
-  shell.session.reset();
-  shell.sequence = std::make_unique<app::SequenceSession>();
-  shell.sequence->document = std::move(document);
-  shell.ui.sequencePanel = {};
+void showSequence(Shell& shell) {
   shell.ui.timeline.viewStart = 0.0;
   shell.ui.timeline.viewEnd = -1.0;
   // A body that lies along z is looked at from its side.
-  const Vec3 size = shell.sequence->document.analysis->high - shell.sequence->document.analysis->low;
+  const app::SequenceAnalysis& analysis = *shell.open.sequence()->document().analysis;
+  const Vec3 size = analysis.high - analysis.low;
   shell.viewport.facingYawRadians = size.z > size.x ? 0.5 * pi : 0.0;
   shell.viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, shell.viewport.facingYawRadians);
   shell.viewport.framePending = true;
 }
 
 void updateSequence(Shell& shell) {
-  if (shell.sequence == nullptr || shell.sequence->job == nullptr) {
+  app::SequenceSession* const session = shell.open.sequence();
+  if (session == nullptr || !session->isCompressing()) {
     return;
   }
-  shell.ui.busyText = "Compressing " + shell.sequence->document.mesh->name;
-  shell.ui.busyFraction = static_cast<float>(shell.sequence->job->share());
-  const std::optional<Status> done = app::takeCompression(*shell.sequence);
-  if (shell.sequence->job == nullptr) {
+  shell.ui.busyText = "Compressing " + session->document().mesh->name;
+  shell.ui.busyFraction = static_cast<float>(session->compressedShare());
+  const std::optional<Status> done = session->takeCompression();
+  if (!session->isCompressing()) {
     shell.ui.busyText.clear();
   }
   if (done && *done) {
-    tell(shell, ToastKind::success, resultText(shell.sequence->document));
+    tell(shell, ToastKind::success, resultText(session->document()));
   } else if (done) {
     tellProblem(shell, *done);
   }
@@ -143,32 +106,8 @@ void answerSequenceFile(Shell& shell, const FileChoice& choice) {
   }
 }
 
-std::vector<app::Command<Shell>> sequenceCommands() {
+std::vector<app::Command<Shell>> moduliCommands() {
   return {
-      {command::sequenceCompress,
-       "Compress the sequence",
-       "Makes a skinned clip of the mesh sequence, with the settings of the panel.",
-       {"Ctrl+Enter"},
-       [](const Shell& shell) { return hasSequence(shell) && shell.sequence->job == nullptr; },
-       compressNow},
-      {command::sequenceCancel,
-       "Cancel the compression",
-       "Stops it; what was compressed before stays.",
-       {},
-       [](const Shell& shell) { return hasSequence(shell) && shell.sequence->job != nullptr; },
-       cancelCompression},
-      {command::sequenceOriginal,
-       "Show the original sequence",
-       "Shows the meshes as they were simulated, in red.",
-       {},
-       hasSequence,
-       switchOriginal},
-      {command::sequenceSkinned,
-       "Show the skinned result",
-       "Shows what the compressed clip makes of them, in green.",
-       {},
-       [](const Shell& shell) { return hasSequence(shell) && hasResult(*shell.sequence); },
-       switchSkinned},
       {command::moduliLoad,
        "Load moduli",
        "Reads Young's moduli by segment from JSON.",
@@ -182,23 +121,6 @@ std::vector<app::Command<Shell>> sequenceCommands() {
        hasSequence,
        [](Shell& shell) { return ask(shell, FilePurpose::saveModuli); }},
   };
-}
-
-const std::vector<SequenceMeaning>& sequenceMeanings() {
-  static const std::vector<SequenceMeaning> meanings{
-      {command::timeStart, alwaysEnabled, [](Shell& shell) { return goTo(shell, 0.0); }},
-      {command::timeEnd, alwaysEnabled,
-       [](Shell& shell) { return goTo(shell, app::lastFrame(*shell.sequence)); }},
-      {command::timeBack, alwaysEnabled,
-       [](Shell& shell) { return goTo(shell, std::ceil(shell.sequence->view.frame) - 1.0); }},
-      {command::timeForward, alwaysEnabled,
-       [](Shell& shell) { return goTo(shell, std::floor(shell.sequence->view.frame) + 1.0); }},
-      {command::fileSave, hasResult, askForExport},
-      {command::fileSaveAs, hasResult, askForExport},
-      {command::fileExportClean, hasResult, askForExport},
-      {command::trailShowOriginal, alwaysEnabled, switchOriginal},
-  };
-  return meanings;
 }
 
 } // namespace stretch::ui

@@ -10,9 +10,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/keymap.h"
-#include "app/sequence/open_any.h"
-#include "app/sequence/sequence_session.h"
-#include "app/session.h"
+#include "app/open_document.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/user_files.h"
@@ -47,10 +45,10 @@ struct FileWork {
   bool hasAutosave = false;
 };
 
-/// The editor's state: plain parts that functions join. The session is the only door to the document.
+/// The editor's state: plain parts that functions join. The session of what is open is the only door to the
+/// document.
 struct Shell {
-  std::unique_ptr<app::Session> session;          ///< Null: no character is open.
-  std::unique_ptr<app::SequenceSession> sequence; ///< A mesh sequence instead; never both.
+  app::OpenDocument open;
   UiState ui;
   Theme theme;
   ItemRegistry items;

@@ -20,24 +20,26 @@ bool always(const Shell&) {
   return true;
 }
 bool hasFile(const Shell& shell) {
-  return shell.session != nullptr;
+  return shell.open.character() != nullptr;
 }
 bool hasPicture(const Shell& shell) {
-  return shell.session != nullptr || shell.sequence != nullptr;
+  return shell.open.character() != nullptr || shell.open.sequence() != nullptr;
 }
 
-/// A command of the document as one of the shell: a file must be open, and a running tool is kept first.
-ShellCommand fromDocument(app::Command<app::Session> command) {
-  ShellCommand wrapped;
-  wrapped.id = command.id;
-  wrapped.label = command.label;
-  wrapped.help = command.help;
-  wrapped.keys = command.keys;
-  wrapped.enabled = [enabled = command.enabled](const Shell& shell) {
-    return shell.session != nullptr && enabled(*shell.session);
-  };
-  wrapped.run = [run = command.run](Shell& shell) -> Status { return run(*shell.session); };
-  return wrapped;
+/// What can be written: a character, or what a sequence was compressed to.
+bool canExport(const Shell& shell) {
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  return hasFile(shell) || (sequence != nullptr && sequence->document().result != nullptr);
+}
+
+/// A command of what is open as one of the shell.
+ShellCommand fromDocument(const app::DocumentCommand& command) {
+  return {command.id,
+          command.label,
+          command.help,
+          command.keys,
+          [command](const Shell& shell) { return app::isEnabled(command, shell.open); },
+          [command](Shell& shell) { return app::run(command, shell.open); }};
 }
 
 /// A switch of the view.
@@ -88,19 +90,21 @@ Status runGrab(Shell& shell) {
   GrabStart start;
   start.startPixels = shell.viewport.mousePixels;
   start.falloffRadius = shell.viewport.falloffRadius;
-  return startGrab(*shell.session, shell.tool, start);
+  return startGrab(*shell.open.character(), shell.tool, start);
 }
 
 bool hasSpheres(const Shell& shell) {
-  return hasFile(shell) && !shell.session->view().selectedSpheres.empty();
+  return hasFile(shell) && !shell.open.character()->view().selectedSpheres.empty();
 }
 
 bool hasLimb(const Shell& shell) {
-  return hasFile(shell) && !shell.session->view().selectedLimbs.empty();
+  return hasFile(shell) && !shell.open.character()->view().selectedLimbs.empty();
 }
 
 Status showOriginal(Shell& shell) {
-  shell.session->view().showOriginal = !shell.session->view().showOriginal;
+  bool& shown = shell.open.character() != nullptr ? shell.open.character()->view().showOriginal
+                                                  : shell.open.sequence()->view().showOriginal;
+  shown = !shown;
   return Success{};
 }
 
@@ -143,21 +147,6 @@ void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-/// While a mesh sequence is open the command does what it means there.
-void giveSequenceMeaning(ShellCommand& command) {
-  for (const SequenceMeaning& meaning : sequenceMeanings()) {
-    if (command.id != meaning.commandId) {
-      continue;
-    }
-    command.enabled = [enabled = command.enabled, meaning](const Shell& shell) {
-      return shell.sequence != nullptr ? meaning.enabled(*shell.sequence) : enabled(shell);
-    };
-    command.run = [run = command.run, meaning](Shell& shell) {
-      return shell.sequence != nullptr ? meaning.run(shell) : run(shell);
-    };
-  }
-}
-
 } // namespace
 
 std::vector<ShellCommand> fileCommands() {
@@ -178,7 +167,7 @@ std::vector<ShellCommand> fileCommands() {
        "Save",
        "Saves the file with the work inside; the first time it asks for a name.",
        {"Ctrl+S"},
-       hasFile,
+       canExport,
        [](Shell& shell) -> Status {
          saveFile(shell);
          return Success{};
@@ -187,7 +176,7 @@ std::vector<ShellCommand> fileCommands() {
        "Save as",
        "Saves under another name.",
        {"Ctrl+Shift+S"},
-       hasFile,
+       canExport,
        ask(FilePurpose::saveModel)},
       {command::fileSaveIncremental,
        "Save incremental",
@@ -202,7 +191,7 @@ std::vector<ShellCommand> fileCommands() {
        "Export clean",
        "Writes a copy without the work: only what players and engines need.",
        {"Ctrl+E"},
-       hasFile,
+       canExport,
        ask(FilePurpose::exportClean)},
       {command::recipeSave,
        "Save a recipe",
@@ -236,7 +225,7 @@ std::vector<ShellCommand> toolCommands() {
        "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
        {"E"},
        hasLimb,
-       [](Shell& shell) { return startExaggerate(*shell.session, shell.tool); }},
+       [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }},
       {"sphere.grab",
        "Grab",
        "Moves the selected spheres with the mouse, an axis key or a typed number.",
@@ -247,7 +236,7 @@ std::vector<ShellCommand> toolCommands() {
        "Show the original",
        "While the key is held the character moves as in the file.",
        {"`", "O"},
-       hasFile,
+       hasPicture,
        showOriginal},
       {command::pickChain,
        "Any chain",
@@ -372,22 +361,19 @@ std::vector<ShellCommand> helpCommands() {
 
 std::vector<ShellCommand> editorCommands() {
   std::vector<ShellCommand> all = fileCommands();
-  for (app::Command<app::Session>& command : app::documentCommands()) {
-    all.push_back(fromDocument(std::move(command)));
+  for (const app::DocumentCommand& command : app::documentCommands()) {
+    all.push_back(fromDocument(command));
   }
   append(all, toolCommands());
-  append(all, sequenceCommands());
+  append(all, moduliCommands());
   append(all, viewCommands());
   append(all, helpCommands());
-  for (ShellCommand& command : all) {
-    giveSequenceMeaning(command);
-  }
   return all;
 }
 
 bool isChecked(const Shell& shell, std::string_view id) {
   const ViewportOverlays& overlays = shell.ui.overlays;
-  const bool shownOriginal = shell.session != nullptr && shell.session->view().showOriginal;
+  const bool shownOriginal = shell.open.character() != nullptr && shell.open.character()->view().showOriginal;
   const std::pair<std::string_view, bool> switches[] = {
       {command::viewGhosts, overlays.ghosts},
       {command::viewSkeleton, overlays.skeleton},
@@ -398,8 +384,10 @@ bool isChecked(const Shell& shell, std::string_view id) {
       {command::viewFrameNumbers, overlays.trailFrameNumbers},
       {command::viewSideBySide, overlays.sideBySide},
       {command::timePlay, shell.ui.timeline.playing},
-      {command::sequenceOriginal, shell.sequence != nullptr && shell.sequence->view.showOriginal},
-      {command::sequenceSkinned, shell.sequence != nullptr && shell.sequence->view.showSkinned},
+      {command::sequenceOriginal,
+       shell.open.sequence() != nullptr && shell.open.sequence()->view().showOriginal},
+      {command::sequenceSkinned,
+       shell.open.sequence() != nullptr && shell.open.sequence()->view().showSkinned},
       {command::trailShowOriginal, shownOriginal},
       {"view.left-pane", shell.panes.leftOpen},
       {"view.bottom-pane", shell.panes.bottomOpen},
@@ -409,13 +397,17 @@ bool isChecked(const Shell& shell, std::string_view id) {
                      [&](const auto& entry) { return entry.first == id && entry.second; });
 }
 
+bool hasCommand(const Shell& shell, std::string_view commandId) {
+  return findCommandOf(shell, commandId) != nullptr;
+}
+
 void runCommand(Shell& shell, std::string_view commandId) {
   const ShellCommand* command = findCommandOf(shell, commandId);
   if (command == nullptr) {
     return;
   }
   if (isRunning(shell.tool)) {
-    finishTool(*shell.session, shell.tool, true);
+    finishTool(*shell.open.character(), shell.tool, true);
   }
   if (!command->enabled(shell)) {
     tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
@@ -442,19 +434,19 @@ bool widgetsOwnKeys(const UiState& ui) {
 void dispatchKey(Shell& shell, const KeyInput& input) {
   const app::Chord& chord = input.press.chord;
   if (!input.down) {
-    if (chord.key == shell.heldKey && shell.session != nullptr) {
-      shell.session->view().showOriginal = false;
+    if (chord.key == shell.heldKey && shell.open.character() != nullptr) {
+      shell.open.character()->view().showOriginal = false;
       shell.heldKey = app::Key::none;
     }
     return;
   }
   if (isRunning(shell.tool)) {
-    tellProblem(shell, pressToolKey(*shell.session, shell.tool, input.press));
+    tellProblem(shell, pressToolKey(*shell.open.character(), shell.tool, input.press));
     return;
   }
   const std::string commandId = shell.keymap.commandOf(chord);
-  if (commandId == command::trailShowOriginal && shell.session != nullptr) {
-    shell.session->view().showOriginal = true;
+  if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
+    shell.open.character()->view().showOriginal = true;
     shell.heldKey = chord.key;
   } else if (!commandId.empty()) {
     runCommand(shell, commandId);

@@ -24,7 +24,7 @@ double diagonalOf(const app::SequenceDocument& document) {
 }
 
 bool showsSkinned(const app::SequenceSession& session) {
-  return session.document.result != nullptr && session.view.showSkinned;
+  return session.document().result != nullptr && session.view().showSkinned;
 }
 
 /// The end of the error's scale: three times the root of the mean squared error, so that one outlier does not
@@ -56,11 +56,11 @@ std::vector<glm::vec4> errorColors(const app::SequenceDocument& document, std::s
 
 std::vector<glm::vec4> colorsOf(const app::SequenceSession& session, std::size_t frame, ImU32 plain,
                                 const std::vector<glm::vec3>& skinned) {
-  if (session.view.colours == SequenceColours::thickness) {
-    return thicknessColors(session.document);
+  if (session.view().colours == SequenceColours::thickness) {
+    return thicknessColors(session.document());
   }
-  if (session.view.colours == SequenceColours::error && !skinned.empty()) {
-    return errorColors(session.document, frame, skinned);
+  if (session.view().colours == SequenceColours::error && !skinned.empty()) {
+    return errorColors(session.document(), frame, skinned);
   }
   return {linearLight(toColour(plain))};
 }
@@ -68,17 +68,17 @@ std::vector<glm::vec4> colorsOf(const app::SequenceSession& session, std::size_t
 /// The original, and the result over it. Two surfaces that carry the same values would only hide each other:
 /// with values as colours the result is shown where there is one.
 Scene sceneOf(const app::SequenceSession& session) {
-  const MeshSequence& mesh = *session.document.mesh;
+  const MeshSequence& mesh = *session.document().mesh;
   const std::size_t frame = app::shownFrame(session);
   std::vector<glm::vec3> skinned;
-  if (session.document.result != nullptr) {
+  if (session.document().result != nullptr) {
     skinned.resize(mesh.vertexCount);
-    skinning::skinFrame(session.document.result->compressed.skinned, frame, skinned.data());
+    skinning::skinFrame(session.document().result->compressed.skinned, frame, skinned.data());
   }
   const std::span<const glm::vec3> original(mesh.frame(frame), mesh.vertexCount);
-  const bool plain = session.view.colours == SequenceColours::plain;
+  const bool plain = session.view().colours == SequenceColours::plain;
   std::vector<PlainMesh> meshes;
-  if (session.view.showOriginal && (plain || !showsSkinned(session))) {
+  if (session.view().showOriginal && (plain || !showsSkinned(session))) {
     meshes.push_back({original, mesh.triangles, colorsOf(session, frame, originalMeshColour, skinned)});
   }
   if (showsSkinned(session)) {
@@ -90,12 +90,12 @@ Scene sceneOf(const app::SequenceSession& session) {
 /// What the scene was made from: it is made and uploaded again when this changes.
 std::uint64_t sceneKey(const app::SequenceSession& session) {
   ContentKey key;
-  key.add(session.document.mesh.get());
-  key.add(session.document.result.get());
+  key.add(session.document().mesh.get());
+  key.add(session.document().result.get());
   key.add(app::shownFrame(session));
-  key.add(session.view.showOriginal);
-  key.add(session.view.showSkinned);
-  key.add(session.view.colours);
+  key.add(session.view().showOriginal);
+  key.add(session.view().showSkinned);
+  key.add(session.view().colours);
   return key.value();
 }
 
@@ -110,7 +110,7 @@ void uploadFrame(const app::SequenceSession& session, ViewportGpu& gpu) {
 }
 
 SceneStyle sequenceStyleOf(const ViewportContext& context, const ViewportGpu& gpu) {
-  const app::SequenceDocument& document = context.sequence->document;
+  const app::SequenceDocument& document = context.open.sequence()->document();
   SceneStyle style;
   style.palette = paletteOf(context.theme.kind);
   style.quality = qualityOf(gpu.governor.level());
@@ -122,7 +122,7 @@ SceneStyle sequenceStyleOf(const ViewportContext& context, const ViewportGpu& gp
 
 Overlay bonesOf(const app::SequenceSession& session, const Palette& palette) {
   const SkeletonStyle style = skeletonStyle(palette);
-  const std::vector<Vec3> joints = app::jointsAt(session.document, app::shownFrame(session));
+  const std::vector<Vec3> joints = app::jointsAt(session.document(), app::shownFrame(session));
   Overlay overlay;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (i + 1 < joints.size()) {
@@ -144,20 +144,20 @@ Overlay bonesOf(const app::SequenceSession& session, const Palette& palette) {
 }
 
 std::optional<ColorLegend> legendOf(const app::SequenceSession& session) {
-  const app::SequenceDocument& document = session.document;
+  const app::SequenceDocument& document = session.document();
   const auto colours = [](ValueScale scale) {
     return [scale](double share) {
       const std::uint32_t hex = valueColorHex(scale, share);
       return IM_COL32((hex >> 16U) & 0xFFU, (hex >> 8U) & 0xFFU, hex & 0xFFU, 255);
     };
   };
-  if (session.view.colours == SequenceColours::error && document.result != nullptr) {
+  if (session.view().colours == SequenceColours::error && document.result != nullptr) {
     const double largest = largestShownError(document);
     return ColorLegend{"Distance to the original", "0", fmt::format("{:.3g} units and more", largest),
                        fmt::format("{:.3g} % of the diagonal", 100.0 * largest / diagonalOf(document)),
                        colours(ValueScale::error)};
   }
-  if (session.view.colours == SequenceColours::thickness) {
+  if (session.view().colours == SequenceColours::thickness) {
     return ColorLegend{"Shape diameter", "0", fmt::format("{:.3g} units", largestThickness(document)),
                        "of the first frame", colours(ValueScale::thickness)};
   }
@@ -165,7 +165,7 @@ std::optional<ColorLegend> legendOf(const app::SequenceSession& session) {
 }
 
 void drawLegend(ViewportContext& context) {
-  const auto legend = legendOf(*context.sequence);
+  const auto legend = legendOf(*context.open.sequence());
   if (!legend) {
     return;
   }
@@ -179,7 +179,7 @@ void drawLegend(ViewportContext& context) {
 } // namespace
 
 void frameSequence(ViewportContext& context) {
-  const app::SequenceAnalysis& analysis = *context.sequence->document.analysis;
+  const app::SequenceAnalysis& analysis = *context.open.sequence()->document().analysis;
   Box box;
   box.add(analysis.low);
   box.add(analysis.high);
@@ -187,10 +187,10 @@ void frameSequence(ViewportContext& context) {
 }
 
 void drawSequenceScene(ViewportContext& context, ViewportGpu& gpu, const Rect& picture) {
-  uploadFrame(*context.sequence, gpu);
+  uploadFrame(*context.open.sequence(), gpu);
   const SceneStyle style = sequenceStyleOf(context, gpu);
   const Overlay overlay =
-      context.ui.overlays.skeleton ? bonesOf(*context.sequence, style.palette) : Overlay{};
+      context.ui.overlays.skeleton ? bonesOf(*context.open.sequence(), style.palette) : Overlay{};
   const FrameState frame = restOf(*gpu.uploaded);
   drawPicture(context, gpu, gpu.picture, {frame, {}, overlay, style});
   showPicture(gpu.picture, picture);

@@ -42,7 +42,7 @@ void label(const PanelContext& context, const ImVec2& corner, const std::string&
 }
 
 void recordSpheres(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
   if (trail == nullptr) {
     return;
   }
@@ -56,7 +56,7 @@ void recordSpheres(ViewportContext& context) {
 }
 
 void recordHandles(ViewportContext& context) {
-  const app::ViewState& view = context.session->view();
+  const app::ViewState& view = context.open.character()->view();
   const auto handles = handlesOf(context.viewport.shown, view.selectedTrail, view.selectedSpheres);
   if (!handles) {
     return;
@@ -72,7 +72,7 @@ void recordHandles(ViewportContext& context) {
 }
 
 void recordLimbs(ViewportContext& context, const FrameState& frame) {
-  const LimbBones bones = limbBones(context.session->document(), frame);
+  const LimbBones bones = limbBones(context.open.character()->document(), frame);
   const float reach = context.theme.px(6.0F);
   for (const BoneSegment& bone : bones.bones) {
     if (const auto place = placeOf(context.viewport, 0.5 * (bone.fromWorld + bone.toWorld))) {
@@ -83,7 +83,7 @@ void recordLimbs(ViewportContext& context, const FrameState& frame) {
 }
 
 void drawFrameNumbers(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
   if (trail == nullptr || !context.ui.overlays.trailFrameNumbers) {
     return;
   }
@@ -97,7 +97,7 @@ void drawFrameNumbers(ViewportContext& context) {
 
 /// The number of the sphere under the mouse, and how far it was pulled.
 void drawHoverLabel(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
   if (!context.viewport.hoveredSphere || trail == nullptr) {
     return;
   }
@@ -114,7 +114,7 @@ void drawJointNames(ViewportContext& context, const FrameState& frame) {
   if (!context.ui.overlays.jointNames) {
     return;
   }
-  const Scene& scene = *context.session->document().scene;
+  const Scene& scene = *context.open.character()->document().scene;
   for (const int joint : jointsOf(scene)) {
     const auto index = static_cast<std::size_t>(joint);
     if (const auto place = placeOf(context.viewport, positionOf(frame.worlds[index]))) {
@@ -160,7 +160,7 @@ void drawEaseCurve(ViewportContext& context) {
   const auto* tool = std::get_if<ExaggerateTool>(&context.tool);
   const bool easing = tool != nullptr && (tool->modal.field == app::ExaggerateField::easeIn ||
                                           tool->modal.field == app::ExaggerateField::easeOut);
-  const ShownTrail* trail = findShown(context.viewport.shown, context.session->view().selectedTrail);
+  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
   if (!easing || trail == nullptr) {
     return;
   }
@@ -206,7 +206,7 @@ void drawStateLabels(ViewportContext& context) {
     const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
     label(context, {left + inset, corner.y}, "Original", original);
     label(context, corner, "Exaggerated", context.theme.colours.text);
-  } else if (context.session->view().showOriginal) {
+  } else if (context.open.character()->view().showOriginal) {
     label(context, corner, "Original", original);
   }
 }

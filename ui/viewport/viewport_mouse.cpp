@@ -80,13 +80,13 @@ void selectSphere(app::Session& session, double frame, bool add) {
 }
 
 void grabFromPress(ViewportContext& context, const GrabStart& start) {
-  tellProblem(context.ui, startGrab(*context.session, context.tool, start));
+  tellProblem(context.ui, startGrab(*context.open.character(), context.tool, start));
 }
 
 /// A press with the left button: axis handle, sphere, trail, limb, or the beginning of a box.
 void pressLeft(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const bool add = ImGui::GetIO().KeyShift;
   if (viewport.hoveredAxis) {
     grabFromPress(context, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
@@ -115,7 +115,7 @@ void beginGesture(ViewportContext& context) {
   const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
   const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   if (isRunning(context.tool) && (left || right)) {
-    finishTool(*context.session, context.tool, left);
+    finishTool(*context.open.character(), context.tool, left);
   } else if (left) {
     pressLeft(context);
   }
@@ -123,7 +123,7 @@ void beginGesture(ViewportContext& context) {
 
 void selectInBox(ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const Vec2 low = glm::min(viewport.pressPixels, viewport.mousePixels);
   const Vec2 high = glm::max(viewport.pressPixels, viewport.mousePixels);
   std::vector<double>& selected = session.view().selectedSpheres;
@@ -153,7 +153,7 @@ void continueGesture(ViewportContext& context) {
   if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(context.tool)) {
     const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
     if (glm::distance(viewport.mousePixels, viewport.pressPixels) > far &&
-        !context.session->view().selectedSpheres.empty()) {
+        !context.open.character()->view().selectedSpheres.empty()) {
       grabFromPress(
           context, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
     }
@@ -179,18 +179,18 @@ void driveTool(ViewportContext& context) {
   }
   if (viewport.mousePixels != viewport.lastPixels) {
     tellProblem(context.ui,
-                moveToolMouse(*context.session, context.tool, viewport.view, viewport.mousePixels));
+                moveToolMouse(*context.open.character(), context.tool, viewport.view, viewport.mousePixels));
   }
   viewport.falloffRadius = grab->falloffRadius;
   if (grab->byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    finishTool(*context.session, context.tool, true);
+    finishTool(*context.open.character(), context.tool, true);
     viewport.gesture = ViewportGesture::none;
   }
 }
 
 void turnWheel(ViewportContext& context, double steps) {
   if (std::holds_alternative<GrabTool>(context.tool)) {
-    tellProblem(context.ui, turnFalloff(*context.session, context.tool, steps));
+    tellProblem(context.ui, turnFalloff(*context.open.character(), context.tool, steps));
     return;
   }
   ViewportState& viewport = context.viewport;
@@ -208,8 +208,9 @@ void hoverTrails(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   double nearest = 1e300;
   for (const ShownTrail& trail : viewport.shown.trails) {
-    const rig::Trail* source = app::findTrail(context.session->document(), trail.id);
-    if (source == nullptr || !isDrawn(*source, context.session->view().selectedLimbs, context.ui.overlays)) {
+    const rig::Trail* source = app::findTrail(context.open.character()->document(), trail.id);
+    if (source == nullptr ||
+        !isDrawn(*source, context.open.character()->view().selectedLimbs, context.ui.overlays)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
@@ -224,7 +225,8 @@ void hoverTrails(ViewportContext& context) {
 void hoverLimbs(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   const LimbBones bones =
-      limbBones(context.session->document(), context.session->frameAt(context.session->view().frame));
+      limbBones(context.open.character()->document(),
+                context.open.character()->frameAt(context.open.character()->view().frame));
   if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
     viewport.hoveredLimb = bones.limbIds[static_cast<std::size_t>(*hit)];
   }
@@ -257,10 +259,10 @@ void updateHover(ViewportContext& context) {
   viewport.hoveredAxis.reset();
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
-  if (!viewport.hovered || context.session == nullptr) {
+  if (!viewport.hovered || context.open.character() == nullptr) {
     return;
   }
-  const app::ViewState& view = context.session->view();
+  const app::ViewState& view = context.open.character()->view();
   if (const auto handles = handlesOf(viewport.shown, view.selectedTrail, view.selectedSpheres)) {
     viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
   }
@@ -287,7 +289,7 @@ void handleViewportMouse(ViewportContext& context, bool hovered, bool held) {
   const bool pressed = hovered && (ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Middle) ||
                                    ImGui::IsMouseClicked(ImGuiMouseButton_Right));
-  if (context.session == nullptr) {
+  if (context.open.character() == nullptr) {
     lookAround(context, pressed, held);
   } else if (pressed) {
     beginGesture(context);

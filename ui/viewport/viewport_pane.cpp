@@ -70,7 +70,7 @@ std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const Scen
 }
 
 void uploadScene(ViewportContext& context, ViewportGpu& gpu) {
-  const app::Document& document = context.session->document();
+  const app::Document& document = context.open.character()->document();
   if (gpu.uploaded == document.scene) {
     return;
   }
@@ -92,7 +92,7 @@ void drawContent(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn
 }
 
 void drawScene(ViewportContext& context, ViewportGpu& gpu, const Rect& picture) {
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   const ViewportState& viewport = context.viewport;
   const ViewportOverlays& overlays = context.ui.overlays;
   const Palette palette = paletteOf(context.theme.kind);
@@ -116,8 +116,8 @@ void updateView(ViewportContext& context) {
   size.heightPixels = std::max(1.0, viewport.pixelsPerUnit * static_cast<double>(viewport.box.height()));
   size.pixelsPerPoint = viewport.pixelsPerUnit * static_cast<double>(context.theme.scale);
   viewport.view = makeView(viewport.camera, size);
-  if (context.session != nullptr) {
-    context.session->view().cameraAxes =
+  if (context.open.character() != nullptr) {
+    context.open.character()->view().cameraAxes =
         Mat3(viewRight(viewport.view), viewUp(viewport.view), -viewport.view.forward);
   }
 }
@@ -127,7 +127,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const Rect picture{corner, {corner.x + std::max(room.x, 8.0F), corner.y + std::max(room.y, 8.0F)}};
-  viewport.box = workBox(picture, context.ui.overlays.sideBySide && context.session != nullptr);
+  viewport.box = workBox(picture, context.ui.overlays.sideBySide && context.open.character() != nullptr);
   ImGui::InvisibleButton("viewport", {picture.width(), picture.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
@@ -135,7 +135,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const bool hovered = ImGui::IsItemHovered();
   const bool held = ImGui::IsItemActive();
   updateView(context);
-  if (context.sequence != nullptr) {
+  if (context.open.sequence() != nullptr) {
     if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
       frameSequence(context);
     }
@@ -144,7 +144,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
     drawSequenceScene(context, gpu, picture);
     return;
   }
-  if (context.session == nullptr) {
+  if (context.open.character() == nullptr) {
     drawEmptyViewport(context, picture);
     return;
   }
@@ -154,10 +154,10 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
     viewport.framePending = false;
     viewport.frameSelectionPending = false;
   }
-  updateShownTrails(*context.session, viewport.shown);
+  updateShownTrails(*context.open.character(), viewport.shown);
   handleViewportMouse(context, hovered, held);
   updateView(context);
-  updateShownTrails(*context.session, viewport.shown);
+  updateShownTrails(*context.open.character(), viewport.shown);
   drawScene(context, gpu, picture);
 }
 
@@ -208,10 +208,10 @@ void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& re
 }
 
 void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything) {
-  if (context.session == nullptr) {
+  if (context.open.character() == nullptr) {
     return;
   }
-  app::Session& session = *context.session;
+  app::Session& session = *context.open.character();
   updateShownTrails(session, context.viewport.shown);
   Box box = everything ? Box{} : selectionBox(session, context.viewport.shown);
   if (box.empty() && gpu.bounds) {

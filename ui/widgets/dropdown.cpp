@@ -113,8 +113,8 @@ int dropdown(const WidgetContext& context, const std::string& id, const std::vec
   return chosen;
 }
 
-bool textField(const WidgetContext& context, const std::string& id, const std::string& hint,
-               std::string& text, float width, bool focusNow) {
+EditPhase editText(const WidgetContext& context, const std::string& id, const std::string& hint,
+                   std::string& text, float width, bool focusNow) {
   const Theme& theme = context.theme;
   const float fieldWidth = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
   if (focusNow) {
@@ -124,11 +124,17 @@ bool textField(const WidgetContext& context, const std::string& id, const std::s
   ImGui::PushStyleColor(ImGuiCol_FrameBg, theme.colours.sunken);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.0F);
   const bool changed = ImGui::InputTextWithHint(("##" + id).c_str(), hint.c_str(), &text);
+  const EditPhase phase{changed, ImGui::IsItemDeactivated()};
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   tooltip(context, {.text = hint});
-  return changed;
+  return phase;
+}
+
+bool textField(const WidgetContext& context, const std::string& id, const std::string& hint,
+               std::string& text, float width, bool focusNow) {
+  return editText(context, id, hint, text, width, focusNow).changed;
 }
 
 } // namespace stretch::ui

@@ -12,6 +12,9 @@ namespace stretch::ui {
 int dropdown(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
              int selected, const Help& help, float width = 0.0F, const char* none = "");
 
+/// A one-line text field with a hint while it is empty; the gesture ends when the field is left.
+EditPhase editText(const WidgetContext& context, const std::string& id, const std::string& hint,
+                   std::string& text, float width = 0.0F, bool focusNow = false);
 /// A one-line text field with a hint while it is empty; true when the text changed.
 bool textField(const WidgetContext& context, const std::string& id, const std::string& hint,
                std::string& text, float width = 0.0F, bool focusNow = false);

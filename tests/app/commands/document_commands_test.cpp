@@ -40,7 +40,7 @@ public:
   Session session;
 
 private:
-  std::vector<Command<Session>> commands_ = documentCommands();
+  std::vector<DocumentCommand> commands_ = documentCommands();
   Keymap keymap_;
 };
 

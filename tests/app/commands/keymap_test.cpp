@@ -33,8 +33,9 @@ TEST_CASE("No key of a document command is bound twice, and every command has he
     CHECK_FALSE(command.label.empty());
     CHECK(command.help.size() > 10);
     CHECK(command.help.back() == '.');
-    CHECK(command.enabled);
-    CHECK(command.run);
+    CHECK((command.enabled || command.enabledOnSequence));
+    CHECK(static_cast<bool>(command.enabled) == static_cast<bool>(command.run));
+    CHECK(static_cast<bool>(command.enabledOnSequence) == static_cast<bool>(command.runOnSequence));
   }
 }
 

@@ -3,8 +3,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/sequence/open_any.h"
-#include "app/sequence/sequence_session.h"
+#include "app/commands/document_commands.h"
+#include "app/open_document.h"
+#include "tests/support/app/boxer.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
 #include "tests/support/skinning/shapes.h"
@@ -38,19 +39,29 @@ public:
     test::writeObjFrames(test::shorteningTube(12, 2.0, 0.06, 0.1), folder_.path() / "frames", "tube");
     auto opened = app::openSequence({folder_.path() / "frames"});
     REQUIRE(opened);
-    session.document = std::move(opened).value();
-    session.document.settings.bones = 8;
+    document.emplace(std::move(opened).value());
+    document->settings.bones = 8;
+    session.emplace(*document);
   }
 
-  app::SequenceSession session;
+  /// One edit of the open document.
+  template <typename Change>
+  void edit(const Change& change, const char* label = "Change") {
+    app::SequenceDocument changed = session->document();
+    change(changed);
+    session->edit(std::move(changed), label);
+  }
+
+  std::optional<app::SequenceDocument> document; ///< As it was opened.
+  std::optional<app::SequenceSession> session;
 
 private:
   test::TemporaryFolder folder_;
 };
 
 Status waitForCompression(app::SequenceSession& session) {
-  for (int i = 0; i < 60000 && session.job != nullptr; ++i) {
-    if (std::optional<Status> done = app::takeCompression(session)) {
+  for (int i = 0; i < 60000 && session.isCompressing(); ++i) {
+    if (std::optional<Status> done = session.takeCompression()) {
       return *done;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -83,7 +94,7 @@ TEST_CASE("a folder, a morphing glTF and a character are told apart") {
 
 TEST_CASE("an opened sequence knows its centre line, its thickness and how length falls with curvature") {
   OpenedTube tube;
-  const app::SequenceDocument& document = tube.session.document;
+  const app::SequenceDocument& document = tube.session->document();
   CHECK(document.analysis->problem.empty());
   CHECK(document.analysis->joints.size() == 12);
   CHECK(document.analysis->vertexDiameters.size() == document.mesh->vertexCount);
@@ -91,10 +102,10 @@ TEST_CASE("an opened sequence knows its centre line, its thickness and how lengt
   const skinning::LengthFunction all = app::fittedLength(document);
   CHECK(all.frameCount == 12);
   CHECK(all.line.slope < 0.0);
-  tube.session.document.settings.body.firstFittedFrame = 5;
-  CHECK(app::fittedLength(document).frameCount == 7);
-  tube.session.document.settings.body.firstFittedFrame = 500;
-  CHECK(app::fittedLength(document).frameCount == 1);
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.body.firstFittedFrame = 5; });
+  CHECK(app::fittedLength(tube.session->document()).frameCount == 7);
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.body.firstFittedFrame = 500; });
+  CHECK(app::fittedLength(tube.session->document()).frameCount == 1);
 }
 
 TEST_CASE("a sequence without a centre line opens all the same, and can be measured") {
@@ -111,48 +122,113 @@ TEST_CASE("a sequence without a centre line opens all the same, and can be measu
 
 TEST_CASE("a compression beside the caller ends with a result that can be exported") {
   OpenedTube tube;
-  app::SequenceSession& session = tube.session;
+  app::SequenceSession& session = *tube.session;
   const test::TemporaryFolder folder;
-  CHECK_FALSE(app::exportResult(session.document, folder / "early.glb"));
-  REQUIRE(app::startCompression(session));
-  CHECK_FALSE(app::startCompression(session));
+  CHECK_FALSE(app::exportResult(session.document(), folder / "early.glb"));
+  REQUIRE(session.startCompression());
+  CHECK_FALSE(session.startCompression());
   REQUIRE(waitForCompression(session));
-  REQUIRE(session.document.result != nullptr);
-  CHECK_FALSE(app::isOutdated(session.document));
-  CHECK(app::jointsAt(session.document, 3).size() == 9);
-  session.document.quantise = false;
-  const double plain = app::exported(session.document).bytesPerFrame;
-  session.document.quantise = true;
-  CHECK(app::exported(session.document).bytesPerFrame < plain);
-  REQUIRE(app::exportResult(session.document, folder / "tube.glb"));
+  REQUIRE(session.document().result != nullptr);
+  CHECK_FALSE(app::isOutdated(session.document()));
+  CHECK(app::jointsAt(session.document(), 3).size() == 9);
+  tube.edit([](app::SequenceDocument& changed) { changed.quantise = false; });
+  const double plain = app::exported(session.document()).bytesPerFrame;
+  tube.edit([](app::SequenceDocument& changed) { changed.quantise = true; });
+  CHECK(app::exported(session.document()).bytesPerFrame < plain);
+  REQUIRE(app::exportResult(session.document(), folder / "tube.glb"));
   CHECK(app::openDocument(folder / "tube.glb"));
-  session.document.settings.bones = 9;
-  CHECK(app::isOutdated(session.document));
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.bones = 9; });
+  CHECK(app::isOutdated(session.document()));
+}
+
+TEST_CASE("settings and results of a sequence are undone and done again by value") {
+  OpenedTube tube;
+  app::SequenceSession& session = *tube.session;
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  CHECK(session.history().undoLabel() == "Compress");
+  const app::SequenceDocument compressed = session.document();
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.bones = 5; }, "Change the bones");
+  const app::SequenceDocument edited = session.document();
+  CHECK(session.history().undoLabel() == "Change the bones");
+  REQUIRE(session.undo());
+  CHECK(app::sameDocument(session.document(), compressed));
+  CHECK_FALSE(app::isOutdated(session.document()));
+  REQUIRE(session.redo());
+  CHECK(app::sameDocument(session.document(), edited));
+  CHECK(app::isOutdated(session.document()));
+  REQUIRE(session.undo());
+  REQUIRE(session.undo());
+  CHECK(app::sameDocument(session.document(), *tube.document));
+  CHECK_FALSE(session.undo());
+}
+
+TEST_CASE("what is open is nothing, a character or a sequence, never both") {
+  app::OpenDocument open;
+  CHECK(open.isEmpty());
+  CHECK_FALSE(open.with(false, [](auto&) { return true; }));
+  open.open(test::boxer());
+  CHECK(open.character() != nullptr);
+  CHECK(open.sequence() == nullptr);
+  OpenedTube tube;
+  open.open(*tube.document);
+  CHECK(open.character() == nullptr);
+  REQUIRE(open.sequence() != nullptr);
+  CHECK(open.with(std::size_t{0}, [](auto& session) { return session.history().canUndo() ? 2 : 1; }) == 1);
+}
+
+TEST_CASE("a command means for a sequence what its table says, and nothing else") {
+  OpenedTube tube;
+  app::OpenDocument open;
+  open.open(*tube.document);
+  const auto command = [](const std::string& id) {
+    for (const app::DocumentCommand& known : app::documentCommands()) {
+      if (known.id == id) {
+        return known;
+      }
+    }
+    return app::DocumentCommand{};
+  };
+  CHECK_FALSE(app::isEnabled(command("trail.apply"), open));
+  CHECK_FALSE(app::isEnabled(command("edit.undo"), open));
+  REQUIRE(app::isEnabled(command("time.end"), open));
+  REQUIRE(app::run(command("time.end"), open));
+  CHECK(open.sequence()->view().frame == 11.0);
+  REQUIRE(app::run(command("time.back"), open));
+  CHECK(open.sequence()->view().frame == 10.0);
+  REQUIRE(app::run(command("sequence.original"), open));
+  CHECK_FALSE(open.sequence()->view().showOriginal);
+  app::SequenceDocument changed = open.sequence()->document();
+  changed.quantise = !changed.quantise;
+  open.sequence()->edit(changed, "Quantise");
+  REQUIRE(app::isEnabled(command("edit.undo"), open));
+  REQUIRE(app::run(command("edit.undo"), open));
+  CHECK(app::sameDocument(open.sequence()->document(), *tube.document));
 }
 
 TEST_CASE("a cancelled compression leaves the result before it") {
   OpenedTube tube;
-  app::SequenceSession& session = tube.session;
-  REQUIRE(app::startCompression(session));
-  session.job->cancel();
+  app::SequenceSession& session = *tube.session;
+  REQUIRE(session.startCompression());
+  session.cancelCompression();
   REQUIRE(waitForCompression(session));
-  CHECK(session.job == nullptr);
-  CHECK(session.document.result == nullptr);
+  CHECK_FALSE(session.isCompressing());
+  CHECK(session.document().result == nullptr);
 }
 
 TEST_CASE("a compression that cannot be done says why") {
   OpenedTube tube;
-  tube.session.document.settings.bones = 100000;
-  REQUIRE(app::startCompression(tube.session));
-  const Status done = waitForCompression(tube.session);
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.bones = 100000; });
+  REQUIRE(tube.session->startCompression());
+  const Status done = waitForCompression(*tube.session);
   REQUIRE_FALSE(done);
   CHECK(done.error().what.find("bones") != std::string::npos);
 }
 
 TEST_CASE("the shown frame is the nearest one within the sequence") {
   OpenedTube tube;
-  tube.session.view.frame = 3.6;
-  CHECK(app::shownFrame(tube.session) == 4);
-  tube.session.view.frame = 400.0;
-  CHECK(app::shownFrame(tube.session) == 11);
+  tube.session->view().frame = 3.6;
+  CHECK(app::shownFrame(*tube.session) == 4);
+  tube.session->view().frame = 400.0;
+  CHECK(app::shownFrame(*tube.session) == 11);
 }

@@ -12,16 +12,15 @@ namespace {
 constexpr float width = 1280.0F;
 constexpr float height = 3200.0F; // tall enough for every panel to be drawn whole
 
-std::vector<ui::CommandInfo> allCommands(const app::Session* session) {
+std::vector<ui::CommandInfo> allCommands(const app::OpenDocument& open) {
   std::vector<ui::CommandInfo> infos;
-  for (const app::Command<app::Session>& command : app::documentCommands()) {
-    const bool enabled = session != nullptr && command.enabled(*session);
+  for (const app::DocumentCommand& command : app::documentCommands()) {
+    const bool enabled = app::isEnabled(command, open);
     infos.push_back({command.id, command.label, command.help,
                      command.keys.empty() ? "" : command.keys.front(), enabled, false});
   }
-  for (const char* id :
-       {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate, ui::command::pickChain,
-        ui::command::sequenceCompress, ui::command::sequenceCancel, ui::command::fileExportClean}) {
+  for (const char* id : {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate,
+                         ui::command::pickChain, ui::command::fileExportClean}) {
     infos.push_back({id, id, "Of the editor.", "", true, false});
   }
   return infos;
@@ -54,7 +53,7 @@ PanelDriver::PanelDriver(std::optional<app::Document> document) : gui_(ImGui::Cr
   int atlasHeight = 0;
   io.Fonts->GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
   if (document) {
-    session.emplace(std::move(*document));
+    open.open(std::move(*document));
   }
   frames(2);
 }
@@ -95,10 +94,9 @@ void PanelDriver::drawPanes(ui::PanelContext& context) const {
 
 void PanelDriver::frame() {
   ImGui::GetIO().KeyShift = shift;
-  commands = allCommands(session ? &*session : nullptr);
+  commands = allCommands(open);
   ImGui::NewFrame();
-  ui::PanelContext context{session ? &*session : nullptr,  ui, theme, commands, requested, items,
-                           sequence ? &*sequence : nullptr};
+  ui::PanelContext context{open, ui, theme, commands, requested, items};
   ui::beginPanels(context);
   drawPanes(context);
   ImGui::Render();

@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "app/session.h"
+#include "app/open_document.h"
 #include "ui/panels/panels.h"
 
 namespace stretch::test {
@@ -42,8 +42,7 @@ public:
   void pressKey(int imguiKey);
   void type(const std::string& text);
 
-  std::optional<app::Session> session;
-  std::optional<app::SequenceSession> sequence; ///< Set it to have a mesh sequence open instead.
+  app::OpenDocument open; ///< A mesh sequence can be opened instead.
   ui::UiState ui;
   ui::Theme theme;
   ui::ItemRegistry items;

@@ -156,7 +156,7 @@ TEST_CASE("A key is changed in the keys overview, and the one that loses it is t
 
 TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the found ones back") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  const rig::Limb before = *app::findLimb(driver.session->document(), "left-arm");
+  const rig::Limb before = *app::findLimb(driver.open.character()->document(), "left-arm");
   const int forearm = before.joints.back();
   driver.ui.jointPick.open = true;
   driver.ui.jointPick.limbId = "left-arm";
@@ -164,24 +164,24 @@ TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the foun
   driver.click(fmt::format("joints/{}", forearm));
   driver.click(fmt::format("joints/{}", before.endNode));
   driver.click("joints/Use them");
-  const rig::Limb* after = app::findLimb(driver.session->document(), "left-arm");
+  const rig::Limb* after = app::findLimb(driver.open.character()->document(), "left-arm");
   REQUIRE(after != nullptr);
   CHECK(after->joints.front() == forearm);
   CHECK(after->endNode == before.endNode);
-  CHECK(driver.session->undo());
-  CHECK(*app::findLimb(driver.session->document(), "left-arm") == before);
+  CHECK(driver.open.character()->undo());
+  CHECK(*app::findLimb(driver.open.character()->document(), "left-arm") == before);
 }
 
 TEST_CASE("A chain of two joints that do not belong together is refused with a reason") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  const app::Document& document = driver.session->document();
+  const app::Document& document = driver.open.character()->document();
   driver.ui.jointPick.open = true;
   driver.ui.jointPick.baseNode = app::findLimb(document, "left-arm")->joints.front();
   driver.ui.jointPick.endNode = app::findLimb(document, "right-leg")->endNode;
   driver.frames(3);
   driver.click("joints/Use them");
   CHECK_FALSE(driver.ui.jointPick.message.empty());
-  CHECK(driver.session->document().chains.empty());
+  CHECK(driver.open.character()->document().chains.empty());
 }
 
 TEST_CASE("Angles of a turning joint do not jump") {

@@ -31,12 +31,12 @@ app::Document withTrail() {
 
 struct TrailPanels {
   TrailPanels() : driver(withTrail()) {
-    app::selectTrail(*driver.session, trailId());
+    app::selectTrail(*driver.open.character(), trailId());
     driver.frames(2);
   }
-  [[nodiscard]] int trailId() const { return driver.session->document().trails.front().id; }
+  [[nodiscard]] int trailId() const { return driver.open.character()->document().trails.front().id; }
   [[nodiscard]] const rig::TrailSettings& settings() const {
-    return driver.session->document().trails.front().settings;
+    return driver.open.character()->document().trails.front().settings;
   }
 
   PanelDriver driver;
@@ -47,13 +47,13 @@ struct TrailPanels {
 TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.click("limb/left-arm");
-  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"left-arm"});
+  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"left-arm"});
   driver.shift = true;
   driver.click("limb/right-leg");
-  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"left-arm", "right-leg"});
+  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"left-arm", "right-leg"});
   driver.shift = false;
   driver.click("limb/spine");
-  CHECK(driver.session->view().selectedLimbs == std::vector<std::string>{"spine"});
+  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"spine"});
 }
 
 TEST_CASE("A click on a limb that was not found asks for its joints") {
@@ -61,7 +61,7 @@ TEST_CASE("A click on a limb that was not found asks for its joints") {
   std::erase_if(document.biped.limbs, [](const rig::Limb& limb) { return limb.id == "neck"; });
   PanelDriver driver(document);
   driver.click("limb/neck");
-  CHECK(driver.session->view().selectedLimbs.empty());
+  CHECK(driver.open.character()->view().selectedLimbs.empty());
   CHECK(driver.ui.jointPick.open);
   CHECK(driver.ui.jointPick.limbId == "neck");
 }
@@ -70,10 +70,10 @@ TEST_CASE("Dragging the scale is one undo step, however many frames it takes") {
   TrailPanels panels;
   panels.driver.drag("trail/scale", 40.0F, 0.0F);
   CHECK(panels.settings().scale > 2.2);
-  CHECK_FALSE(panels.driver.session->isDragging());
-  REQUIRE(panels.driver.session->undo());
+  CHECK_FALSE(panels.driver.open.character()->isDragging());
+  REQUIRE(panels.driver.open.character()->undo());
   CHECK(panels.settings().scale == 2.0);
-  CHECK_FALSE(panels.driver.session->history().canUndo());
+  CHECK_FALSE(panels.driver.open.character()->history().canUndo());
 }
 
 TEST_CASE("Esc during a drag gives the value back and leaves no undo step") {
@@ -86,7 +86,7 @@ TEST_CASE("Esc during a drag gives the value back and leaves no undo step") {
   CHECK(panels.settings().scale == 2.0);
   panels.driver.releaseMouse();
   CHECK(panels.settings().scale == 2.0);
-  CHECK_FALSE(panels.driver.session->history().canUndo());
+  CHECK_FALSE(panels.driver.open.character()->history().canUndo());
 }
 
 TEST_CASE("A scale is typed after a double click, with a comma as well") {
@@ -96,8 +96,8 @@ TEST_CASE("A scale is typed after a double click, with a comma as well") {
   panels.driver.pressKey(ImGuiKey_Enter);
   panels.driver.frames(3);
   CHECK(panels.settings().scale == Approx(3.25));
-  CHECK_FALSE(panels.driver.session->isDragging());
-  CHECK(panels.driver.session->undo());
+  CHECK_FALSE(panels.driver.open.character()->isDragging());
+  CHECK(panels.driver.open.character()->undo());
   CHECK(panels.settings().scale == 2.0);
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("A click that does not move changes nothing") {
   TrailPanels panels;
   panels.driver.click("trail/scale");
   CHECK(panels.settings().scale == 2.0);
-  CHECK_FALSE(panels.driver.session->history().canUndo());
+  CHECK_FALSE(panels.driver.open.character()->history().canUndo());
 }
 
 TEST_CASE("Axes are switched one by one, or Shift leaves only one on") {
@@ -138,7 +138,7 @@ TEST_CASE("Choices and switches of the trail settings reach the document") {
 TEST_CASE("The space of the view takes the camera's axes") {
   TrailPanels panels;
   const Mat3 fromTheSide = Mat3(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0));
-  panels.driver.session->view().cameraAxes = fromTheSide;
+  panels.driver.open.character()->view().cameraAxes = fromTheSide;
   panels.driver.click("trail/space/View");
   CHECK(panels.settings().space == rig::TrailSpace::view);
   CHECK(panels.settings().viewAxes == fromTheSide);
@@ -150,7 +150,7 @@ TEST_CASE("An ease point is dragged out of its corner") {
   CHECK(panels.settings().easeIn.percent > 0.1);
   CHECK(panels.settings().easeIn.value > 0.05);
   CHECK(panels.settings().easeOut.percent == 0.0);
-  CHECK(panels.driver.session->undo());
+  CHECK(panels.driver.open.character()->undo());
   CHECK(panels.settings().easeIn.percent == 0.0);
 }
 
@@ -166,8 +166,8 @@ TEST_CASE("The ends of a trail are dragged in the timeline") {
   panels.driver.drag(bar + "/body", static_cast<float>(pixelsPerFrame * 2.0), 0.0F);
   CHECK(panels.settings().startFrame == 6.0);
   CHECK(panels.settings().endFrame == 32.0);
-  CHECK(panels.driver.session->undo());
-  CHECK(panels.driver.session->undo());
+  CHECK(panels.driver.open.character()->undo());
+  CHECK(panels.driver.open.character()->undo());
   CHECK(panels.settings().endFrame == 24.0);
 }
 
@@ -175,12 +175,12 @@ TEST_CASE("The working range and the playhead are set in the ruler, outside of u
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.click("limb/left-arm");
   driver.drag("timeline/range-start", 100.0F, 0.0F);
-  CHECK(driver.session->view().rangeStart > 0.0);
-  CHECK(driver.session->view().rangeEnd > driver.session->view().rangeStart);
+  CHECK(driver.open.character()->view().rangeStart > 0.0);
+  CHECK(driver.open.character()->view().rangeEnd > driver.open.character()->view().rangeStart);
   driver.click("timeline");
-  CHECK(driver.session->view().frame > 0.0);
-  CHECK(driver.session->view().frame == std::round(driver.session->view().frame));
-  CHECK_FALSE(driver.session->history().canUndo());
+  CHECK(driver.open.character()->view().frame > 0.0);
+  CHECK(driver.open.character()->view().frame == std::round(driver.open.character()->view().frame));
+  CHECK_FALSE(driver.open.character()->history().canUndo());
 }
 
 TEST_CASE("Buttons ask for commands and do not run them") {
@@ -188,26 +188,26 @@ TEST_CASE("Buttons ask for commands and do not run them") {
   driver.click("limb/left-arm");
   driver.click(ui::command::trailExaggerate);
   CHECK(driver.requested == std::vector<std::string>{ui::command::trailExaggerate});
-  CHECK(driver.session->document().trails.empty());
+  CHECK(driver.open.character()->document().trails.empty());
 }
 
 TEST_CASE("A trail is hidden, pinned and deleted from its row") {
   TrailPanels panels;
   const std::string row = "trails/" + std::to_string(panels.trailId());
   panels.driver.click(row + "/visible");
-  CHECK_FALSE(panels.driver.session->document().trails.front().visible);
+  CHECK_FALSE(panels.driver.open.character()->document().trails.front().visible);
   panels.driver.click(row + "/pinned");
-  CHECK(panels.driver.session->document().trails.front().pinned);
+  CHECK(panels.driver.open.character()->document().trails.front().pinned);
   panels.driver.click(row + "/delete");
-  CHECK(panels.driver.session->document().trails.empty());
+  CHECK(panels.driver.open.character()->document().trails.empty());
 }
 
 TEST_CASE("While another part of the program drags, panels leave the document alone") {
   TrailPanels panels;
-  panels.driver.session->begin("a tool of the viewport");
+  panels.driver.open.character()->begin("a tool of the viewport");
   panels.driver.drag("trail/scale", 40.0F, 0.0F);
   panels.driver.click("trail/pivot/End");
-  CHECK(panels.driver.session->isDragging());
+  CHECK(panels.driver.open.character()->isDragging());
   CHECK(panels.settings().scale == 2.0);
   CHECK(panels.settings().pivot == rig::Pivot::start);
 }
@@ -269,14 +269,14 @@ TEST_CASE("A style gives the limb the scale that was measured in its cartoon") {
 
 TEST_CASE("Another clip starts at its first frame, with nothing selected in time") {
   TrailPanels panels;
-  REQUIRE(panels.driver.session->document().clips->size() > 1);
-  panels.driver.session->view().frame = 8.0;
+  REQUIRE(panels.driver.open.character()->document().clips->size() > 1);
+  panels.driver.open.character()->view().frame = 8.0;
   panels.driver.click("rig/clip");
-  const std::string name = panels.driver.session->document().clips->at(1).name;
+  const std::string name = panels.driver.open.character()->document().clips->at(1).name;
   panels.driver.click("rig/clip/" + name);
-  CHECK(panels.driver.session->view().clip == 1);
-  CHECK(panels.driver.session->view().frame == 0.0);
-  CHECK(panels.driver.session->view().selectedTrail == 0);
+  CHECK(panels.driver.open.character()->view().clip == 1);
+  CHECK(panels.driver.open.character()->view().frame == 0.0);
+  CHECK(panels.driver.open.character()->view().selectedTrail == 0);
 }
 
 TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, one undo step a drag") {
@@ -286,17 +286,17 @@ TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, 
   driver.click("weight/on");
   CHECK(driver.requested == std::vector<std::string>{ui::command::weightToggle});
   const Result<app::Document> heavy =
-      app::switchWeight(driver.session->document(), {"left-arm", "left-leg"}, 0, true);
+      app::switchWeight(driver.open.character()->document(), {"left-arm", "left-leg"}, 0, true);
   REQUIRE(heavy.ok());
-  driver.session->edit(*heavy, "Give weight");
+  driver.open.character()->edit(*heavy, "Give weight");
   driver.frames(2);
   const auto settings = [&](const char* limb) -> const app::WeightSettings& {
-    return app::findWeight(driver.session->document(), limb, 0)->settings;
+    return app::findWeight(driver.open.character()->document(), limb, 0)->settings;
   };
   driver.drag("weight/stiffness", 30.0F, 0.0F);
   CHECK(settings("left-arm").stiffness > 1.05);
   CHECK(settings("left-leg").stiffness == 1.0);
-  REQUIRE(driver.session->undo());
+  REQUIRE(driver.open.character()->undo());
   CHECK(settings("left-arm").stiffness == 1.0);
   driver.drag("weight/bone-1", 20.0F, 0.0F);
   REQUIRE(settings("left-arm").moduli.size() == 1);
@@ -311,13 +311,14 @@ TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, 
 
 TEST_CASE("Weight is shaped for all selected limbs that have it") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  driver.session->edit(*app::switchWeight(driver.session->document(), {"left-arm", "right-arm"}, 0, true),
-                       "Give weight");
-  driver.session->view().selectedLimbs = {"left-arm", "right-arm", "spine"};
+  driver.open.character()->edit(
+      *app::switchWeight(driver.open.character()->document(), {"left-arm", "right-arm"}, 0, true),
+      "Give weight");
+  driver.open.character()->view().selectedLimbs = {"left-arm", "right-arm", "spine"};
   driver.frames(2);
   driver.drag("weight/amount", -40.0F, 0.0F);
-  CHECK(app::findWeight(driver.session->document(), "left-arm", 0)->settings.amount < 1.0);
-  CHECK(app::findWeight(driver.session->document(), "right-arm", 0)->settings.amount ==
-        app::findWeight(driver.session->document(), "left-arm", 0)->settings.amount);
-  CHECK(app::findWeight(driver.session->document(), "spine", 0) == nullptr);
+  CHECK(app::findWeight(driver.open.character()->document(), "left-arm", 0)->settings.amount < 1.0);
+  CHECK(app::findWeight(driver.open.character()->document(), "right-arm", 0)->settings.amount ==
+        app::findWeight(driver.open.character()->document(), "left-arm", 0)->settings.amount);
+  CHECK(app::findWeight(driver.open.character()->document(), "spine", 0) == nullptr);
 }

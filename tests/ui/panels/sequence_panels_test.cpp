@@ -19,17 +19,20 @@ struct SequencePanels {
     document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(12, 2.0, 0.06, 0.1));
     document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
     document.settings.bones = 8;
-    driver.sequence.emplace();
-    driver.sequence->document = std::move(document);
+    driver.open.open(std::move(document));
     driver.frames(3);
   }
   void compress() {
-    auto made = app::makeCompression(*driver.sequence->document.mesh, settings());
+    auto made = app::makeCompression(*driver.open.sequence()->document().mesh, settings());
     REQUIRE(made);
-    driver.sequence->document.result = std::make_shared<const app::Compression>(std::move(made).value());
+    app::SequenceDocument changed = driver.open.sequence()->document();
+    changed.result = std::make_shared<const app::Compression>(std::move(made).value());
+    driver.open.sequence()->edit(std::move(changed), "Compress");
     driver.frames(3);
   }
-  [[nodiscard]] skinning::CompressSettings& settings() { return driver.sequence->document.settings; }
+  [[nodiscard]] const skinning::CompressSettings& settings() {
+    return driver.open.sequence()->document().settings;
+  }
 
   PanelDriver driver;
 };
@@ -66,16 +69,16 @@ TEST_CASE("Compress is asked for by its command; the result shows metrics and ca
   CHECK(panels.driver.requested == std::vector<std::string>{ui::command::sequenceCompress});
   panels.compress();
   CHECK(panels.driver.find("sequence/quantise") != nullptr);
-  const bool before = panels.driver.sequence->document.quantise;
+  const bool before = panels.driver.open.sequence()->document().quantise;
   panels.driver.click("sequence/quantise");
-  CHECK(panels.driver.sequence->document.quantise != before);
+  CHECK(panels.driver.open.sequence()->document().quantise != before);
   panels.driver.click(ui::command::fileExportClean);
   CHECK(panels.driver.requested.back() == ui::command::fileExportClean);
 }
 
 TEST_CASE("While a compression is made there is progress and a way to stop it") {
   SequencePanels panels;
-  REQUIRE(app::startCompression(*panels.driver.sequence));
+  REQUIRE(panels.driver.open.sequence()->startCompression());
   panels.driver.frames(2);
   CHECK(panels.driver.find("sequence/progress") != nullptr);
   CHECK(panels.driver.find(ui::command::sequenceCancel) != nullptr);
@@ -98,6 +101,38 @@ TEST_CASE("Numbers of the elastic model are typed, and an empty field leaves the
   CHECK_FALSE(panels.settings().body.mass);
 }
 
+TEST_CASE("Settings of a sequence are undone, each gesture by one step, and typed numbers follow") {
+  SequencePanels panels;
+  app::SequenceSession& session = *panels.driver.open.sequence();
+  panels.driver.click("sequence/stretch/Measured");
+  CHECK(session.history().undoLabel() == "Change the stretch");
+  panels.driver.drag("sequence/bones", 60.0F, 0.0F);
+  CHECK(session.history().undoLabel() == "Change the bones");
+  session.undo();
+  CHECK(panels.settings().bones == 8);
+  CHECK(panels.settings().stretch == skinning::StretchOption::measured);
+  session.undo();
+  CHECK(panels.settings().stretch == skinning::StretchOption::elastic);
+  CHECK_FALSE(session.history().canUndo());
+
+  panels.driver.click("sequence/young");
+  panels.driver.type("3");
+  panels.driver.type("7");
+  panels.driver.click("sequence/mass"); // leaves the field
+  CHECK(panels.settings().body.youngModulus == 37.0);
+  CHECK(session.history().undoLabel() == "Change Young's modulus");
+  panels.driver.click("sequence/stretch/None");
+  session.undo();
+  session.undo();
+  CHECK_FALSE(panels.settings().body.youngModulus);
+  CHECK_FALSE(session.history().canUndo());
+  panels.driver.frames(2);
+  CHECK(panels.driver.ui.sequencePanel.young.empty());
+  session.redo();
+  panels.driver.frames(2);
+  CHECK(panels.driver.ui.sequencePanel.young == "37");
+}
+
 TEST_CASE("Segments get a modulus of their own, and lose it") {
   SequencePanels panels;
   panels.driver.click("sequence/moduli/add");
@@ -112,12 +147,12 @@ TEST_CASE("Segments get a modulus of their own, and lose it") {
 TEST_CASE("What colours the surface is chosen over the viewport; the error needs a result") {
   SequencePanels panels;
   panels.driver.click("sequence/colours/Error");
-  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::plain);
+  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::plain);
   panels.driver.click("sequence/colours/Thickness");
-  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::thickness);
+  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::thickness);
   panels.compress();
   panels.driver.click("sequence/colours/Error");
-  CHECK(panels.driver.sequence->view.colours == app::SequenceColours::error);
+  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::error);
 }
 
 TEST_CASE("A click on a point of the plot goes to its frame") {
@@ -125,7 +160,7 @@ TEST_CASE("A click on a point of the plot goes to its frame") {
   const ui::Item* plot = panels.driver.find("sequence/plot");
   REQUIRE(plot != nullptr);
   // The straight body, frame 0, is the longest and the least bent: the point at the top left.
-  panels.driver.sequence->view.frame = 7.0;
+  panels.driver.open.sequence()->view().frame = 7.0;
   int found = 0;
   for (float x = plot->min.x + 42.0F; x < plot->min.x + 80.0F && found == 0; x += 4.0F) {
     for (float y = plot->min.y + 18.0F; y < plot->min.y + 60.0F && found == 0; y += 4.0F) {
@@ -133,7 +168,7 @@ TEST_CASE("A click on a point of the plot goes to its frame") {
       panels.driver.frame();
       panels.driver.pressMouse();
       panels.driver.releaseMouse();
-      found = panels.driver.sequence->view.frame == 0.0 ? 1 : 0;
+      found = panels.driver.open.sequence()->view().frame == 0.0 ? 1 : 0;
     }
   }
   CHECK(found == 1);

@@ -7,11 +7,11 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/app/boxer.h"
+#include "tests/support/ui_driver/script_state.h"
 #include "ui/shell/autosave.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/pane_layout.h"
-#include "ui/shell/script_state.h"
 #include "ui/shell/user_settings.h"
 
 using namespace stretch;
@@ -169,10 +169,10 @@ TEST_CASE("Texts are replaced whole, and failures leave nothing behind") {
 }
 
 TEST_CASE("Numbers are compared as numbers, the rest as text") {
-  CHECK(sameState("3", "3.0004"));
-  CHECK_FALSE(sameState("3", "3.01"));
-  CHECK(sameState("left-arm", "left-arm"));
-  CHECK_FALSE(sameState("", "0"));
+  CHECK(test::sameState("3", "3.0004"));
+  CHECK_FALSE(test::sameState("3", "3.01"));
+  CHECK(test::sameState("left-arm", "left-arm"));
+  CHECK_FALSE(test::sameState("", "0"));
 }
 
 TEST_CASE("Every key of ours is one of the window's") {

@@ -1,4 +1,4 @@
-#include "ui/shell/script.h"
+#include "tests/support/ui_driver/script.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,11 +11,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "tests/support/ui_driver/script_state.h"
 #include "ui/render/png.h"
-#include "ui/shell/script_state.h"
 #include "ui/shell/shell_commands.h"
 
-namespace stretch::ui {
+namespace stretch::test {
+
+using namespace ui;
 
 namespace {
 
@@ -195,6 +197,13 @@ void Script::beginKey(const Step& step) {
   }
 }
 
+void Script::requestCommand(const std::string& id, ui::Shell& shell) {
+  if (!hasCommand(shell, id)) {
+    fail("there is no command " + id);
+  }
+  shell.requested.push_back(id);
+}
+
 void Script::begin(const Step& step, Shell& shell) {
   const std::string& verb = step.verb;
   if (verb == "key" || verb == "tap" || verb == "hold" || verb == "release") {
@@ -212,7 +221,7 @@ void Script::begin(const Step& step, Shell& shell) {
   } else if (verb == "wait") {
     actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, static_cast<int>(shareOf(step.words, 0)), 0});
   } else if (verb == "command") {
-    shell.requested.push_back(joined(step.words, 0));
+    requestCommand(joined(step.words, 0), shell);
   } else if (verb == "until") {
     until_ = step;
     untilSeconds_ = clockSeconds() + untilSeconds;
@@ -340,4 +349,4 @@ void Script::afterFrame(Shell& shell, const WindowSize& size) {
   }
 }
 
-} // namespace stretch::ui
+} // namespace stretch::test

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/shell/editor.h"
 #include "ui/shell/gui.h"
-#include "ui/shell/shell.h"
 
-namespace stretch::ui {
+namespace stretch::test {
 
 /// Drives the editor without a hand: feeds keys and mouse through the same callbacks as the window does,
 /// finds widgets by their ids, takes pictures and checks the document. One step per line, '#' begins a
@@ -33,21 +33,21 @@ namespace stretch::ui {
 ///   quit                        ends the program without questions
 ///   abandon                     ends it as a crash would: nothing is closed
 /// A relative FILE is taken from the script's folder for drop, from the working folder for picture. States:
-/// see ui/shell/script_state.h.
-class Script {
+/// see script_state.h.
+class Script : public ui::EditorHand {
 public:
   [[nodiscard]] static Result<Script> read(const std::filesystem::path& path);
 
   /// Before a frame: feeds input. Answers false when the script is over.
-  bool beforeFrame(Shell& shell, Window& window);
+  bool beforeFrame(ui::Shell& shell, ui::Window& window) override;
   /// After a frame was drawn and before it is shown: checks and pictures.
-  void afterFrame(Shell& shell, const WindowSize& size);
+  void afterFrame(ui::Shell& shell, const ui::WindowSize& size) override;
 
-  [[nodiscard]] const ScriptedMouse& mouse() const { return mouse_; }
+  [[nodiscard]] const ui::DrivenMouse& mouse() const override { return mouse_; }
   /// The line that failed and why; empty while all is well.
   [[nodiscard]] const std::string& failure() const { return failure_; }
   /// The program is to end without closing anything.
-  [[nodiscard]] bool abandoned() const { return abandoned_; }
+  [[nodiscard]] bool abandons() const override { return abandoned_; }
 
 private:
   struct Step {
@@ -75,13 +75,14 @@ private:
   };
 
   void fail(const std::string& why);
-  void begin(const Step& step, Shell& shell);
-  void beginMouse(const Step& step, const Shell& shell);
-  void beginDrag(const Step& step, const Shell& shell);
+  void begin(const Step& step, ui::Shell& shell);
+  void beginMouse(const Step& step, const ui::Shell& shell);
+  void beginDrag(const Step& step, const ui::Shell& shell);
   void beginKey(const Step& step);
-  void act(const Action& action, Window& window);
+  void requestCommand(const std::string& id, ui::Shell& shell);
+  void act(const Action& action, ui::Window& window);
   void moveTo(float x, float y);
-  std::optional<ImVec2> placeOf(const Shell& shell, const std::string& id, float x, float y);
+  std::optional<ImVec2> placeOf(const ui::Shell& shell, const std::string& id, float x, float y);
 
   std::filesystem::path folder_;
   std::deque<Step> steps_;
@@ -93,8 +94,8 @@ private:
   int line_ = 0;
   bool over_ = false;
   bool abandoned_ = false;
-  ScriptedMouse mouse_;
+  ui::DrivenMouse mouse_;
   std::string failure_;
 };
 
-} // namespace stretch::ui
+} // namespace stretch::test

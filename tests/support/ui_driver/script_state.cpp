@@ -1,4 +1,4 @@
-#include "ui/shell/script_state.h"
+#include "tests/support/ui_driver/script_state.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,9 @@
 #include "app/commands/selection.h"
 #include "ui/shell/file_work.h"
 
-namespace stretch::ui {
+namespace stretch::test {
+
+using namespace ui;
 
 namespace {
 
@@ -126,7 +128,7 @@ std::string heavyStiffness(const app::Session& session) {
 }
 
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
-  app::Session& session = *shell.session;
+  app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
   const std::map<std::string_view, std::function<std::string()>> states{
       {"trails", [&] { return std::to_string(session.document().trails.size()); }},
@@ -164,7 +166,7 @@ std::string nameOf(app::SequenceColours colours) {
 }
 
 std::optional<std::string> sequenceState(const app::SequenceSession& session, std::string_view name) {
-  const app::SequenceDocument& document = session.document;
+  const app::SequenceDocument& document = session.document();
   const std::map<std::string_view, std::string> states{
       {"sequence", document.mesh->name},
       {"sequence.frames", std::to_string(document.mesh->frameCount())},
@@ -173,13 +175,15 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
       {"sequence.bones", document.result == nullptr
                              ? "none"
                              : std::to_string(document.result->compressed.skinned.bones.size())},
-      {"sequence.original", yesNo(session.view.showOriginal)},
-      {"sequence.skinned", yesNo(session.view.showSkinned)},
-      {"sequence.colours", nameOf(session.view.colours)},
+      {"sequence.original", yesNo(session.view().showOriginal)},
+      {"sequence.skinned", yesNo(session.view().showSkinned)},
+      {"sequence.colours", nameOf(session.view().colours)},
       {"sequence.skip", std::to_string(document.settings.body.firstFittedFrame)},
       {"sequence.moduli", std::to_string(document.settings.body.moduli.ranges.size())},
-      {"frame", number(session.view.frame)},
+      {"frame", number(session.view().frame)},
       {"last-frame", number(app::lastFrame(session))},
+      {"undo", session.history().undoLabel()},
+      {"redo", session.history().redoLabel()},
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);
@@ -192,7 +196,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"file", shell.files.path.filename().string()},
       {"unsaved", yesNo(hasUnsavedWork(shell))},
       {"busy", yesNo(shell.files.loading.valid())},
-      {"compressing", yesNo(shell.sequence != nullptr && shell.sequence->job != nullptr)},
+      {"compressing", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing())},
       {"modal", shell.ui.modalText},
       {"playing", yesNo(shell.ui.timeline.playing)},
       {"ghosts", yesNo(shell.ui.overlays.ghosts)},
@@ -214,10 +218,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   if (const auto found = states.find(name); found != states.end()) {
     return found->second;
   }
-  if (shell.sequence != nullptr) {
-    return sequenceState(*shell.sequence, name);
+  if (shell.open.sequence() != nullptr) {
+    return sequenceState(*shell.open.sequence(), name);
   }
-  return shell.session == nullptr ? std::nullopt : sessionState(shell, name);
+  return shell.open.character() == nullptr ? std::nullopt : sessionState(shell, name);
 }
 
 bool sameState(const std::string& a, const std::string& b) {
@@ -229,4 +233,4 @@ bool sameState(const std::string& a, const std::string& b) {
   return numbers ? std::abs(first - second) < 1e-3 : a == b;
 }
 
-} // namespace stretch::ui
+} // namespace stretch::test

@@ -6,7 +6,7 @@
 
 #include "ui/shell/shell.h"
 
-namespace stretch::ui {
+namespace stretch::test {
 
 /// A state of the program by name, as text; nothing for a name that there is not:
 /// file, unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), trail (of the
@@ -17,9 +17,9 @@ namespace stretch::ui {
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
-[[nodiscard]] std::optional<std::string> stateOf(Shell& shell, std::string_view name);
+[[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.
 [[nodiscard]] bool sameState(const std::string& a, const std::string& b);
 
-} // namespace stretch::ui
+} // namespace stretch::test

@@ -1,0 +1,51 @@
+#include "app/commands/document_commands.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hasResult(const SequenceSession& session) {
+  return session.document().result != nullptr;
+}
+
+} // namespace
+
+std::vector<DocumentCommand> sequenceCommands() {
+  return {
+      {.id = "sequence.compress",
+       .label = "Compress the sequence",
+       .help = "Makes a skinned clip of the mesh sequence, with the settings of the panel.",
+       .keys = {"Ctrl+Enter"},
+       .enabledOnSequence = [](const SequenceSession& session) { return !session.isCompressing(); },
+       .runOnSequence = [](SequenceSession& session) { return session.startCompression(); }},
+      {.id = "sequence.cancel",
+       .label = "Cancel the compression",
+       .help = "Stops it; what was compressed before stays.",
+       .keys = {},
+       .enabledOnSequence = [](const SequenceSession& session) { return session.isCompressing(); },
+       .runOnSequence = [](SequenceSession& session) -> Status {
+         session.cancelCompression();
+         return Success{};
+       }},
+      {.id = "sequence.original",
+       .label = "Show the original sequence",
+       .help = "Shows the meshes as they were simulated, in red.",
+       .keys = {},
+       .enabledOnSequence = [](const SequenceSession&) { return true; },
+       .runOnSequence = [](SequenceSession& session) -> Status {
+         session.view().showOriginal = !session.view().showOriginal;
+         return Success{};
+       }},
+      {.id = "sequence.skinned",
+       .label = "Show the skinned result",
+       .help = "Shows what the compressed clip makes of them, in green.",
+       .keys = {},
+       .enabledOnSequence = hasResult,
+       .runOnSequence = [](SequenceSession& session) -> Status {
+         session.view().showSkinned = !session.view().showSkinned;
+         return Success{};
+       }},
+  };
+}
+
+} // namespace stretch::app
