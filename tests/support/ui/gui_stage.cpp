@@ -23,15 +23,15 @@ ui::OffscreenContext offscreen() {
 }
 
 /// Commands as the editor lists them; those of the document are on where they can run, the others always.
-std::vector<ui::CommandInfo> commandsFor(const app::Session* session) {
+std::vector<ui::CommandInfo> commandsFor(const app::OpenDocument& open) {
   std::vector<ui::CommandInfo> infos;
   for (const app::Command<ui::Shell>& command : ui::editorCommands()) {
     infos.push_back({command.id, command.label, command.help,
                      command.keys.empty() ? "" : command.keys.front(), true, false});
   }
-  for (const app::Command<app::Session>& command : app::documentCommands()) {
+  for (const auto& command : app::documentCommands()) {
     for (ui::CommandInfo& info : infos) {
-      info.enabled = info.id == command.id ? session != nullptr && command.enabled(*session) : info.enabled;
+      info.enabled = info.id == command.id ? app::isEnabled(command, open) : info.enabled;
     }
   }
   return infos;
@@ -93,12 +93,10 @@ GuiStage::~GuiStage() {
 }
 
 void GuiStage::frame(const Draw& draw) {
-  app::Session* open = session ? &*session : nullptr;
   commands_ = commandsFor(open);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const ui::PanelContext panels{
-      open, ui, theme, commands_, requested_, items, sequence ? &*sequence : nullptr};
+  const ui::PanelContext panels{open, ui, theme, commands_, requested_, items};
   ui::ViewportContext context{panels, viewport, tool};
   ui::beginPanels(context);
   draw(context);

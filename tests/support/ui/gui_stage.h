@@ -2,13 +2,12 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <imgui.h>
 
-#include "app/session.h"
+#include "app/open_document.h"
 #include "ui/panels/panels.h"
 #include "ui/render/offscreen_context.h"
 #include "ui/render/render_target.h"
@@ -63,8 +62,7 @@ public:
   void pointAt(const std::string& item);
   void click(const std::string& item, const Draw& draw);
 
-  std::optional<app::Session> session;
-  std::optional<app::SequenceSession> sequence;
+  app::OpenDocument open;
   ui::UiState ui;
   ui::Theme theme;
   ui::ItemRegistry items;

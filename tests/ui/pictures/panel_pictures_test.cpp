@@ -29,19 +29,20 @@ void withTrail(GuiStage& stage) {
   wanted.connected = true;
   const Result<app::CreatedTrail> created = app::createTrail(test::PanelDriver::bundledCharacter(), wanted);
   REQUIRE(created);
-  stage.session.emplace(created->document);
-  app::selectTrail(*stage.session, created->document.trails.front().id);
-  stage.session->view().frame = 12.0;
+  stage.open.open(created->document);
+  app::selectTrail(*stage.open.character(), created->document.trails.front().id);
+  stage.open.character()->view().frame = 12.0;
 }
 
 void withLimb(GuiStage& stage) {
-  stage.session.emplace(test::PanelDriver::bundledCharacter());
-  app::selectLimb(*stage.session, "left-arm", false);
+  stage.open.open(test::PanelDriver::bundledCharacter());
+  app::selectLimb(*stage.open.character(), "left-arm", false);
 }
 
 void withWeight(GuiStage& stage) {
   withLimb(stage);
-  stage.session->edit(*app::switchWeight(stage.session->document(), {"left-arm"}, 0, true), "Give weight");
+  stage.open.character()->edit(*app::switchWeight(stage.open.character()->document(), {"left-arm"}, 0, true),
+                               "Give weight");
 }
 
 void withSequence(GuiStage& stage) {
@@ -50,17 +51,17 @@ void withSequence(GuiStage& stage) {
   document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(12, 2.0, 0.06, 0.1));
   document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
   document.settings.bones = 8;
-  stage.sequence.emplace();
-  stage.sequence->document = std::move(document);
-  stage.sequence->view.frame = 5.0;
+  stage.open.open(std::move(document));
+  stage.open.sequence()->view().frame = 5.0;
 }
 
 void withCompression(GuiStage& stage) {
   withSequence(stage);
-  app::SequenceDocument& document = stage.sequence->document;
+  app::SequenceDocument document = stage.open.sequence()->document();
   auto made = app::makeCompression(*document.mesh, document.settings);
   REQUIRE(made);
   document.result = std::make_shared<const app::Compression>(std::move(made).value());
+  stage.open.sequence()->edit(std::move(document), "Compress");
 }
 
 void withNothing(GuiStage&) {}

@@ -27,23 +27,22 @@ void openCharacter(GuiStage& stage) {
   wanted.connected = true;
   const Result<app::CreatedTrail> created = app::createTrail(test::PanelDriver::bundledCharacter(), wanted);
   REQUIRE(created);
-  stage.session.emplace(created->document);
-  stage.session->view().frame = 26.0;
+  stage.open.open(created->document);
+  stage.open.character()->view().frame = 26.0;
   stage.viewport.facingYawRadians = facingYaw(created->document, 0);
   stage.viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, stage.viewport.facingYawRadians);
   stage.viewport.framePending = true;
 }
 
 int trailOf(const GuiStage& stage) {
-  return stage.session->document().trails.front().id;
+  return stage.open.character()->document().trails.front().id;
 }
 
 void selectTrail(GuiStage& stage) {
-  app::selectTrail(*stage.session, trailOf(stage));
+  app::selectTrail(*stage.open.character(), trailOf(stage));
 }
 
 void openSequence(GuiStage& stage) {
-  stage.session.reset();
   app::SequenceDocument document;
   document.paths = {"tube"};
   document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(12, 2.0, 0.06, 0.1));
@@ -52,9 +51,8 @@ void openSequence(GuiStage& stage) {
   auto made = app::makeCompression(*document.mesh, document.settings);
   REQUIRE(made);
   document.result = std::make_shared<const app::Compression>(std::move(made).value());
-  stage.sequence.emplace();
-  stage.sequence->document = std::move(document);
-  stage.sequence->view.frame = 8.0;
+  stage.open.open(std::move(document));
+  stage.open.sequence()->view().frame = 8.0;
 }
 
 struct Overlays {
@@ -70,7 +68,7 @@ const Overlays overlays[] = {
     {"heat-map", [](GuiStage& stage) { stage.ui.overlays.heatMap = true; }},
     {"ghosts", [](GuiStage& stage) { stage.ui.overlays.ghosts = true; }},
     {"grid-off", [](GuiStage& stage) { stage.ui.overlays.grid = false; }},
-    {"limb-selected", [](GuiStage& stage) { app::selectLimb(*stage.session, "right-leg", false); }},
+    {"limb-selected", [](GuiStage& stage) { app::selectLimb(*stage.open.character(), "right-leg", false); }},
     {"trail-selected", selectTrail},
     {"frame-numbers",
      [](GuiStage& stage) {
@@ -98,10 +96,11 @@ const Overlays overlays[] = {
     {"handles",
      [](GuiStage& stage) {
        selectTrail(stage);
-       stage.session->view().selectedSpheres = {stage.session->document().trails.front().settings.endFrame};
+       stage.open.character()->view().selectedSpheres = {
+           stage.open.character()->document().trails.front().settings.endFrame};
      }},
     {"side-by-side", [](GuiStage& stage) { stage.ui.overlays.sideBySide = true; }},
-    {"original", [](GuiStage& stage) { stage.session->view().showOriginal = true; }},
+    {"original", [](GuiStage& stage) { stage.open.character()->view().showOriginal = true; }},
     {"front",
      [](GuiStage& stage) {
        stage.viewport.camera =
@@ -111,15 +110,15 @@ const Overlays overlays[] = {
     {"sequence-error",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.sequence->view.colours = app::SequenceColours::error;
+       stage.open.sequence()->view().colours = app::SequenceColours::error;
      }},
     {"sequence-thickness",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.sequence->view.colours = app::SequenceColours::thickness;
+       stage.open.sequence()->view().colours = app::SequenceColours::thickness;
        stage.ui.overlays.skeleton = true;
      }},
-    {"empty", [](GuiStage& stage) { stage.session.reset(); }},
+    {"empty", [](GuiStage& stage) { stage.open = {}; }},
 };
 
 } // namespace
