@@ -42,7 +42,7 @@ void addStaff(Document& document, float beyondHand) {
   Scene scene = *document.scene;
   const rig::Limb& arm = *findLimb(document, "left-arm");
   const FrameState rest = evaluateOriginal(document, 0, 0.0);
-  const Mat4& hand = rest.worlds[static_cast<std::size_t>(arm.joints.back())];
+  const Mat4& hand = rest.worlds[at(arm.joints.back())];
   Primitive primitive;
   const Vec3 end = rig::endPosition(arm, rest);
   primitive.positions = {glm::vec3(end) + glm::vec3(beyondHand, 0.0F, 0.0F)};
@@ -54,7 +54,7 @@ void addStaff(Document& document, float beyondHand) {
   Node holder;
   holder.mesh = static_cast<int>(scene.meshes.size()) - 1;
   holder.skin = static_cast<int>(scene.skins.size()) - 1;
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()));
+  scene.roots.push_back(NodeIndex(scene.nodes.size()));
   scene.nodes.push_back(holder);
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }

@@ -27,7 +27,7 @@ struct Places {
 };
 
 Places placesOf(const MovingBiped& moving, const FrameState& frame) {
-  const auto index = [&](const char* key) { return static_cast<std::size_t>(moving.node.at(key)); };
+  const auto index = [&](const char* key) { return at(moving.node.at(key)); };
   return {positionOf(frame.worlds[index("hand.l")]), rotationOf(frame.worlds[index("clavicle.l")])};
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("a skinned mesh reaches as far as it does from its joint in the bind p
   scene.nodes.resize(2);
   Mat4 fromJoint(1.0);
   fromJoint[3] = Vec4(-5.0, 0.0, 0.0, 1.0); // the joint stands at x = 5
-  scene.skins.push_back({"skin", {1}, {fromJoint}});
+  scene.skins.push_back({"skin", {NodeIndex(1)}, {fromJoint}});
   scene.nodes[0].mesh = addMesh(scene, {{5.0F, 0.5F, 0.0F}});
   scene.nodes[0].skin = 0;
   VertexInfluences whole;
