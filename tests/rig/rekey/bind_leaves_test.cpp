@@ -18,28 +18,28 @@ const Quat axisOfTheFile = axisAngle(Vec3(0.0, 0.0, 1.0), 0.5);
 Scene stretchedBefore(bool turnsBack) {
   Scene scene;
   scene.nodes.resize(turnsBack ? 3 : 2);
-  scene.nodes[0].children = {1};
-  scene.nodes[1].parent = 0;
+  scene.nodes[0].children = {NodeIndex(1)};
+  scene.nodes[1].parent = NodeIndex(0);
   scene.nodes[1].rest.rotation = axisOfTheFile;
   scene.nodes[1].isBindLeaf = true;
   scene.bindChains.emplace_back();
-  scene.bindChains.back().joint = 0;
-  scene.bindChains.back().leaf = 1;
+  scene.bindChains.back().joint = NodeIndex(0);
+  scene.bindChains.back().leaf = NodeIndex(1);
   if (turnsBack) {
-    scene.nodes[1].children = {2};
-    scene.nodes[2].parent = 1;
+    scene.nodes[1].children = {NodeIndex(2)};
+    scene.nodes[2].parent = NodeIndex(1);
     scene.nodes[2].rest.rotation = glm::inverse(axisOfTheFile);
     scene.nodes[2].isBindLeaf = true;
-    scene.bindChains.back().endLeaf = 2;
+    scene.bindChains.back().endLeaf = NodeIndex(2);
   }
-  scene.roots = {0};
-  scene.skins.push_back({"skin", {0}, {Mat4(1.0)}});
+  scene.roots = {NodeIndex(0)};
+  scene.skins.push_back({"skin", {NodeIndex(0)}, {Mat4(1.0)}});
   return scene;
 }
 
 StretchKeys stretchAlong(const Quat& axis, const Vec3& factors) {
   StretchKeys keys;
-  keys.node = 0;
+  keys.node = NodeIndex(0);
   keys.times = {0.0F, 0.5F};
   keys.axes = {axis};
   keys.scales = {Vec3(1.0), factors};
@@ -52,7 +52,7 @@ gltf::Edits saved(const Scene& scene, const StretchKeys& keys) {
   return edits;
 }
 
-std::size_t countTracks(const gltf::Edits& edits, int node, Channel channel) {
+std::size_t countTracks(const gltf::Edits& edits, NodeIndex node, Channel channel) {
   std::size_t count = 0;
   for (const gltf::ClipTracks& clip : edits.clips) {
     count += static_cast<std::size_t>(
@@ -75,8 +75,8 @@ TEST_CASE("a stretch along the axis that a leaf has already is told by the leaf'
   const gltf::Edits edits = saved(stretchedBefore(false), stretchAlong(axisOfTheFile, thinner));
   CHECK(edits.addedNodes.empty());
   CHECK(edits.skinSlots.empty());
-  CHECK(countTracks(edits, 1, Channel::scale) == 1);
-  CHECK(countTracks(edits, 1, Channel::rotation) == 0);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::scale) == 1);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 0);
 }
 
 TEST_CASE("a round stretch may lie turned about the leaf's axis, a flat one not") {
@@ -89,19 +89,19 @@ TEST_CASE("a stretch along another axis turns the leaf, and a second one turns b
   const Quat other = axisAngle(Vec3(0.0, 1.0, 0.0), 1.0);
   const gltf::Edits edits = saved(stretchedBefore(false), stretchAlong(other, thinner));
   REQUIRE(edits.addedNodes.size() == 1);
-  CHECK(edits.addedNodes.front().parent == 1);
+  CHECK(edits.addedNodes.front().parent == NodeIndex(1));
   // At rest, where other clips have it, the chain does nothing: back from the axis of the file.
   CHECK(same(edits.addedNodes.front().rest.rotation, glm::inverse(axisOfTheFile)));
-  CHECK(countTracks(edits, 1, Channel::rotation) == 1);
-  CHECK(countTracks(edits, 2, Channel::rotation) == 1);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 1);
+  CHECK(countTracks(edits, NodeIndex(2), Channel::rotation) == 1);
   REQUIRE(edits.skinSlots.size() == 1);
-  CHECK(edits.skinSlots.front().node == 2);
+  CHECK(edits.skinSlots.front().node == NodeIndex(2));
 }
 
 TEST_CASE("two leaves that the file has stay two, and both are turned") {
   const gltf::Edits edits = saved(stretchedBefore(true), stretchAlong(axisOfTheFile, thinner));
   CHECK(edits.addedNodes.empty());
   CHECK(edits.skinSlots.empty());
-  CHECK(countTracks(edits, 1, Channel::rotation) == 1);
-  CHECK(countTracks(edits, 2, Channel::rotation) == 1);
+  CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 1);
+  CHECK(countTracks(edits, NodeIndex(2), Channel::rotation) == 1);
 }

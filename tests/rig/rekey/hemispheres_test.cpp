@@ -31,8 +31,7 @@ Trail thrownBack(const MovingBiped& moving, double side) {
   constexpr double frame = 9.0;
   const FrameState source = sourceAtFrame(moving, frame);
   const Limb& arm = moving.limb("left-arm");
-  const Vec3 reach =
-      endPosition(arm, source) - positionOf(source.worlds[static_cast<std::size_t>(arm.joints.front())]);
+  const Vec3 reach = endPosition(arm, source) - positionOf(source.worlds[at(arm.joints.front())]);
   const Vec3 across = glm::length(reach) * glm::normalize(glm::cross(reach, Vec3(0.1, 1.0, 0.2)));
   Trail trail = connectedTrail("left-arm", 0, 18, 1.0);
   trail.controlFrames = {0.0, 6.0, frame, 12.0, 18.0};

@@ -184,12 +184,12 @@ TEST_CASE("A key is changed in the keys overview, and the one that loses it is t
 TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the found ones back") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   const rig::Limb before = *app::findLimb(driver.open.character()->document(), "left-arm");
-  const int forearm = before.joints.back();
+  const NodeIndex forearm = before.joints.back();
   driver.ui.jointPick.open = true;
   driver.ui.jointPick.limbId = "left-arm";
   driver.frames(3);
-  driver.click(fmt::format("joints/{}", forearm));
-  driver.click(fmt::format("joints/{}", before.endNode));
+  driver.click(fmt::format("joints/{}", forearm.value));
+  driver.click(fmt::format("joints/{}", before.endNode.value));
   driver.click("joints/Use them");
   const rig::Limb* after = app::findLimb(driver.open.character()->document(), "left-arm");
   REQUIRE(after != nullptr);
