@@ -2,12 +2,13 @@
 add_library(stretch_options INTERFACE)
 target_compile_options(stretch_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
                        -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-qual -Wimplicit-fallthrough
-                       $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond;-Wnull-dereference>)
-# Between sources that are compiled together (stretch_unity) a local name may repeat a helper's.
+                       $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond>)
+# Between sources that are compiled together (stretch_unity) a local name may repeat a helper's, and the compiler, which sees
+# a pointer through many calls, asks of it what another source promised.
 if(STRETCH_UNITY)
   target_compile_options(stretch_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 else()
-  target_compile_options(stretch_options INTERFACE -Wshadow)
+  target_compile_options(stretch_options INTERFACE -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wnull-dereference>)
 endif()
 if(STRETCH_STRICT)
   target_compile_options(stretch_options INTERFACE -Werror)
