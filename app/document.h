@@ -55,6 +55,12 @@ struct Document {
 /// Reads all clips at another frame rate: frames, ranges and ticks count in it.
 void setFramesPerSecond(Document& document, double framesPerSecond);
 
+/// Null when the limb has no weight in the clip.
+[[nodiscard]] const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip);
+
+/// Whether any limb of the clip has weight that is on.
+[[nodiscard]] bool hasWeight(const Document& document, int clip);
+
 /// Trails that the character follows in the editor and that saving does not key, or not as they stand.
 [[nodiscard]] std::size_t unappliedTrails(const Document& document);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/evaluate/evaluate.h"
+#include "app/evaluate/cache.h"
 #include "app/history.h"
 
 namespace stretch::app {

@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "rig/motion/solve.h"
+#include "rig/limb_points.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/batch/weight_report.h"

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "rig/motion/solve.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"

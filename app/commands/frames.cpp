@@ -1,3 +1,4 @@
+#include "rig/motion/solve.h"
 #include "app/commands/frames.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/edits/weight_edits.h"
-#include "app/weight/weight_motion.h"
+#include "app/document.h"
 
 namespace stretch::app {
 

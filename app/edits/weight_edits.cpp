@@ -5,7 +5,7 @@
 
 #include "app/edits/trail_edits.h"
 #include "app/schema/weight_description.h"
-#include "app/weight/weight_motion.h"
+#include "app/document.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {

@@ -1,3 +1,4 @@
+#include "rig/limb_points.h"
 #include "app/evaluate/quality.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "app/schema/trail_json.h"
 #include "app/schema/weight_description.h"
 #include "core/gltf/json.h"
-#include "rig/motion/motion.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

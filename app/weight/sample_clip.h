@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/document.h"
+#include "app/weight/weight_input.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -22,7 +22,7 @@ struct SampledClip {
   std::vector<OfLimb> limbs; ///< Those with weight, and the legs.
 };
 
-/// `motion`: trails of the clip, without flesh.
-[[nodiscard]] SampledClip sampleClip(const Document& document, const rig::MotionState& motion);
+/// `motion`: trails of the clip, without weight.
+[[nodiscard]] SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion);
 
 } // namespace stretch::app

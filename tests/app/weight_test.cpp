@@ -1,3 +1,4 @@
+#include "rig/limb_points.h"
 #include "app/weight/weight_motion.h"
 
 #include <algorithm>

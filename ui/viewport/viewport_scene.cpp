@@ -9,7 +9,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/mirror_edits.h"
-#include "rig/motion/limb_topology.h"
+#include "rig/limb_points.h"
 #include "ui/render/handle_drawing.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/trail_drawing.h"

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "rig/limb_points.h"
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "rig/limb_points.h"
 #include "core/math/rotation.h"
 #include "tests/support/rig/rekeyed_clip.h"
 

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "rig/limb_points.h"
 #include "core/math/rotation.h"
 #include "tests/support/rig/moving_biped.h"
 

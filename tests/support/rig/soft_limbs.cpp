@@ -1,3 +1,4 @@
+#include "rig/limb_points.h"
 #include "tests/support/rig/soft_limbs.h"
 
 #include <glm/geometric.hpp>
