@@ -7,8 +7,6 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "rig/motion/solve.h"
-#include "rig/limb_points.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/batch/weight_report.h"
@@ -20,6 +18,8 @@
 #include "app/recipe/recipe.h"
 #include "app/schema/trail_json.h"
 #include "core/gltf/json.h"
+#include "rig/limb_points.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

@@ -3,13 +3,13 @@
 
 #include <fmt/core.h>
 
-#include "rig/motion/solve.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/evaluate/evaluate.h"
 #include "app/schema/trail_json.h"
 #include "core/gltf/json.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

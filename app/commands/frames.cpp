@@ -1,5 +1,5 @@
-#include "rig/motion/solve.h"
 #include "app/commands/frames.h"
+#include "rig/motion/solve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/schema/weight_description.h"
-#include "app/document.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {

@@ -59,8 +59,8 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
   const EvaluationInput input = evaluationInput(document, clip);
   const Motion& solved = trails(input);
   return paths_.of({input.ground, solved, samplesPerFrame}, [&](const auto* last) {
-    const bool usable = last != nullptr && last->key.ground == input.ground &&
-                        last->key.samplesPerFrame == samplesPerFrame;
+    const bool usable =
+        last != nullptr && last->key.ground == input.ground && last->key.samplesPerFrame == samplesPerFrame;
     return drawPaths(input.ground, *solved, samplesPerFrame,
                      usable ? EarlierPaths{last->key.trails.get(), &last->value} : EarlierPaths{});
   });

@@ -21,7 +21,8 @@ struct EvaluationGround {
 };
 
 /// All that the motion of one clip is made from: its stages see nothing else of the document. So two equal
-/// ones (scene and clips by identity: they never change) have the same motion, and no cache can miss a setting.
+/// ones (scene and clips by identity: they never change) have the same motion, and no cache can miss a
+/// setting.
 struct EvaluationInput {
   EvaluationGround ground;
   std::vector<rig::Trail> trails;    ///< Of the clip.

@@ -1,5 +1,5 @@
-#include "rig/limb_points.h"
 #include "app/evaluate/quality.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -36,7 +36,8 @@ struct EarlierPaths {
 
 /// One for each trail of `motion`. Of trails that are the same as before, and that no changed one moves, the
 /// earlier paths are taken over.
-[[nodiscard]] std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::MotionState& motion,
-                                                std::size_t samplesPerFrame, const EarlierPaths& earlier);
+[[nodiscard]] std::vector<TrailPaths> drawPaths(const EvaluationGround& ground,
+                                                const rig::MotionState& motion, std::size_t samplesPerFrame,
+                                                const EarlierPaths& earlier);
 
 } // namespace stretch::app

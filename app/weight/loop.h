@@ -8,8 +8,8 @@
 
 namespace stretch::app {
 
-/// Samples put before and after those of a clip that loops: it comes from its own end and goes on with its own
-/// beginning, wherever it got to meanwhile. None where it does not loop.
+/// Samples put before and after those of a clip that loops: it comes from its own end and goes on with its
+/// own beginning, wherever it got to meanwhile. None where it does not loop.
 struct LoopRoom {
   std::size_t before = 0;
   std::size_t after = 0;

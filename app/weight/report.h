@@ -20,8 +20,8 @@ struct WeightReport {
   std::vector<std::string> warnings; ///< One line each, with its frame.
 };
 
-/// Notes the extremes of a limb, and what the model was not made for. The report and the segments must outlive
-/// it.
+/// Notes the extremes of a limb, and what the model was not made for. The report and the segments must
+/// outlive it.
 class ReportWriter {
 public:
   ReportWriter(WeightReport& report, const std::vector<skinning::LimbSegment>& segments,

@@ -137,8 +137,8 @@ struct Shared {
   double bodyVolume = 0.0;
 };
 
-void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::OfLimb& one,
-             LimbSizes& sizes, WeightMotion& motion) {
+void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::OfLimb& one, LimbSizes& sizes,
+             WeightMotion& motion) {
   const std::vector<skinning::LimbSegment> segments = segmentsOf(input.weight, one.limb, sizes);
   const WeightSettings& settings = entry.settings;
   WeightReport report;

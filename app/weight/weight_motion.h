@@ -32,6 +32,7 @@ struct WeightMotion {
 /// How the limbs of a clip that have weight give way (skinning::limbElasticity): legs that stand share the
 /// body above them, a clip that loops is in the swing of its loop from the start, and a range inside the clip
 /// fades in and out.
-[[nodiscard]] WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled, LimbSizes& sizes);
+[[nodiscard]] WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled,
+                                        LimbSizes& sizes);
 
 } // namespace stretch::app

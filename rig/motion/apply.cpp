@@ -1,5 +1,5 @@
-#include "rig/limb_points.h"
 #include "rig/motion/apply.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,8 +128,8 @@ Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& s
   return carry;
 }
 
-// Whether an active trail of the same limb that acts earlier moves it at this time: the limb starts from where
-// that one leaves it, so that the release of the one lasts into the range of the next.
+// Whether an active trail of the same limb that acts earlier moves it at this time: the limb starts from
+// where that one leaves it, so that the release of the one lasts into the range of the next.
 bool followsAnother(const MotionState& motion, std::size_t trail, double timeSeconds) {
   const std::string& limb = motion.trails[trail].limb.id;
   return std::any_of(motion.trails.begin(), motion.trails.begin() + static_cast<std::ptrdiff_t>(trail),
@@ -150,7 +150,7 @@ Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& 
   const SolvedTrail& solved = motion.trails[trail];
   Target target;
   target.original = followsAnother(motion, trail, sample.timeSeconds) ? endPosition(solved.limb, frame)
-                                                                       : carry.point(sample.end);
+                                                                      : carry.point(sample.end);
   target.wanted = target.original + carry.vector(0.5 * solved.settings.blend * amount.offset);
   if (solved.settings.stopAt) {
     target.wanted = stoppedAt(*solved.settings.stopAt, target.original, target.wanted);

@@ -13,8 +13,8 @@ namespace stretch::rig {
 /// Brings every active trail onto a sampled frame, from the root outwards.
 void applyTrails(const Scene& scene, const MotionState& motion, FrameState& frame);
 
-/// The character at one time: the clip sampled, its trails (applyTrails) and its weight (applyWeight) applied.
-/// Each stage takes the pose of the one before, with its stretch for each bone, and gives the next.
+/// The character at one time: the clip sampled, its trails (applyTrails) and its weight (applyWeight)
+/// applied. Each stage takes the pose of the one before, with its stretch for each bone, and gives the next.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 

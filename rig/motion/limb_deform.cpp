@@ -1,5 +1,5 @@
-#include "rig/limb_points.h"
 #include "rig/motion/limb_deform.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>

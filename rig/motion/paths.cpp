@@ -148,8 +148,8 @@ std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std
   return frames;
 }
 
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
-                      std::size_t trail, std::size_t samplesPerFrame) {
+DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,
+                      std::size_t samplesPerFrame) {
   return pathsAt(scene, clip, motion, trail, drawnFrames(clip, motion.trails[trail], samplesPerFrame));
 }
 

@@ -84,13 +84,12 @@ private:
 
 std::vector<double> boneWidths(const Scene& scene, const FrameState& pose, const std::vector<int>& boneOfNode,
                                std::size_t boneCount) {
-  const BoneSurface surface =
-      BoneSurfaceCollector(scene, boneOfNode).collect(skinnedPositions(scene, pose));
+  const BoneSurface surface = BoneSurfaceCollector(scene, boneOfNode).collect(skinnedPositions(scene, pose));
   // Means over hundreds of faces need few rays each.
   const Result<ShapeDiameters> diameters =
       shapeDiameters(surface.positions.data(), surface.positions.size(), surface.triangles, {120.0, 16, 0});
-  return diameters ? meanByGroup(surface.positions.data(), surface.triangles, diameters->faces, surface.boneOf,
-                                 boneCount)
+  return diameters ? meanByGroup(surface.positions.data(), surface.triangles, diameters->faces,
+                                 surface.boneOf, boneCount)
                    : std::vector<double>(boneCount, 0.0);
 }
 

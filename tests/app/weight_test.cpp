@@ -1,5 +1,5 @@
-#include "rig/limb_points.h"
 #include "app/weight/weight_motion.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <imgui_internal.h>
 
-#include "rig/limb_points.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "rig/limb_points.h"
 #include "ui/panels/panels.h"
 
 namespace stretch::ui {

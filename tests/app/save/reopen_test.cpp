@@ -6,13 +6,13 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "core/gltf/files.h"
 #include "core/scene/bind_chains.h"
+#include "rig/limb_points.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
 #include "core/math/rotation.h"
+#include "rig/limb_points.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
 using namespace stretch;

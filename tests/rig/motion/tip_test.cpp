@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rig/limb_points.h"
 #include "core/math/rotation.h"
+#include "rig/limb_points.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;

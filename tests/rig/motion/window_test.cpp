@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
 #include "core/math/rotation.h"
+#include "rig/limb_points.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;

@@ -1,5 +1,5 @@
-#include "rig/limb_points.h"
 #include "tests/support/rig/moving_biped.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>
