@@ -84,6 +84,19 @@ void setFramesPerSecond(Document& document, double framesPerSecond) {
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
 }
 
+const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip) {
+  const auto found =
+      std::find_if(document.weights.begin(), document.weights.end(),
+                   [&](const WeightedLimb& entry) { return entry.limb == limb && entry.clip == clip; });
+  return found == document.weights.end() ? nullptr : &*found;
+}
+
+bool hasWeight(const Document& document, int clip) {
+  return std::any_of(document.weights.begin(), document.weights.end(), [&](const WeightedLimb& entry) {
+    return entry.on && entry.clip == clip && findLimb(document, entry.limb) != nullptr;
+  });
+}
+
 std::size_t disconnectedTrails(const Document& document) {
   return static_cast<std::size_t>(
       std::count_if(document.trails.begin(), document.trails.end(),

@@ -59,4 +59,10 @@ void setFramesPerSecond(Document& document, double framesPerSecond);
 /// them.
 [[nodiscard]] std::size_t disconnectedTrails(const Document& document);
 
+/// Null when the limb has no weight in the clip.
+[[nodiscard]] const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip);
+
+/// Whether any limb of the clip has weight that is on.
+[[nodiscard]] bool hasWeight(const Document& document, int clip);
+
 } // namespace stretch::app

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/editing.h"
-#include "app/evaluate/evaluate.h"
+#include "app/evaluate/cache.h"
 
 namespace stretch::app {
 

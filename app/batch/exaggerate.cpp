@@ -8,6 +8,8 @@
 #include "app/edits/recipe_edits.h"
 #include "app/edits/trail_edits.h"
 #include "core/gltf/json.h"
+#include "rig/limb_points.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

@@ -11,6 +11,7 @@
 #include "app/schema/parse_text.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

@@ -1,4 +1,5 @@
 #include "app/commands/frames.h"
+#include "rig/motion/solve.h"
 
 #include <algorithm>
 #include <cmath>

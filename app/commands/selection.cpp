@@ -121,20 +121,22 @@ const rig::SolvedTrail* solvedTrail(Session& session, int trailId) {
   if (!hasClip(session.document(), session.view().clip)) {
     return nullptr;
   }
-  const std::vector<rig::SolvedTrail>& trails = session.motion().trails;
-  const auto found = std::find_if(trails.begin(), trails.end(),
-                                  [&](const rig::SolvedTrail& solved) { return solved.trail.id == trailId; });
-  return found == trails.end() ? nullptr : &*found;
+  const auto place = rig::placeOfTrail(session.motion(), trailId);
+  return place ? &session.motion().trails[*place] : nullptr;
 }
 
 std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
-  const rig::SolvedTrail* solved = solvedTrail(session, trailId);
-  if (solved == nullptr) {
+  const Document& document = session.document();
+  if (!hasClip(document, session.view().clip)) {
     return {};
   }
-  const Document& document = session.document();
-  const rig::DrawnTrail drawn = rig::pathsAt(*document.scene, clipOf(document, session.view().clip),
-                                             session.motion(), *solved, solved->controlFrames);
+  const rig::MotionState& motion = session.motion();
+  const auto place = rig::placeOfTrail(motion, trailId);
+  if (!place) {
+    return {};
+  }
+  const rig::DrawnTrail drawn = rig::pathsAt(*document.scene, clipOf(document, session.view().clip), motion,
+                                             *place, motion.trails[*place].controlFrames);
   std::vector<PlacedSphere> spheres;
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
     spheres.push_back({drawn.frames[i], drawn.exaggerated[i]});

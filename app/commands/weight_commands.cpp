@@ -3,8 +3,8 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/document.h"
 #include "app/edits/weight_edits.h"
-#include "app/weight/weight_motion.h"
 
 namespace stretch::app {
 

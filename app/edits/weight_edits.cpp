@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "app/document.h"
 #include "app/edits/place_trails.h"
 #include "app/schema/weight_schema.h"
-#include "app/weight/weight_motion.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {

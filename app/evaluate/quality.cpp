@@ -1,4 +1,5 @@
 #include "app/evaluate/quality.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
-#include "rig/motion/motion.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

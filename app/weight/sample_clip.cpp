@@ -5,9 +5,8 @@
 
 #include <glm/matrix.hpp>
 
-#include "app/evaluate/evaluate.h"
-#include "app/weight/weight_motion.h"
-#include "core/base/index.h"
+#include "rig/limb_points.h"
+#include "rig/motion/evaluate.h"
 
 namespace stretch::app {
 
@@ -45,9 +44,12 @@ void collectSubtree(const Scene& scene, NodeIndex node, std::vector<NodeIndex>& 
   }
 }
 
-bool isSampled(const Document& document, const rig::Limb& limb, int clip) {
-  const bool isLeg = limb.kind == rig::LimbKind::leftLeg || limb.kind == rig::LimbKind::rightLeg;
-  return !limb.joints.empty() && (isLeg || findWeight(document, limb.id, clip) != nullptr);
+// Whether a limb has weight, or is a leg: what stands carries what does not.
+bool isSampled(const WeightInput& input, const rig::Limb& limb) {
+  const std::vector<std::size_t> active = activeWeights(input);
+  return !limb.joints.empty() &&
+         (isLeg(limb) || std::any_of(active.begin(), active.end(),
+                                     [&](std::size_t i) { return input.weights[i].limb == limb.id; }));
 }
 
 // Adds one sample of a limb. Lowest: on tiptoe the ankle is high, but the foot stands all the same.
@@ -73,28 +75,25 @@ void addSample(const FrameState& frame, const std::vector<NodeIndex>& endNodes, 
 
 } // namespace
 
-SampledClip sampleClip(const Document& document, const rig::MotionState& motion) {
-  const Clip& clip = clipOf(document, motion.clip);
+SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion) {
+  const Clip& clip = *input.clip;
   SampledClip sampled;
   sampled.samplesPerSecond = clip.framesPerSecond * samplesPerFrame(clip.framesPerSecond);
   sampled.seconds = evenSeconds(clip, sampled.samplesPerSecond);
   std::vector<std::vector<NodeIndex>> endNodes;
-  for (const std::vector<rig::Limb>* const limbs : {&document.biped.limbs, &document.chains}) {
-    for (const rig::Limb& limb : *limbs) {
-      if (isSampled(document, limb, motion.clip)) {
-        sampled.limbs.push_back({limb, {}, {}, {}});
-        endNodes.emplace_back();
-        if (limb.endNode.exists()) {
-          collectSubtree(*document.scene, limb.endNode, endNodes.back());
-        }
+  for (const rig::Limb& limb : input.limbs) {
+    if (isSampled(input, limb)) {
+      sampled.limbs.push_back({limb, {}, {}, {}});
+      endNodes.emplace_back();
+      if (limb.endNode.exists()) {
+        collectSubtree(*input.scene, limb.endNode, endNodes.back());
       }
     }
   }
-  const double metresPerUnit = characterHeightMetres / document.biped.height;
   for (const double seconds : sampled.seconds) {
-    const FrameState frame = evaluate(document, motion, seconds);
+    const FrameState frame = rig::evaluateMotion(*input.scene, clip, motion, seconds);
     for (std::size_t i = 0; i < sampled.limbs.size(); ++i) {
-      addSample(frame, endNodes[i], metresPerUnit, sampled.limbs[i]);
+      addSample(frame, endNodes[i], input.metresPerUnit(), sampled.limbs[i]);
     }
   }
   return sampled;

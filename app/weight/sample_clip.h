@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/document.h"
+#include "app/weight/weight_input.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -23,6 +23,6 @@ struct SampledClip {
 };
 
 /// `motion`: trails of the clip, without weight.
-[[nodiscard]] SampledClip sampleClip(const Document& document, const rig::MotionState& motion);
+[[nodiscard]] SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion);
 
 } // namespace stretch::app

@@ -7,9 +7,8 @@
 
 namespace stretch::app {
 
-Standing standingOf(const Document& document, const SampledClip& sampled) {
+Standing standingOf(const SampledClip& sampled, double metresPerUnit) {
   const Vec3 up(0.0, 1.0, 0.0);
-  const double metresPerUnit = characterHeightMetres / document.biped.height;
   Standing standing;
   skinning::PlantedSettings settings;
   settings.speed = 4.0;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/document.h"
 #include "app/weight/sample_clip.h"
 
 namespace stretch::app {
@@ -23,7 +22,7 @@ struct Standing {
 
 /// A foot stands when its lowest joint is near the lowest place that any foot gets to along +Y and does not
 /// shoot up or down: on a clip that walks in place it slides, and at a landing the body brakes while the foot
-/// still comes down.
-[[nodiscard]] Standing standingOf(const Document& document, const SampledClip& sampled);
+/// still comes down. Without a leg nothing stands.
+[[nodiscard]] Standing standingOf(const SampledClip& sampled, double metresPerUnit);
 
 } // namespace stretch::app

@@ -5,30 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "app/document.h"
 #include "app/weight/limb_widths.h"
+#include "app/weight/report.h"
 #include "app/weight/sample_clip.h"
-#include "rig/motion/motion.h"
+#include "app/weight/weight_input.h"
+#include "rig/motion/limb_weight.h"
 
 namespace stretch::app {
 
-/// What the weight of one limb came to.
-struct WeightReport {
-  std::string limb;
-  double youngModulus = 0.0;  ///< Pa, as used: given or chosen.
-  std::vector<double> widths; ///< One for each bone, metres of a character of characterHeightMetres.
-  std::vector<double> masses; ///< One for each bone, kg.
-  double shortest = 1.0;      ///< Limb lengths over the lengths without weight, along the bones.
-  double shortestFrame = 0.0;
-  double longest = 1.0;
-  double longestFrame = 0.0;
-  std::vector<std::string> warnings; ///< One line each, with its frame.
-};
-
-/// Sizes of limbs, measured once for a scene.
+/// Sizes of limbs, measured once for a scene and its limbs.
 class LimbSizes {
 public:
-  [[nodiscard]] const LimbSize& of(const Document& document, const rig::Limb& limb);
+  [[nodiscard]] const LimbSize& of(const WeightInput& input, const rig::Limb& limb);
 
 private:
   std::shared_ptr<const Scene> scene_;
@@ -38,19 +26,13 @@ private:
 
 struct WeightMotion {
   std::vector<rig::LimbWeight> weights;
-  std::vector<WeightReport> reports; ///< In the order of Document::weights.
+  std::vector<WeightReport> reports; ///< In the order of WeightInput::weights.
 };
 
 /// How the limbs of a clip that have weight give way (skinning::limbElasticity): legs that stand share the
 /// body above them, a clip that loops is in the swing of its loop from the start, and a range inside the clip
 /// fades in and out.
-[[nodiscard]] WeightMotion weightMotion(const Document& document, const SampledClip& sampled, int clip,
+[[nodiscard]] WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled,
                                         LimbSizes& sizes);
-
-/// Whether any limb of the clip has weight that is on.
-[[nodiscard]] bool hasWeight(const Document& document, int clip);
-
-/// Null when the limb has none in the clip.
-[[nodiscard]] const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip);
 
 } // namespace stretch::app

@@ -19,6 +19,8 @@ struct Biped {
   double height = 1.0;  ///< Of the character in its bind pose, world units, > 0: what every tolerance is
                         ///< relative to.
   std::vector<std::string> warnings;
+
+  friend bool operator==(const Biped&, const Biped&) = default;
 };
 
 /// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (docs/rig.md,

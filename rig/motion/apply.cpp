@@ -1,4 +1,5 @@
 #include "rig/motion/apply.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,19 +128,15 @@ Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& s
   return carry;
 }
 
-// Whether an active trail of the same limb that is solved earlier moves it at this time: the limb starts from
+// Whether an active trail of the same limb that acts earlier moves it at this time: the limb starts from
 // where that one leaves it, so that the release of the one lasts into the range of the next.
-bool followsAnother(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
-  for (const SolvedTrail& other : motion.trails) {
-    if (&other == &solved) {
-      return false;
-    }
-    if (other.active && other.limb.id == solved.limb.id &&
-        insideWindow(other, wrapped(motion, other, timeSeconds))) {
-      return true;
-    }
-  }
-  return false;
+bool followsAnother(const MotionState& motion, std::size_t trail, double timeSeconds) {
+  const std::string& limb = motion.trails[trail].limb.id;
+  return std::any_of(motion.trails.begin(), motion.trails.begin() + static_cast<std::ptrdiff_t>(trail),
+                     [&](const SolvedTrail& earlier) {
+                       return earlier.active && earlier.limb.id == limb &&
+                              insideWindow(earlier, wrapped(motion, earlier, timeSeconds));
+                     });
 }
 
 // Where the end would be without this trail and where the trail wants it, inner trails included.
@@ -148,11 +145,12 @@ struct Target {
   Vec3 wanted{0.0};
 };
 
-Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& motion,
-                const SolvedTrail& solved, const LimbSample& sample, const Amount& amount) {
+Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& motion, std::size_t trail,
+                const LimbSample& sample, const Amount& amount) {
+  const SolvedTrail& solved = motion.trails[trail];
   Target target;
-  target.original = followsAnother(motion, solved, sample.timeSeconds) ? endPosition(solved.limb, frame)
-                                                                       : carry.point(sample.end);
+  target.original = followsAnother(motion, trail, sample.timeSeconds) ? endPosition(solved.limb, frame)
+                                                                      : carry.point(sample.end);
   target.wanted = target.original + carry.vector(0.5 * solved.settings.blend * amount.offset);
   if (solved.settings.stopAt) {
     target.wanted = stoppedAt(*solved.settings.stopAt, target.original, target.wanted);
@@ -162,14 +160,15 @@ Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& 
 
 // Outside its window a trail has only what keeps its limb in the world to do, where an inner trail moves the
 // base.
-bool hasNothingToDo(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample,
+bool hasNothingToDo(const MotionState& motion, std::size_t trail, const LimbSample& sample,
                     const FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
   if (insideWindow(solved, wrapped(motion, solved, sample.timeSeconds))) {
     return false;
   }
   const Vec3 baseNow = positionOf(frame.worlds[at(solved.limb.joints.front())]);
   return !solved.settings.stayInWorld || glm::length(baseNow - sample.base) <= 0.0 ||
-         followsAnother(motion, solved, sample.timeSeconds);
+         followsAnother(motion, trail, sample.timeSeconds);
 }
 
 Amount amountOrNone(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
@@ -196,15 +195,16 @@ LimbShapeProblem shapeProblem(const SolvedTrail& solved, const Amount& amount, c
 
 } // namespace
 
-void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
-                const FrameState& source, FrameState& frame) {
+void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail, const FrameState& source,
+                FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
   const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
-  if (hasNothingToDo(motion, solved, sample, frame)) {
+  if (hasNothingToDo(motion, trail, sample, frame)) {
     return;
   }
   const Amount amount = amountOrNone(motion, solved, sample);
   const Carry carry = carryOf(scene, solved, sample, source, frame);
-  const Vec3 target = targetIn(frame, carry, motion, solved, sample, amount).wanted;
+  const Vec3 target = targetIn(frame, carry, motion, trail, sample, amount).wanted;
   const LimbShapeProblem problem = shapeProblem(solved, amount, target, frame);
   const bool still = glm::length(target - problem.points.back()) <= 0.0;
   if (still && (problem.bend == Bend::keep || problem.straightenAmount <= 0.0)) {
@@ -217,12 +217,13 @@ void applyTrail(const Scene& scene, const MotionState& motion, const SolvedTrail
   }
 }
 
-PathPoint pathPoint(const Scene& scene, const MotionState& motion, const SolvedTrail& solved,
+PathPoint pathPoint(const Scene& scene, const MotionState& motion, std::size_t trail,
                     const FrameState& source, const FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
   const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
   const Carry carry = carryOf(scene, solved, sample, source, frame);
   const Amount amount = amountOrNone(motion, solved, sample);
-  return {carry.point(sample.end), targetIn(frame, carry, motion, solved, sample, amount).wanted};
+  return {carry.point(sample.end), targetIn(frame, carry, motion, trail, sample, amount).wanted};
 }
 
 } // namespace stretch::rig

@@ -1,4 +1,5 @@
 #include "rig/motion/limb_deform.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "core/base/index.h"
 #include "core/scene/queries.h"
 #include "rig/limb.h"
+#include "rig/limb_points.h"
 
 namespace stretch::rig {
 
@@ -99,38 +100,6 @@ std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
 }
 
 } // namespace
-
-Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds) {
-  return limb.endNode.exists() ? positionOf(worlds[at(limb.endNode)])
-                               : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
-}
-
-std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds) {
-  std::vector<Vec3> points;
-  points.reserve(limb.joints.size() + 1);
-  for (const NodeIndex joint : limb.joints) {
-    points.push_back(positionOf(worlds[at(joint)]));
-  }
-  points.push_back(endPosition(limb, worlds));
-  return points;
-}
-
-Vec3 endPosition(const Limb& limb, const FrameState& frame) {
-  if (limb.endNode.exists()) {
-    return positionOf(frame.worlds[at(limb.endNode)]);
-  }
-  return transformPoint(meshMatrix(frame, limb.joints.back()), limb.endOffset);
-}
-
-std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame) {
-  std::vector<Vec3> points = limbPoints(limb, frame.worlds);
-  points.back() = endPosition(limb, frame);
-  return points;
-}
-
-double limbLength(const Limb& limb, const FrameState& frame) {
-  return glm::length(endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]));
-}
 
 LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
                           const std::vector<Mat4>& bindWorlds) {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
 #include "rig/limb.h"
 
@@ -40,19 +39,5 @@ struct LimbTopology {
 
 /// Every node whose local transform a trail on this limb may change, ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topology);
-
-/// Position of the limb's end in world space.
-[[nodiscard]] Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds);
-
-/// Positions of the limb's joints, base first, and of its end: one more than Limb::joints.
-[[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds);
-
-/// The same in a frame whose limbs may be stretched: an estimated end moves with the stretch of the bone that
-/// it ends.
-[[nodiscard]] Vec3 endPosition(const Limb& limb, const FrameState& frame);
-[[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame);
-
-/// Straight distance from the limb's base to its end in a frame.
-[[nodiscard]] double limbLength(const Limb& limb, const FrameState& frame);
 
 } // namespace stretch::rig

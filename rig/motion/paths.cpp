@@ -1,9 +1,10 @@
+#include "rig/motion/paths.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "rig/motion/apply.h"
-#include "rig/motion/motion.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {
@@ -11,29 +12,30 @@ namespace stretch::rig {
 namespace {
 
 // The active trails that move the limb of one of the asked trails, in the order in which they act.
-std::vector<const SolvedTrail*> innerTrails(const Scene& scene, const MotionState& motion,
-                                            const std::vector<PathRequest>& requests) {
-  std::vector<const SolvedTrail*> inner;
-  for (const SolvedTrail& trail : motion.trails) {
+std::vector<std::size_t> innerTrails(const Scene& scene, const MotionState& motion,
+                                     const std::vector<PathRequest>& requests) {
+  std::vector<std::size_t> inner;
+  for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
     const bool moves = std::any_of(requests.begin(), requests.end(), [&](const PathRequest& request) {
-      return shapesPath(scene, trail, *request.trail);
+      return shapesPath(scene, motion, trail, request.trail);
     });
     if (moves) {
-      inner.push_back(&trail);
+      inner.push_back(trail);
     }
   }
   return inner;
 }
 
-std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<const SolvedTrail*>& inner,
+std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<std::size_t>& inner,
                                const std::vector<PathRequest>& requests) {
   std::set<NodeIndex> nodes;
-  const auto add = [&](const SolvedTrail& trail) {
-    const std::vector<NodeIndex> touched = touchedNodes(trail.limb, trail.topology);
+  const auto add = [&](std::size_t trail) {
+    const SolvedTrail& solved = motion.trails[trail];
+    const std::vector<NodeIndex> touched = touchedNodes(solved.limb, solved.topology);
     nodes.insert(touched.begin(), touched.end());
   };
-  std::for_each(inner.begin(), inner.end(), [&](const SolvedTrail* trail) { add(*trail); });
-  std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(*request.trail); });
+  std::for_each(inner.begin(), inner.end(), add);
+  std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(request.trail); });
   if (motion.hips.exists()) {
     nodes.insert(motion.hips);
   }
@@ -62,7 +64,7 @@ public:
       order_[i] = i;
     }
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return requests_[a].trail < requests_[b].trail; // their order in the motion: from the root outwards
+      return requests_[a].trail < requests_[b].trail; // as they act
     });
   }
 
@@ -87,13 +89,13 @@ private:
     for (const std::size_t i : order_) {
       const PathRequest& request = requests_[i];
       for (; next != inner_.end() && *next < request.trail; ++next) {
-        applyTrail(skeleton_, motion_, **next, source_, frame_);
+        applyTrail(skeleton_, motion_, *next, source_, frame_);
       }
       const auto found = std::equal_range(request.frames.begin(), request.frames.end(), frameNumber);
       if (found.first == found.second) {
         continue;
       }
-      const PathPoint point = pathPoint(skeleton_, motion_, *request.trail, source_, frame_);
+      const PathPoint point = pathPoint(skeleton_, motion_, request.trail, source_, frame_);
       for (auto place = found.first; place != found.second; ++place) {
         const auto sample = static_cast<std::size_t>(place - request.frames.begin());
         drawn[i].original[sample] = point.original;
@@ -104,7 +106,7 @@ private:
 
   const MotionState& motion_;
   const std::vector<PathRequest>& requests_;
-  std::vector<const SolvedTrail*> inner_;
+  std::vector<std::size_t> inner_;
   NodeSampler sampler_;
   Scene skeleton_;                 // the sampled nodes only
   std::vector<std::size_t> order_; // of the requests, as their trails act
@@ -114,9 +116,13 @@ private:
 
 } // namespace
 
-bool shapesPath(const Scene& scene, const SolvedTrail& inner, const SolvedTrail& outer) {
-  return inner.active && &inner < &outer &&
-         (inner.limb.joints.front() == outer.limb.joints.front() || carries(scene, inner.limb, outer.limb));
+bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner, std::size_t outer) {
+  if (inner >= outer || !motion.trails[inner].active) {
+    return false;
+  }
+  const Limb& carrier = motion.trails[inner].limb;
+  const Limb& carried = motion.trails[outer].limb;
+  return carrier.joints.front() == carried.joints.front() || carries(scene, carrier, carried);
 }
 
 std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
@@ -124,9 +130,9 @@ std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const Moti
   return PathSweep(scene, clip, motion, requests).run();
 }
 
-DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, const SolvedTrail& solved,
+DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,
                    const std::vector<double>& frames) {
-  return pathsAt(scene, clip, motion, {{&solved, frames}}).front();
+  return pathsAt(scene, clip, motion, std::vector<PathRequest>{{trail, frames}}).front();
 }
 
 std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std::size_t samplesPerFrame) {
@@ -142,9 +148,9 @@ std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std
   return frames;
 }
 
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
-                      const SolvedTrail& solved, std::size_t samplesPerFrame) {
-  return pathsAt(scene, clip, motion, solved, drawnFrames(clip, solved, samplesPerFrame));
+DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,
+                      std::size_t samplesPerFrame) {
+  return pathsAt(scene, clip, motion, trail, drawnFrames(clip, motion.trails[trail], samplesPerFrame));
 }
 
 } // namespace stretch::rig

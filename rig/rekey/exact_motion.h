@@ -6,7 +6,7 @@
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
-#include "rig/motion/motion.h"
+#include "rig/motion/evaluate.h"
 #include "rig/rekey/mesh_reach.h"
 
 namespace stretch::rig {

@@ -40,7 +40,8 @@ void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector
   }
 }
 
-std::vector<Window> windowsOf(const MotionState& motion, const SolvedTrail& trail) {
+std::vector<Window> windowsOf(const MotionState& motion, std::size_t place) {
+  const SolvedTrail& trail = motion.trails[place];
   Window own = windowOf(motion, trail.windowStartSeconds, trail.windowEndSeconds);
   const bool noRelease = !(trail.release.seconds() > 0.0);
   const bool forwards = trail.settings.pivot == Pivot::start;
@@ -50,10 +51,8 @@ std::vector<Window> windowsOf(const MotionState& motion, const SolvedTrail& trai
   addWrapped(motion, trail, windows);
   if (trail.settings.stayInWorld) {
     // Such a limb works against whatever carries it, wherever that moves.
-    for (const SolvedTrail& inner : motion.trails) {
-      if (&inner == &trail) {
-        break;
-      }
+    for (std::size_t i = 0; i < place; ++i) {
+      const SolvedTrail& inner = motion.trails[i];
       windows.push_back(windowOf(motion, inner.windowStartSeconds, inner.windowEndSeconds));
     }
   }
@@ -65,10 +64,11 @@ double boneLength(const Limb& limb) {
   return limb.restLength / static_cast<double>(limb.joints.size());
 }
 
-KeyedPart partOf(const MotionState& motion, const SolvedTrail& trail) {
+KeyedPart trailPart(const MotionState& motion, std::size_t place) {
+  const SolvedTrail& trail = motion.trails[place];
   return {touchedNodes(trail.limb, trail.topology),
           boneLength(trail.limb),
-          windowsOf(motion, trail),
+          windowsOf(motion, place),
           {asKeyTime(trail.startSeconds), asKeyTime(trail.endSeconds)}};
 }
 
@@ -81,10 +81,12 @@ Window windowOf(const MotionState& motion, const LimbWeight& weight) {
 }
 
 // A leg moves the hips, and with them the other leg: each is keyed wherever one of them is.
-KeyedPart partOf(const MotionState& motion, const SolvedWeight& solved) {
+KeyedPart weightPart(const MotionState& motion, std::size_t place) {
+  const SolvedWeight& solved = motion.weights[place];
   KeyedPart part{touchedNodes(solved.limb, solved.topology), boneLength(solved.limb), {}, {}};
-  for (const SolvedWeight& other : motion.weights) {
-    const bool counts = &other == &solved || (isLeg(other.limb) && isLeg(solved.limb));
+  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
+    const SolvedWeight& other = motion.weights[i];
+    const bool counts = i == place || (isLeg(other.limb) && isLeg(solved.limb));
     if (counts && !other.weight.samples.empty()) {
       part.windows.push_back(windowOf(motion, other.weight));
     }
@@ -100,13 +102,13 @@ KeyedPart partOf(const MotionState& motion, const SolvedWeight& solved) {
 
 std::vector<KeyedPart> keyedParts(const MotionState& motion) {
   std::vector<KeyedPart> parts;
-  for (const SolvedTrail& trail : motion.trails) {
-    if (trail.active) {
-      parts.push_back(partOf(motion, trail));
+  for (std::size_t i = 0; i < motion.trails.size(); ++i) {
+    if (motion.trails[i].active) {
+      parts.push_back(trailPart(motion, i));
     }
   }
-  for (const SolvedWeight& weight : motion.weights) {
-    parts.push_back(partOf(motion, weight));
+  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
+    parts.push_back(weightPart(motion, i));
   }
   return parts;
 }

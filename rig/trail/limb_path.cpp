@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rig/motion/limb_topology.h"
+#include "rig/limb_points.h"
 
 namespace stretch::rig {
 

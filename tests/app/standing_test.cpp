@@ -17,12 +17,10 @@ SampledClip::OfLimb leg(rig::LimbKind kind, const std::vector<double>& lowest) {
 }
 
 Standing standing(const std::vector<double>& left, const std::vector<double>& right) {
-  Document document;
-  document.biped.height = characterHeightMetres;
   SampledClip sampled;
   sampled.samplesPerSecond = 30.0;
   sampled.limbs = {leg(rig::LimbKind::leftLeg, left), leg(rig::LimbKind::rightLeg, right)};
-  return standingOf(document, sampled);
+  return standingOf(sampled, 1.0);
 }
 
 } // namespace

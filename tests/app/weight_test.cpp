@@ -1,4 +1,5 @@
 #include "app/weight/weight_motion.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "rig/limb_points.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/panel_support.h"
 

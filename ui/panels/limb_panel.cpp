@@ -1,7 +1,7 @@
 #include <array>
 
 #include "app/commands/selection.h"
-#include "app/weight/weight_motion.h"
+#include "app/document.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"

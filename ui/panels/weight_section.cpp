@@ -10,7 +10,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/weight_edits.h"
 #include "app/schema/weight_schema.h"
-#include "app/weight/weight_motion.h"
+#include "app/weight/report.h"
 #include "core/gltf/json.h"
 #include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"

@@ -7,7 +7,7 @@
 
 #include "app/commands/frames.h"
 #include "app/edits/mirror_edits.h"
-#include "rig/motion/limb_topology.h"
+#include "rig/limb_points.h"
 
 namespace stretch::ui {
 

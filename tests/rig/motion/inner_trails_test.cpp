@@ -103,7 +103,7 @@ TEST_CASE("the drawn paths are where the carried hand goes") {
   const MotionState spineOnly = solved(moving, {trails[1]});
   for (std::size_t i = 1; i < motion.trails.size(); ++i) {
     const SolvedTrail& trail = motion.trails[i];
-    const DrawnTrail drawn = pathsAt(moving.scene, moving.clip, motion, trail,
+    const DrawnTrail drawn = pathsAt(moving.scene, moving.clip, motion, i,
                                      {trail.settings.startFrame + 1, trail.settings.endFrame});
     for (std::size_t k = 0; k < drawn.frames.size(); ++k) {
       CAPTURE(i, drawn.frames[k]);

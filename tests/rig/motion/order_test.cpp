@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "rig/limb_points.h"
 #include "rig/motion/order.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/soft_limbs.h"
@@ -66,7 +67,7 @@ TEST_CASE("an arm on a stretched chain holds its own length at its tip, and its 
   const MotionState motion = solved(moving, {trailOf(1, "left-arm", 2.0), trailOf(2, spineChain, 1.6)});
   CHECK(lengthOf(arm, atFrame(moving, motion, 12)) ==
         Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
-  const DrawnTrail drawn = pathsAt(moving.scene, moving.clip, motion, motion.trails.back(), {12.0});
+  const DrawnTrail drawn = pathsAt(moving.scene, moving.clip, motion, 1, {12.0});
   CHECK(glm::length(drawn.exaggerated.front() - handOf(moving, motion, 12)) < 1e-4);
 }
 

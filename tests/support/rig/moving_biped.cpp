@@ -1,4 +1,5 @@
 #include "tests/support/rig/moving_biped.h"
+#include "rig/limb_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +177,7 @@ rig::MotionInput motionInput(const MovingBiped& moving, const std::vector<rig::T
   input.scene = &moving.scene;
   input.clip = &moving.clip;
   input.clipIndex = 0;
-  input.biped = &moving.biped;
+  input.hips = moving.biped.hips;
   input.limbs = moving.biped.limbs;
   input.trails = trails;
   input.loops = loops;

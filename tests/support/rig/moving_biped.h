@@ -6,7 +6,9 @@
 
 #include "core/anim/clip.h"
 #include "rig/body/detection.h"
-#include "rig/motion/motion.h"
+#include "rig/motion/evaluate.h"
+#include "rig/motion/paths.h"
+#include "rig/motion/solve.h"
 #include "tests/support/rig/synthetic_biped.h"
 
 namespace stretch::test {

@@ -1,4 +1,5 @@
 #include "tests/support/rig/soft_limbs.h"
+#include "rig/limb_points.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -1,4 +1,4 @@
-#include "app/evaluate/bone_strains.h"
+#include "skinning/elastic/bone_strains.h"
 
 #include <cmath>
 
@@ -10,12 +10,12 @@
 #include "tests/support/matrices.h"
 
 using namespace stretch;
-using namespace stretch::app;
+using namespace stretch::skinning;
 
 namespace {
 
-skinning::LimbStretch loaded(double flattening, double along, const Vec3& axis, const Vec3& load) {
-  return {skinning::combine(flattening, along), axis, load};
+LimbStretch loaded(double flattening, double along, const Vec3& axis, const Vec3& load) {
+  return {combine(flattening, along), axis, load};
 }
 
 } // namespace
@@ -24,7 +24,7 @@ TEST_CASE("a load that keeps its side of the bone flattens by all of what the mo
   const Vec3 axis = glm::normalize(Vec3(0.2, 1.0, -0.4));
   const Vec3 load = glm::normalize(glm::cross(axis, Vec3(0.3, 0.1, 0.9)));
   const Mat3 toJoint = glm::mat3_cast(axisAngle(glm::normalize(Vec3(1.0, 2.0, 3.0)), 0.7));
-  std::vector<std::vector<skinning::LimbStretch>> stretches;
+  std::vector<std::vector<LimbStretch>> stretches;
   std::vector<std::vector<Mat3>> spaces;
   for (const double q : {0.05, 0.1, 0.2}) {
     stretches.push_back({loaded(q, 1.0 + q, axis, load)});
@@ -33,7 +33,7 @@ TEST_CASE("a load that keeps its side of the bone flattens by all of what the mo
   const std::vector<std::vector<Mat3>> strains = boneStrains(stretches, spaces);
   for (std::size_t k = 0; k < strains.size(); ++k) {
     const Mat3 stretch = glm::transpose(toJoint) * (Mat3(1.0) + strains[k][0]) * toJoint;
-    const skinning::StretchFactors& factors = stretches[k][0].factors;
+    const StretchFactors& factors = stretches[k][0].factors;
     CHECK(glm::length(stretch * axis - factors.along * axis) < 1e-12);
     CHECK(glm::length(stretch * load - factors.withLoad * load) < 1e-12);
     CHECK(glm::determinant(stretch) == Approx(1.0));
@@ -42,7 +42,7 @@ TEST_CASE("a load that keeps its side of the bone flattens by all of what the mo
 
 TEST_CASE("a load that circles the bone keeps the volume, and the axes stay where they are") {
   const Vec3 axis(0.0, 1.0, 0.0);
-  std::vector<std::vector<skinning::LimbStretch>> stretches;
+  std::vector<std::vector<LimbStretch>> stretches;
   for (int k = 0; k < 24; ++k) {
     const double angle = 0.25 * k;
     const double q = k < 8 ? 0.2 : 0.1;

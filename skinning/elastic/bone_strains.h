@@ -5,7 +5,7 @@
 #include "core/math/types.h"
 #include "skinning/elastic/limb_elasticity.h"
 
-namespace stretch::app {
+namespace stretch::skinning {
 
 /// What the elastic model says of a limb as strains K - I in the spaces of its joints, sample first, then
 /// bone; exactly zero where nothing gives way. A load that turns around a bone would need a K whose axes turn
@@ -13,7 +13,7 @@ namespace stretch::app {
 /// each bone, those that hold most of it: all of it where the load keeps its side of the bone, as gravity
 /// does on a limb at rest. Volume is kept either way.
 [[nodiscard]] std::vector<std::vector<Mat3>>
-boneStrains(const std::vector<std::vector<skinning::LimbStretch>>& stretches,
+boneStrains(const std::vector<std::vector<LimbStretch>>& stretches,
             const std::vector<std::vector<Mat3>>& toJoint);
 
-} // namespace stretch::app
+} // namespace stretch::skinning

@@ -1,4 +1,4 @@
-#include "app/evaluate/bone_strains.h"
+#include "skinning/elastic/bone_strains.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 #include "core/math/rotation.h"
 
-namespace stretch::app {
+namespace stretch::skinning {
 
 namespace {
 
@@ -21,15 +21,15 @@ Vec3 perpendicularTo(const Vec3& axis, const Vec3& direction) {
 }
 
 // The flattening of one bone at one time: log(1 - q), and the direction across the bone that it has.
-struct Flattening {
+struct BoneFlattening {
   Vec3 axis{1.0, 0.0, 0.0};
   double along = 1.0;
   double logarithm = 0.0;
   Vec3 direction{0.0, 1.0, 0.0};
 };
 
-Flattening flatteningOf(const skinning::LimbStretch& stretch, const Mat3& toJoint) {
-  Flattening f;
+BoneFlattening boneFlatteningOf(const LimbStretch& stretch, const Mat3& toJoint) {
+  BoneFlattening f;
   f.axis = unitOr(toJoint * stretch.along, f.axis);
   f.along = stretch.factors.along;
   // combine() of cylinder.h: with the load (1 - q) / sqrt(along), sideways 1 / (1 - q) / sqrt(along).
@@ -40,7 +40,7 @@ Flattening flatteningOf(const skinning::LimbStretch& stretch, const Mat3& toJoin
 
 // A flattening across the bone as a vector of twice its angle, so that opposite directions are one and
 // perpendicular ones cancel.
-Vec2 doubleAngle(const Flattening& f, const Vec3& reference) {
+Vec2 doubleAngle(const BoneFlattening& f, const Vec3& reference) {
   const Vec3 first = perpendicularTo(f.axis, reference);
   const double angle =
       std::atan2(glm::dot(f.direction, glm::cross(f.axis, first)), glm::dot(f.direction, first));
@@ -48,11 +48,11 @@ Vec2 doubleAngle(const Flattening& f, const Vec3& reference) {
 }
 
 // Twice the angle of the axes that hold most of the flattening over all times.
-double mainDoubleAngle(const std::vector<Flattening>& times, const Vec3& reference) {
+double mainDoubleAngle(const std::vector<BoneFlattening>& times, const Vec3& reference) {
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
-  for (const Flattening& f : times) {
+  for (const BoneFlattening& f : times) {
     const Vec2 v = doubleAngle(f, reference);
     xx += v.x * v.x;
     xy += v.x * v.y;
@@ -61,7 +61,7 @@ double mainDoubleAngle(const std::vector<Flattening>& times, const Vec3& referen
   return 0.5 * std::atan2(2.0 * xy, xx - yy);
 }
 
-Mat3 strainOf(const Flattening& f, const Vec3& reference, double mainAngle) {
+Mat3 strainOf(const BoneFlattening& f, const Vec3& reference, double mainAngle) {
   const Vec2 v = doubleAngle(f, reference);
   const double kept = v.x * std::cos(mainAngle) + v.y * std::sin(mainAngle);
   const Vec3 flat = axisAngle(f.axis, 0.5 * mainAngle) * perpendicularTo(f.axis, reference);
@@ -74,14 +74,14 @@ Mat3 strainOf(const Flattening& f, const Vec3& reference, double mainAngle) {
 
 } // namespace
 
-std::vector<std::vector<Mat3>> boneStrains(const std::vector<std::vector<skinning::LimbStretch>>& stretches,
+std::vector<std::vector<Mat3>> boneStrains(const std::vector<std::vector<LimbStretch>>& stretches,
                                            const std::vector<std::vector<Mat3>>& toJoint) {
   std::vector<std::vector<Mat3>> strains(stretches.size());
   const std::size_t bones = stretches.empty() ? 0 : stretches.front().size();
   for (std::size_t bone = 0; bone < bones; ++bone) {
-    std::vector<Flattening> times;
+    std::vector<BoneFlattening> times;
     for (std::size_t k = 0; k < stretches.size(); ++k) {
-      times.push_back(flatteningOf(stretches[k][bone], toJoint[k][bone]));
+      times.push_back(boneFlatteningOf(stretches[k][bone], toJoint[k][bone]));
     }
     const Vec3 reference = anyPerpendicular(times.front().axis);
     const double mainAngle = mainDoubleAngle(times, reference);
@@ -92,4 +92,4 @@ std::vector<std::vector<Mat3>> boneStrains(const std::vector<std::vector<skinnin
   return strains;
 }
 
-} // namespace stretch::app
+} // namespace stretch::skinning

@@ -1,0 +1,69 @@
+#include "app/evaluate/cache.h"
+
+#include "app/evaluate/evaluate.h"
+
+namespace stretch::app {
+
+const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
+  return trails_.of({input.ground, input.trails}, [&](const auto* last) {
+    const bool sameGround = last != nullptr && last->key.ground == input.ground;
+    return std::make_shared<const rig::MotionState>(
+        solveTrails(input, sameGround ? last->value.get() : nullptr));
+  });
+}
+
+const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Motion& trails) {
+  std::vector<std::string> limbs;
+  for (const std::size_t i : activeWeights(weight)) {
+    limbs.push_back(weight.weights[i].limb);
+  }
+  return sampled_.of({trails, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *trails); });
+}
+
+const EvaluationCache::Weighted& EvaluationCache::weighted(const Document& document, int clip) {
+  const EvaluationInput input = evaluationInput(document, clip);
+  const Motion& solved = trails(input);
+  return weighted_.of({solved, input.weights}, [&](const auto*) {
+    const WeightInput weight = weightInput(input);
+    if (activeWeights(weight).empty()) {
+      return Weighted{solved, {}};
+    }
+    WeightMotion made = weightMotion(weight, sampled(weight, solved), sizes_);
+    rig::MotionState motion = *solved;
+    addWeight(input, std::move(made.weights), motion);
+    return Weighted{std::make_shared<const rig::MotionState>(std::move(motion)), std::move(made.reports)};
+  });
+}
+
+std::shared_ptr<const rig::MotionState> EvaluationCache::motion(const Document& document, int clip) {
+  return weighted(document, clip).motion;
+}
+
+const std::vector<WeightReport>& EvaluationCache::weightReports(const Document& document, int clip) {
+  return weighted(document, clip).reports;
+}
+
+const FrameState& EvaluationCache::frame(const Document& document, int clip, double timeSeconds) {
+  const Motion& moving = weighted(document, clip).motion;
+  return frame_.of({moving, timeSeconds},
+                   [&](const auto*) { return evaluate(document, *moving, timeSeconds); });
+}
+
+const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
+  return original_.of({document.scene, document.clips, clip, timeSeconds},
+                      [&](const auto*) { return evaluateOriginal(document, clip, timeSeconds); });
+}
+
+const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,
+                                                      std::size_t samplesPerFrame) {
+  const EvaluationInput input = evaluationInput(document, clip);
+  const Motion& solved = trails(input);
+  return paths_.of({input.ground, solved, samplesPerFrame}, [&](const auto* last) {
+    const bool usable =
+        last != nullptr && last->key.ground == input.ground && last->key.samplesPerFrame == samplesPerFrame;
+    return drawPaths(input.ground, *solved, samplesPerFrame,
+                     usable ? EarlierPaths{last->key.trails.get(), &last->value} : EarlierPaths{});
+  });
+}
+
+} // namespace stretch::app

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/document.h"
+#include "app/evaluate/stages.h"
+#include "app/weight/weight_motion.h"
+#include "core/anim/frame_state.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::app {
+
+/// The last answer of one stage, with all that it was made from: another is made when the key is another.
+template <typename Key, typename Value>
+class LastAnswer {
+public:
+  struct Entry {
+    Key key;
+    Value value;
+  };
+
+  /// `make` gets the last entry (null: none) and answers the value of the new key.
+  template <typename Make>
+  const Value& of(Key key, Make&& make) {
+    if (!last_ || !(last_->key == key)) {
+      Value value = make(last_ ? &*last_ : nullptr);
+      last_ = Entry{std::move(key), std::move(value)};
+    }
+    return last_->value;
+  }
+
+private:
+  std::optional<Entry> last_;
+};
+
+/// Remembers the last answer of each stage of evaluation. A stage keys on the values that it is made from, or
+/// on the identity of what an earlier stage answered, which it keeps alive, so that nothing else takes its
+/// place in memory: nobody invalidates anything. Of trails that did not change, and of paths that no changed
+/// trail moves, the last answers are used again.
+class EvaluationCache {
+public:
+  [[nodiscard]] std::shared_ptr<const rig::MotionState> motion(const Document& document, int clip);
+  /// Of the limbs with weight, in the order of Document::weights.
+  [[nodiscard]] const std::vector<WeightReport>& weightReports(const Document& document, int clip);
+  [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
+  [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
+  /// One for each trail of motion(); the clip must be there.
+  [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
+                                                     std::size_t samplesPerFrame);
+
+private:
+  using Motion = std::shared_ptr<const rig::MotionState>;
+
+  struct TrailsKey {
+    EvaluationGround ground;
+    std::vector<rig::Trail> trails;
+    friend bool operator==(const TrailsKey&, const TrailsKey&) = default;
+  };
+  struct SampleKey {
+    Motion trails;
+    std::vector<std::string> limbs; ///< That give way: a drag of a limb's softness keeps the samples.
+    friend bool operator==(const SampleKey&, const SampleKey&) = default;
+  };
+  struct WeightKey {
+    Motion trails;
+    std::vector<WeightedLimb> weights;
+    friend bool operator==(const WeightKey&, const WeightKey&) = default;
+  };
+  struct Weighted {
+    Motion motion;
+    std::vector<WeightReport> reports;
+  };
+  struct FrameKey {
+    Motion motion;
+    double timeSeconds = 0.0;
+    friend bool operator==(const FrameKey&, const FrameKey&) = default;
+  };
+  struct OriginalKey {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const std::vector<Clip>> clips;
+    int clip = -1;
+    double timeSeconds = 0.0;
+    friend bool operator==(const OriginalKey&, const OriginalKey&) = default;
+  };
+  struct PathsKey {
+    EvaluationGround ground;
+    Motion trails;
+    std::size_t samplesPerFrame = 0;
+    friend bool operator==(const PathsKey&, const PathsKey&) = default;
+  };
+
+  const Motion& trails(const EvaluationInput& input);
+  const SampledClip& sampled(const WeightInput& weight, const Motion& trails);
+  const Weighted& weighted(const Document& document, int clip);
+
+  LastAnswer<TrailsKey, Motion> trails_;
+  LastAnswer<SampleKey, SampledClip> sampled_;
+  LimbSizes sizes_;
+  LastAnswer<WeightKey, Weighted> weighted_;
+  LastAnswer<FrameKey, FrameState> frame_;
+  LastAnswer<OriginalKey, FrameState> original_;
+  LastAnswer<PathsKey, std::vector<TrailPaths>> paths_;
+};
+
+} // namespace stretch::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/scene/scene.h"
+#include "rig/limb.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::rig {
+
+/// What the motion of one clip is solved from. `scene` and `clip` must be there and outlive the call.
+struct MotionInput {
+  const Scene* scene = nullptr;
+  const Clip* clip = nullptr;
+  int clipIndex = -1;
+  NodeIndex hips;            ///< What the space "root" is measured from; none: the world's origin.
+  std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
+  std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
+  bool loops = false;
+  /// Solved before for the same scene, clip, hips, limbs and loop: what did not change since is taken over.
+  const MotionState* previous = nullptr;
+};
+
+[[nodiscard]] MotionState solveMotion(const MotionInput& input);
+
+/// Lets limbs give way on top of the trails. A leg that has no weight of its own keeps its foot where it is
+/// when the other one moves the hips. Weight of limbs that are missing, or that has not one strain for each
+/// bone, is left out.
+void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion);
+
+/// The default range of a limb in a clip (docs/exaggeration.md, Words): first frame .. frame at which the
+/// end, seen from the base, is farthest from where it began. Frames.
+[[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
+
+} // namespace stretch::rig

@@ -1,0 +1,100 @@
+#include "rig/motion/solve_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "rig/limb_points.h"
+
+namespace stretch::rig {
+
+namespace {
+
+Mat3 axesOf(const TrailSettings& settings) {
+  return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
+}
+
+double lengthOfLine(const std::vector<Vec3>& polyline) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    length += glm::length(polyline[i] - polyline[i - 1]);
+  }
+  return length;
+}
+
+} // namespace
+
+void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes) {
+  std::vector<NodeIndex> nodes = solved.limb.joints;
+  nodes.push_back(solved.limb.endNode.exists() ? solved.limb.endNode : solved.limb.joints.back());
+  if (input.hips.exists()) {
+    nodes.push_back(input.hips);
+  }
+  const NodeSampler sampler(*input.scene, *input.clip, nodes);
+  FrameState frame;
+  std::vector<Vec3> points;
+  std::vector<double> times;
+  solved.path.axes = axesOf(solved.settings);
+  for (const double time :
+       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
+    sampler.sample(time, frame);
+    solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
+    solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
+    const LimbSample& sample = solved.path.samples.back();
+    points.push_back(solved.path.toSpace(sample, sample.end));
+    times.push_back(time);
+  }
+  // A path that only trembles has no length to go by.
+  constexpr double trembling = 1e-3; // of the limb's rest length
+  if (lengthOfLine(points) < trembling * solved.limb.restLength) {
+    points.assign(points.size(), points.front());
+  }
+  solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
+  // A planted foot stands still at the keys only: between them it slides about.
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    sampler.sample(0.5 * (times[i - 1] + times[i]), frame);
+    solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
+  }
+}
+
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
+                      const SolvedTrail* samePathBefore) {
+  constexpr double controlTolerance = 0.01; // of the limb's rest length
+  if (!solved.trail.controlFrames.empty()) {
+    solved.controlFrames = solved.trail.controlFrames;
+    std::sort(solved.controlFrames.begin(), solved.controlFrames.end());
+  } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
+    solved.controlFrames = samePathBefore->controlFrames;
+  } else {
+    solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
+                                               controlTolerance * solved.limb.restLength);
+  }
+}
+
+Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
+  const double last = std::min(clip.endSeconds * clip.framesPerSecond, longestFrames);
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  const NodeSampler sampler(scene, clip, nodes);
+  FrameState sampled;
+  const auto reachAt = [&](double frame) {
+    sampler.sample(frame / clip.framesPerSecond, sampled);
+    return endPosition(limb, sampled) - positionOf(sampled.worlds[at(limb.joints.front())]);
+  };
+  const Vec3 begin = reachAt(0.0);
+  double farthest = 0.0;
+  double farthestFrame = last;
+  for (double frame = 1.0; frame <= std::floor(last + 1e-3); frame += 1.0) {
+    const double distance = glm::length(reachAt(frame) - begin);
+    if (distance > farthest * (1.0 + 1e-9)) {
+      farthest = distance;
+      farthestFrame = frame;
+    }
+  }
+  return {0.0, std::min(farthestFrame, last)};
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rig/motion/motion.h"
+#include "rig/motion/solve.h"
+
+namespace stretch::rig {
+
+// The steps of solveMotion on one trail, in this order; each fills in members of `solved` from those before.
+
+/// Nobody exaggerates an hour in one go; a broken file may claim to last for years. Frames.
+inline constexpr double longestFrames = 100000.0;
+
+/// Null when there is none, or one without a joint.
+[[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
+
+/// The original path over the range with its ratios, and the plane in which the limb bends. `keyTimes`:
+/// seconds, of the limb's joints within the range.
+void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes);
+
+/// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.
+void solveTipOf(SolvedTrail& solved);
+void explainTip(SolvedTrail& solved, double framesPerSecond);
+
+/// Frames of the control spheres: the user's, those of `samePathBefore` (the same path, solved before; null:
+/// none), or chosen.
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
+                      const SolvedTrail* samePathBefore);
+
+/// Release and window. `nodes`: the limb's joints and its end; their keys say how long a release lasts that
+/// the user left open.
+void setRelease(const MotionInput& input, SolvedTrail& solved, const std::vector<NodeIndex>& nodes);
+
+} // namespace stretch::rig

@@ -1,0 +1,73 @@
+#include "rig/motion/solve_steps.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+namespace stretch::rig {
+
+namespace {
+
+// Of two frames, beyond the rounding of key times.
+bool differs(double frame, double other) {
+  return std::abs(frame - other) > 0.01;
+}
+
+} // namespace
+
+void solveTipOf(SolvedTrail& solved) {
+  const bool pivotAtStart = solved.settings.pivot == Pivot::start;
+  const LimbSample& tipSample = pivotAtStart ? solved.path.samples.back() : solved.path.samples.front();
+  TipProblem problem;
+  for (const LimbSample& sample : solved.path.samples) {
+    problem.points.push_back(solved.path.toSpace(sample, sample.end));
+  }
+  for (const LimbSample& sample : solved.path.between) {
+    problem.between.push_back(solved.path.toSpace(sample, sample.end));
+  }
+  const double poseLength = glm::length(tipSample.end - tipSample.base);
+  problem.basePosition = solved.path.toSpace(tipSample, tipSample.base);
+  problem.limbLength = solved.settings.reference == Reference::pose ? poseLength : solved.limb.restLength;
+  problem.scale = solved.settings.scale;
+  problem.axes = solved.settings.axes;
+  problem.pivot = solved.settings.pivot;
+  problem.pull = solved.settings.pull;
+  solved.tip = solveTip(problem);
+}
+
+void explainTip(SolvedTrail& solved, double framesPerSecond) {
+  const TipSolution& tip = solved.tip;
+  if (solved.trail.settings.scale < smallestScale) {
+    solved.warnings.push_back(
+        fmt::format("scale {:g} is taken as {:g}", solved.trail.settings.scale, smallestScale));
+  }
+  if (solved.settings.endFrame - solved.settings.startFrame >= longestFrames) {
+    solved.warnings.push_back(fmt::format("the range is cut to {:g} frames", longestFrames));
+  } else if (differs(solved.settings.startFrame, solved.trail.settings.startFrame) ||
+             differs(solved.settings.endFrame, solved.trail.settings.endFrame)) {
+    solved.warnings.push_back(fmt::format("the range is cut to the frames {:g} to {:g}, which the clip has",
+                                          solved.settings.startFrame, solved.settings.endFrame));
+  }
+  if (tip.outcome == TipOutcome::nothingToScale) {
+    solved.warnings.emplace_back(
+        "nothing to scale: the limb's end does not move along the active axes in this range");
+  } else if (!tip.reached()) {
+    solved.warnings.push_back(
+        fmt::format("not reachable: the limb gets to {:.4g} of {:.4g}", tip.reachedLength, tip.wantedLength));
+  }
+  const std::size_t tipIndex =
+      solved.settings.pivot == Pivot::start ? solved.path.samples.size() - 1 : std::size_t{0};
+  if (tip.moved && at(tip.farthestSample) == tipIndex) {
+    solved.warnings.emplace_back(
+        "the limb's end strays between the frames from where it is on them: its path is moved as a whole");
+  } else if (tip.moved) {
+    const double frame = solved.path.samples[at(tip.farthestSample)].timeSeconds * framesPerSecond;
+    solved.warnings.push_back(
+        fmt::format("the path comes back on itself and is moved as a whole; a range that ends at frame "
+                    "{:g}, where the limb's end is farthest from the pivot, would be scaled",
+                    frame));
+  }
+}
+
+} // namespace stretch::rig
