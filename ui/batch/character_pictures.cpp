@@ -1,5 +1,7 @@
 #include "ui/batch/character_pictures.h"
 
+#include "app/evaluate/evaluate.h"
+
 #include <fmt/core.h>
 
 #include "ui/viewport/assemble_picture.h"
