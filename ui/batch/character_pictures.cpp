@@ -1,9 +1,8 @@
 #include "ui/batch/character_pictures.h"
 
-#include "app/evaluate/evaluate.h"
-
 #include <fmt/core.h>
 
+#include "app/evaluate/evaluate.h"
 #include "ui/viewport/assemble_picture.h"
 
 namespace stretch::ui {
