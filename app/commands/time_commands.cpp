@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
@@ -91,9 +92,7 @@ Status toggleLoop(Session& session) {
   return finish(session, setLooping(document, clip, !loops), loops ? "Clip does not loop" : "Clip loops");
 }
 
-} // namespace
-
-std::vector<DocumentCommand> timeCommands() {
+std::vector<DocumentCommand> rangeCommands() {
   return {
       {"range.start",
        "Range starts here",
@@ -117,6 +116,11 @@ std::vector<DocumentCommand> timeCommands() {
          session.view().rangeEnd = -1.0;
          return Success{};
        }},
+  };
+}
+
+std::vector<DocumentCommand> playheadCommands() {
+  return {
       {"time.back",
        "Frame back",
        "Steps to the frame before.",
@@ -168,6 +172,15 @@ std::vector<DocumentCommand> timeCommands() {
        hasViewedClip,
        toggleLoop},
   };
+}
+
+} // namespace
+
+std::vector<DocumentCommand> timeCommands() {
+  std::vector<DocumentCommand> all = rangeCommands();
+  std::vector<DocumentCommand> more = playheadCommands();
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return all;
 }
 
 } // namespace stretch::app

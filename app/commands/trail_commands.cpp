@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "app/commands/document_commands.h"
 #include "app/commands/exaggerate.h"
@@ -181,9 +182,7 @@ bool canDelete(const Session& session) {
   return hasTarget(session) || !session.view().selectedSpheres.empty();
 }
 
-} // namespace
-
-std::vector<DocumentCommand> trailCommands() {
+std::vector<DocumentCommand> shapingCommands() {
   return {
       {"trail.toggle",
        "Motion trail",
@@ -222,6 +221,11 @@ std::vector<DocumentCommand> trailCommands() {
        {"Enter", "Numpad Enter"},
        hasTarget,
        applyTargets},
+  };
+}
+
+std::vector<DocumentCommand> deletingAndCopyingCommands() {
+  return {
       {"edit.delete",
        "Delete",
        "Puts the selected spheres back; with none selected deletes the trail.",
@@ -259,6 +263,15 @@ std::vector<DocumentCommand> trailCommands() {
        hasTarget,
        mirrorTargets},
   };
+}
+
+} // namespace
+
+std::vector<DocumentCommand> trailCommands() {
+  std::vector<DocumentCommand> all = shapingCommands();
+  std::vector<DocumentCommand> more = deletingAndCopyingCommands();
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return all;
 }
 
 } // namespace stretch::app

@@ -79,7 +79,6 @@ std::vector<Change> changes() {
   return {
       {"a limb corrected", [](Document& d) { d = withShorterArm(d, "left-arm"); }},
       {"a limb with weight corrected", [](Document& d) { d = withShorterArm(d, "right-arm"); }},
-      {"the hips", [](Document& d) { d.biped.hips = d.biped.limbs.back().joints.front(); }},
       {"the pivot", arm([](Settings& s) { s.pivot = rig::Pivot::end; })},
       {"the view's axes", arm([](Settings& s) { s.viewAxes = turnedView(-0.4); })},
       {"the space", arm([](Settings& s) { s.space = rig::TrailSpace::root; })},
@@ -153,4 +152,14 @@ TEST_CASE("the cache sees every change that a frame is made from, and its undoin
     checkAnswers(cache, after);
     checkAnswers(cache, before);
   }
+}
+
+TEST_CASE("the cache sees other hips where a trail is told from them") {
+  Document before = busyBoxer();
+  trailOf(before, "left-arm").settings.space = rig::TrailSpace::root;
+  Document after = before;
+  after.biped.hips = findLimb(before, "left-arm")->joints.back();
+  EvaluationCache cache;
+  checkAnswers(cache, before);
+  checkAnswers(cache, after);
 }

@@ -155,11 +155,15 @@ class Tidy:
             [*command, str(joined), "--", *batch[0].options], capture_output=True, text=True, cwd=self.build, check=False
         )
         findings = {match.group(0) for match in FINDING.finditer(done.stdout) if str(self.folder) not in match.group(1)}
-        if done.returncode == 0 and not findings:
+        found_in = {match.group(1) for match in FINDING.finditer(done.stdout)}
+        compiles = "[clang-diagnostic-error]" not in done.stdout
+        # A finding in a header counts for all that may have drawn it in.
+        if compiles and (findings or done.returncode == 0) and found_in <= {str(source.file) for source in batch}:
             for source in batch:
-                (self.clean / source.key).touch()
-            return set(), len(batch)
-        if len(batch) > 1 and ("[clang-diagnostic-error]" in done.stdout or not findings):
+                if str(source.file) not in found_in:
+                    (self.clean / source.key).touch()
+            return findings, len(batch)
+        if len(batch) > 1 and (not compiles or not findings):
             # Local names that cannot live together: apart.
             middle = len(batch) // 2
             first, second = self.check(batch[:middle]), self.check(batch[middle:])

@@ -147,22 +147,21 @@ void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-} // namespace
-
-std::vector<ShellCommand> fileCommands() {
-  const auto ask = [](FilePurpose purpose) {
-    return [purpose](Shell& shell) -> Status {
-      askForFile(shell, purpose);
-      return Success{};
-    };
+auto askingFor(FilePurpose purpose) {
+  return [purpose](Shell& shell) -> Status {
+    askForFile(shell, purpose);
+    return Success{};
   };
+}
+
+std::vector<ShellCommand> openingAndSavingCommands() {
   return {
       {command::fileOpen,
        "Open",
        "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
        {"Ctrl+O"},
        always,
-       ask(FilePurpose::openModel)},
+       askingFor(FilePurpose::openModel)},
       {command::fileSave,
        "Save",
        "Saves the file with the work inside; the first time it asks for a name.",
@@ -177,7 +176,7 @@ std::vector<ShellCommand> fileCommands() {
        "Saves under another name.",
        {"Ctrl+Shift+S"},
        canExport,
-       ask(FilePurpose::saveModel)},
+       askingFor(FilePurpose::saveModel)},
       {command::fileSaveIncremental,
        "Save incremental",
        "Saves under the next free number and leaves older files alone.",
@@ -187,24 +186,29 @@ std::vector<ShellCommand> fileCommands() {
          saveIncremental(shell);
          return Success{};
        }},
+  };
+}
+
+std::vector<ShellCommand> exportingAndQuittingCommands() {
+  return {
       {command::fileExportClean,
        "Export clean",
        "Writes a copy without the work: only what players and engines need.",
        {"Ctrl+E"},
        canExport,
-       ask(FilePurpose::exportClean)},
+       askingFor(FilePurpose::exportClean)},
       {command::recipeSave,
        "Save a recipe",
        "Writes the clip's trails, to be replayed on another clip or character.",
        {},
        hasFile,
-       ask(FilePurpose::saveRecipe)},
+       askingFor(FilePurpose::saveRecipe)},
       {command::recipeLoad,
        "Replay a recipe",
        "Adds the trails of a recipe to this character.",
        {},
        hasFile,
-       ask(FilePurpose::openRecipe)},
+       askingFor(FilePurpose::openRecipe)},
       {command::fileQuit,
        "Quit",
        "Leaves the program; asks first when there is unsaved work.",
@@ -215,6 +219,14 @@ std::vector<ShellCommand> fileCommands() {
          return Success{};
        }},
   };
+}
+
+} // namespace
+
+std::vector<ShellCommand> fileCommands() {
+  std::vector<ShellCommand> all = openingAndSavingCommands();
+  append(all, exportingAndQuittingCommands());
+  return all;
 }
 
 std::vector<ShellCommand> toolCommands() {
@@ -248,7 +260,9 @@ std::vector<ShellCommand> toolCommands() {
   };
 }
 
-std::vector<ShellCommand> viewCommands() {
+namespace {
+
+std::vector<ShellCommand> overlayCommands() {
   return {
       switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", "H",
                     &ViewportOverlays::ghosts),
@@ -266,6 +280,11 @@ std::vector<ShellCommand> viewCommands() {
                     &ViewportOverlays::trailFrameNumbers),
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", "", &ViewportOverlays::sideBySide),
+  };
+}
+
+std::vector<ShellCommand> cameraAndPaneCommands() {
+  return {
       {command::viewFrameSelection,
        "Frame the selection",
        "Moves the camera to the selected limb and trail.",
@@ -312,6 +331,14 @@ std::vector<ShellCommand> viewCommands() {
        always,
        toggleNavigation},
   };
+}
+
+} // namespace
+
+std::vector<ShellCommand> viewCommands() {
+  std::vector<ShellCommand> all = overlayCommands();
+  append(all, cameraAndPaneCommands());
+  return all;
 }
 
 std::vector<ShellCommand> helpCommands() {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "app/edits/trail_edits.h"
@@ -49,4 +51,27 @@ TEST_CASE("Weight that is off is kept in the work, and keyed nowhere") {
     REQUIRE(weighted);
     CHECK((keyedTracks(*weighted) > 0) == on);
   }
+}
+
+TEST_CASE("Saving keys every frame where that is asked for, else as few as it needs") {
+  NewTrail slight;
+  slight.limb = "left-arm";
+  slight.settings.startFrame = 12.0;
+  slight.settings.endFrame = 18.0;
+  slight.settings.spheres = {{15.0, Vec3(0.0, 3e-4, 0.0)}};
+  slight.connected = true;
+  const Result<CreatedTrail> created = createTrail(test::boxer(), slight);
+  REQUIRE(created);
+  const Document followed = *applyTrail(created->document, created->trailId);
+  const auto mostKeys = [&](bool everyFrame) {
+    const Result<gltf::Edits> edits = editsOf(followed, {.keyEveryFrame = everyFrame});
+    REQUIRE(edits);
+    REQUIRE(edits->clips.size() == 1);
+    std::size_t most = 0;
+    for (const Track& track : edits->clips.front().tracks) {
+      most = std::max(most, track.times.size());
+    }
+    return most;
+  };
+  CHECK(mostKeys(true) > mostKeys(false));
 }

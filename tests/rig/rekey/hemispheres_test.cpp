@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
@@ -22,6 +23,31 @@ MovingBiped withFlippedKeys() {
     });
   }
   return moving;
+}
+
+// A trail that throws the left arm to where it points away from in frame 9, passing on one side or the other:
+// turns of more than half a half circle, of which a quaternion has either sign.
+Trail thrownBack(const MovingBiped& moving, double side) {
+  constexpr double frame = 9.0;
+  const FrameState source = sourceAtFrame(moving, frame);
+  const Limb& arm = moving.limb("left-arm");
+  const Vec3 reach =
+      endPosition(arm, source) - positionOf(source.worlds[static_cast<std::size_t>(arm.joints.front())]);
+  const Vec3 across = glm::length(reach) * glm::normalize(glm::cross(reach, Vec3(0.1, 1.0, 0.2)));
+  Trail trail = connectedTrail("left-arm", 0, 18, 1.0);
+  trail.controlFrames = {0.0, 6.0, frame, 12.0, 18.0};
+  trail.settings.spheres = {{6.0, side * across - reach},
+                            {frame, 0.2 * side * across - 1.9 * reach},
+                            {12.0, side * across - reach}};
+  trail.settings.releaseFrames = 3.0;
+  return trail;
+}
+
+// Without keys of its own for the arm: what is written is cubic where others of the limb are.
+void eraseTurns(MovingBiped& moving, int node) {
+  std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    return track->channel == Channel::rotation && track->node == node;
+  });
 }
 
 Vec4 valueAt(const Track& track, std::size_t key) {
@@ -78,6 +104,28 @@ TEST_CASE("a curve that comes to our keys on the other hemisphere keeps its shap
         CAPTURE(frame);
         CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
               1e-6 * moving.biped.height);
+      }
+    }
+  }
+}
+
+TEST_CASE("an arm that is thrown back is keyed the short way, on whichever side it passes") {
+  for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubicSpline}) {
+    for (const double side : {1.0, -1.0}) {
+      for (const bool keyed : {true, false}) {
+        MovingBiped moving = punchingBiped(interpolation);
+        if (!keyed) {
+          eraseTurns(moving, moving.node.at("upperArm.l"));
+        }
+        const Rekeyed rekeyed = rekeyedOf(moving, {thrownBack(moving, side)});
+        CAPTURE(static_cast<int>(interpolation), side, keyed);
+        CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+        for (const Track& track : rekeyed.keys.tracks) {
+          if (track.channel == Channel::rotation) {
+            CAPTURE(track.node);
+            CHECK(longWays(track, 0.0, 24.0) == 0);
+          }
+        }
       }
     }
   }

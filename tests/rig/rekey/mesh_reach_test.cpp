@@ -78,3 +78,31 @@ TEST_CASE("the tip of a sword follows the exact motion as closely as the hand th
   }
   CHECK(worst < 1e-4 * moving.biped.height);
 }
+
+TEST_CASE("a lance needs more keys than the hand that holds it, and its tip follows as closely") {
+  constexpr float lanceLength = 12.0F;
+  MovingBiped moving = punchingBiped();
+  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
+  Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
+  trail.settings.turnEnd = true;
+  const auto keysOf = [&] {
+    std::size_t count = 0;
+    for (const Track& track : rekeyedOf(moving, {trail}).keys.tracks) {
+      count += track.times.size();
+    }
+    return count;
+  };
+  const std::size_t withoutLance = keysOf();
+  moving.scene.nodes[hand].mesh = addMesh(moving.scene, {{0.0F, lanceLength, 0.0F}});
+  CHECK(keysOf() > withoutLance);
+  const Rekeyed rekeyed = rekeyedOf(moving, {trail});
+  double worst = 0.0;
+  for (int half = 0; half <= 48; ++half) {
+    const double frame = 0.5 * half;
+    const Vec3 tip(0.0, lanceLength, 0.0);
+    const Vec3 written = transformPoint(poseOf(moving, rekeyed.clip, frame).worlds[hand], tip);
+    const Vec3 wanted = transformPoint(atFrame(moving, rekeyed.motion, frame).worlds[hand], tip);
+    worst = std::max(worst, glm::length(written - wanted));
+  }
+  CHECK(worst < 1e-4 * moving.biped.height);
+}

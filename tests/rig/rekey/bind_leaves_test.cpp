@@ -1,0 +1,107 @@
+#include "rig/rekey/bind_leaves.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "core/math/rotation.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+
+namespace {
+
+const Quat axisOfTheFile = axisAngle(Vec3(0.0, 0.0, 1.0), 0.5);
+
+// A skinned joint (node 0) that was stretched and saved before: the file has a leaf for it (node 1), and with
+// `turnsBack` a second one below (node 2).
+Scene stretchedBefore(bool turnsBack) {
+  Scene scene;
+  scene.nodes.resize(turnsBack ? 3 : 2);
+  scene.nodes[0].children = {1};
+  scene.nodes[1].parent = 0;
+  scene.nodes[1].rest.rotation = axisOfTheFile;
+  scene.nodes[1].isBindLeaf = true;
+  scene.bindChains.emplace_back();
+  scene.bindChains.back().joint = 0;
+  scene.bindChains.back().leaf = 1;
+  if (turnsBack) {
+    scene.nodes[1].children = {2};
+    scene.nodes[2].parent = 1;
+    scene.nodes[2].rest.rotation = glm::inverse(axisOfTheFile);
+    scene.nodes[2].isBindLeaf = true;
+    scene.bindChains.back().endLeaf = 2;
+  }
+  scene.roots = {0};
+  scene.skins.push_back({"skin", {0}, {Mat4(1.0)}});
+  return scene;
+}
+
+StretchKeys stretchAlong(const Quat& axis, const Vec3& factors) {
+  StretchKeys keys;
+  keys.node = 0;
+  keys.times = {0.0F, 0.5F};
+  keys.axes = {axis};
+  keys.scales = {Vec3(1.0), factors};
+  return keys;
+}
+
+gltf::Edits saved(const Scene& scene, const StretchKeys& keys) {
+  gltf::Edits edits;
+  addBindLeaves(scene, {{0, {keys}}}, edits);
+  return edits;
+}
+
+std::size_t countTracks(const gltf::Edits& edits, int node, Channel channel) {
+  std::size_t count = 0;
+  for (const gltf::ClipTracks& clip : edits.clips) {
+    count += static_cast<std::size_t>(
+        std::count_if(clip.tracks.begin(), clip.tracks.end(),
+                      [&](const Track& track) { return track.node == node && track.channel == channel; }));
+  }
+  return count;
+}
+
+bool same(const Quat& a, const Quat& b) {
+  return angleBetween(a * Vec3(1, 0, 0), b * Vec3(1, 0, 0)) < 1e-6 &&
+         angleBetween(a * Vec3(0, 1, 0), b * Vec3(0, 1, 0)) < 1e-6;
+}
+
+constexpr Vec3 thinner(2.0, 0.7, 0.7);
+
+} // namespace
+
+TEST_CASE("a stretch along the axis that a leaf has already is told by the leaf's scale alone") {
+  const gltf::Edits edits = saved(stretchedBefore(false), stretchAlong(axisOfTheFile, thinner));
+  CHECK(edits.addedNodes.empty());
+  CHECK(edits.skinSlots.empty());
+  CHECK(countTracks(edits, 1, Channel::scale) == 1);
+  CHECK(countTracks(edits, 1, Channel::rotation) == 0);
+}
+
+TEST_CASE("a round stretch may lie turned about the leaf's axis, a flat one not") {
+  const Quat turned = axisOfTheFile * axisAngle(Vec3(1.0, 0.0, 0.0), 0.8);
+  CHECK(saved(stretchedBefore(false), stretchAlong(turned, thinner)).addedNodes.empty());
+  CHECK(saved(stretchedBefore(false), stretchAlong(turned, Vec3(2.0, 0.9, 0.5))).addedNodes.size() == 1);
+}
+
+TEST_CASE("a stretch along another axis turns the leaf, and a second one turns back from its own axis") {
+  const Quat other = axisAngle(Vec3(0.0, 1.0, 0.0), 1.0);
+  const gltf::Edits edits = saved(stretchedBefore(false), stretchAlong(other, thinner));
+  REQUIRE(edits.addedNodes.size() == 1);
+  CHECK(edits.addedNodes.front().parent == 1);
+  // At rest, where other clips have it, the chain does nothing: back from the axis of the file.
+  CHECK(same(edits.addedNodes.front().rest.rotation, glm::inverse(axisOfTheFile)));
+  CHECK(countTracks(edits, 1, Channel::rotation) == 1);
+  CHECK(countTracks(edits, 2, Channel::rotation) == 1);
+  REQUIRE(edits.skinSlots.size() == 1);
+  CHECK(edits.skinSlots.front().node == 2);
+}
+
+TEST_CASE("two leaves that the file has stay two, and both are turned") {
+  const gltf::Edits edits = saved(stretchedBefore(true), stretchAlong(axisOfTheFile, thinner));
+  CHECK(edits.addedNodes.empty());
+  CHECK(edits.skinSlots.empty());
+  CHECK(countTracks(edits, 1, Channel::rotation) == 1);
+  CHECK(countTracks(edits, 2, Channel::rotation) == 1);
+}
