@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sequence_rows.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"

@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/shell/shell_commands.h"
 
 using namespace stretch;
