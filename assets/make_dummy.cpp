@@ -1,7 +1,7 @@
 #include <cstdio>
-#include <fstream>
 
 #include "assets/dummy/dummy.h"
+#include "core/base/file.h"
 
 /// make-dummy OUT.glb: writes the bundled character.
 int main(int argc, char** argv) {
@@ -10,13 +10,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<std::uint8_t> glb = stretch::assets::writeGlb(stretch::assets::makeDummy());
-  std::ofstream file(argv[1], std::ios::binary);
-  for (const std::uint8_t byte : glb) {
-    file.put(static_cast<char>(byte));
-  }
-  file.close();
-  if (!file) {
-    std::fprintf(stderr, "%s: cannot be written; choose another path\n", argv[1]);
+  if (const stretch::Status written = stretch::writeFile(argv[1], glb); !written) {
+    std::fprintf(stderr, "%s\n", written.error().line().c_str());
     return 1;
   }
   return 0;

@@ -1,13 +1,12 @@
 #include "app/batch/options.h"
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/core.h>
 
 #include "app/schema/trail_description.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
 
 namespace stretch::app {
 
@@ -93,13 +92,8 @@ Result<Vec3> parseVector(const std::string& text, const std::string& where) {
 }
 
 Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{"cannot be opened", path, "check the path"};
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return skinning::parseModuli(text.str());
+  const Result<std::string> text = readText(path);
+  return text ? skinning::parseModuli(*text) : Result<skinning::SegmentModuli>(text.error());
 }
 
 std::string clipList(const Document& document) {
@@ -130,9 +124,8 @@ Result<int> findClip(const Document& document, const std::string& text) {
     }
   }
   if (found < 0 && text.front() == '#') {
-    std::size_t index = clips.size();
-    std::from_chars(text.data() + 1, text.data() + text.size(), index);
-    found = index < clips.size() ? static_cast<int>(index) : -1;
+    const auto index = stretch::parseNumber<std::size_t>(std::string_view(text).substr(1));
+    found = index && *index < clips.size() ? static_cast<int>(*index) : -1;
   }
   if (found < 0) {
     return Error{"there is no clip '" + text + "'", "--clip", "the file has: " + clipList(document)};

@@ -27,8 +27,8 @@ std::string absoluteText(const fs::path& path) {
 
 /// The file's content; null when it is none of ours.
 Json readAutosave(const fs::path& file) {
-  const std::optional<std::string> text = readText(file);
-  const Json json = Json::parse(text.value_or(""), nullptr, false);
+  const Result<std::string> text = readText(file);
+  const Json json = Json::parse(text ? *text : "", nullptr, false);
   const bool ours = json.is_object() && json.contains("source") && json["source"].is_string() &&
                     json.contains("process") && json["process"].is_number_integer() && json.contains("work");
   return ours ? json : Json();

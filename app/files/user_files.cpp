@@ -1,11 +1,10 @@
 #include "app/files/user_files.h"
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
+
+#include "core/base/hash.h"
 
 namespace stretch::app {
 
@@ -35,56 +34,12 @@ fs::path stateFolder() {
   return userFolder("XDG_STATE_HOME", ".local/state");
 }
 
-} // namespace stretch::app
-
-namespace stretch {
-
-namespace fs = std::filesystem;
-
-std::optional<std::string> readText(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    return std::nullopt;
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return file.bad() ? std::nullopt : std::optional(text.str());
-}
-
-Status writeText(const fs::path& path, const std::string& text) {
-  std::error_code problem;
-  fs::create_directories(path.parent_path(), problem);
-  const fs::path temporary = path.string() + fmt::format(".{}.tmp", getpid());
-  {
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file << text;
-    file.flush();
-    if (!file) {
-      fs::remove(temporary, problem);
-      return Error{"cannot be written", path.string(), "check the folder's permissions and the free space"};
-    }
-  }
-  fs::rename(temporary, path, problem);
-  if (problem) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return Error{"cannot be replaced: " + problem.message(), path.string(), "check the folder's permissions"};
-  }
-  return Success{};
-}
-
-} // namespace stretch
-
-namespace stretch::app {
-
 std::string nameFor(const fs::path& path) {
   std::error_code ignored;
   const std::string full = fs::absolute(path, ignored).lexically_normal().string();
-  std::uint64_t hash = 1469598103934665603ULL; // FNV-1a.
-  for (const char c : full) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  }
-  return fmt::format("{}-{:016x}", path.stem().string(), hash);
+  Hash hash;
+  hash.add(full);
+  return fmt::format("{}-{:016x}", path.stem().string(), hash.value());
 }
 
 std::optional<FileStamp> stampOf(const fs::path& path) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/result.h"
+#include "core/base/file.h"
 
 namespace stretch::app {
 
@@ -12,20 +12,6 @@ namespace stretch::app {
 /// defaults below the home folder; below the temporary folder where there is no home.
 [[nodiscard]] std::filesystem::path configFolder();
 [[nodiscard]] std::filesystem::path stateFolder();
-
-} // namespace stretch::app
-
-namespace stretch {
-
-/// A whole text file; nothing when it cannot be read.
-[[nodiscard]] std::optional<std::string> readText(const std::filesystem::path& path);
-
-/// Replaces a text file at once, making its folder; on an error the old one stays.
-Status writeText(const std::filesystem::path& path, const std::string& text);
-
-} // namespace stretch
-
-namespace stretch::app {
 
 /// A short name for a path that is the same at every start: "punch-1f03a9c2".
 [[nodiscard]] std::string nameFor(const std::filesystem::path& path);

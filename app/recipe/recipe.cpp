@@ -1,13 +1,13 @@
 #include "app/recipe/recipe.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
 #include "app/schema/trail_json.h"
 #include "app/schema/weight_description.h"
+#include "core/base/file.h"
 #include "core/gltf/json.h"
 #include "rig/motion/motion.h"
 
@@ -147,11 +147,11 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
 }
 
 Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document) {
-  std::ifstream file(path);
-  if (!file) {
-    return Error{"cannot be opened", path.string(), "check the path"};
+  const Result<std::string> text = readText(path);
+  if (!text) {
+    return text.error();
   }
-  const Json json = Json::parse(file, nullptr, false);
+  const Json json = Json::parse(*text, nullptr, false);
   if (json.is_discarded()) {
     return Error{"is not JSON", path.string(), "correct it"};
   }

@@ -1,11 +1,10 @@
 #include "app/schema/trail_description.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include <fmt/core.h>
 
+#include "core/base/number.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -221,13 +220,10 @@ Status setTrailSetting(const TrailSetting& setting, const Json& value, TrailSett
 }
 
 Result<double> parseNumber(const std::string& text, const std::string& where) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
-  if (problem != std::errc() || stop != end || !std::isfinite(value)) {
-    return Error{"'" + text + "' is no number", where, "give one number, such as 2 or 0.5"};
+  if (const std::optional<double> value = stretch::parseNumber(text)) {
+    return *value;
   }
-  return value;
+  return Error{"'" + text + "' is no number", where, "give one number, such as 2 or 0.5"};
 }
 
 Result<Json> parseSettingText(const TrailSetting& setting, const std::string& text) {

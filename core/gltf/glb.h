@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
+#include "core/base/file.h"
 
 namespace stretch::gltf {
 
-using Bytes = std::vector<std::uint8_t>;
+using stretch::Bytes;
 
 /// A part of a binary glTF file.
 struct GlbChunk {

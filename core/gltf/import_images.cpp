@@ -8,7 +8,6 @@
 #include <tbb/parallel_for.h>
 
 #include "core/gltf/fields.h"
-#include "core/gltf/files.h"
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/uri.h"

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
-#include "core/gltf/files.h"
 #include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
 #include "core/gltf/uri.h"

@@ -5,7 +5,6 @@
 
 #include "core/gltf/edits.h"
 #include "core/gltf/fields.h"
-#include "core/gltf/files.h"
 #include "core/gltf/json.h"
 #include "core/gltf/problems.h"
 #include "core/gltf/uri.h"
@@ -224,7 +223,7 @@ Status save(const Source& source, const fs::path& path) {
   }
   try {
     const Result<std::vector<OutputFile>> files = Saving(source, path, !isText).files();
-    return files ? writeFiles(*files) : Status(files.error());
+    return files ? writeFiles(*files, MissingFolder::isMade) : Status(files.error());
   } catch (const fs::filesystem_error&) {
     return Error{"cannot be written", path.string(), "check the path"};
   }

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/hash.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/uri.h"
@@ -21,66 +22,52 @@ constexpr const char* blockName = "stretch_engine";
 // glTF allows extras of any type. Where the root's are no object, those of the asset take the work.
 constexpr std::array<const char*, 2> places{"/extras", "/asset/extras"};
 
-// FNV-1a, 64 bit.
-class Checksum {
-public:
-  void add(const void* bytes, std::size_t count) {
-    const auto* data = static_cast<const std::uint8_t*>(bytes);
-    for (std::size_t i = 0; i < count; ++i) {
-      value_ = (value_ ^ data[i]) * 0x100000001B3U;
-    }
-  }
-  void add(const std::string& text) {
-    addNumber(static_cast<double>(text.size()));
-    add(text.data(), text.size());
-  }
-  void addNumber(double number) {
-    const auto bits = std::bit_cast<std::uint64_t>(number == 0.0 ? 0.0 : number);
-    add(&bits, sizeof bits);
-  }
-  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
+void addNumber(double number, Hash& sum) {
+  sum.add(std::bit_cast<std::array<std::uint8_t, sizeof number>>(number == 0.0 ? 0.0 : number));
+}
 
-private:
-  std::uint64_t value_ = 0xCBF29CE484222325U;
-};
+void addText(const std::string& text, Hash& sum) {
+  addNumber(static_cast<double>(text.size()), sum);
+  sum.add(text);
+}
 
 // By meaning: neither the order of keys nor the spelling of numbers counts, since other programs may change
 // both.
-void addJson(const Json& json, Checksum& sum) {
+void addJson(const Json& json, Hash& sum) {
   if (json.is_object()) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) {
       keys.push_back(key);
     }
     std::sort(keys.begin(), keys.end());
-    sum.add("{");
+    addText("{", sum);
     for (const std::string& key : keys) {
-      sum.add(key);
+      addText(key, sum);
       addJson(json.at(key), sum);
     }
-    sum.add("}");
+    addText("}", sum);
   } else if (json.is_array()) {
-    sum.add("[");
+    addText("[", sum);
     for (const Json& value : json) {
       addJson(value, sum);
     }
-    sum.add("]");
+    addText("]", sum);
   } else if (json.is_number()) {
-    sum.addNumber(json.get<double>());
+    addNumber(json.get<double>(), sum);
   } else {
-    sum.add(json.is_string() ? json.get_ref<const std::string&>() : json.dump());
+    addText(json.is_string() ? json.get_ref<const std::string&>() : json.dump(), sum);
   }
 }
 
 std::string checksumOf(const Source& source) {
-  Checksum sum;
+  Hash sum;
   addJson(source.json, sum);
   for (std::size_t i = 0; i < source.buffers.size(); ++i) {
     const auto length =
         static_cast<std::size_t>(wholeOr(element(source.json, "buffers", i), "byteLength", 0));
-    sum.add(source.buffers[i].data(), std::min(length, source.buffers[i].size()));
+    sum.add(std::span(source.buffers[i]).first(std::min(length, source.buffers[i].size())));
   }
-  return sum.text();
+  return fmt::format("{:016x}", sum.value());
 }
 
 // A data URI is left out of what is stored where its bytes give it back.

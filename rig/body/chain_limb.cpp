@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
+#include "core/base/number.h"
 #include "rig/body/detection.h"
 #include "rig/body/limb_assembly.h"
 
@@ -15,15 +15,12 @@ Error chainError(const std::string& joint, std::string what, std::string remedy)
 }
 
 Result<int> nodeByIndex(const Scene& scene, const std::string& joint) {
-  int index = -1;
-  const char* last = joint.data() + joint.size();
-  const auto [end, problem] = std::from_chars(joint.data() + 1, last, index);
-  if (problem != std::errc{} || end != last || index < 0 ||
-      static_cast<std::size_t>(index) >= scene.nodes.size()) {
+  const auto index = parseNumber<std::size_t>(std::string_view(joint).substr(1));
+  if (!index || *index >= scene.nodes.size()) {
     return chainError(joint, "no node has this index",
                       fmt::format("the file has {} nodes, counted from #0", scene.nodes.size()));
   }
-  return index;
+  return static_cast<int>(*index);
 }
 
 std::string indexList(const std::vector<int>& nodes) {

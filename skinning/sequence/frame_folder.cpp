@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/file.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/text.h"
 
@@ -102,7 +103,7 @@ bool isMeshFile(const std::filesystem::path& path) {
 }
 
 Result<MeshFile> readMeshFile(const std::filesystem::path& path) {
-  const auto content = readFile(path);
+  const auto content = readText(path);
   if (!content) {
     return content.error();
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/number.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
@@ -13,7 +14,7 @@ constexpr double largestCoordinate = 1e15;
 Result<glm::vec3> parsePosition(std::string_view words, const std::string& place) {
   glm::vec3 position(0.0F);
   for (glm::length_t axis = 0; axis < 3; ++axis) {
-    const auto number = toNumber(nextWord(words));
+    const auto number = parseNumber(nextWord(words));
     if (!number || std::abs(*number) > largestCoordinate) {
       return Error{"a vertex needs three finite numbers", place, "export the frame again"};
     }
@@ -28,7 +29,7 @@ Status parseFace(std::string_view words, const std::string& place, std::size_t v
                  std::vector<Triangle>& triangles) {
   std::vector<std::uint32_t> corners;
   for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words)) {
-    const auto index = toInteger(word.substr(0, word.find('/')));
+    const auto index = parseNumber<long long>(word.substr(0, word.find('/')));
     const long long count = static_cast<long long>(vertexCount);
     const long long vertex = index ? (*index < 0 ? count + *index : *index - 1) : -1;
     if (vertex < 0 || vertex >= static_cast<long long>(UINT32_MAX)) {

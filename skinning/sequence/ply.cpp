@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/number.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
@@ -106,7 +107,7 @@ std::optional<Header> parseHeader(std::string_view& bytes) {
       understood = parseFormat(nextWord(line), header.encoding);
     } else if (keyword == "element") {
       const std::string name(nextWord(line));
-      const auto count = toInteger(nextWord(line));
+      const auto count = parseNumber<long long>(nextWord(line));
       understood = count && *count >= 0;
       header.elements.push_back({name, understood ? static_cast<std::size_t>(*count) : 0, {}});
     } else if (keyword == "property") {
@@ -170,7 +171,7 @@ private:
       }
       word = nextWord(line_);
     }
-    return toNumber(word);
+    return parseNumber(word);
   }
 
   std::string_view bytes_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/base/file.h"
+#include "core/base/number.h"
 #include "skinning/sequence/text.h"
 #include "skinning/sequence/topology.h"
 
@@ -23,7 +25,7 @@ struct NumberLine {
 NumberLine parseNumbers(std::string_view line) {
   NumberLine parsed;
   for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
-    const auto number = toNumber(word);
+    const auto number = parseNumber(word);
     if (!number || parsed.count == 4) {
       parsed.count = -1;
       return parsed;
@@ -34,7 +36,7 @@ NumberLine parseNumbers(std::string_view line) {
 }
 
 Result<std::vector<Triangle>> readMembranes(const std::filesystem::path& path) {
-  const auto content = readFile(path);
+  const auto content = readText(path);
   if (!content) {
     return content.error();
   }

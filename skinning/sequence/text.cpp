@@ -2,27 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
-#include <fstream>
-#include <system_error>
 
 namespace stretch::skinning {
-
-Result<std::string> readFile(const std::filesystem::path& path) {
-  std::error_code problem;
-  const auto size = std::filesystem::file_size(path, problem);
-  std::ifstream stream(path, std::ios::binary);
-  if (problem || !stream) {
-    return Error{"the file cannot be read", path.string(), "check that it exists and may be read"};
-  }
-  std::string content(static_cast<std::size_t>(size), '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
-    return Error{"the file ended while it was read", path.string(), "copy it again"};
-  }
-  return content;
-}
 
 std::string lowerExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -55,27 +36,6 @@ std::string_view nextWord(std::string_view& rest) {
   const std::string_view word = rest.substr(begin, end == std::string_view::npos ? end : end - begin);
   rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end);
   return word;
-}
-
-std::optional<double> toNumber(std::string_view word) {
-  if (!word.empty() && word.front() == '+') {
-    word.remove_prefix(1);
-  }
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (problem != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<long long> toInteger(std::string_view word) {
-  long long value = 0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (problem != std::errc{} || end != word.data() + word.size()) {
-    return std::nullopt;
-  }
-  return value;
 }
 
 std::string placeOf(std::string_view name, std::size_t lineNumber) {

@@ -127,5 +127,5 @@ TEST_CASE("A file that is no recipe is told by its name") {
   Document document = test::boxer();
   const auto notJson = folder.write("notes.json", "scale: 3");
   CHECK(loadRecipe(notJson, document).error().where == notJson.string());
-  CHECK(loadRecipe(folder / "missing.json", document).error().what == "cannot be opened");
+  CHECK(loadRecipe(folder / "missing.json", document).error().what == "there is no such file");
 }

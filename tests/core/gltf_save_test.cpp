@@ -177,3 +177,28 @@ TEST_CASE("A BIN chunk that no buffer refers to stays") {
   CHECK(again->binary == glb.binary);
   CHECK(Json::parse(again->json) == Json::parse(glb.json));
 }
+
+TEST_CASE("A save keeps the link, the permissions and the files of others") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "model.glb");
+  const auto source = sourceAt(folder / "model.glb");
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(folder.write("real.glb", "old"), own);
+  fs::create_symlink("real.glb", folder / "link.glb");
+  folder.write("link.glb.partial", "mine");
+  saveOrFail(*source, folder / "link.glb");
+  CHECK(fs::is_symlink(folder / "link.glb"));
+  CHECK(fs::status(folder / "real.glb").permissions() == own);
+  CHECK(test::readBytes(folder / "real.glb") == test::readBytes(folder / "model.glb"));
+  CHECK(folder.fileCount() == 4);
+}
+
+TEST_CASE("The .bin of a .gltf that cannot be replaced stays") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "model.glb");
+  folder.write("text.bin", "old");
+  fs::create_directories(folder / "text.gltf/inside");
+  CHECK_FALSE(gltf::save(*sourceAt(folder / "model.glb"), folder / "text.gltf").ok());
+  CHECK(test::readBytes(folder / "text.bin") == gltf::Bytes{'o', 'l', 'd'});
+  CHECK(folder.fileCount() == 2);
+}

@@ -45,7 +45,7 @@ struct PixelSize {
 
 Result<PixelSize> parseSize(const std::string& text) {
   const std::size_t times = text.find('x');
-  const Error wrong{"'" + text + "' is no size", "--size",
+  const Error wrong{"'" + text + "' is not a size", "--size",
                     "give width and height in pixels from 16 to 8192, such as 1280x720"};
   if (times == std::string::npos) {
     return wrong;
@@ -82,12 +82,13 @@ Result<std::vector<double>> parseFrames(const std::string& text) {
                                   ? Result<double>(1.0)
                                   : app::parseNumber(text.substr(second + 1), "--frames");
   if (!step || *step <= 0.0) {
-    return Error{"the step is no positive number", "--frames", "give A:B:STEP, such as 0:60:5"};
+    return Error{"the step has to be above 0", "--frames", "give A:B:STEP, such as 0:60:5"};
   }
   constexpr double mostPictures = 100000.0;
   const double count = std::floor((range->y - range->x) / *step + 1e-9);
   if (count > mostPictures) {
-    return Error{"too many pictures", "--frames", "give a larger step"};
+    return Error{fmt::format("{:.0f} pictures are too many", count + 1.0), "--frames",
+                 "give a larger step: 100000 pictures at most"};
   }
   std::vector<double> frames;
   for (double i = 0.0; i <= count; i += 1.0) {
@@ -168,7 +169,8 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
     return size ? view.error() : size.error();
   }
   if (std::filesystem::path(arguments.output).extension() != ".png") {
-    return Error{"a picture has to end in .png", arguments.output, "give it such a name"};
+    return Error{"the name of a picture has to end in .png", arguments.output,
+                 "give a name such as picture.png"};
   }
   PictureOptions options;
   options.widthPixels = size->width;
@@ -246,7 +248,7 @@ Status runRender(const RenderArguments& arguments) {
     return renderSequence(arguments);
   }
   if (!arguments.over.empty()) {
-    return Error{"--over lies over a mesh sequence", arguments.input.file,
+    return Error{"--over draws a clip over a mesh sequence, and this is none", arguments.input.file,
                  "give a folder of frames or a .pc2 cache to draw it over"};
   }
   return renderCharacter(arguments);

@@ -72,8 +72,9 @@ Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence, const 
   }
   if (over != nullptr &&
       (over->vertexCount != sequence.vertexCount || over->frameCount() != sequence.frameCount())) {
-    return Error{fmt::format("{} vertices and {} frames over {} and {}", over->vertexCount,
-                             over->frameCount(), sequence.vertexCount, sequence.frameCount()),
+    return Error{fmt::format("the clip has {} vertices and {} frames, the sequence {} and {}",
+                             over->vertexCount, over->frameCount(), sequence.vertexCount,
+                             sequence.frameCount()),
                  over->name, "give what was compressed from this sequence"};
   }
   SequencePictures result;

@@ -95,7 +95,7 @@ std::vector<std::pair<int, int>> treeRows(const Scene& scene) {
 void tree(PanelContext& context) {
   const Scene& scene = *context.open.character()->document().scene;
   const std::string& filter = context.ui.jointPick.filter;
-  ImGui::BeginChild("joints/tree", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(84.0F)});
+  ImGui::BeginChild("joints/tree", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
   for (const auto& [node, depth] : treeRows(scene)) {
     if (filter.empty() || fuzzyScore(filter, nodeName(scene, node))) {

@@ -101,6 +101,7 @@ void drawLimbRow(const PanelContext& context, const Control& row, const rig::Lim
 void limbReasons(PanelContext& context, const rig::Limb& limb) {
   const WidgetContext widgets = widgetsOf(context);
   ImGui::Indent(context.theme.px(12.0F));
+  verticalSpace(widgets, 4.0F);
   const Scene& scene = *context.open.character()->document().scene;
   std::string joints;
   for (const int joint : limb.joints) {
@@ -111,6 +112,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
   for (const std::string& reason : limb.reasons) {
     note(widgets, "\xE2\x80\xA2 " + reason);
   }
+  verticalSpace(widgets, 4.0F);
   ButtonSpec correct;
   correct.id = "rig/correct/" + limb.id;
   correct.icon = icon::pencil;
@@ -119,6 +121,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
   if (button(widgets, correct)) {
     openCorrection(context, limb);
   }
+  verticalSpace(widgets, 6.0F);
   ImGui::Unindent(context.theme.px(12.0F));
 }
 

@@ -1,9 +1,8 @@
 #include "ui/render/png.h"
 
-#include <fstream>
-#include <system_error>
-
 #include <stb_image_write.h>
+
+#include "core/base/file.h"
 
 namespace stretch::ui {
 
@@ -13,11 +12,6 @@ void append(void* context, void* data, int size) {
   auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
   const auto* first = static_cast<const std::uint8_t*>(data);
   bytes.insert(bytes.end(), first, first + size);
-}
-
-Error cannotWrite(const std::filesystem::path& path) {
-  return {"the picture cannot be written", path.string(),
-          "choose a folder that exists and may be written to"};
 }
 
 } // namespace
@@ -39,21 +33,7 @@ Status writePng(const std::filesystem::path& path, const Image& image) {
   if (!bytes) {
     return bytes.error();
   }
-  std::filesystem::path temporary = path;
-  temporary += ".part";
-  std::error_code failure;
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    // The stream takes characters; bytes are bytes.
-    file.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
-    file.close();
-    if (!file) {
-      std::filesystem::remove(temporary, failure);
-      return cannotWrite(path);
-    }
-  }
-  std::filesystem::rename(temporary, path, failure);
-  return failure ? Status(cannotWrite(path)) : Status(Success{});
+  return writeFile(path, *bytes);
 }
 
 } // namespace stretch::ui

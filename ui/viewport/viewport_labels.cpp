@@ -200,12 +200,14 @@ void drawStateLabels(ViewportContext& context) {
   const Rect& box = context.viewport.box;
   const float inset = context.theme.unit() * 1.5F;
   const ImVec2 corner{box.min.x + inset, box.max.y - inset - context.theme.px(16.0F)};
+  // The colour of original paths, but apart enough from the label's ground in every theme.
+  const ImU32 original = mixed(originalTrailColour, context.theme.colours.text, 0.5F);
   if (context.ui.overlays.sideBySide) {
     const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
-    label(context, {left + inset, corner.y}, "Original", originalTrailColour);
+    label(context, {left + inset, corner.y}, "Original", original);
     label(context, corner, "Exaggerated", context.theme.colours.text);
   } else if (context.open.character()->view().showOriginal) {
-    label(context, corner, "Original", originalTrailColour);
+    label(context, corner, "Original", original);
   }
 }
 

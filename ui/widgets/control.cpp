@@ -36,6 +36,34 @@ void tooltipHeader(const WidgetContext& context, const Help& help) {
   ImGui::PopStyleColor();
 }
 
+ImVec2 tooltipPadding(const Theme& theme) {
+  return {theme.px(10.0F), theme.px(8.0F)};
+}
+
+float tooltipLineGap(const Theme& theme) {
+  return theme.px(4.0F);
+}
+
+float tooltipTextWidth(const Theme& theme) {
+  return theme.px(300.0F);
+}
+
+/// As large as tooltipNow makes it.
+ImVec2 tooltipSize(const WidgetContext& context, const Help& help) {
+  const Theme& theme = context.theme;
+  ImFont* font = orDefault(theme.fonts.label);
+  const ImVec2 title = textSize(font, help.title);
+  const ImVec2 key = textSize(font, help.keyText);
+  const ImVec2 text =
+      font->CalcTextSizeA(font->FontSize, FLT_MAX, tooltipTextWidth(theme), help.text.c_str());
+  const float between = title.x > 0.0F && key.x > 0.0F ? theme.px(12.0F) : 0.0F;
+  const float header = title.x > 0.0F || key.x > 0.0F ? font->FontSize : 0.0F;
+  const float gap = header > 0.0F && !help.text.empty() ? tooltipLineGap(theme) : 0.0F;
+  const ImVec2 padding = tooltipPadding(theme);
+  return {std::max(title.x + between + key.x, help.text.empty() ? 0.0F : text.x) + 2.0F * padding.x,
+          header + gap + (help.text.empty() ? 0.0F : text.y) + 2.0F * padding.y};
+}
+
 } // namespace
 
 std::string hiddenLabel(std::string_view id) {
@@ -68,8 +96,9 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
   if (help.title.empty() && help.text.empty() && help.keyText.empty()) {
     return;
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.px(10.0F), context.theme.px(8.0F)));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(8.0F), context.theme.px(4.0F)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, tooltipPadding(context.theme));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      ImVec2(context.theme.px(8.0F), tooltipLineGap(context.theme)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(6.0F));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::BeginTooltip();
@@ -77,7 +106,7 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
   tooltipHeader(context, help);
   if (!help.text.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colours.quietText);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + context.theme.px(300.0F));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + tooltipTextWidth(context.theme));
     ImGui::TextUnformatted(help.text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
@@ -88,14 +117,37 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
 }
 
 void tooltip(const WidgetContext& context, const Help& help) {
-  if (!context.items.items.empty() && !(help.title.empty() && help.text.empty())) {
+  const bool empty = help.title.empty() && help.text.empty();
+  if (!context.items.items.empty() && !empty) {
     context.items.items.back().explained = true;
   }
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
-  if (hovered && g.ActiveId == 0 && g.HoveredIdTimer >= tooltipDelaySeconds) {
-    tooltipNow(context, help);
+  if (empty || !hovered || g.ActiveId != 0 || g.HoveredIdTimer < tooltipDelaySeconds) {
+    return;
   }
+  const ImRect panel = g.CurrentWindow->RootWindow->Rect();
+  const ImRect widget = g.LastItemData.Rect;
+  ImGui::SetNextWindowPos(tooltipCorner({widget.Min, widget.Max}, {panel.Min, panel.Max},
+                                        tooltipSize(context, help), g.IO.DisplaySize,
+                                        context.theme.px(6.0F)));
+  tooltipNow(context, help);
+}
+
+ImVec2 tooltipCorner(const Rect& widget, const Rect& panel, const ImVec2& size, const ImVec2& window,
+                     float gap) {
+  const auto into = [](float at, float extent, float room) {
+    return std::floor(std::clamp(at, 0.0F, std::max(0.0F, room - extent)));
+  };
+  const bool upright = panel.height() > panel.width();
+  const float right = panel.max.x + gap;
+  const float left = panel.min.x - gap - size.x;
+  if (upright && (right + size.x <= window.x || left >= 0.0F)) {
+    return {std::floor(right + size.x <= window.x ? right : left), into(widget.min.y, size.y, window.y)};
+  }
+  const float above = widget.min.y - gap - size.y;
+  return {into(widget.min.x, size.x, window.x),
+          above >= 0.0F ? std::floor(above) : into(widget.max.y + gap, size.y, window.y)};
 }
 
 ImVec2 textSize(ImFont* font, std::string_view text) {

@@ -59,10 +59,16 @@ struct Control {
 /// The label that ImGui knows a widget by: not shown.
 [[nodiscard]] std::string hiddenLabel(std::string_view id);
 
-/// Shows a tooltip for the last widget once the mouse has rested on it.
+/// Shows a tooltip for the last widget once the mouse has rested on it, where tooltipCorner says.
 void tooltip(const WidgetContext& context, const Help& help);
-/// The same for anything that says itself that it is hovered; shown at once.
+/// The same at the mouse, for anything that says itself that it is hovered; shown at once.
 void tooltipNow(const WidgetContext& context, const Help& help);
+
+/// Where a tooltip of a widget goes, so that it covers neither the widget nor the rows below: beside an
+/// upright panel, level with the widget; above the widget in a flat one; below it only where nothing else is
+/// left. Inside of the window. All of them in window units.
+[[nodiscard]] ImVec2 tooltipCorner(const Rect& widget, const Rect& panel, const ImVec2& size,
+                                   const ImVec2& window, float gap);
 
 /// Text with its vertical centre in the box, cut with an ellipsis where it does not fit.
 void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32 colour,

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
 #include <imgui_internal.h>
+
+#include "core/base/number.h"
 
 namespace stretch::ui {
 
@@ -110,11 +111,7 @@ std::optional<double> parseNumber(std::string_view text) {
       cleaned += c;
     }
   }
-  double number = 0.0;
-  const char* end = cleaned.data() + cleaned.size();
-  const std::from_chars_result outcome = std::from_chars(cleaned.data(), end, number);
-  const bool whole = outcome.ec == std::errc() && outcome.ptr == end;
-  return whole && std::isfinite(number) ? std::optional<double>(number) : std::nullopt;
+  return stretch::parseNumber(cleaned);
 }
 
 std::string sliderText(const SliderSpec& spec, double value) {

@@ -10,7 +10,7 @@
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
-#include "core/gltf/files.h"
+#include "core/base/file.h"
 #include "core/scene/bind_chains.h"
 #include "tests/support/temporary_folder.h"
 
@@ -77,7 +77,7 @@ fs::path saved(const Document& document, const fs::path& path, bool clean = fals
 }
 
 gltf::Bytes bytesOf(const fs::path& path) {
-  return orFail(gltf::readFile(path));
+  return orFail(readFile(path));
 }
 
 std::vector<Mat4> matricesAt(const Document& document, double frame) {

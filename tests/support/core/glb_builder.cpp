@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "core/gltf/files.h"
+#include "core/base/file.h"
 #include "core/gltf/glb.h"
 #include "core/gltf/json.h"
 
@@ -132,7 +132,7 @@ void writeBytes(const fs::path& path, const gltf::Bytes& bytes) {
 }
 
 gltf::Bytes readBytes(const fs::path& path) {
-  return gltf::readFile(path).value();
+  return readFile(path).value();
 }
 
 Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes, gltf::Tolerance tolerance) {

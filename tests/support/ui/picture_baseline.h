@@ -6,10 +6,25 @@
 
 namespace stretch::test {
 
-/// Compares a picture with tests/render/baselines/NAME.png. Small differences of drivers pass: on average one
-/// step of 255 per channel, and no more than 1 % of the pixels far off. Otherwise, or without a baseline, the
-/// picture is written to `render-differences` beside the test program, and the answer says where and what to
-/// do; empty when equal.
+/// Side of the tiles that pictures are compared by, pixels.
+inline constexpr int tileSide = 16;
+
+/// How far two pictures of one size are apart.
+struct PictureDifference {
+  double mean = 0.0; ///< Of a channel, 0..255.
+  int worstTile = 0; ///< Pixels that are far off in the worst tile.
+  int worstLeft = 0; ///< Where that is.
+  int worstTop = 0;
+};
+[[nodiscard]] PictureDifference differenceBetween(const Image& a, const Image& b);
+
+/// More than what drivers make of the same picture: on average over one step of 255 for each channel, or over
+/// an eighth of a tile far off, as when a row of text moves by a pixel or two.
+[[nodiscard]] bool isVisible(const PictureDifference& difference);
+
+/// Compares a picture with tests/render/baselines/NAME.png. When they visibly differ, or without a baseline,
+/// the picture is written to `render-differences` beside the test program, and the answer says where and what
+/// to do; empty when equal.
 [[nodiscard]] std::string differenceFromBaseline(const std::string& name, const Image& picture);
 
 } // namespace stretch::test

@@ -153,7 +153,7 @@ TEST_CASE("Texts are replaced whole, and failures leave nothing behind") {
   const fs::path file = folder.path() / "deep" / "settings.json";
   REQUIRE(writeText(file, "one"));
   REQUIRE(writeText(file, "two"));
-  CHECK(readText(file) == "two");
+  CHECK(*readText(file) == "two");
   CHECK(std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator()) == 1);
   CHECK_FALSE(writeText(file / "below-a-file", "three"));
 }

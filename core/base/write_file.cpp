@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/file.h"
+
+namespace stretch {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reasonOf(int error) {
+  return error == 0 ? std::string() : std::generic_category().message(error);
+}
+
+Error cannotWrite(const fs::path& path, const std::string& reason) {
+  return {"cannot be written" + (reason.empty() ? "" : " (" + reason + ")"), path.string(),
+          "check that the folder is there, that you may write to it and that the disk has room"};
+}
+
+fs::path folderOfFile(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+// Closes the file when its writing was given up.
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) {
+      ::close(number_);
+    }
+  }
+
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
+  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+private:
+  int number_;
+};
+
+// A name beside the file that no other program and no other thread has. Names of a fixed length: the file's
+// own may be as long as the system allows.
+template <typename Make>
+fs::path makeUnique(const fs::path& target, Make&& make) {
+  constexpr int mostTries = 10000;
+  for (int i = 0; i < mostTries; ++i) {
+    fs::path name = folderOfFile(target) / fmt::format(".stretch-engine-{}-{}.tmp", ::getpid(), i);
+    errno = 0;
+    if (make(name)) {
+      return name;
+    }
+    if (errno != EEXIST) {
+      break;
+    }
+  }
+  return {};
+}
+
+bool writeAll(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  return true;
+}
+
+// What was renamed has to survive a loss of power too. Systems that cannot bring a folder to the disk say so.
+bool syncFolder(const fs::path& folder) {
+  Descriptor open(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return open.isOpen() && (::fsync(open.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
+}
+
+// Where a chain of symbolic links ends, whether there is a file or not.
+fs::path withoutLinks(fs::path path) {
+  constexpr int longestChain = 40;
+  std::error_code failure;
+  for (int i = 0; i < longestChain && fs::is_symlink(path, failure); ++i) {
+    const fs::path next = fs::read_symlink(path, failure);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+// One save: files get their places one after the other; without `keep` all of it is taken back.
+class Replacement {
+public:
+  Replacement() = default;
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+  ~Replacement() { takeBack(); }
+
+  Status makeFolders(const fs::path& folder) {
+    std::error_code failure;
+    if (folder.empty() || fs::is_directory(folder, failure)) {
+      return Success{};
+    }
+    if (Status made = makeFolders(folder.parent_path()); !made) {
+      return made;
+    }
+    if (!fs::create_directory(folder, failure)) {
+      return cannotWrite(folder, failure.message());
+    }
+    folders_.push_back(folder);
+    return Success{};
+  }
+
+  // The new content on the disk, under another name.
+  Status write(const fs::path& target, std::span<const std::uint8_t> bytes) {
+    int number = -1;
+    Step step;
+    step.target = target;
+    step.temporary = makeUnique(target, [&](const fs::path& name) {
+      constexpr mode_t withoutMask = 0666;
+      number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, withoutMask);
+      return number >= 0;
+    });
+    if (number < 0) {
+      return cannotWrite(target, reasonOf(errno));
+    }
+    Descriptor file(number);
+    steps_.push_back(std::move(step));
+    const bool done = takeRights(target, number) && writeAll(number, bytes) && ::fsync(number) == 0;
+    const std::string reason = reasonOf(done ? 0 : errno);
+    return file.close() && done ? Status(Success{}) : Status(cannotWrite(target, reason));
+  }
+
+  // All into their places. The last one needs no way back: with it the save is done.
+  Status moveIntoPlace() {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      Step& step = steps_[i];
+      if (i + 1 < steps_.size() && !setAside(step)) {
+        return cannotWrite(step.target, reasonOf(errno));
+      }
+      if (::rename(step.temporary.c_str(), step.target.c_str()) != 0) {
+        return cannotWrite(step.target, reasonOf(errno));
+      }
+      step.isInPlace = true;
+    }
+    return Success{};
+  }
+
+  Status keep() {
+    const std::vector<Step> done = std::exchange(steps_, {});
+    folders_.clear();
+    bool isSafe = true;
+    for (const Step& step : done) {
+      isSafe = syncFolder(folderOfFile(step.target)) && isSafe;
+    }
+    for (const Step& step : done) {
+      remove(step.old);
+    }
+    return isSafe ? Status(Success{}) : Status(cannotWrite(done.back().target, reasonOf(EIO)));
+  }
+
+private:
+  struct Step {
+    fs::path target;
+    fs::path temporary; ///< The new content, until it is in place.
+    fs::path old;       ///< The content before, set aside; empty where there was none.
+    bool isInPlace = false;
+  };
+
+  static void remove(const fs::path& path) {
+    std::error_code ignored;
+    if (!path.empty()) {
+      fs::remove(path, ignored); // of folders only empty ones
+    }
+  }
+
+  // Who may do what with the file before also holds for the new one; not every system knows owners.
+  static bool takeRights(const fs::path& target, int file) {
+    struct stat before {};
+    if (::stat(target.c_str(), &before) != 0) {
+      return errno == ENOENT;
+    }
+    if (::fchown(file, before.st_uid, before.st_gid) != 0 && errno != EPERM && errno != EINVAL) {
+      return false;
+    }
+    constexpr mode_t permissions = 0777;
+    return ::fchmod(file, before.st_mode & permissions) == 0 || errno == EPERM;
+  }
+
+  // A second name for the old content, or a copy where the disk knows no second names.
+  static bool setAside(Step& step) {
+    std::error_code failure;
+    if (!fs::exists(step.target, failure)) {
+      return true;
+    }
+    step.old = makeUnique(step.target, [&](const fs::path& name) {
+      if (::link(step.target.c_str(), name.c_str()) == 0 || errno == EEXIST) {
+        return errno != EEXIST;
+      }
+      if (!fs::copy_file(step.target, name, failure) && failure != std::errc::file_exists) {
+        remove(name);
+      }
+      errno = failure.value();
+      return !failure;
+    });
+    return !step.old.empty();
+  }
+
+  void takeBack() {
+    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+      if (!step->isInPlace) {
+        remove(step->temporary);
+        remove(step->old);
+      } else if (step->old.empty()) {
+        remove(step->target);
+      } else {
+        std::error_code ignored; // then the old content stays under its other name
+        fs::rename(step->old, step->target, ignored);
+      }
+    }
+    for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
+      remove(*folder);
+    }
+  }
+
+  std::vector<Step> steps_;
+  std::vector<fs::path> folders_;
+};
+
+struct Content {
+  fs::path path;
+  std::span<const std::uint8_t> bytes;
+};
+
+Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
+  Replacement replacement;
+  for (const Content& content : contents) {
+    const fs::path target = withoutLinks(content.path);
+    if (folder == MissingFolder::isMade) {
+      if (Status made = replacement.makeFolders(target.parent_path()); !made) {
+        return made;
+      }
+    }
+    std::error_code ignored;
+    const fs::file_status before = fs::status(target, ignored);
+    if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
+      return Error{"is no regular file", content.path.string(), "choose another name"};
+    }
+    if (Status written = replacement.write(target, content.bytes); !written) {
+      return written;
+    }
+  }
+  if (Status moved = replacement.moveIntoPlace(); !moved) {
+    return moved;
+  }
+  return contents.empty() ? Status(Success{}) : replacement.keep();
+}
+
+} // namespace
+
+Status writeFiles(std::span<const OutputFile> files, MissingFolder folder) {
+  std::vector<Content> contents;
+  contents.reserve(files.size());
+  for (const OutputFile& file : files) {
+    contents.push_back({file.path, file.bytes});
+  }
+  return replaceAll(contents, folder);
+}
+
+Status writeFile(const fs::path& path, std::span<const std::uint8_t> bytes, MissingFolder folder) {
+  const Content content{path, bytes};
+  return replaceAll({&content, 1}, folder);
+}
+
+Status writeText(const fs::path& path, std::string_view text, MissingFolder folder) {
+  return writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, folder);
+}
+
+} // namespace stretch

@@ -1,0 +1,175 @@
+#include "core/base/file.h"
+
+#include <array>
+#include <csignal>
+#include <thread>
+
+#include <catch2/catch.hpp>
+#include <sys/resource.h>
+
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using test::TemporaryFolder;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t entriesOf(const TemporaryFolder& folder) {
+  const fs::recursive_directory_iterator entries(folder.path());
+  return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+}
+
+std::string textOf(const fs::path& path) {
+  return readText(path).value();
+}
+
+// While it lives a file that grows beyond `bytes` meets a full disk.
+class SmallDisk {
+public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+} // namespace
+
+TEST_CASE("What was written is read again, whether the file was there or not") {
+  const TemporaryFolder folder;
+  const Bytes bytes{0, 255, 10, 13};
+  REQUIRE(writeFile(folder / "a.bin", bytes));
+  CHECK(readFile(folder / "a.bin").value() == bytes);
+  REQUIRE(writeFile(folder / "a.bin", {}));
+  CHECK(readFile(folder / "a.bin").value().empty());
+  CHECK(entriesOf(folder) == 1);
+}
+
+TEST_CASE("A file that cannot be read is told by its name") {
+  const TemporaryFolder folder;
+  CHECK(readText(folder / "none").error().line().find("none: there is no such file") != std::string::npos);
+  CHECK(readFile(folder.path()).error().what == "is a folder");
+}
+
+TEST_CASE("A pair of which one cannot be replaced is left as it was") {
+  const TemporaryFolder folder;
+  folder.write("model.bin", "old data");
+  fs::create_directories(folder / "model.gltf" / "inside");
+  const std::array<OutputFile, 3> pair{OutputFile{folder / "model.bin", {1}},
+                                       {folder / "textures/new.png", {2}},
+                                       {folder / "model.gltf", {3}}};
+  const Status failed = writeFiles(pair, MissingFolder::isMade);
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().where == (folder / "model.gltf").string());
+  CHECK(textOf(folder / "model.bin") == "old data");
+  CHECK(entriesOf(folder) == 3); // the folder textures has gone again
+}
+
+TEST_CASE("A pair is replaced whole and leaves no other name of the old files") {
+  const TemporaryFolder folder;
+  folder.write("model.bin", "old data");
+  folder.write("model.gltf", "old text");
+  const std::array<OutputFile, 2> pair{OutputFile{folder / "model.bin", {'a'}},
+                                       {folder / "model.gltf", {'b'}}};
+  REQUIRE(writeFiles(pair));
+  CHECK(textOf(folder / "model.bin") + textOf(folder / "model.gltf") == "ab");
+  CHECK(entriesOf(folder) == 2);
+}
+
+TEST_CASE("A full disk leaves the old file and nothing else") {
+  const TemporaryFolder folder;
+  folder.write("model.glb", "old");
+  const Bytes large(100000, 7);
+  {
+    const SmallDisk disk(5000);
+    const Status failed = writeFile(folder / "model.glb", large);
+    REQUIRE_FALSE(failed);
+    CHECK(failed.error().what.starts_with("cannot be written"));
+  }
+  CHECK(textOf(folder / "model.glb") == "old");
+  CHECK(entriesOf(folder) == 1);
+}
+
+TEST_CASE("Folders are made only where that is asked for") {
+  const TemporaryFolder folder;
+  CHECK_FALSE(writeFile(folder / "mistyped/picture.png", Bytes{1}));
+  CHECK(entriesOf(folder) == 0);
+  CHECK(writeFile(folder / "textures/deep/picture.png", Bytes{1}, MissingFolder::isMade));
+  CHECK(readFile(folder / "textures/deep/picture.png").value() == Bytes{1});
+}
+
+TEST_CASE("Writers of one file do not meet") {
+  const TemporaryFolder folder;
+  constexpr std::size_t size = 20000;
+  std::array<std::thread, 4> writers;
+  for (std::size_t i = 0; i < writers.size(); ++i) {
+    writers[i] = std::thread([&folder, i] {
+      for (int round = 0; round < 20; ++round) {
+        const Bytes content(size, static_cast<std::uint8_t>('0' + i));
+        check(writeFile(folder / "a.glb", content).ok(), "a writer is not in the way of another");
+      }
+    });
+  }
+  for (std::thread& writer : writers) {
+    writer.join();
+  }
+  const std::string text = textOf(folder / "a.glb");
+  CHECK(text == std::string(size, text.front()));
+  CHECK(entriesOf(folder) == 1);
+}
+
+TEST_CASE("A file of the user that is named like a part file stays") {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.glb.partial", "a.glb.part", "a.glb.tmp"}) {
+    folder.write(name, "mine");
+  }
+  REQUIRE(writeFile(folder / "a.glb", Bytes{1}));
+  for (const char* name : {"a.glb.partial", "a.glb.part", "a.glb.tmp"}) {
+    CHECK(textOf(folder / name) == "mine");
+  }
+}
+
+TEST_CASE("A replaced file keeps its permissions") {
+  const TemporaryFolder folder;
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(folder.write("a.glb", "old"), own);
+  REQUIRE(writeFile(folder / "a.glb", Bytes{1}));
+  CHECK(fs::status(folder / "a.glb").permissions() == own);
+}
+
+TEST_CASE("A symbolic link stays and leads to the new content") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "real");
+  folder.write("real/a.glb", "old");
+  fs::create_symlink("real/a.glb", folder / "link.glb");
+  fs::create_symlink("link.glb", folder / "chain.glb");
+  REQUIRE(writeFile(folder / "chain.glb", Bytes{'n'}));
+  CHECK(fs::is_symlink(folder / "chain.glb"));
+  CHECK(fs::is_symlink(folder / "link.glb"));
+  CHECK(textOf(folder / "real/a.glb") == "n");
+  CHECK(entriesOf(folder) == 4);
+}
+
+TEST_CASE("A name as long as the system allows can be written") {
+  const TemporaryFolder folder;
+  const std::string name = std::string(251, 'n') + ".glb";
+  CHECK(writeFile(folder / name, Bytes{1}));
+  CHECK(entriesOf(folder) == 1);
+}
+
+TEST_CASE("What is no file is not replaced by one") {
+  CHECK_FALSE(writeFile("/dev/null", Bytes{1}));
+  CHECK(fs::is_character_file("/dev/null"));
+}
