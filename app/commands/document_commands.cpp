@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "app/commands/command_ids.h"
 namespace stretch::app {
 
 namespace {
@@ -36,8 +37,8 @@ Status run(const DocumentCommand& command, OpenDocument& open) {
 
 std::vector<DocumentCommand> historyCommands() {
   return {
-      {"edit.undo", "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo},
-      {"edit.redo",
+      {command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo},
+      {command::redo,
        "Redo",
        "Brings the change that was taken back again.",
        {"Ctrl+Shift+Z", "Ctrl+Y"},

@@ -1,3 +1,4 @@
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 
 namespace stretch::app {
@@ -12,13 +13,13 @@ bool hasResult(const SequenceSession& session) {
 
 std::vector<DocumentCommand> sequenceCommands() {
   return {
-      {.id = "sequence.compress",
+      {.id = command::sequenceCompress,
        .label = "Compress the sequence",
        .help = "Makes a skinned clip of the mesh sequence, with the settings of the panel.",
        .keys = {"Ctrl+Enter"},
        .enabledOnSequence = [](const SequenceSession& session) { return !session.isCompressing(); },
        .runOnSequence = [](SequenceSession& session) { return session.startCompression(); }},
-      {.id = "sequence.cancel",
+      {.id = command::sequenceCancel,
        .label = "Cancel the compression",
        .help = "Stops it; what was compressed before stays.",
        .keys = {},
@@ -27,7 +28,7 @@ std::vector<DocumentCommand> sequenceCommands() {
          session.cancelCompression();
          return Success{};
        }},
-      {.id = "sequence.original",
+      {.id = command::sequenceOriginal,
        .label = "Show the original sequence",
        .help = "Shows the meshes as they were simulated, in red.",
        .keys = {},
@@ -36,7 +37,7 @@ std::vector<DocumentCommand> sequenceCommands() {
          session.view().showOriginal = !session.view().showOriginal;
          return Success{};
        }},
-      {.id = "sequence.skinned",
+      {.id = command::sequenceSkinned,
        .label = "Show the skinned result",
        .help = "Shows what the compressed clip makes of them, in green.",
        .keys = {},

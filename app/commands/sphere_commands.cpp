@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/grab_modal.h"
 #include "app/commands/selection.h"
@@ -150,32 +151,32 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
 
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
-      {"sphere.next",
+      {command::sphereNext,
        "Next sphere",
        "Selects the next control sphere; the playhead jumps there.",
        {"Tab"},
        hasSelectedTrail,
        [](Session& session) { return stepSphere(session, true); }},
-      {"sphere.previous",
+      {command::spherePrevious,
        "Previous sphere",
        "Selects the control sphere before; the playhead jumps there.",
        {"Shift+Tab"},
        hasSelectedTrail,
        [](Session& session) { return stepSphere(session, false); }},
-      {"sphere.all",
+      {command::sphereAll,
        "All spheres",
        "Selects every control sphere of the trail.",
        {"Ctrl+A"},
        hasSelectedTrail,
        selectAll},
-      {"sphere.along-back",
+      {command::sphereAlongBack,
        "Slide back along the path",
        "Moves the selected spheres back along the path: closer spacing "
        "before, wider after.",
        {"Alt+Left"},
        hasSpheres,
        [](Session& session) { return nudgeAlong(session, -1.0); }},
-      {"sphere.along-forward",
+      {command::sphereAlongForward,
        "Slide on along the path",
        "Moves the selected spheres on along the path: wider spacing "
        "before, closer after.",

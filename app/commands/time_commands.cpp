@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
@@ -94,19 +95,19 @@ Status toggleLoop(Session& session) {
 
 std::vector<DocumentCommand> rangeCommands() {
   return {
-      {"range.start",
+      {command::rangeStart,
        "Range starts here",
        "Starts the range at the playhead: of the selected trail, else of the next one.",
        {"[", "Alt+,"},
        hasViewedClip,
        [](Session& session) { return setRange(session, true); }},
-      {"range.end",
+      {command::rangeEnd,
        "Range ends here",
        "Ends the range at the playhead: of the selected trail, else of the next one.",
        {"]", "Alt+."},
        hasViewedClip,
        [](Session& session) { return setRange(session, false); }},
-      {"range.default",
+      {command::rangeDefault,
        "Forget the range",
        "The next trail takes the limb's own range: up to where its end is farthest away.",
        {},
@@ -121,7 +122,7 @@ std::vector<DocumentCommand> rangeCommands() {
 
 std::vector<DocumentCommand> playheadCommands() {
   return {
-      {"time.back",
+      {command::timeBack,
        "Frame back",
        "Steps to the frame before.",
        {","},
@@ -129,7 +130,7 @@ std::vector<DocumentCommand> playheadCommands() {
        stepBack,
        alwaysOnSequence,
        [](SequenceSession& session) { return goToFrame(session, std::ceil(session.view().frame) - 1.0); }},
-      {"time.forward",
+      {command::timeForward,
        "Frame forward",
        "Steps to the next frame.",
        {"."},
@@ -137,19 +138,19 @@ std::vector<DocumentCommand> playheadCommands() {
        stepForward,
        alwaysOnSequence,
        [](SequenceSession& session) { return goToFrame(session, std::floor(session.view().frame) + 1.0); }},
-      {"time.previous-key",
+      {command::timePreviousKey,
        "Previous key",
        "Jumps to the key before, of the selected limbs if there are any.",
        {"Ctrl+,"},
        hasViewedClip,
        [](Session& session) { return goToKey(session, false); }},
-      {"time.next-key",
+      {command::timeNextKey,
        "Next key",
        "Jumps to the next key, of the selected limbs if there are any.",
        {"Ctrl+."},
        hasViewedClip,
        [](Session& session) { return goToKey(session, true); }},
-      {"time.start",
+      {command::timeStart,
        "To the start",
        "Jumps to the clip's first frame.",
        {"Home"},
@@ -157,7 +158,7 @@ std::vector<DocumentCommand> playheadCommands() {
        [](Session& session) { return goTo(session, 0.0); },
        alwaysOnSequence,
        [](SequenceSession& session) { return goToFrame(session, 0.0); }},
-      {"time.end",
+      {command::timeEnd,
        "To the end",
        "Jumps to the clip's last frame.",
        {"End"},
@@ -165,7 +166,7 @@ std::vector<DocumentCommand> playheadCommands() {
        [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
        alwaysOnSequence,
        [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }},
-      {"clip.loop",
+      {command::clipLoop,
        "Clip loops",
        "Marks the clip as a loop: a release at its end goes on at its start.",
        {},

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
@@ -71,19 +72,19 @@ Status weightForAll(Session& session) {
 
 std::vector<DocumentCommand> weightCommands() {
   return {
-      {"weight.toggle",
+      {command::weightToggle,
        "Weight on or off",
        "Lets the selected limbs sag, squash and stretch by their own load, or stops that.",
        {},
        hasTargets,
        toggleWeight},
-      {"weight.all",
+      {command::weightAll,
        "Weight for arms and legs",
        "Lets all arms and legs of this clip sag, squash and stretch by their own load.",
        {},
        viewsClip,
        weightForAll},
-      {"weight.remove",
+      {command::weightRemove,
        "Take the weight away",
        "Takes the weight of the selected limbs away, with its settings.",
        {},

@@ -1,6 +1,6 @@
 #include <initializer_list>
 
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -75,7 +75,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
-             recipeSave, filePlayblast, "", fileQuit}},
+             recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, "", copyTrail, pasteTrail, mirrorTrail, "", settings}}, false);
   drawMenu(context,
@@ -94,12 +94,12 @@ void drawMenuBar(PanelContext& context) {
             {timePlay, timeBack, timeForward, timePreviousKey, timeNextKey, timeStart, timeEnd, "",
              rangeStart, rangeEnd}},
            false);
-  drawMenu(context,
-           {"View",
-            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective,
-             viewFileCamera, "", viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
-             viewFrameNumbers, viewGrid, viewSideBySide}},
-           false);
+  drawMenu(
+      context,
+      {"View",
+       {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewSkeleton,
+        viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
+      false);
   drawMenu(context, {"Help", {palette, keys, about}}, false);
   ImGui::PopStyleVar(2);
 }

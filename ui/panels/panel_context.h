@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/commands/command_ids.h"
 #include "app/open_document.h"
 #include "ui/panels/ui_state.h"
 #include "ui/widgets/item_registry.h"
@@ -11,9 +12,11 @@
 
 namespace stretch::ui {
 
+namespace command = app::command;
+
 /// A command as menus, palette, tooltips and the keys overview show it; made by the shell each frame.
 struct CommandInfo {
-  std::string id; ///< "trail.apply".
+  std::string id; ///< command::trailApply.
   std::string label;
   std::string help;
   std::string keyText; ///< The real key, as the user's layout names it; empty without one.

@@ -1,4 +1,4 @@
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/command_ids.h"
 #include "app/schema/sequence_schema.h"
 #include "core/gltf/json.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sequence_rows.h"

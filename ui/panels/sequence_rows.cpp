@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/command_ids.h"
 #include "app/schema/sequence_schema.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/widgets/dropdown.h"

@@ -1,5 +1,5 @@
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"

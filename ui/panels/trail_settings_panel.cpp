@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/style_edits.h"
 #include "app/evaluate/quality.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
 #include "ui/widgets/dropdown.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"

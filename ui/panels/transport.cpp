@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "ui/panels/clip_chooser.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/timeline_model.h"
 #include "ui/widgets/dropdown.h"

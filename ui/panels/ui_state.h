@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/file_work.h"
+#include "app/file_work.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"

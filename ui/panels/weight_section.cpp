@@ -6,13 +6,13 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/weight_edits.h"
 #include "app/schema/weight_schema.h"
 #include "app/weight/report.h"
 #include "core/gltf/json.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/widgets/layout.h"

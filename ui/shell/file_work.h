@@ -5,7 +5,7 @@
 
 namespace stretch::ui {
 
-// Joins the file work (app/files/file_work.h) with dialogs, messages and the view.
+// Joins the file work (app/file_work.h) with dialogs, messages and the view.
 
 /// Opens a character or a mesh sequence (a path, or a base mesh and its cache) beside the running window;
 /// asks first when work would be lost.

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/command_ids.h"
 #include "app/files/user_files.h"
-#include "ui/panels/command_ids.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::ui {

@@ -5,7 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/keymap.h"
-#include "app/files/file_work.h"
+#include "app/file_work.h"
 #include "app/open_document.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "ui/panels/command_ids.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/sequence_work.h"
@@ -238,7 +238,7 @@ std::vector<ShellCommand> toolCommands() {
        {"E"},
        hasLimb,
        [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }},
-      {"sphere.grab",
+      {command::sphereGrab,
        "Grab",
        "Moves the selected spheres with the mouse, an axis key or a typed number.",
        {"G"},
@@ -312,19 +312,19 @@ std::vector<ShellCommand> cameraAndPaneCommands() {
       directionCommand(command::viewPerspective, "Perspective view",
                        "Looks with perspective, from the front and above.", "Numpad 5",
                        ViewDirection::threeQuarter),
-      paneCommand("view.left-pane", "Left pane", "Shows or folds rig and limbs.", "Ctrl+1",
+      paneCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", "Ctrl+1",
                   &PaneSizes::leftOpen),
-      paneCommand("view.bottom-pane", "Bottom pane", "Shows or folds timeline and graph.", "Ctrl+2",
+      paneCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", "Ctrl+2",
                   &PaneSizes::bottomOpen),
-      paneCommand("view.right-pane", "Right pane", "Shows or folds trails and settings.", "Ctrl+3",
+      paneCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", "Ctrl+3",
                   &PaneSizes::rightOpen),
-      {"view.viewport-only",
+      {command::viewViewportOnly,
        "Viewport only",
        "Folds every pane, or brings them back.",
        {"Ctrl+Space"},
        always,
        toggleViewportOnly},
-      {"view.navigation",
+      {command::viewNavigation,
        "Navigation of Maya or Blender",
        "Changes how the mouse turns the view.",
        {},
@@ -377,7 +377,7 @@ std::vector<ShellCommand> helpCommands() {
          shell.ui.aboutOpen = true;
          return Success{};
        }},
-      {"keys.export",
+      {command::keysExport,
        "Export the keys",
        "Writes every key to a file in your configuration folder.",
        {},
@@ -416,9 +416,9 @@ bool isChecked(const Shell& shell, std::string_view id) {
       {command::sequenceSkinned,
        shell.open.sequence() != nullptr && shell.open.sequence()->view().showSkinned},
       {command::trailShowOriginal, shownOriginal},
-      {"view.left-pane", shell.panes.leftOpen},
-      {"view.bottom-pane", shell.panes.bottomOpen},
-      {"view.right-pane", shell.panes.rightOpen},
+      {command::viewLeftPane, shell.panes.leftOpen},
+      {command::viewBottomPane, shell.panes.bottomOpen},
+      {command::viewRightPane, shell.panes.rightOpen},
   };
   return std::any_of(std::begin(switches), std::end(switches),
                      [&](const auto& entry) { return entry.first == id && entry.second; });

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "rig/trail/exaggeration.h"
-#include "ui/panels/command_ids.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"

@@ -96,7 +96,7 @@ void GuiStage::frame(const Draw& draw) {
   commands_ = commandsFor(open);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const ui::PanelContext panels{open, ui, theme, commands_, requested_, items};
+  const ui::PanelContext panels{open, ui, theme, commands_, requested_, items, status};
   ui::ViewportContext context{panels, viewport, tool};
   ui::beginPanels(context);
   draw(context);

@@ -64,6 +64,7 @@ public:
 
   app::OpenDocument open;
   ui::UiState ui;
+  ui::EditorStatus status;
   ui::Theme theme;
   ui::ItemRegistry items;
   ui::ViewportState viewport;

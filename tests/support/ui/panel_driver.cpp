@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "ui/panels/command_ids.h"
 
 namespace stretch::test {
 

@@ -3,12 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/command_ids.h"
 
 using namespace stretch;
 using test::PanelDriver;

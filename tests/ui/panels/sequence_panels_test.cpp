@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/command_ids.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/command_ids.h"
 #include "ui/panels/sequence_rows.h"
 #include "ui/widgets/scatter_plot.h"
 

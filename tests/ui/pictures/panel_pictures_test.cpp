@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
@@ -7,7 +8,6 @@
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
 #include "tests/support/ui/picture_baseline.h"
-#include "ui/panels/command_ids.h"
 
 using namespace stretch;
 using namespace stretch::ui;
@@ -110,8 +110,8 @@ const Panel panels[] = {
     {"status-bar-tool", drawStatusBar,
      [](GuiStage& stage) {
        withTrail(stage);
-       stage.ui.modalText = "left arm x3.00, axes X Z";
-       stage.ui.keyHints = {{"X Y Z", "axes"}, {"Enter", "keep"}, {"Esc", "back"}};
+       stage.status.modalText = "left arm x3.00, axes X Z";
+       stage.status.keyHints = {{"X Y Z", "axes"}, {"Enter", "keep"}, {"Esc", "back"}};
      },
      712.0F, 42.0F},
 };
@@ -145,9 +145,16 @@ const Dialog dialogs[] = {
        ui.jointPick.limbId = "left-arm";
      },
      withLimb},
-    {"unsaved", 560.0F, 240.0F, [](UiState& ui) { ui.unsavedOpen = true; }, withTrail},
+    {"unsaved", 560.0F, 240.0F, [](UiState&) {},
+     [](GuiStage& stage) {
+       withTrail(stage);
+       stage.status.question.kind = app::FileQuestion::Kind::unsaved;
+     }},
     {"first-start", 620.0F, 320.0F, [](UiState& ui) { ui.navigationChoiceOpen = true; }},
-    {"restore", 560.0F, 240.0F, [](UiState& ui) { ui.restoreOffer = "boxer.glb"; }},
+    {"restore", 560.0F, 240.0F, [](UiState&) {},
+     [](GuiStage& stage) {
+       stage.status.question = {app::FileQuestion::Kind::restore, "boxer.glb"};
+     }},
     {"toasts", 520.0F, 200.0F,
      [](UiState& ui) {
        ui.toasts = {{ToastKind::success, "Saved boxer-exaggerated.glb", 4.0F},

@@ -1,12 +1,38 @@
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
-#include "ui/panels/command_ids.h"
+#include "app/commands/command_ids.h"
 #include "ui/shell/shell_commands.h"
 
 using namespace stretch;
 using namespace stretch::ui;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string textOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The ids of app/commands/command_ids.h; none is there twice.
+std::set<std::string> listedIds() {
+  const std::string text = textOf(STRETCH_SOURCE_DIR "/app/commands/command_ids.h");
+  const std::regex definition("const char\\* \\w+ =\\s+\"([^\"]+)\"");
+  std::set<std::string> ids;
+  for (std::sregex_iterator found(text.begin(), text.end(), definition), end; found != end; ++found) {
+    INFO((*found)[1]);
+    CHECK(ids.insert((*found)[1]).second);
+  }
+  return ids;
+}
+
+} // namespace
 
 TEST_CASE("No key of the editor is bound twice, and every command has a name, a sentence of help and an id "
           "of its own") {
@@ -86,6 +112,36 @@ const std::pair<const char*, const char*> specifiedKeys[] = {{"1", "limb.left-ar
                                                              {"?", command::keys}};
 
 } // namespace
+
+TEST_CASE("Every id of the list has a command, every command an id of the list, and no id is spelled "
+          "anywhere else") {
+  const std::set<std::string> listed = listedIds();
+  REQUIRE(listed.size() > 80);
+  std::set<std::string> known;
+  for (const app::Command<Shell>& command : editorCommands()) {
+    known.insert(command.id);
+    // Those of directions and of limbs that are added to the selection are put together.
+    const bool puttogether =
+        command.id.rfind("sphere.nudge-", 0) == 0 || command.id.rfind("-add") != std::string::npos;
+    INFO(command.id);
+    CHECK((puttogether || listed.count(command.id) == 1));
+  }
+  for (const std::string& id : listed) {
+    INFO(id);
+    CHECK(known.count(id) == 1);
+  }
+  for (const char* room : {"app", "ui"}) {
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(STRETCH_SOURCE_DIR) / room)) {
+      const bool isList = entry.path().filename() == "command_ids.h";
+      const std::string text = isList || !entry.is_regular_file() ? std::string() : textOf(entry.path());
+      for (const std::string& id : listed) {
+        INFO(entry.path() << " spells " << id);
+        CHECK(text.find('"' + id + '"') == std::string::npos);
+      }
+    }
+  }
+}
 
 TEST_CASE("The keys of the specification's table run what it says") {
   const app::Keymap keymap(app::keyedCommands(editorCommands()));

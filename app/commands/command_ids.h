@@ -1,8 +1,8 @@
 #pragma once
 
-/// Ids of the commands that panels ask for. The shell's tables define them; a panel's button is off while a
-/// command is missing.
-namespace stretch::ui::command {
+/// Ids of all commands: the tables define what each does, panels and keys ask for it. A test fails when one
+/// has no command, or when an id is spelled out anywhere else.
+namespace stretch::app::command {
 
 inline constexpr const char* fileOpen = "file.open";
 inline constexpr const char* fileSave = "file.save";
@@ -12,7 +12,6 @@ inline constexpr const char* fileExportClean = "file.export-clean";
 inline constexpr const char* fileQuit = "file.quit";
 inline constexpr const char* recipeSave = "recipe.save";
 inline constexpr const char* recipeLoad = "recipe.load";
-inline constexpr const char* filePlayblast = "file.playblast";
 
 inline constexpr const char* undo = "edit.undo";
 inline constexpr const char* redo = "edit.redo";
@@ -70,7 +69,6 @@ inline constexpr const char* viewFront = "view.front";
 inline constexpr const char* viewSide = "view.side";
 inline constexpr const char* viewTop = "view.top";
 inline constexpr const char* viewPerspective = "view.perspective";
-inline constexpr const char* viewFileCamera = "view.camera";
 
 inline constexpr const char* sequenceCompress = "sequence.compress";
 inline constexpr const char* sequenceCancel = "sequence.cancel";
@@ -84,4 +82,19 @@ inline constexpr const char* keys = "help.keys";
 inline constexpr const char* settings = "help.settings";
 inline constexpr const char* about = "help.about";
 
-} // namespace stretch::ui::command
+inline constexpr const char* rangeDefault = "range.default";
+inline constexpr const char* clipLoop = "clip.loop";
+inline constexpr const char* trailExaggerateOnce = "trail.exaggerate-once";
+inline constexpr const char* editDelete = "edit.delete";
+inline constexpr const char* sphereAll = "sphere.all";
+inline constexpr const char* sphereAlongBack = "sphere.along-back";
+inline constexpr const char* sphereAlongForward = "sphere.along-forward";
+inline constexpr const char* sphereGrab = "sphere.grab";
+inline constexpr const char* viewLeftPane = "view.left-pane";
+inline constexpr const char* viewBottomPane = "view.bottom-pane";
+inline constexpr const char* viewRightPane = "view.right-pane";
+inline constexpr const char* viewViewportOnly = "view.viewport-only";
+inline constexpr const char* viewNavigation = "view.navigation";
+inline constexpr const char* keysExport = "keys.export";
+
+} // namespace stretch::app::command

@@ -1,4 +1,4 @@
-#include "app/files/file_work.h"
+#include "app/file_work.h"
 
 #include <chrono>
 #include <cstdlib>
