@@ -7,6 +7,7 @@
 #include "app/edits/limb_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"

@@ -5,6 +5,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "rig/limb_points.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

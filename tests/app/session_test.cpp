@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/trail_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"

@@ -9,6 +9,7 @@
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/history.h"
 #include "tests/support/app/boxer.h"

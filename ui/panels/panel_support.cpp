@@ -10,6 +10,7 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "rig/limb_points.h"
 #include "ui/panels/panels.h"
 

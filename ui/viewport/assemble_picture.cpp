@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/evaluate/evaluate.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {

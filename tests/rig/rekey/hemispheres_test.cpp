@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/limb_points.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
@@ -43,7 +44,7 @@ Trail thrownBack(const MovingBiped& moving, double side) {
 }
 
 // Without keys of its own for the arm: what is written is cubic where others of the limb are.
-void eraseTurns(MovingBiped& moving, int node) {
+void eraseTurns(MovingBiped& moving, NodeIndex node) {
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
     return track->channel == Channel::rotation && track->node == node;
   });
@@ -76,7 +77,7 @@ TEST_CASE("keys of ours follow each other the short way, also for a reader that 
   for (const Track& track : rekeyed.keys.tracks) {
     if (track.channel == Channel::rotation) {
       ++turning;
-      CAPTURE(track.node);
+      CAPTURE(track.node.value);
       CHECK(longWays(track, 0.0, 12.0) == 0);
     }
   }
@@ -121,7 +122,7 @@ TEST_CASE("an arm that is thrown back is keyed the short way, on whichever side 
         CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
         for (const Track& track : rekeyed.keys.tracks) {
           if (track.channel == Channel::rotation) {
-            CAPTURE(track.node);
+            CAPTURE(track.node.value);
             CHECK(longWays(track, 0.0, 24.0) == 0);
           }
         }

@@ -1,3 +1,4 @@
+#include "rig/limb_points.h"
 #include "rig/rekey/mesh_reach.h"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ TEST_CASE("the tip of a sword follows the exact motion as closely as the hand th
 TEST_CASE("a lance needs more keys than the hand that holds it, and its tip follows as closely") {
   constexpr float lanceLength = 12.0F;
   MovingBiped moving = punchingBiped();
-  const auto hand = static_cast<std::size_t>(moving.node.at("hand.l"));
+  const auto hand = at(moving.node.at("hand.l"));
   Trail trail = connectedTrail("left-arm", 0, 12, 2.0);
   trail.settings.turnEnd = true;
   const auto keysOf = [&] {

@@ -4,6 +4,7 @@
 
 #include "../../support/ui/picture_baseline.h"
 #include "../../support/ui/render_scenes.h"
+#include "app/evaluate/evaluate.h"
 #include "ui/render/handle_drawing.h"
 #include "ui/render/image_edits.h"
 #include "ui/render/offscreen_context.h"
@@ -115,7 +116,7 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
       fitted(lookFrom({}, ViewDirection::threeQuarter), viewport, BoundsSampler(scene).boxOf(scene, frame)),
       viewport);
   AxisHandles handles;
-  handles.origin = positionOf(frame.worlds[static_cast<std::size_t>(nodes.leftHand)]);
+  handles.origin = positionOf(frame.worlds[at(nodes.leftHand)]);
   handles.lengthPoints = 36.0;
   RenderTarget target;
   REQUIRE(renderer->draw(target, view, {frame, {}, drawAxisHandles(view, handles, 1), style}).ok());

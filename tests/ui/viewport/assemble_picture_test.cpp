@@ -2,6 +2,7 @@
 
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
 #include "ui/batch/character_pictures.h"
 #include "ui/render/png.h"
@@ -74,9 +75,9 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
 TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays where it was") {
   Window window;
   window.session.view().frame = 6.0;
-  const TrailPicture fine = window.picture().trails.at(0);
+  const TrailPicture fine = window.picture().trails.at(0).path;
   window.overlays.trailIncrement = 3.0;
-  const TrailPicture coarse = window.picture().trails.at(0);
+  const TrailPicture coarse = window.picture().trails.at(0).path;
   REQUIRE(fine.original.size() > 24);
   const std::size_t pieces = (fine.original.size() - 1 + 5) / 6; // of six half frames each
   CHECK(coarse.original.size() == pieces + 1);
