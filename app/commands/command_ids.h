@@ -40,7 +40,6 @@ inline constexpr const char* trailDelete = "trail.delete";
 inline constexpr const char* trailDeleteAll = "trail.delete-all";
 inline constexpr const char* trailBlend = "trail.blend";
 inline constexpr const char* trailShowOriginal = "trail.show-original";
-inline constexpr const char* trailMatchHand = "trail.match-hand";
 inline constexpr const char* weightToggle = "weight.toggle";
 inline constexpr const char* weightAll = "weight.all";
 inline constexpr const char* weightRemove = "weight.remove";

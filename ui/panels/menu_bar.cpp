@@ -83,12 +83,11 @@ void drawMenuBar(PanelContext& context) {
             {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck,
              selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
            false);
-  drawMenu(
-      context,
-      {"Trail",
-       {trailToggle, trailExaggerate, trailConnect, trailFollow, trailApply, "", trailBlend,
-        trailShowOriginal, trailMatchHand, "", spherePrevious, sphereNext, "", trailDelete, trailDeleteAll}},
-      false);
+  drawMenu(context,
+           {"Trail",
+            {trailToggle, trailExaggerate, trailConnect, trailFollow, trailApply, "", trailBlend,
+             trailShowOriginal, "", spherePrevious, sphereNext, "", trailDelete, trailDeleteAll}},
+           false);
   drawMenu(context,
            {"Time",
             {timePlay, timeBack, timeForward, timePreviousKey, timeNextKey, timeStart, timeEnd, "",
