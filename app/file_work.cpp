@@ -32,10 +32,11 @@ void tellWarnings(FileUser& user, const std::vector<std::string>& warnings) {
 
 void tellDisconnected(FileUser& user, const Document& document) {
   if (const std::size_t waiting = disconnectedTrails(document); waiting > 0) {
-    user.tell(Tone::warning,
-              fmt::format("{} {} not connected: the file keeps {}, other programs play it without. C connects "
-                          "the selected one.",
-                          waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
+    user.tell(
+        Tone::warning,
+        fmt::format("{} {} not connected: the file keeps {}, other programs play it without. C connects "
+                    "the selected one.",
+                    waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
   }
 }
 

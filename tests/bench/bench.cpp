@@ -10,6 +10,7 @@
 
 #include "app/document.h"
 #include "app/edits/sphere_edits.h"
+#include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "core/base/check.h"

@@ -120,7 +120,7 @@ app::Schema<UiState> windowWays() {
       setting<UiState>(
           {.name = "snap",
            .help = "Playhead and ranges stop at whole frames.",
-           .row = {.section = "settings", .label = "Snap to whole frames"}},
+           .row = {.section = "settings", .label = "Whole frames"}},
           [](auto& ui) -> auto& { return ui.timeline.snapToFrames; }),
   };
 }

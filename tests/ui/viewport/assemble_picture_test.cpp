@@ -74,7 +74,7 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
 
 TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays where it was") {
   Window window;
-  window.session.view().frame = 6.0;
+  window.session.view().frame = 8.0;
   const TrailPicture fine = window.picture().trails.at(0).path;
   window.overlays.trailIncrement = 3.0;
   const TrailPicture coarse = window.picture().trails.at(0).path;
