@@ -41,6 +41,12 @@ Json trailJson(const rig::MotionState& motion) {
   return json;
 }
 
+// A path that is only looked at may be a single point, as in a clip of one key, which no trail could
+// exaggerate.
+bool isOneFrame(const Vec2& range, const Clip& clip) {
+  return range.x == range.y && range.x >= 0.0 && range.x < frameCount(clip);
+}
+
 Status runTrail(const TrailArguments& arguments) {
   Result<Document> document = openDocument(arguments.input);
   if (!document) {
@@ -63,11 +69,16 @@ Status runTrail(const TrailArguments& arguments) {
   trail.clip = *clip;
   trail.settings.startFrame = range->x;
   trail.settings.endFrame = range->y;
-  Result<PlacedTrails> placed = placeTrails(*document, {&trail, 1}, Entry::request);
-  if (!placed) {
-    return placed.error();
+  if (isOneFrame(*range, clipOf(*document, *clip))) {
+    document->trails.push_back(trail);
+  } else {
+    Result<PlacedTrails> placed = placeTrails(*document, {&trail, 1}, Entry::request);
+    if (!placed) {
+      return placed.error();
+    }
+    document = std::move(placed->document);
   }
-  const Json json = trailJson(prepareMotion(placed->document, *clip));
+  const Json json = trailJson(prepareMotion(*document, *clip));
   if (arguments.json) {
     std::cout << json.dump(1) << '\n';
     return Success{};

@@ -68,6 +68,32 @@ TEST_CASE("A range without length is refused wherever it comes from, and nothing
   CHECK(folder.fileCount() == 1);
 }
 
+TEST_CASE(
+    "The path of a limb in a clip of one key is a point that can be asked for, and nothing to exaggerate") {
+  const test::TemporaryFolder folder;
+  const std::string still = folder
+                                .write("still.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0]}],
+      "nodes": [{"name": "upper", "children": [1]}, {"name": "lower", "translation": [0, 1, 0], "children": [2]},
+                {"name": "hand", "translation": [0, 1, 0]}],
+      "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                      "samplers": [{"input": 0, "output": 1}]}],
+      "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}],
+      "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 0, "byteOffset": 4, "byteLength": 12}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 1, "type": "SCALAR", "min": [0], "max": [0]},
+                    {"bufferView": 1, "componentType": 5126, "count": 1, "type": "VEC3"}]})")
+                                .string();
+  const Outcome asked = runWords({"trail", still, "--limb", "upper..hand"});
+  INFO(asked.told);
+  CHECK(asked.exitCode == 0);
+  const std::string output = (folder / "out.glb").string();
+  const Outcome wanted =
+      runWords({"exaggerate", still, "-o", output, "--limb", "upper..hand", "--scale", "2"});
+  CHECK(wanted.exitCode == 1);
+  CHECK_THAT(wanted.told, Catch::Contains("no length"));
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("A range outside the clip is refused wherever it comes from") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
