@@ -52,7 +52,7 @@ std::filesystem::path Session::proposedSavePath() const {
 
 Status Session::save(const std::filesystem::path& path, bool clean) {
   cancel();
-  const Status saved = saveDocument(history().current(), path, {.clean = clean});
+  Status saved = saveDocument(history().current(), path, {.clean = clean});
   // A clean export is a copy for others: the work itself is not saved by it.
   if (saved && !clean) {
     savePath_ = path;

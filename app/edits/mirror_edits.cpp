@@ -82,7 +82,7 @@ Vec3 sagittalNormal(const Document& document, int clip, double frame) {
   const std::vector<Mat4> rest = worldMatrices(*document.scene, restPose(*document.scene));
   const auto bases = pairBases(document, rest);
   if (!bases) {
-    return Vec3(1.0, 0.0, 0.0);
+    return {1.0, 0.0, 0.0};
   }
   const Vec3 restNormal = bases->first - bases->second;
   const NodeIndex hips = document.biped.hips;

@@ -9,7 +9,7 @@ namespace stretch::rig::biped {
 namespace {
 
 NodeIndex strongestJoint(const VertexInfluences& influences, const Skin& skin) {
-  const auto strongest = std::ranges::max_element(influences.weights);
+  const auto* const strongest = std::ranges::max_element(influences.weights);
   if (!(*strongest > 0.0F)) {
     return NodeIndex::none;
   }

@@ -29,6 +29,7 @@ int habitOf(LimbKind kind) {
 // How many limbs carry each.
 std::vector<std::size_t> carrierCounts(const Scene& scene, const std::vector<ActingLimb>& limbs) {
   std::vector<std::size_t> counts;
+  counts.reserve(limbs.size());
   for (const ActingLimb& outer : limbs) {
     counts.push_back(
         static_cast<std::size_t>(std::count_if(limbs.begin(), limbs.end(), [&](const ActingLimb& inner) {

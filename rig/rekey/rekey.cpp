@@ -99,6 +99,7 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
   const std::vector<KeyedPart> parts = keyedParts(motion);
   const FramesOfNodes frames = framesOfNodes(exact, parts);
   std::vector<PartKeys> keysOfParts;
+  keysOfParts.reserve(parts.size());
   for (const KeyedPart& part : parts) {
     keysOfParts.push_back(chooseKeys(exact, part, frames, options));
   }
