@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/files/saved_work.h"
 #include "core/base/check.h"
 
 namespace stretch::app {
@@ -17,28 +16,6 @@ auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
 }
 
 } // namespace
-
-Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance) {
-  Result<gltf::Loaded> loaded = gltf::load(path, tolerance);
-  if (!loaded) {
-    return loaded.error();
-  }
-  Document document;
-  document.source = loaded->source;
-  document.scene = loaded->scene;
-  document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
-  document.warnings = std::move(loaded->warnings);
-  document.biped = rig::detectBiped(*document.scene);
-  if (!loaded->savedWork.isNull()) {
-    if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
-      document.warnings.push_back("the work kept in the file could not be taken up: " +
-                                  restored.error().line());
-    } else {
-      document.carriedWork = true;
-    }
-  }
-  return document;
-}
 
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&

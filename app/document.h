@@ -35,10 +35,6 @@ struct Document {
   int nextTrailId = 1;
 };
 
-/// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
-[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,
-                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse);
-
 /// Equal by value (shared parts by identity first).
 [[nodiscard]] bool sameDocument(const Document& a, const Document& b);
 

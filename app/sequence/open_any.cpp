@@ -1,4 +1,5 @@
 #include "app/sequence/open_any.h"
+#include "app/files/open.h"
 
 #include <algorithm>
 #include <system_error>

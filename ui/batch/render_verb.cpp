@@ -11,6 +11,7 @@
 #include "app/document.h"
 #include "app/edits/recipe_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/files/open.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"

@@ -4,6 +4,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/files/open.h"
 
 namespace stretch::test {
 
