@@ -89,7 +89,7 @@ std::vector<double> sampleFrames(const Span& frames, double lastFrame) {
 void addSamples(std::vector<Curve>& curves, std::vector<Vec2> Curve::*target, double frame,
                 const Vec3& values) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    (curves[i].*target).push_back({frame, values[static_cast<glm::length_t>(i)]});
+    (curves[i].*target).emplace_back(frame, values[static_cast<glm::length_t>(i)]);
   }
 }
 
@@ -118,7 +118,7 @@ std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, Node
   }
   for (const double frame : keyFramesOf(clip, node, context.ui.graph.channels)) {
     for (Curve& curve : curves) {
-      curve.keys.push_back({frame, curveValue(moves ? curve.before : curve.points, frame)});
+      curve.keys.emplace_back(frame, curveValue(moves ? curve.before : curve.points, frame));
     }
   }
   return curves;
