@@ -107,7 +107,6 @@ struct Chord {
   bool alt = false;
 
   friend bool operator==(const Chord&, const Chord&) = default;
-  // NOLINTNEXTLINE(modernize-use-nullptr): the check reads a null pointer into what the compiler writes
   friend auto operator<=>(const Chord&, const Chord&) = default;
 };
 

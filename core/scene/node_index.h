@@ -20,7 +20,6 @@ struct NodeIndex {
 
   [[nodiscard]] constexpr bool exists() const { return value >= 0; }
 
-  // NOLINTNEXTLINE(modernize-use-nullptr): the check reads a null pointer into what the compiler writes
   friend constexpr auto operator<=>(const NodeIndex&, const NodeIndex&) = default;
 };
 
