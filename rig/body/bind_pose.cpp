@@ -13,7 +13,7 @@
 
 namespace stretch::rig {
 
-namespace biped {
+namespace body {
 
 namespace {
 
@@ -170,10 +170,10 @@ BindPose placeBindPose(const Scene& scene) {
   return pose;
 }
 
-} // namespace biped
+} // namespace body
 
 std::vector<Mat4> bindPoseWorlds(const Scene& scene) {
-  return biped::placeBindPose(scene).worlds;
+  return body::placeBindPose(scene).worlds;
 }
 
 } // namespace stretch::rig

@@ -4,7 +4,7 @@
 
 #include "core/scene/scene.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 struct BindPose {
   std::vector<Mat4> worlds;     ///< World matrix of every node in the bind pose.
@@ -18,4 +18,4 @@ struct BindPose {
 /// by the rest transform.
 [[nodiscard]] BindPose placeBindPose(const Scene& scene);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

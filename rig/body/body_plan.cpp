@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -229,4 +229,4 @@ BodyPlan planBody(const BodyView& view, const MirrorPlane& plane) {
   return best;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

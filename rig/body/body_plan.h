@@ -4,7 +4,7 @@
 
 #include "rig/body/limb_guess.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Two limbs that mirror each other, or one alone.
 struct LimbPair {
@@ -32,4 +32,4 @@ struct BodyPlan {
 [[nodiscard]] Vec3 meanBase(const BodyView& view, const LimbPair& pair);
 [[nodiscard]] Vec3 meanEnd(const LimbPair& pair);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -12,7 +12,7 @@
 #include "core/math/finite.h"
 #include "core/scene/queries.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -270,4 +270,4 @@ BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candi
   return ViewBuilder(scene, bindPose, candidates).build();
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -7,7 +7,7 @@
 #include "rig/body/bind_pose.h"
 #include "rig/body/name_evidence.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Which nodes may be joints of the body.
 enum class Candidates {
@@ -65,4 +65,4 @@ struct BodyView {
 [[nodiscard]] std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& bindPose,
                                                           bool rigidMeshes);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -12,7 +12,7 @@
 
 namespace stretch::rig {
 
-namespace biped {
+namespace body {
 
 namespace {
 
@@ -178,15 +178,15 @@ NodeIndex topmost(const Scene& scene, NodeIndex node) {
 
 } // namespace
 
-} // namespace biped
+} // namespace body
 
 Biped detectBiped(const Scene& scene) {
-  const biped::BindPose bindPose = biped::placeBindPose(scene);
-  biped::Finding finding = biped::findLimbs(scene, bindPose);
-  biped::applyHumanoid(finding, biped::readHumanoid(scene, bindPose));
-  biped::warn(finding);
+  const body::BindPose bindPose = body::placeBindPose(scene);
+  body::Finding finding = body::findLimbs(scene, bindPose);
+  body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  body::warn(finding);
   finding.result.height =
-      biped::characterHeight(scene, bindPose, biped::topmost(scene, finding.result.hips), finding.bodyUp);
+      body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);
 }
 

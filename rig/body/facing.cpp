@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -169,4 +169,4 @@ Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& 
   return sides;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -5,7 +5,7 @@
 
 #include "rig/body/trunk.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Which side of the mirror plane is the character's left.
 struct Sides {
@@ -20,4 +20,4 @@ struct Sides {
 /// without either the character is taken to face +Z, as glTF has it.
 [[nodiscard]] Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

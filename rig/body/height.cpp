@@ -9,7 +9,7 @@
 #include "core/math/bounds.h"
 #include "rig/body/body_view.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -69,4 +69,4 @@ double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex r
   return height > 0.0 && std::isfinite(height) ? height : 1.0;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -2,7 +2,7 @@
 
 #include "rig/body/bind_pose.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Height of a character in its bind pose, world units, > 0: the extent of its vertices along +Y (skinned
 /// meshes where there are any, else rigid ones at or below `root`; -1: all), of its joints where it has no
@@ -11,4 +11,4 @@ namespace stretch::rig::biped {
 [[nodiscard]] double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex root,
                                      const Vec3& bodyUp);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

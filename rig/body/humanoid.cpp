@@ -6,7 +6,7 @@
 
 #include "rig/body/limb_assembly.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -90,4 +90,4 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   return table;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

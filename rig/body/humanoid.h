@@ -5,7 +5,7 @@
 #include "rig/body/bind_pose.h"
 #include "rig/limb.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// What the VRM humanoid table of a file says: the table is normative, so its sides and joints are taken as
 /// they are.
@@ -19,4 +19,4 @@ struct HumanoidTable {
 /// out.
 [[nodiscard]] HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes) {
   return text;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -8,7 +8,7 @@
 #include "rig/body/facing.h"
 #include "rig/limb.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Where a limb ends: a joint, or a point in the world (bind pose).
 struct LimbEnd {
@@ -37,4 +37,4 @@ struct LimbEnd {
 /// "a, b, c" of the nodes' names, "#index" for a node without one.
 [[nodiscard]] std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

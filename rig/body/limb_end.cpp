@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::optional<EstimatedEnd> estimateEnd(const BodyView& view, int last) {
   return farEnd ? std::optional(EstimatedEnd{*farEnd, false}) : std::nullopt;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

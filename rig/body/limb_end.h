@@ -4,7 +4,7 @@
 
 #include "rig/body/body_view.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// An end made for a limb whose last joint has no wrist, ankle or tip below it.
 struct EstimatedEnd {
@@ -20,4 +20,4 @@ struct EstimatedEnd {
 /// Whether fingers or palms start at a joint: three children or more, or two that are named palms.
 [[nodiscard]] bool isFan(const BodyView& view, int candidate);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -8,7 +8,7 @@
 
 #include "rig/body/limb_score.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -172,4 +172,4 @@ Side namedSide(const BodyView& view, const LimbGuess& guess) {
   return votes > 0 ? Side::left : votes < 0 ? Side::right : Side::none;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -5,7 +5,7 @@
 #include "rig/body/limb_end.h"
 #include "rig/body/symmetry.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 enum class Region { arm, leg };
 
@@ -33,4 +33,4 @@ struct LimbGuess {
 /// Names' side of a guess: what the majority of its joints say.
 [[nodiscard]] Side namedSide(const BodyView& view, const LimbGuess& guess);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -164,4 +164,4 @@ double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGu
          (guess.end >= 0 ? skipPenalty(view, view.path(guess.middle, guess.end)) : 0.0);
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

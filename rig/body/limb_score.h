@@ -2,7 +2,7 @@
 
 #include "rig/body/limb_guess.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// How well the names of a guess's joints fit their places, the joints that it skips included.
 [[nodiscard]] double nameFit(const BodyView& view, const LimbGuess& guess, Region region);
@@ -12,4 +12,4 @@ namespace stretch::rig::biped {
 [[nodiscard]] double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess,
                                   Region region);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

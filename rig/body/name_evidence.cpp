@@ -5,7 +5,7 @@
 
 #include "rig/body/name_words.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -162,4 +162,4 @@ NameEvidence readName(std::string_view name) {
   return evidence;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// Places in a biped that a joint can have.
 enum class Role {
@@ -46,4 +46,4 @@ struct NameEvidence {
 /// answer several roles at once; position in the chain decides.
 [[nodiscard]] NameEvidence readName(std::string_view name);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::vector<NameChunk> nameChunks(std::string_view name) {
   return chunks;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// A piece of a name between separators, digits and changes of script.
 struct NameChunk {
@@ -17,4 +17,4 @@ struct NameChunk {
 /// Ideographs and kana form chunks of one part. Bytes that are no UTF-8 separate.
 [[nodiscard]] std::vector<NameChunk> nameChunks(std::string_view name);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -314,4 +314,4 @@ std::vector<Word> chunkWords(const NameChunk& chunk) {
   return words;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -7,7 +7,7 @@
 
 #include "rig/body/name_text.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// What a word in a joint name can mean, whatever its language.
 enum class Word {
@@ -56,4 +56,4 @@ enum class Word {
 /// that works, else part by part; parts that no word covers are left out.
 [[nodiscard]] std::vector<Word> chunkWords(const NameChunk& chunk);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -194,4 +194,4 @@ MirrorPlane findMirrorPlane(const BodyView& view) {
   return plane;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

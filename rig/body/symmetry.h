@@ -2,7 +2,7 @@
 
 #include "rig/body/body_view.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// The plane that mirrors a body onto itself. Which of its sides is left is not known here.
 struct MirrorPlane {
@@ -18,4 +18,4 @@ struct MirrorPlane {
 /// whose names differ in their side only. Without any pair, the plane through the mean joint across world X.
 [[nodiscard]] MirrorPlane findMirrorPlane(const BodyView& view);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -345,4 +345,4 @@ Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BodyPlan& 
   return plan.arms || plan.legs ? TrunkReader(view, plane, plan).read() : Trunk{};
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -4,7 +4,7 @@
 
 #include "rig/body/body_plan.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 /// The joints in the middle of the body, as candidates, each list from the hips upwards.
 struct Trunk {
@@ -20,4 +20,4 @@ struct Trunk {
 /// arms join it and by where the head's vertices are.
 [[nodiscard]] Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

@@ -4,7 +4,7 @@
 
 #include "rig/body/body_view.h"
 
-namespace stretch::rig::biped {
+namespace stretch::rig::body {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& 
   return clouds;
 }
 
-} // namespace stretch::rig::biped
+} // namespace stretch::rig::body

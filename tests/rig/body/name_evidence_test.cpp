@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stretch::rig::biped;
+using namespace stretch::rig::body;
 
 namespace {
 
