@@ -9,6 +9,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/schema/schema_json.h"
+#include "rig/limb_points.h"
 
 namespace stretch::app {
 
