@@ -6,7 +6,6 @@
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
-#include "app/batch/setting_options.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/gltf/json.h"

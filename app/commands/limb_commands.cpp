@@ -2,7 +2,6 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 

@@ -1,6 +1,5 @@
 #include "app/evaluate/stages.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "rig/motion/solve.h"

@@ -6,7 +6,7 @@
 
 #include "core/anim/frame_state.h"
 #include "rig/body/detection.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "skinning/geometry/bone_widths.h"
 
 namespace stretch::app {

@@ -5,7 +5,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/copy_on_write.h"
-#include "core/math/types.h"
 #include "core/scene/node_index.h"
 
 namespace stretch {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/math/types.h"
 #include "core/scene/scene.h"
 
 namespace stretch {

@@ -6,9 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/index.h"
-#include "core/scene/queries.h"
+#include "core/scene/scene.h"
 #include "rig/limb.h"
-#include "rig/limb_points.h"
 
 namespace stretch::rig {
 

@@ -15,7 +15,7 @@
 #include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/base/check.h"
-#include "core/scene/queries.h"
+#include "core/scene/scene.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {

@@ -9,7 +9,7 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
-#include "app/edits/recipe_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/open.h"
 #include "app/schema/parse_text.h"

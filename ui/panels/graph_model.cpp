@@ -1,13 +1,12 @@
 #include "ui/panels/graph_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/panel_support.h"
 

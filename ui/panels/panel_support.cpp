@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 
 #include <glm/geometric.hpp>
@@ -11,7 +10,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "ui/panels/panels.h"
 
 namespace stretch::ui {
@@ -46,7 +45,7 @@ void carry(PanelContext& context, app::Editing<Document>& session, const EditPha
   if (phase.changed) {
     Result<Document> changed = change(session.atBegin());
     if (!changed) {
-      toast(context.ui, ToastKind::warning, changed.error().line());
+      tell(context.ui, ToastKind::warning, changed.error().line());
     } else {
       if (!session.isDragging()) {
         session.begin(label);
@@ -134,11 +133,11 @@ void editSequence(PanelContext& context, const EditPhase& phase, const std::stri
 
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed) {
   if (!changed) {
-    toast(context.ui, ToastKind::warning, changed.error().line());
+    tell(context.ui, ToastKind::warning, changed.error().line());
     return;
   }
   if (context.open.character()->isDragging()) {
-    toast(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
+    tell(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
     return;
   }
   context.open.character()->edit(*changed, label);
@@ -164,17 +163,6 @@ void editSettings(PanelContext& context, const EditPhase& phase, const std::stri
     }
     return document;
   });
-}
-
-void toast(UiState& ui, ToastKind kind, const std::string& text) {
-  constexpr float shownSeconds = 5.0F;
-  const auto same =
-      std::find_if(ui.toasts.begin(), ui.toasts.end(), [&](const Toast& t) { return t.text == text; });
-  if (same != ui.toasts.end()) {
-    same->secondsLeft = shownSeconds;
-  } else {
-    ui.toasts.push_back({kind, text, shownSeconds});
-  }
 }
 
 std::string capitalised(std::string text) {
@@ -254,6 +242,22 @@ std::string lengthsText(const TipLengths& lengths) {
   std::snprintf(text, sizeof text, "%.*f \xE2\x86\x92 %.*f  (\xC3\x97%.2f)", decimals, lengths.before,
                 decimals, lengths.after, ratio);
   return text;
+}
+
+void tell(UiState& ui, ToastKind kind, const std::string& text) {
+  const float seconds = kind == ToastKind::error ? 8.0F : 5.0F;
+  const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
+  if (same != ui.toasts.end()) {
+    same->secondsLeft = seconds;
+  } else {
+    ui.toasts.push_back({kind, text, seconds});
+  }
+}
+
+void tellProblem(UiState& ui, const Status& status) {
+  if (!status) {
+    tell(ui, ToastKind::error, status.error().line());
+  }
 }
 
 } // namespace stretch::ui

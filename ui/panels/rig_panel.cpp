@@ -2,11 +2,10 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
-#include "core/scene/queries.h"
-#include "ui/panels/clip_chooser.h"
+#include "core/scene/scene.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/transport.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 

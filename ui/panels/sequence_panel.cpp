@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 #include "ui/panels/setting_rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
-#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 

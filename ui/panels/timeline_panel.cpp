@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "ui/panels/panel_support.h"

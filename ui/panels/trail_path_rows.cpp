@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"

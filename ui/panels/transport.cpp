@@ -6,7 +6,6 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
-#include "ui/panels/clip_chooser.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/timeline_model.h"
 #include "ui/widgets/dropdown.h"
@@ -112,6 +111,22 @@ void timeText(PanelContext& context, const ShownTime& time) {
   tooltip(widgets, rangeHelp(context));
 }
 
+std::string clipName(const Clip& clip, std::size_t index) {
+  return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
+}
+
+void chooseClip(PanelContext& context, int clip) {
+  app::ViewState& view = context.open.character()->view();
+  view.clip = clip;
+  view.frame = 0.0;
+  view.rangeStart = 0.0;
+  view.rangeEnd = -1.0;
+  view.selectedTrail = 0;
+  view.selectedSpheres.clear();
+  context.ui.timeline.viewEnd = context.ui.timeline.viewStart - 1.0;
+  context.ui.graph.fitPending = true;
+}
+
 } // namespace
 
 ShownTime shownTime(PanelContext& context) {
@@ -136,6 +151,22 @@ void drawTransport(PanelContext& context) {
     ImGui::SameLine(0.0F, context.theme.unit());
   }
   timeText(context, time);
+}
+
+void clipChooser(PanelContext& context, const std::string& id, float width) {
+  const std::vector<Clip>& clips = *context.open.character()->document().clips;
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
+    choices.push_back({clipName(clips[i], i), {.title = clipName(clips[i], i), .text = seconds}});
+  }
+  const Help help{.title = "Clip",
+                  .text = "The animation to work on. Trails belong to the clip that they were made in."};
+  const int chosen =
+      dropdown(widgetsOf(context), id, choices, context.open.character()->view().clip, help, width);
+  if (chosen >= 0 && chosen != context.open.character()->view().clip) {
+    chooseClip(context, chosen);
+  }
 }
 
 } // namespace stretch::ui

@@ -8,7 +8,6 @@
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/sequence_work.h"
-#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 

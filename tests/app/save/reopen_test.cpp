@@ -13,7 +13,7 @@
 #include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/scene/bind_chains.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;

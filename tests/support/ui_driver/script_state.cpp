@@ -13,7 +13,7 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::test {
