@@ -31,12 +31,14 @@ void tellWarnings(FileUser& user, const std::vector<std::string>& warnings) {
 }
 
 void tellDisconnected(FileUser& user, const Document& document) {
-  if (const std::size_t waiting = disconnectedTrails(document); waiting > 0) {
+  if (const std::size_t apart = disconnectedTrails(document); apart > 0) {
+    const bool one = apart == 1;
     user.tell(
         Tone::warning,
-        fmt::format("{} {} not connected: the file keeps {}, other programs play it without. C connects "
-                    "the selected one.",
-                    waiting, waiting == 1 ? "trail is" : "trails are", waiting == 1 ? "it" : "them"));
+        fmt::format("{} {} disconnected: kept in the file, but the file plays without {}. Connect {} to "
+                    "have {} played.",
+                    apart, one ? "trail is" : "trails are", one ? "it" : "them", one ? "it" : "them",
+                    one ? "it" : "them"));
   }
 }
 

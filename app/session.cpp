@@ -36,6 +36,10 @@ const std::vector<TrailPaths>& Session::paths(std::size_t samplesPerFrame) {
   return cache_.paths(document(), view_.clip, samplesPerFrame);
 }
 
+const Clip& Session::shownClip() {
+  return cache_.keyed(document(), view_.clip);
+}
+
 const std::vector<WeightReport>& Session::weightReports() {
   return cache_.weightReports(document(), view_.clip);
 }

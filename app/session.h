@@ -45,6 +45,10 @@ public:
   /// The paths of these trails, one for each trail of motion(). The document has clips.
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
 
+  /// The viewed clip with the keys that its applied trails make: what timeline and graph show. The document
+  /// has clips.
+  [[nodiscard]] const Clip& shownClip();
+
   /// What the limbs of the viewed clip that have weight come to.
   [[nodiscard]] const std::vector<WeightReport>& weightReports();
 

@@ -36,6 +36,7 @@ inline constexpr const char* trailExaggerate = "trail.exaggerate";
 inline constexpr const char* trailConnect = "trail.connect";
 inline constexpr const char* trailFollow = "trail.follow";
 inline constexpr const char* trailApply = "trail.apply";
+inline constexpr const char* trailApplyAll = "trail.apply-all";
 inline constexpr const char* trailDelete = "trail.delete";
 inline constexpr const char* trailDeleteAll = "trail.delete-all";
 inline constexpr const char* trailBlend = "trail.blend";

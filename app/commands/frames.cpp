@@ -31,11 +31,10 @@ double lastFrame(const Document& document, int clip) {
   return hasClip(document, clip) ? std::max(0, frameCount(clipOf(document, clip)) - 1) : 0.0;
 }
 
-std::vector<double> keyFrames(const Document& document, int clip, const std::vector<std::string>& limbIds) {
-  if (!hasClip(document, clip)) {
-    return {};
-  }
-  const Clip& motion = clipOf(document, clip);
+namespace {
+
+std::vector<double> keyFramesOf(const Document& document, const Clip& motion,
+                                const std::vector<std::string>& limbIds) {
   const std::set<NodeIndex> nodes = nodesOf(document, limbIds);
   std::vector<double> frames;
   for (const CopyOnWrite<Track>& track : motion.tracks) {
@@ -49,6 +48,19 @@ std::vector<double> keyFrames(const Document& document, int clip, const std::vec
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;
+}
+
+} // namespace
+
+std::vector<double> keyFrames(const Document& document, int clip, const std::vector<std::string>& limbIds) {
+  return hasClip(document, clip) ? keyFramesOf(document, clipOf(document, clip), limbIds)
+                                 : std::vector<double>{};
+}
+
+std::vector<double> shownKeyFrames(Session& session, const std::vector<std::string>& limbIds) {
+  return hasClip(session.document(), session.view().clip)
+             ? keyFramesOf(session.document(), session.shownClip(), limbIds)
+             : std::vector<double>{};
 }
 
 Vec2 workingRange(const Session& session, const rig::Limb& limb) {

@@ -17,6 +17,8 @@ namespace stretch::app {
 /// named.
 [[nodiscard]] std::vector<double> keyFrames(const Document& document, int clip,
                                             const std::vector<std::string>& limbIds);
+/// Of the viewed clip as it is shown: with the keys of applied trails.
+[[nodiscard]] std::vector<double> shownKeyFrames(Session& session, const std::vector<std::string>& limbIds);
 
 /// The working range (x start, y end) within the clip, or the limb's default range when none is set.
 [[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);

@@ -16,7 +16,7 @@ std::vector<DocumentCommand> sequenceCommands() {
       {.id = command::sequenceCompress,
        .label = "Compress the sequence",
        .help = "Makes a skinned clip of the mesh sequence, with the settings of the panel.",
-       .keys = {"Ctrl+Enter"},
+       .keys = {"Shift+Enter"},
        .enabledOnSequence = [](const SequenceSession& session) { return !session.isCompressing(); },
        .runOnSequence = [](SequenceSession& session) { return session.startCompression(); }},
       {.id = command::sequenceCancel,

@@ -34,7 +34,7 @@ Status stepForward(Session& session) {
 
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  const std::vector<double> frames = keyFrames(session.document(), view.clip, view.selectedLimbs);
+  const std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });

@@ -108,6 +108,30 @@ Status applyTargets(Session& session) {
   });
 }
 
+/// Ids of the viewed clip's trails that the character follows and that wait to be applied.
+std::vector<int> waitingTrails(const Session& session) {
+  std::vector<int> waiting;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == session.view().clip && trail.connected && !trail.applied) {
+      waiting.push_back(trail.id);
+    }
+  }
+  return waiting;
+}
+
+/// What is disconnected stays out: that is how the artist keeps it aside.
+Status applyAll(Session& session) {
+  Document document = session.document();
+  for (const int id : waitingTrails(session)) {
+    Result<Document> applied = applyTrail(document, id);
+    if (!applied) {
+      return applied.error();
+    }
+    document = std::move(applied).value();
+  }
+  return finish(session, std::move(document), "Apply all trails");
+}
+
 Status deleteTargets(Session& session) {
   return editTargets(session, "Delete the trail", [](const Document& document, const rig::Trail& trail) {
     return deleteTrail(document, trail.id);
@@ -218,10 +242,18 @@ std::vector<DocumentCommand> shapingCommands() {
        cycleBlend},
       {command::trailApply,
        "Apply new motion",
-       "Re-keys the clip with the exaggerated motion; the trail stays and can be changed.",
+       "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
+       "and "
+       "can be changed.",
        {"Enter", "Numpad Enter"},
        hasTarget,
        applyTargets},
+      {command::trailApplyAll,
+       "Apply all",
+       "Applies every connected trail of the clip; disconnected ones stay as they are.",
+       {"Ctrl+Enter", "Ctrl+Numpad Enter"},
+       [](const Session& session) { return !waitingTrails(session).empty(); },
+       applyAll},
   };
 }
 

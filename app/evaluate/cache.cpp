@@ -1,6 +1,7 @@
 #include "app/evaluate/cache.h"
 
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/keyed_clip.h"
 
 namespace stretch::app {
 
@@ -64,6 +65,14 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
     return drawPaths(input.ground, *solved, samplesPerFrame,
                      usable ? EarlierPaths{last->key.trails.get(), &last->value} : EarlierPaths{});
   });
+}
+
+const Clip& EvaluationCache::keyed(const Document& document, int clip) {
+  const EvaluationInput input = evaluationInput(appliedOnly(document), clip);
+  if (input.trails.empty()) {
+    return clipOf(document, clip);
+  }
+  return keyed_.of({input.ground, input.trails}, [&](const auto*) { return keyedClip(document, clip); });
 }
 
 } // namespace stretch::app

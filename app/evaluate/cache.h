@@ -52,6 +52,8 @@ public:
   /// One for each trail of motion(); the clip must be there.
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
+  /// The clip with the keys of its applied trails (keyed_clip.h); the clip must be there.
+  [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
 private:
   using Motion = std::shared_ptr<const rig::MotionState>;
@@ -105,6 +107,7 @@ private:
   LastAnswer<FrameKey, FrameState> frame_;
   LastAnswer<OriginalKey, FrameState> original_;
   LastAnswer<PathsKey, std::vector<TrailPaths>> paths_;
+  LastAnswer<TrailsKey, Clip> keyed_;
 };
 
 } // namespace stretch::app

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
 #include "core/gltf/json.h"
 #include "rig/rekey/bind_leaves.h"
@@ -12,8 +13,6 @@
 namespace stretch::app {
 
 namespace {
-
-constexpr double toleranceOfHeight = 1e-4; // docs/exaggeration.md, What saving writes
 
 // What is seen, and so what is keyed: the trails that the character follows.
 Document connectedOnly(Document document) {
@@ -40,10 +39,7 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   gltf::Edits edits;
   const Document seen = connectedOnly(document);
   std::vector<rig::ClipStretches> stretches;
-  rig::RekeyOptions rekeyOptions;
-  // Joints and the stretch of a bone may each miss by this, so a vertex by both; and key times and values are
-  // rounded to single precision on their way into the file.
-  rekeyOptions.tolerance = 0.33 * toleranceOfHeight * document.biped.height;
+  rig::RekeyOptions rekeyOptions = keyingOptions(document);
   rekeyOptions.keyEveryFrame = options.keyEveryFrame;
   for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =

@@ -82,6 +82,9 @@ std::vector<double> sampleFrames(const Span& frames, double lastFrame) {
   for (double frame = start; frame <= end + 1e-9; frame += step) {
     samples.push_back(frame);
   }
+  if (!samples.empty() && samples.back() < end - 1e-9) {
+    samples.push_back(end); // A clip may end between frames.
+  }
   return samples;
 }
 
@@ -95,6 +98,15 @@ void addSamples(std::vector<Curve>& curves, std::vector<Vec2> Curve::*target, do
 bool movesIn(const rig::MotionState& motion) {
   return std::any_of(motion.trails.begin(), motion.trails.end(),
                      [](const rig::SolvedTrail& trail) { return trail.active; });
+}
+
+/// Whether an applied trail keys the clip there.
+bool isApplied(const rig::MotionState& motion, double seconds) {
+  constexpr double tolerance = 1e-6;
+  return std::any_of(motion.trails.begin(), motion.trails.end(), [&](const rig::SolvedTrail& trail) {
+    return trail.trail.applied && seconds > trail.windowStartSeconds - tolerance &&
+           seconds < trail.windowEndSeconds + tolerance;
+  });
 }
 
 std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, NodeIndex node,
@@ -115,9 +127,10 @@ std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, Node
       addSamples(curves, &Curve::points, frame, current(app::evaluate(document, motion, seconds)));
     }
   }
-  for (const double frame : keyFramesOf(clip, node, context.ui.graph.channels)) {
+  for (const double frame : keyFramesOf(session.shownClip(), node, context.ui.graph.channels)) {
+    const bool onSource = moves && !isApplied(motion, frame / clip.framesPerSecond);
     for (Curve& curve : curves) {
-      curve.keys.push_back({frame, curveValue(moves ? curve.before : curve.points, frame)});
+      curve.keys.push_back({frame, curveValue(onSource ? curve.before : curve.points, frame)});
     }
   }
   return curves;

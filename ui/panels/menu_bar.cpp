@@ -85,8 +85,8 @@ void drawMenuBar(PanelContext& context) {
            false);
   drawMenu(context,
            {"Trail",
-            {trailToggle, trailExaggerate, trailConnect, trailFollow, trailApply, "", trailBlend,
-             trailShowOriginal, "", spherePrevious, sphereNext, "", trailDelete, trailDeleteAll}},
+            {trailToggle, trailExaggerate, trailConnect, trailFollow, trailApply, trailApplyAll, "",
+             trailBlend, trailShowOriginal, "", spherePrevious, sphereNext, "", trailDelete, trailDeleteAll}},
            false);
   drawMenu(context,
            {"Time",

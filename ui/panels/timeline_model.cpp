@@ -10,19 +10,18 @@ namespace stretch::ui {
 
 namespace {
 
-std::vector<KeyRow> keyRows(const app::Session& session, RowDetail detail) {
+std::vector<KeyRow> keyRows(app::Session& session, RowDetail detail) {
   const app::Document& document = session.document();
-  const int clip = session.view().clip;
   if (detail == RowDetail::selection) {
     const std::vector<std::string>& limbs = session.view().selectedLimbs;
     const std::string label = limbs.empty()       ? "All keys"
                               : limbs.size() == 1 ? limbHeading(document, limbs.front())
                                                   : std::to_string(limbs.size()) + " limbs";
-    return {{label, app::keyFrames(document, clip, limbs), false}};
+    return {{label, app::shownKeyFrames(session, limbs), false}};
   }
-  std::vector<KeyRow> rows{{"All keys", app::keyFrames(document, clip, {}), false}};
+  std::vector<KeyRow> rows{{"All keys", app::shownKeyFrames(session, {}), false}};
   const auto add = [&](const rig::Limb& limb) {
-    rows.push_back({limbHeading(document, limb.id), app::keyFrames(document, clip, {limb.id}),
+    rows.push_back({limbHeading(document, limb.id), app::shownKeyFrames(session, {limb.id}),
                     app::isSelected(session, limb.id)});
   };
   std::for_each(document.biped.limbs.begin(), document.biped.limbs.end(), add);
@@ -45,7 +44,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   bar.colour = trailColour(trail.colour);
   bar.label = limbHeading(session.document(), trail.limb);
   bar.selected = session.view().selectedTrail == trail.id;
-  bar.active = trail.connected;
+  bar.active = trail.connected && !trail.applied;
   return bar;
 }
 

@@ -18,7 +18,7 @@ std::string stateText(const rig::Trail& trail) {
   if (trail.applied) {
     return "applied";
   }
-  return trail.connected ? "connected" : trail.exaggerated ? "not connected" : "path only";
+  return trail.connected ? "connected" : trail.exaggerated ? "disconnected" : "path only";
 }
 
 std::string detailText(const rig::Trail& trail) {

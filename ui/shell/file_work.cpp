@@ -39,6 +39,16 @@ void leaveCharacter(Shell& shell) {
   }
 }
 
+/// What was seen of the time of the file before says nothing about this one.
+void forgetViewOfTime(UiState& ui) {
+  const TimelineState fresh;
+  ui.timeline.viewStart = fresh.viewStart;
+  ui.timeline.viewEnd = fresh.viewEnd;
+  ui.timeline.playing = false;
+  ui.timelineGesture = {};
+  ui.graph.fitPending = true;
+}
+
 /// The window's user, for the file work.
 class WindowUser : public app::FileUser {
 public:
@@ -53,6 +63,7 @@ public:
   }
   void opened() override {
     rememberRecent(shell_.ui, shell_.files.path());
+    forgetViewOfTime(shell_.ui);
     if (shell_.open.character() != nullptr) {
       showCharacter(shell_);
     } else {

@@ -23,6 +23,15 @@ bool advance(const TimelineState& time, double& playhead, double last, double fr
 
 } // namespace
 
+void snapPlayhead(Shell& shell) {
+  double* const playhead = shell.open.character() != nullptr  ? &shell.open.character()->view().frame
+                           : shell.open.sequence() != nullptr ? &shell.open.sequence()->view().frame
+                                                              : nullptr;
+  if (playhead != nullptr && shell.ui.timeline.snapToFrames) {
+    *playhead = std::round(*playhead);
+  }
+}
+
 void play(Shell& shell, double secondsPassed) {
   TimelineState& time = shell.ui.timeline;
   if (!time.playing) {

@@ -7,6 +7,7 @@
 #include "app/commands/document_commands.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
+#include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 
 namespace stretch::ui {
@@ -82,6 +83,9 @@ Status toggleViewportOnly(Shell& shell) {
 Status togglePlay(Shell& shell) {
   shell.ui.timeline.playing = !shell.ui.timeline.playing;
   shell.playRemainder = 0.0;
+  if (!shell.ui.timeline.playing) {
+    snapPlayhead(shell);
+  }
   return Success{};
 }
 

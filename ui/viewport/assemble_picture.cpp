@@ -116,7 +116,8 @@ TrailStyle trailStyleOf(const ShownTrail& trail, const PictureSelection& selecti
   style.exaggeratedWidthPoints = overlays.trailThickness;
   style.originalWidthPoints = std::max(1.0F, 0.5F * overlays.trailThickness);
   style.sphereRadiusPoints = overlays.sphereSize;
-  style.emphasised = isPickedOut(selection, trail.id) || trail.id == selection.hoveredTrail;
+  const bool done = trail.applied && !selection.everyTrail;
+  style.emphasised = (isPickedOut(selection, trail.id) && !done) || trail.id == selection.hoveredTrail;
   return style;
 }
 

@@ -16,6 +16,7 @@ ShownTrail showTrail(const rig::SolvedTrail& solved, const app::TrailPaths& path
   shown.id = solved.trail.id;
   shown.colour = solved.trail.colour;
   shown.exaggerated = solved.trail.exaggerated;
+  shown.applied = solved.trail.applied;
   shown.startFrame = solved.settings.startFrame;
   shown.endFrame = solved.settings.endFrame;
   shown.pivot = solved.settings.pivot;

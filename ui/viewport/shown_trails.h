@@ -20,6 +20,7 @@ struct ShownTrail {
   std::vector<app::PlacedSphere> spheres;
   int colour = 0;
   bool exaggerated = false;
+  bool applied = false; ///< Drawn quieter.
   double startFrame = 0.0;
   double endFrame = 0.0;
   rig::Pivot pivot = rig::Pivot::start;

@@ -18,7 +18,7 @@ struct TimelineBar {
   ImU32 colour = 0;
   std::string label = {};
   bool selected = false;
-  bool active = false; ///< The character follows it.
+  bool active = false; ///< The character follows it, and the artist is not done with it.
 };
 
 /// A row of keys, for the dope sheet.

@@ -61,6 +61,7 @@ void drawRange(const WidgetContext& context, const Layout& layout, const Timelin
   const float right = layout.frames.toPixel(model.range.end);
   const float opacity = model.rangeIsDefault ? 0.45F : 1.0F;
   ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(layout.track.min, layout.track.max, true);
   list->AddRectFilled({left, layout.ruler.min.y}, {right, layout.track.max.y},
                       faded(theme.colours.accent, 0.07F * opacity));
   const float bottom = layout.ruler.max.y;
@@ -70,6 +71,7 @@ void drawRange(const WidgetContext& context, const Layout& layout, const Timelin
   const float top = bottom - theme.px(11.0F);
   list->AddTriangleFilled({left, top}, {left + tab, bottom}, {left, bottom}, colour);
   list->AddTriangleFilled({right, top}, {right, bottom}, {right - tab, bottom}, colour);
+  list->PopClipRect();
 }
 
 void drawKeys(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
@@ -111,6 +113,7 @@ void drawBar(const WidgetContext& context, const Layout& layout, const TimelineM
   const ImU32 fill = mixed(theme.colours.sunken, bar.colour, strength);
   const ImU32 clear = faded(bar.colour, 0.02F);
   const ImU32 tail = faded(bar.colour, bar.active ? 0.45F : 0.25F);
+  list->PushClipRect(layout.track.min, layout.track.max, true); // The names stand left of it.
   if (whole.max.x > box.max.x) {
     list->AddRectFilledMultiColor({box.max.x, box.min.y}, whole.max, tail, clear, clear, tail);
   }
@@ -120,17 +123,15 @@ void drawBar(const WidgetContext& context, const Layout& layout, const TimelineM
   list->AddRectFilled(box.min, box.max, fill, theme.corner());
   list->AddRect(box.min, box.max, bar.selected ? theme.colours.text : bar.colour, theme.corner(),
                 ImDrawFlags_None, theme.px(bar.selected ? 1.5F : 1.0F));
+  for (const double frame : bar.selected ? model.spheres : std::vector<double>{}) {
+    list->AddCircleFilled({layout.frames.toPixel(frame), box.centre().y}, theme.px(3.0F), theme.colours.text);
+  }
+  list->PopClipRect();
   const Rect label{{layout.labelLeft + theme.unit(), box.min.y},
                    {layout.track.min.x - theme.unit(), box.max.y}};
   list->AddCircleFilled({label.min.x + theme.px(4.0F), label.centre().y}, theme.px(4.0F), bar.colour);
   drawText(context, theme.fonts.label, {{label.min.x + theme.px(14.0F), label.min.y}, label.max},
            bar.selected ? theme.colours.text : theme.colours.quietText, bar.label);
-  if (bar.selected) {
-    for (const double frame : model.spheres) {
-      list->AddCircleFilled({layout.frames.toPixel(frame), box.centre().y}, theme.px(3.0F),
-                            theme.colours.text);
-    }
-  }
 }
 
 void drawPlayhead(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {

@@ -13,7 +13,10 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "core/anim/sampling.h"
+#include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
+#include "skinning/linear_blend_skinning.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::test {
@@ -119,12 +122,38 @@ std::string heavyStiffness(const app::Session& session) {
   return entry == nullptr ? "none" : number(entry->settings.stiffness);
 }
 
+/// Whether a program that knows nothing of the work plays the saved file as it is drawn here: every vertex at
+/// every frame, within a thousandth of the character's height.
+std::string playsAsDrawn(app::Session& session) {
+  const Result<gltf::Loaded> saved = gltf::loadAsItStands(session.savePath());
+  if (!saved) {
+    return saved.error().line();
+  }
+  const int clip = session.view().clip;
+  const Clip& played = saved->clips[static_cast<std::size_t>(clip)];
+  const double rate = app::clipOf(session.document(), clip).framesPerSecond;
+  for (double frame = 0.0; frame <= app::lastFrame(session.document(), clip); frame += 1.0) {
+    const double seconds = frame / rate;
+    const std::vector<Vec3> drawn =
+        skinning::skinnedPositions(*session.document().scene, session.frameAt(frame));
+    const std::vector<Vec3> seen = skinning::skinnedPositions(
+        *saved->scene, frameOf(*saved->scene, samplePose(*saved->scene, played, seconds), seconds));
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (i >= seen.size() || glm::length(drawn[i] - seen[i]) > 1e-3 * session.document().biped.height) {
+        return fmt::format("not at frame {}", frame);
+      }
+    }
+  }
+  return "yes";
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
   const std::map<std::string_view, std::function<std::string()>> states{
       {"trails", [&] { return std::to_string(session.document().trails.size()); }},
       {"frame", [&] { return number(view.frame); }},
+      {"on-a-frame", [&] { return yesNo(view.frame > 0.0 && view.frame == std::round(view.frame)); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
@@ -135,6 +164,9 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"original", [&] { return yesNo(view.showOriginal); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
+      {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
+      {"shown-keys", [&] { return std::to_string(app::shownKeyFrames(session, view.selectedLimbs).size()); }},
+      {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
       {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session.document())); }},
       {"weight.limbs", [&] { return heavyLimbs(session); }},
@@ -199,6 +231,8 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-unsaved", yesNo(asked == Kind::unsaved)},
       {"asks-overwrite", yesNo(asked == Kind::overwrite)},
       {"offers-restore", yesNo(asked == Kind::restore)},
+      {"view.start", number(shell.ui.timeline.viewStart)},
+      {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},

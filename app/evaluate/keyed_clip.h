@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/document.h"
+#include "rig/rekey/rekey.h"
+
+namespace stretch::app {
+
+/// How closely saving keys what is seen (docs/exaggeration.md, What saving writes).
+[[nodiscard]] rig::RekeyOptions keyingOptions(const Document& document);
+
+/// The document with those of its trails alone that were applied, and without weight.
+[[nodiscard]] Document appliedOnly(Document document);
+
+/// The clip as its applied trails re-key it: the keys that the timeline and the graph show. The clip must be
+/// there; without an applied trail it is the source's.
+[[nodiscard]] Clip keyedClip(const Document& document, int clip);
+
+} // namespace stretch::app

@@ -1,0 +1,67 @@
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/frames.h"
+#include "app/edits/trail_edits.h"
+#include "app/session.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+Document withTrail(const Document& document, const std::string& limb, bool connected) {
+  NewTrail wanted;
+  wanted.limb = limb;
+  wanted.settings.startFrame = 5.0;
+  wanted.settings.endFrame = 10.0;
+  wanted.settings.scale = 3.0;
+  wanted.exaggerated = true;
+  wanted.connected = connected;
+  const Result<CreatedTrail> created = createTrail(document, wanted);
+  REQUIRE(created);
+  return created->document;
+}
+
+bool run(Session& session, const char* id) {
+  const std::vector<DocumentCommand> commands = documentCommands();
+  const auto command =
+      std::find_if(commands.begin(), commands.end(), [&](const auto& c) { return c.id == id; });
+  REQUIRE(command != commands.end());
+  return command->enabled(session) && command->run(session).ok();
+}
+
+} // namespace
+
+TEST_CASE("An applied trail shows its new keys, until it is changed") {
+  Session session(withTrail(test::boxer(), "left-arm", true));
+  session.view().selectedLimbs = {"left-arm"};
+  const std::vector<double> source = shownKeyFrames(session, {"left-arm"});
+  CHECK(source == keyFrames(session.document(), 0, {"left-arm"}));
+  session.view().selectedTrail = 1;
+  REQUIRE(run(session, command::trailApply));
+  const std::vector<double> keyed = shownKeyFrames(session, {"left-arm"});
+  CHECK(keyed.size() > source.size());
+  CHECK(std::includes(keyed.begin(), keyed.end(), source.begin(), source.end()));
+  rig::TrailSettings changed = session.document().trails.front().settings;
+  changed.scale = 2.0;
+  REQUIRE(session.edit(*setTrailSettings(session.document(), 1, changed), "Change the scale"));
+  CHECK(shownKeyFrames(session, {"left-arm"}) == source);
+}
+
+TEST_CASE("Apply all is one step for every connected trail of the clip, and leaves disconnected ones out") {
+  const Document two = withTrail(withTrail(test::boxer(), "left-arm", true), "right-arm", true);
+  Session session(withTrail(two, "spine", false));
+  REQUIRE(run(session, command::trailApplyAll));
+  const std::vector<rig::Trail>& trails = session.document().trails;
+  CHECK(trails[0].applied);
+  CHECK(trails[1].applied);
+  CHECK_FALSE(trails[2].applied);
+  CHECK_FALSE(run(session, command::trailApplyAll)); // Nothing waits any more.
+  session.undo();
+  CHECK_FALSE(session.document().trails[0].applied);
+}
