@@ -66,18 +66,12 @@ std::vector<DocumentCommand> limbCommands() {
   for (const LimbKey& limb : limbKeys) {
     commands.push_back(selectCommand(limb, true));
   }
-  commands.push_back({command::selectNone,
-                      "Select nothing",
-                      "Takes limbs, trail and spheres out of the selection.",
-                      {"0"},
-                      always,
-                      selectNone});
-  commands.push_back({command::detectAgain,
-                      "Find the limbs again",
-                      "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
-                      {},
-                      always,
-                      detectAgain});
+  commands.push_back(entry(command::selectNone, "Select nothing",
+                           "Takes limbs, trail and spheres out of the selection.", {"0"}, always,
+                           selectNone));
+  commands.push_back(entry(command::detectAgain, "Find the limbs again",
+                           "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
+                           {}, always, detectAgain));
   return commands;
 }
 

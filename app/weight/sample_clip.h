@@ -11,6 +11,21 @@
 
 namespace stretch::app {
 
+/// What the weight of the limbs of one clip is worked out from.
+struct WeightInput {
+  std::shared_ptr<const Scene> scene;
+  const Clip* clip = nullptr;
+  std::vector<rig::Limb> limbs;      ///< All limbs that weight may name, chains included.
+  double height = 1.0;               ///< Of the character, world units, > 0.
+  bool loops = false;                ///< The clip goes on with its own beginning.
+  std::vector<WeightedLimb> weights; ///< Of this clip; what is off or names no limb is passed over.
+
+  [[nodiscard]] double metresPerUnit() const { return characterHeightMetres / height; }
+};
+
+/// Places in WeightInput::weights of the limbs that give way: on, and there.
+[[nodiscard]] std::vector<std::size_t> activeWeights(const WeightInput& input);
+
 /// The limbs of a clip with its trails, sampled for the elastic model: where each joint is, metres of a
 /// character of characterHeightMetres, and how its space lies.
 struct SampledClip {
@@ -28,20 +43,5 @@ struct SampledClip {
 
 /// `motion`: trails of the clip, without weight.
 [[nodiscard]] SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion);
-
-/// What the weight of the limbs of one clip is worked out from.
-struct WeightInput {
-  std::shared_ptr<const Scene> scene;
-  const Clip* clip = nullptr;
-  std::vector<rig::Limb> limbs;      ///< All limbs that weight may name, chains included.
-  double height = 1.0;               ///< Of the character, world units, > 0.
-  bool loops = false;                ///< The clip goes on with its own beginning.
-  std::vector<WeightedLimb> weights; ///< Of this clip; what is off or names no limb is passed over.
-
-  [[nodiscard]] double metresPerUnit() const { return characterHeightMetres / height; }
-};
-
-/// Places in WeightInput::weights of the limbs that give way: on, and there.
-[[nodiscard]] std::vector<std::size_t> activeWeights(const WeightInput& input);
 
 } // namespace stretch::app

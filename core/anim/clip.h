@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/copy_on_write.h"
+#include "core/math/types.h"
 #include "core/scene/node_index.h"
 
 namespace stretch {

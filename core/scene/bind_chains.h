@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/types.h"
 #include "core/scene/scene.h"
 
 namespace stretch {

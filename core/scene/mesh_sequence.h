@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/math/types.h"
+
 namespace stretch {
 
 using Triangle = std::array<std::uint32_t, 3>; ///< Vertex indices, counter-clockwise seen from outside.

@@ -118,12 +118,12 @@ std::string keyOf(const PanelContext& context, std::string_view commandId) {
 
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
                  const DocumentChange& change) {
-  carry(context, *context.open.character(), phase, label, change);
+  carry(context, context.character(), phase, label, change);
 }
 
 void editSequence(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SequenceChange& change) {
-  carry(context, *context.open.sequence(), phase, label,
+  carry(context, context.sequence(), phase, label,
         [&](const app::SequenceDocument& start) -> Result<app::SequenceDocument> {
           app::SequenceDocument changed = start;
           change(changed);
@@ -136,16 +136,16 @@ void editOnce(PanelContext& context, const std::string& label, const Result<app:
     tell(context.ui, ToastKind::warning, changed.error().line());
     return;
   }
-  if (context.open.character()->isDragging()) {
+  if (context.character().isDragging()) {
     tell(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
     return;
   }
-  context.open.character()->edit(*changed, label);
+  context.character().edit(*changed, label);
 }
 
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change) {
-  const std::vector<int> targets = app::targetTrails(*context.open.character());
+  const std::vector<int> targets = app::targetTrails(context.character());
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const int id : targets) {
@@ -192,15 +192,15 @@ std::string nodeName(const Scene& scene, NodeIndex node) {
 }
 
 bool hasCharacter(const PanelContext& context) {
-  return context.open.character() != nullptr && context.open.character()->document().scene != nullptr;
+  return context.open.character() != nullptr && context.character().document().scene != nullptr;
 }
 
 bool hasViewedClip(const PanelContext& context) {
-  if (!hasCharacter(context) || !context.open.character()->document().clips) {
+  if (!hasCharacter(context) || !context.character().document().clips) {
     return false;
   }
-  const int clip = context.open.character()->view().clip;
-  return clip >= 0 && clip < static_cast<int>(context.open.character()->document().clips->size());
+  const int clip = context.character().view().clip;
+  return clip >= 0 && clip < static_cast<int>(context.character().document().clips->size());
 }
 
 std::string shortNumber(double value, int decimals) {

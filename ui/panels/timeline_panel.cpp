@@ -40,7 +40,7 @@ void moveRange(rig::TrailSettings& settings, const Span& span) {
 }
 
 void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   if (outcome.clickedBar != 0) {
     app::selectTrail(session, outcome.clickedBar);
   }
@@ -80,7 +80,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
                                            context.theme.px(labelWidth), height);
   ImGui::EndChild();
-  applyRange(*context.open.character(), outcome);
+  applyRange(context.character(), outcome);
   applyBars(context, outcome);
   applyView(context, outcome);
 }

@@ -82,11 +82,11 @@ void speedChooser(PanelContext& context) {
 
 std::string rangeText(const PanelContext& context) {
   if (context.open.sequence() != nullptr) {
-    const MeshSequence& mesh = *context.open.sequence()->document().mesh;
-    const std::size_t frame = app::shownFrame(*context.open.sequence());
+    const MeshSequence& mesh = *context.sequence().document().mesh;
+    const std::size_t frame = app::shownFrame(context.sequence());
     return frame < mesh.frameNames.size() ? mesh.frameNames[frame] : std::string();
   }
-  const Span range = shownRange(*context.open.character());
+  const Span range = shownRange(context.character());
   return "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" + shortNumber(range.end, 1);
 }
 
@@ -116,7 +116,7 @@ std::string clipName(const Clip& clip, std::size_t index) {
 }
 
 void chooseClip(PanelContext& context, int clip) {
-  app::ViewState& view = context.open.character()->view();
+  app::ViewState& view = context.character().view();
   view.clip = clip;
   view.frame = 0.0;
   view.rangeStart = 0.0;
@@ -131,10 +131,10 @@ void chooseClip(PanelContext& context, int clip) {
 
 ShownTime shownTime(PanelContext& context) {
   if (context.open.sequence() != nullptr) {
-    return {&context.open.sequence()->view().frame, app::lastFrame(*context.open.sequence()),
-            context.open.sequence()->document().mesh->framesPerSecond};
+    return {&context.sequence().view().frame, app::lastFrame(context.sequence()),
+            context.sequence().document().mesh->framesPerSecond};
   }
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const app::Document& document = session.document();
   const int clip = session.view().clip;
   return {&session.view().frame, app::lastFrame(document, clip), app::clipOf(document, clip).framesPerSecond};
@@ -146,7 +146,7 @@ void drawTransport(PanelContext& context) {
   loopSwitch(context);
   frameField(context, time);
   speedChooser(context);
-  if (context.open.character() != nullptr && context.open.character()->document().clips->size() > 1) {
+  if (context.open.character() != nullptr && context.character().document().clips->size() > 1) {
     clipChooser(context, "timeline/clip", context.theme.px(150.0F));
     ImGui::SameLine(0.0F, context.theme.unit());
   }
@@ -154,7 +154,7 @@ void drawTransport(PanelContext& context) {
 }
 
 void clipChooser(PanelContext& context, const std::string& id, float width) {
-  const std::vector<Clip>& clips = *context.open.character()->document().clips;
+  const std::vector<Clip>& clips = *context.character().document().clips;
   std::vector<Choice> choices;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
@@ -162,9 +162,8 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
   }
   const Help help{.title = "Clip",
                   .text = "The animation to work on. Trails belong to the clip that they were made in."};
-  const int chosen =
-      dropdown(widgetsOf(context), id, choices, context.open.character()->view().clip, help, width);
-  if (chosen >= 0 && chosen != context.open.character()->view().clip) {
+  const int chosen = dropdown(widgetsOf(context), id, choices, context.character().view().clip, help, width);
+  if (chosen >= 0 && chosen != context.character().view().clip) {
     chooseClip(context, chosen);
   }
 }
