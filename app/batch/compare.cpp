@@ -11,7 +11,6 @@
 #include "core/gltf/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
-#include "skinning/sequence/point_cache.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {

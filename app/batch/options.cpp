@@ -1,6 +1,6 @@
 #include "app/batch/options.h"
 
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "core/base/file.h"

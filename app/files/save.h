@@ -21,4 +21,8 @@ struct SaveOptions {
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
                                   const SaveOptions& options);
 
+/// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
+[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,
+                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse);
+
 } // namespace stretch::app

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/weight/limb_widths.h"
 #include "app/weight/report.h"
 #include "app/weight/sample_clip.h"
 #include "rig/motion/limb_weight.h"

@@ -2,7 +2,7 @@
 
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"

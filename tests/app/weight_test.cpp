@@ -18,7 +18,6 @@
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"

@@ -12,7 +12,6 @@
 #include "app/edits/sphere_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/base/check.h"
 #include "core/scene/scene.h"

@@ -6,7 +6,6 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
-#include "ui/panels/weight_section.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/remap_editor.h"

@@ -1,4 +1,4 @@
-#include "ui/panels/weight_section.h"
+#include "ui/panels/trail_sections.h"
 
 #include <algorithm>
 #include <functional>

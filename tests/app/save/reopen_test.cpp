@@ -9,7 +9,6 @@
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/scene/bind_chains.h"

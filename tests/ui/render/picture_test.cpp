@@ -9,7 +9,6 @@
 #include "ui/render/offscreen_context.h"
 #include "ui/render/picture.h"
 #include "ui/render/picture_content.h"
-#include "ui/render/png.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/viewport_renderer.h"
 
