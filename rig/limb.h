@@ -7,7 +7,6 @@
 #include "core/anim/frame_state.h"
 #include "core/math/types.h"
 #include "core/scene/node_index.h"
-#include "rig/limb.h"
 
 namespace stretch::rig {
 

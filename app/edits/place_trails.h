@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/edits/place_trails.h"
 #include "app/recipe/recipe.h"
 
 namespace stretch::app {

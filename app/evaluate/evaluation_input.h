@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/paths.h"

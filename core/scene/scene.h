@@ -15,7 +15,6 @@
 
 #include "core/math/transform.h"
 #include "core/scene/node_index.h"
-#include "core/scene/scene.h"
 
 namespace stretch {
 

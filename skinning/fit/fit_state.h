@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "skinning/fit/fit_state.h"
 #include "skinning/skinned_sequence.h"
 
 // Internal to skinning/fit: the numbers that the least-squares steps hand to each other. Positions are moved
