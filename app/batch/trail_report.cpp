@@ -8,8 +8,8 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/schema/schema_json.h"
-#include "rig/limb.h"
 #include "core/gltf/json.h"
+#include "rig/limb.h"
 
 namespace stretch::app {
 
