@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ std::vector<std::vector<std::uint32_t>> neighbourhoods(const MeshSequence& seque
   return around;
 }
 
-double lengthOf(const glm::vec3* frame, const Edge& edge) {
+double lengthOf(std::span<const glm::vec3> frame, const Edge& edge) {
   return glm::length(Vec3(frame[edge.first]) - Vec3(frame[edge.second]));
 }
 
@@ -214,7 +215,7 @@ Result<SequenceMetrics> compareSequences(const MeshSequence& reference, const Me
     total.spread += frame.spread;
     total.largest = std::max(total.largest, frame.largest);
   }
-  const double diagonal = boxDiagonal(reference.frame(0), reference.vertexCount);
+  const double diagonal = boxDiagonal(reference.frame(0));
   SequenceMetrics metrics;
   metrics.stedSettings = settings;
   metrics.mse = total.squared / static_cast<double>(reference.positions.size());

@@ -13,7 +13,7 @@ Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose) {
   return matrix;
 }
 
-void skinFrame(const SkinnedSequence& sequence, std::size_t frame, glm::vec3* out) {
+void skinFrame(const SkinnedSequence& sequence, std::size_t frame, std::span<glm::vec3> out) {
   std::vector<Mat4> matrices;
   matrices.reserve(sequence.bones.size());
   for (std::size_t b = 0; b < sequence.bones.size(); ++b) {

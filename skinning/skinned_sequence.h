@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,7 +65,7 @@ struct SkinnedSequence {
 
 /// Linear blend skinning of one frame, the reference that files and graphics cards are held against. Writes
 /// one position for each vertex to `out`.
-void skinFrame(const SkinnedSequence& sequence, std::size_t frame, glm::vec3* out);
+void skinFrame(const SkinnedSequence& sequence, std::size_t frame, std::span<glm::vec3> out);
 
 /// All frames.
 [[nodiscard]] MeshSequence skinAllFrames(const SkinnedSequence& sequence);

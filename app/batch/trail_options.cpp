@@ -7,6 +7,7 @@
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 

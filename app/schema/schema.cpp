@@ -24,8 +24,9 @@ bool isWhole(const Json& value) {
 }
 
 bool isChoice(const SettingFacts& setting, const Json& value) {
-  return std::any_of(setting.choices.begin(), setting.choices.end(),
-                     [&](const SettingChoice& choice) { return choice.name == value; });
+  return std::any_of(setting.choices.begin(), setting.choices.end(), [&](const SettingChoice& choice) {
+    return value.is_string() && value.get_ref<const std::string&>() == choice.name;
+  });
 }
 
 bool isEase(const Json& value) {

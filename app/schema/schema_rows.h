@@ -61,8 +61,9 @@ template <typename Value>
 template <typename Value>
 void take(const gltf::Json& json, const std::vector<SettingChoice>& choices, Value& value) {
   if constexpr (std::is_enum_v<Value>) {
+    const auto name = json.get<std::string>();
     const auto found = std::find_if(choices.begin(), choices.end(),
-                                    [&](const SettingChoice& choice) { return choice.name == json; });
+                                    [&](const SettingChoice& choice) { return choice.name == name; });
     value = static_cast<Value>(found - choices.begin());
   } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
     value = json.is_null() ? std::optional<double>() : std::optional<double>(json.get<double>());

@@ -26,8 +26,8 @@ void measureBox(const MeshSequence& mesh, SequenceAnalysis& analysis) {
 }
 
 void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
-  const auto skeleton = skinning::skeletonOfBody(mesh.frame(0), mesh.vertexCount, mesh.triangles,
-                                                 analysis.vertexDiameters, segmentsOfAnalysis);
+  const auto skeleton =
+      skinning::skeletonOfBody(mesh.frame(0), mesh.triangles, analysis.vertexDiameters, segmentsOfAnalysis);
   if (!skeleton) {
     analysis.problem = skeleton.error().what;
     return;
@@ -54,7 +54,7 @@ const std::filesystem::path& pathOf(const SequenceDocument& document) {
 SequenceAnalysis analyseSequence(const MeshSequence& mesh) {
   SequenceAnalysis analysis;
   measureBox(mesh, analysis);
-  auto diameters = skinning::shapeDiameters(mesh.frame(0), mesh.vertexCount, mesh.triangles);
+  auto diameters = skinning::shapeDiameters(mesh.frame(0), mesh.triangles);
   if (!diameters) {
     analysis.problem = diameters.error().what;
     return analysis;

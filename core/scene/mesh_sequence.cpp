@@ -7,13 +7,13 @@
 
 namespace stretch {
 
-double boxDiagonal(const glm::vec3* positions, std::size_t count) {
-  if (count == 0) {
+double boxDiagonal(std::span<const glm::vec3> positions) {
+  if (positions.empty()) {
     return 0.0;
   }
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(std::numeric_limits<float>::lowest());
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     low = glm::min(low, positions[i]);
     high = glm::max(high, positions[i]);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,16 @@ struct MeshSequence {
   [[nodiscard]] std::size_t frameCount() const {
     return vertexCount == 0 ? 0 : positions.size() / vertexCount;
   }
-  [[nodiscard]] const glm::vec3* frame(std::size_t index) const {
-    return positions.data() + index * vertexCount;
+  [[nodiscard]] std::span<const glm::vec3> frame(std::size_t index) const {
+    return {positions.data() + index * vertexCount, vertexCount};
   }
-  [[nodiscard]] glm::vec3* frame(std::size_t index) { return positions.data() + index * vertexCount; }
+  [[nodiscard]] std::span<glm::vec3> frame(std::size_t index) {
+    return {positions.data() + index * vertexCount, vertexCount};
+  }
 };
 
-/// Length of the diagonal of the box around `count` positions; 0 for none.
-[[nodiscard]] double boxDiagonal(const glm::vec3* positions, std::size_t count);
+/// Length of the diagonal of the box around the positions; 0 for none.
+[[nodiscard]] double boxDiagonal(std::span<const glm::vec3> positions);
 
 /// The sequence from `firstFrame` on (settling frames left out). At least one frame is kept.
 [[nodiscard]] MeshSequence withoutFirstFrames(const MeshSequence& sequence, std::size_t firstFrame);

@@ -190,10 +190,9 @@ bool isBranched(const std::vector<double>& along, const std::vector<Triangle>& t
   return std::count_if(pieces.begin(), pieces.end(), [](int count) { return count > 1; }) > slices / 2 / 5;
 }
 
-std::vector<Vec3> movedInwards(const glm::vec3* positions, std::size_t vertexCount,
-                               const std::vector<Triangle>& triangles,
+std::vector<Vec3> movedInwards(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
                                const std::vector<double>& vertexDiameters) {
-  std::vector<Vec3> normals(vertexCount, Vec3(0.0));
+  std::vector<Vec3> normals(positions.size(), Vec3(0.0));
   double volume = 0.0;
   const Vec3 centre(positions[0]);
   for (const Triangle& t : triangles) {
@@ -208,11 +207,11 @@ std::vector<Vec3> movedInwards(const glm::vec3* positions, std::size_t vertexCou
   }
   // Flat ends look all the way along the body: no vertex moves deeper than most of the body is thick.
   std::vector<double> sorted = vertexDiameters;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(vertexCount / 2),
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(positions.size() / 2),
                    sorted.end());
-  const double deepest = 1.5 * sorted[vertexCount / 2];
-  std::vector<Vec3> moved(vertexCount, Vec3(0.0));
-  for (std::size_t v = 0; v < vertexCount; ++v) {
+  const double deepest = 1.5 * sorted[positions.size() / 2];
+  std::vector<Vec3> moved(positions.size(), Vec3(0.0));
+  for (std::size_t v = 0; v < positions.size(); ++v) {
     const double length = glm::length(normals[v]);
     const Vec3 inwards = length > 0.0 ? normals[v] * ((volume > 0.0 ? -1.0 : 1.0) / length) : Vec3(0.0);
     moved[v] = Vec3(positions[v]) + 0.5 * std::min(vertexDiameters[v], deepest) * inwards;
@@ -231,15 +230,15 @@ std::uint32_t farthest(const std::vector<double>& distances) {
 }
 
 /// Share of the body's length that each vertex lies at, by distance over the surface from one end.
-Result<std::vector<double>> orderAlong(const glm::vec3* positions, std::size_t vertexCount,
+Result<std::vector<double>> orderAlong(std::span<const glm::vec3> positions,
                                        const std::vector<Triangle>& triangles) {
-  const GeodesicSolver solver(positions, vertexCount, triangles);
+  const GeodesicSolver solver(positions, triangles);
   const std::uint32_t anyVertex = triangles.empty() ? 0 : triangles.front()[0];
   const std::uint32_t tip = farthest(solver.distances({farthest(solver.distances({anyVertex}))}));
   std::vector<double> u = solver.distances({tip});
   const double reach = u[farthest(u)];
   const auto unreached = std::count_if(u.begin(), u.end(), [](double d) { return !std::isfinite(d); });
-  if (!(reach > 0.0) || static_cast<double>(unreached) > 0.05 * static_cast<double>(vertexCount)) {
+  if (!(reach > 0.0) || static_cast<double>(unreached) > 0.05 * static_cast<double>(positions.size())) {
     return Error{"the mesh is in several parts, so it has no single centre line", "",
                  "give a body in one piece"};
   }
@@ -261,8 +260,8 @@ struct CentreLine {
 
 /// Fits the curve and the order of the vertices along it in turn. It starts with few controls: distances from
 /// one end are skewed where the end is broad, and a curve that could would follow them into a hook.
-CentreLine fitCentreLine(const glm::vec3* positions, const std::vector<Vec3>& inner, std::vector<double> u,
-                         Eigen::Index controls) {
+CentreLine fitCentreLine(std::span<const glm::vec3> positions, const std::vector<Vec3>& inner,
+                         std::vector<double> u, Eigen::Index controls) {
   constexpr int rounds = 5;
   constexpr Eigen::Index fewestControls = 6;
   CentreLine line;
@@ -287,18 +286,19 @@ CentreLine fitCentreLine(const glm::vec3* positions, const std::vector<Vec3>& in
 
 } // namespace
 
-Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vertexCount,
+Result<BodySkeleton> skeletonOfBody(std::span<const glm::vec3> positions,
                                     const std::vector<Triangle>& triangles,
                                     const std::vector<double>& vertexDiameters, int segmentCount) {
-  if (segmentCount < 1 || vertexCount < 4 * static_cast<std::size_t>(std::max(segmentCount, 1))) {
-    return Error{std::to_string(segmentCount) + " bones for " + std::to_string(vertexCount) + " vertices", "",
-                 "ask for at least one bone, and for at most a quarter of the vertices"};
+  if (segmentCount < 1 || positions.size() < 4 * static_cast<std::size_t>(std::max(segmentCount, 1))) {
+    return Error{std::to_string(segmentCount) + " bones for " + std::to_string(positions.size()) +
+                     " vertices",
+                 "", "ask for at least one bone, and for at most a quarter of the vertices"};
   }
-  const auto order = orderAlong(positions, vertexCount, triangles);
+  const auto order = orderAlong(positions, triangles);
   if (!order) {
     return order.error();
   }
-  const std::vector<Vec3> inner = movedInwards(positions, vertexCount, triangles, vertexDiameters);
+  const std::vector<Vec3> inner = movedInwards(positions, triangles, vertexDiameters);
   CentreLine line = fitCentreLine(positions, inner, *order, std::clamp(segmentCount / 2 + 4, 8, 40));
   const auto [low, high] = std::minmax_element(line.along.begin(), line.along.end());
   BodySkeleton skeleton;
@@ -314,7 +314,7 @@ Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vert
   return skeleton;
 }
 
-JointTracker::JointTracker(const BodySkeleton& skeleton, const glm::vec3* positions)
+JointTracker::JointTracker(const BodySkeleton& skeleton, std::span<const glm::vec3> positions)
     : parts_(skeleton.joints.size()) {
   const double spacing =
       (skeleton.stations.back() - skeleton.stations.front()) / static_cast<double>(skeleton.segmentCount());
@@ -347,7 +347,7 @@ JointTracker::JointTracker(const BodySkeleton& skeleton, const glm::vec3* positi
   }
 }
 
-std::vector<Vec3> JointTracker::joints(const glm::vec3* positions) const {
+std::vector<Vec3> JointTracker::joints(std::span<const glm::vec3> positions) const {
   std::vector<Vec3> joints;
   for (const std::vector<Part>& parts : parts_) {
     Vec3 sum(0.0);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -25,7 +26,7 @@ struct BodySkeleton {
 /// the end that is farthest from everything, a smooth curve is fitted to them (least squares) and cut into
 /// equal segments. An error for a body with branches, in several parts, or too small for the number of
 /// segments.
-[[nodiscard]] Result<BodySkeleton> skeletonOfBody(const glm::vec3* positions, std::size_t vertexCount,
+[[nodiscard]] Result<BodySkeleton> skeletonOfBody(std::span<const glm::vec3> positions,
                                                   const std::vector<Triangle>& triangles,
                                                   const std::vector<double>& vertexDiameters,
                                                   int segmentCount);
@@ -35,9 +36,9 @@ struct BodySkeleton {
 class JointTracker {
 public:
   /// `positions` are those that the skeleton was made of; in them the joints are the skeleton's.
-  JointTracker(const BodySkeleton& skeleton, const glm::vec3* positions);
+  JointTracker(const BodySkeleton& skeleton, std::span<const glm::vec3> positions);
 
-  [[nodiscard]] std::vector<Vec3> joints(const glm::vec3* positions) const;
+  [[nodiscard]] std::vector<Vec3> joints(std::span<const glm::vec3> positions) const;
 
 private:
   struct Part {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -44,7 +45,7 @@ Eigen::Vector3d toEigen(const glm::vec3& v) {
   return Eigen::Vector3f(v.x, v.y, v.z).cast<double>();
 }
 
-Eigen::Vector3d centroidOf(const glm::vec3* frame, const std::vector<Member>& members) {
+Eigen::Vector3d centroidOf(std::span<const glm::vec3> frame, const std::vector<Member>& members) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double weight = 0.0;
   for (const Member& member : members) {
@@ -66,7 +67,8 @@ Mat3 toGlm(const Eigen::Matrix3d& m) {
 
 /// Best affine map of the members from the first frame to another, taken apart into rotation and symmetric
 /// stretch.
-SegmentMotion measure(const glm::vec3* from, const glm::vec3* to, const std::vector<Member>& members) {
+SegmentMotion measure(std::span<const glm::vec3> from, std::span<const glm::vec3> to,
+                      const std::vector<Member>& members) {
   const Eigen::Vector3d fromCentre = centroidOf(from, members);
   const Eigen::Vector3d toCentre = centroidOf(to, members);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -110,7 +112,7 @@ void spread(const BodySkeleton& skeleton, const Triangle& triangle, double value
 /// encloses.
 std::vector<double> segmentVolumes(const MeshSequence& sequence, const BodySkeleton& skeleton) {
   std::vector<double> volumes(skeleton.segmentCount(), 0.0);
-  const glm::vec3* positions = sequence.frame(0);
+  const std::span<const glm::vec3> positions = sequence.frame(0);
   const std::vector<int> segments = segmentsOfTriangles(skeleton, sequence.triangles);
   for (std::size_t t = 0; t < sequence.triangles.size(); ++t) {
     const Triangle& triangle = sequence.triangles[t];
@@ -138,12 +140,11 @@ std::vector<double> segmentVolumes(const MeshSequence& sequence, const BodySkele
 } // namespace
 
 Result<BodyMotion> analyseBody(const MeshSequence& sequence, int segmentCount) {
-  const auto diameters = shapeDiameters(sequence.frame(0), sequence.vertexCount, sequence.triangles);
+  const auto diameters = shapeDiameters(sequence.frame(0), sequence.triangles);
   if (!diameters) {
     return diameters.error();
   }
-  auto skeleton = skeletonOfBody(sequence.frame(0), sequence.vertexCount, sequence.triangles,
-                                 diameters->vertices, segmentCount);
+  auto skeleton = skeletonOfBody(sequence.frame(0), sequence.triangles, diameters->vertices, segmentCount);
   if (!skeleton) {
     return skeleton.error();
   }

@@ -1,6 +1,7 @@
 #include "skinning/compress/compress.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -20,9 +21,9 @@ Quat frameAlong(const Vec3& along, const Vec3& across) {
 /// Bones of the centre line; poses follow the segments' own motion, without stretch.
 SkinnedSequence bonesOfBody(const MeshSequence& sequence, const BodyMotion& body, const BodyStretch& load) {
   SkinnedSequence skinned;
-  const glm::vec3* bind = sequence.frame(0);
+  const std::span<const glm::vec3> bind = sequence.frame(0);
   skinned.name = sequence.name;
-  skinned.bindPositions.assign(bind, bind + sequence.vertexCount);
+  skinned.bindPositions.assign(bind.begin(), bind.end());
   skinned.triangles = sequence.triangles;
   skinned.framesPerSecond = sequence.framesPerSecond;
   for (std::size_t b = 0; b < body.segmentCount(); ++b) {
@@ -54,8 +55,7 @@ Status addGeodesicWeights(const BodyMotion& body, SkinnedSequence& skinned) {
   for (std::size_t b = 0; b < body.segmentCount(); ++b) {
     segments.push_back({body.skeleton.joints[b], body.skeleton.joints[b + 1]});
   }
-  auto weights = geodesicWeights(skinned.bindPositions.data(), skinned.bindPositions.size(),
-                                 skinned.triangles, segments);
+  auto weights = geodesicWeights(skinned.bindPositions, skinned.triangles, segments);
   if (!weights) {
     return weights.error();
   }

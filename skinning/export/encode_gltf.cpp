@@ -88,8 +88,7 @@ class Encoder {
 public:
   Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings)
       : sequence_(sequence), settings_(settings), buffers_(json_), frames_(sequence.frameCount()),
-        lengthTolerance_(settings.tolerance *
-                         boxDiagonal(sequence.bindPositions.data(), sequence.bindPositions.size())) {}
+        lengthTolerance_(settings.tolerance * boxDiagonal(sequence.bindPositions)) {}
 
   EncodedClip encode() {
     json_["asset"] = {{"version", "2.0"}, {"generator", "Stretch-Engine"}};

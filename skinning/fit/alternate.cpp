@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <Eigen/Geometry>
 #include <glm/geometric.hpp>
@@ -36,7 +37,7 @@ Frame frameOf(const std::vector<glm::vec3>& positions) {
   for (const glm::vec3& p : positions) {
     frame.centre += Vec3(p) / static_cast<double>(positions.size());
   }
-  const double diagonal = boxDiagonal(positions.data(), positions.size());
+  const double diagonal = boxDiagonal(positions);
   frame.scale = diagonal > 0.0 ? diagonal : 1.0;
   return frame;
 }
@@ -78,7 +79,7 @@ FitState makeState(const MeshSequence& sequence, const SkinnedSequence& skinned,
   const auto frames = static_cast<Eigen::Index>(state.frameCount);
   state.observed.resize(3 * frames, static_cast<Eigen::Index>(sequence.vertexCount));
   for (std::size_t k = 0; k < state.frameCount; ++k) {
-    const glm::vec3* positions = sequence.frame(firstFrame + k);
+    const std::span<const glm::vec3> positions = sequence.frame(firstFrame + k);
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
       const Eigen::Vector3d p = frame.in(Vec3(positions[v]));
       for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -219,11 +220,11 @@ void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned) {
 
 SkinnedSequence partsOfMesh(const MeshSequence& sequence, int boneCount) {
   SkinnedSequence skinned;
-  const glm::vec3* positions = sequence.frame(0);
+  const std::span<const glm::vec3> positions = sequence.frame(0);
   skinned.name = sequence.name;
   skinned.triangles = sequence.triangles;
   skinned.framesPerSecond = sequence.framesPerSecond;
-  skinned.bindPositions.assign(positions, positions + sequence.vertexCount);
+  skinned.bindPositions.assign(positions.begin(), positions.end());
   skinned.influences.resize(sequence.vertexCount);
   std::vector<double> nearest(sequence.vertexCount, std::numeric_limits<double>::infinity());
   std::size_t next = 0;

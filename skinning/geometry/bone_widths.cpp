@@ -87,10 +87,10 @@ std::vector<double> boneWidths(const Scene& scene, const FrameState& pose, const
   const BoneSurface surface = BoneSurfaceCollector(scene, boneOfNode).collect(skinnedPositions(scene, pose));
   // Means over hundreds of faces need few rays each.
   const Result<ShapeDiameters> diameters =
-      shapeDiameters(surface.positions.data(), surface.positions.size(), surface.triangles, {120.0, 16, 0});
-  return diameters ? meanByGroup(surface.positions.data(), surface.triangles, diameters->faces,
-                                 surface.boneOf, boneCount)
-                   : std::vector<double>(boneCount, 0.0);
+      shapeDiameters(surface.positions, surface.triangles, {120.0, 16, 0});
+  return diameters
+             ? meanByGroup(surface.positions, surface.triangles, diameters->faces, surface.boneOf, boneCount)
+             : std::vector<double>(boneCount, 0.0);
 }
 
 } // namespace stretch::skinning

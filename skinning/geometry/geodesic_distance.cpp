@@ -161,18 +161,17 @@ double throughBase(const Stencil& s, double first, double second) {
 
 } // namespace
 
-GeodesicSolver::GeodesicSolver(const glm::vec3* positions, std::size_t vertexCount,
-                               const std::vector<Triangle>& triangles) {
-  const HalfEdgeMesh mesh = buildHalfEdges(positions, vertexCount, triangles);
+GeodesicSolver::GeodesicSolver(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
+  const HalfEdgeMesh mesh = buildHalfEdges(positions, triangles);
   auto stencils = std::make_unique<Stencils>();
-  stencils->vertexCount = vertexCount;
+  stencils->vertexCount = positions.size();
   stencils->all = makeStencils(mesh);
-  stencils->firstOf.assign(vertexCount + 1, 0);
+  stencils->firstOf.assign(positions.size() + 1, 0);
   for (const Stencil& s : stencils->all) {
     ++stencils->firstOf[s.first + 1];
     ++stencils->firstOf[s.second + 1];
   }
-  for (std::size_t v = 0; v < vertexCount; ++v) {
+  for (std::size_t v = 0; v < positions.size(); ++v) {
     stencils->firstOf[v + 1] += stencils->firstOf[v];
   }
   stencils->uses.resize(stencils->firstOf.back());
@@ -228,10 +227,10 @@ std::vector<double> GeodesicSolver::distances(const std::vector<std::uint32_t>& 
   return distance;
 }
 
-std::vector<double> geodesicDistances(const glm::vec3* positions, std::size_t vertexCount,
+std::vector<double> geodesicDistances(std::span<const glm::vec3> positions,
                                       const std::vector<Triangle>& triangles,
                                       const std::vector<std::uint32_t>& sources) {
-  return GeodesicSolver(positions, vertexCount, triangles).distances(sources);
+  return GeodesicSolver(positions, triangles).distances(sources);
 }
 
 } // namespace stretch::skinning

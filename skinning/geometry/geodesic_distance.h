@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/scene/mesh_sequence.h"
@@ -16,7 +17,7 @@ namespace stretch::skinning {
 /// of more than two triangles. Built once for each mesh, asked often.
 class GeodesicSolver {
 public:
-  GeodesicSolver(const glm::vec3* positions, std::size_t vertexCount, const std::vector<Triangle>& triangles);
+  GeodesicSolver(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles);
   ~GeodesicSolver();
   GeodesicSolver(GeodesicSolver&&) noexcept;
   GeodesicSolver& operator=(GeodesicSolver&&) noexcept;
@@ -32,7 +33,7 @@ private:
 };
 
 /// The one-off: builds the solver and asks it once.
-[[nodiscard]] std::vector<double> geodesicDistances(const glm::vec3* positions, std::size_t vertexCount,
+[[nodiscard]] std::vector<double> geodesicDistances(std::span<const glm::vec3> positions,
                                                     const std::vector<Triangle>& triangles,
                                                     const std::vector<std::uint32_t>& sources);
 

@@ -33,12 +33,11 @@ void addTriangle(HalfEdgeMesh& mesh, const Corners& corners, std::uint32_t index
 
 } // namespace
 
-HalfEdgeMesh buildHalfEdges(const glm::vec3* positions, std::size_t vertexCount,
-                            const std::vector<Triangle>& triangles) {
+HalfEdgeMesh buildHalfEdges(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
   std::vector<Triangle> wound = triangles;
   orientOutwards(positions, wound);
   HalfEdgeMesh mesh;
-  for (std::size_t v = 0; v < vertexCount; ++v) {
+  for (std::size_t v = 0; v < positions.size(); ++v) {
     mesh.edges.add_vertex(pointOf(positions[v]));
     mesh.original.push_back(static_cast<std::uint32_t>(v));
   }

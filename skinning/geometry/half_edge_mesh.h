@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -28,7 +29,7 @@ struct HalfEdgeMesh {
 };
 
 /// Triangles are wound alike first (over edges of two triangles); those with a repeated corner are left out.
-[[nodiscard]] HalfEdgeMesh buildHalfEdges(const glm::vec3* positions, std::size_t vertexCount,
+[[nodiscard]] HalfEdgeMesh buildHalfEdges(std::span<const glm::vec3> positions,
                                           const std::vector<Triangle>& triangles);
 
 } // namespace stretch::skinning

@@ -18,18 +18,18 @@ namespace {
 /// The triangles in Embree's hands; everything is released with it.
 class RayScene {
 public:
-  RayScene(const glm::vec3* positions, std::size_t vertexCount, const std::vector<Triangle>& triangles)
+  RayScene(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles)
       : device_(rtcNewDevice("threads=1")), scene_(device_ != nullptr ? rtcNewScene(device_) : nullptr) {
     if (scene_ == nullptr) {
       return;
     }
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertexCount));
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), positions.size()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), triangles.size()));
     if (vertices != nullptr && indices != nullptr) {
-      for (std::size_t v = 0; v < vertexCount; ++v) {
+      for (std::size_t v = 0; v < positions.size(); ++v) {
         vertices[3 * v] = positions[v].x;
         vertices[3 * v + 1] = positions[v].y;
         vertices[3 * v + 2] = positions[v].z;
@@ -145,12 +145,12 @@ double robustMean(std::vector<Length>& lengths) {
   return weight > 0.0 ? sum / weight : median;
 }
 
-Vec3 doubleAreaNormal(const glm::vec3* positions, const Triangle& t) {
+Vec3 doubleAreaNormal(std::span<const glm::vec3> positions, const Triangle& t) {
   const Vec3 a(positions[t[0]]);
   return glm::cross(Vec3(positions[t[1]]) - a, Vec3(positions[t[2]]) - a);
 }
 
-double faceDiameter(const RayScene& scene, const glm::vec3* positions, const Triangle& triangle,
+double faceDiameter(const RayScene& scene, std::span<const glm::vec3> positions, const Triangle& triangle,
                     const std::vector<ConeRay>& cone, double start) {
   const Vec3 scaledNormal = doubleAreaNormal(positions, triangle);
   const double doubleArea = glm::length(scaledNormal);
@@ -175,9 +175,9 @@ double faceDiameter(const RayScene& scene, const glm::vec3* positions, const Tri
 }
 
 /// Neighbours over edges, -1 for none.
-std::vector<std::array<int, 3>> faceNeighbours(const glm::vec3* positions, std::size_t vertexCount,
+std::vector<std::array<int, 3>> faceNeighbours(std::span<const glm::vec3> positions,
                                                const std::vector<Triangle>& triangles) {
-  const HalfEdgeMesh mesh = buildHalfEdges(positions, vertexCount, triangles);
+  const HalfEdgeMesh mesh = buildHalfEdges(positions, triangles);
   std::vector<std::array<int, 3>> neighbours(triangles.size(), {-1, -1, -1});
   for (const auto face : mesh.edges.faces()) {
     std::size_t slot = 0;
@@ -229,10 +229,10 @@ void fillGaps(const std::vector<std::array<int, 3>>& neighbours, std::vector<dou
   std::replace_if(values.begin(), values.end(), isGap, sum / count);
 }
 
-std::vector<double> toVertices(const glm::vec3* positions, std::size_t vertexCount,
-                               const std::vector<Triangle>& triangles, const std::vector<double>& faces) {
-  std::vector<double> sums(vertexCount, 0.0);
-  std::vector<double> areas(vertexCount, 0.0);
+std::vector<double> toVertices(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
+                               const std::vector<double>& faces) {
+  std::vector<double> sums(positions.size(), 0.0);
+  std::vector<double> areas(positions.size(), 0.0);
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     const double area = glm::length(doubleAreaNormal(positions, triangles[f]));
     for (const std::uint32_t corner : triangles[f]) {
@@ -240,7 +240,7 @@ std::vector<double> toVertices(const glm::vec3* positions, std::size_t vertexCou
       areas[corner] += area;
     }
   }
-  for (std::size_t v = 0; v < vertexCount; ++v) {
+  for (std::size_t v = 0; v < positions.size(); ++v) {
     sums[v] = areas[v] > 0.0 ? sums[v] / areas[v] : 0.0;
   }
   return sums;
@@ -248,22 +248,22 @@ std::vector<double> toVertices(const glm::vec3* positions, std::size_t vertexCou
 
 } // namespace
 
-Result<ShapeDiameters> shapeDiameters(const glm::vec3* positions, std::size_t vertexCount,
+Result<ShapeDiameters> shapeDiameters(std::span<const glm::vec3> positions,
                                       const std::vector<Triangle>& triangles,
                                       const ShapeDiameterSettings& settings) {
   const Error unmeasurable{"the shape diameter cannot be measured: no ray hits the other side of the mesh",
                            "", "give a closed surface with some thickness"};
-  if (vertexCount == 0 || triangles.empty()) {
+  if (positions.empty() || triangles.empty()) {
     return unmeasurable;
   }
   std::vector<Triangle> wound = triangles;
   orientOutwards(positions, wound);
-  const RayScene scene(positions, vertexCount, wound);
+  const RayScene scene(positions, wound);
   if (!scene.usable()) {
     return Error{"the ray library does not start", "", "check the installation of Embree 3"};
   }
   const std::vector<ConeRay> cone = coneRays(settings);
-  const double start = 1e-5 * boxDiagonal(positions, vertexCount);
+  const double start = 1e-5 * boxDiagonal(positions);
   ShapeDiameters result;
   result.faces.assign(wound.size(), 0.0);
   tbb::parallel_for(std::size_t{0}, wound.size(), [&](std::size_t f) {
@@ -274,16 +274,16 @@ Result<ShapeDiameters> shapeDiameters(const glm::vec3* positions, std::size_t ve
   if (result.facesWithoutHit == result.faces.size()) {
     return unmeasurable;
   }
-  const auto neighbours = faceNeighbours(positions, vertexCount, wound);
+  const auto neighbours = faceNeighbours(positions, wound);
   fillGaps(neighbours, result.faces);
   for (int round = 0; round < settings.smoothingRounds; ++round) {
     averageOnce(neighbours, result.faces, [](double) { return true; });
   }
-  result.vertices = toVertices(positions, vertexCount, wound, result.faces);
+  result.vertices = toVertices(positions, wound, result.faces);
   return result;
 }
 
-std::vector<double> meanByGroup(const glm::vec3* positions, const std::vector<Triangle>& triangles,
+std::vector<double> meanByGroup(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
                                 const std::vector<double>& faceValues, const std::vector<int>& groupOf,
                                 std::size_t groupCount) {
   std::vector<double> sums(groupCount, 0.0);

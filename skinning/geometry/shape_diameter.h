@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -27,13 +28,13 @@ struct ShapeDiameters {
 /// Rays start at the face's centre; lengths farther than one standard deviation from their median are
 /// dropped, the rest is averaged with weights 1 / max(angle to the normal, 1 degree). Triangles are wound
 /// outwards on a copy first. An error when no ray hits anything (a flat or empty mesh).
-[[nodiscard]] Result<ShapeDiameters> shapeDiameters(const glm::vec3* positions, std::size_t vertexCount,
+[[nodiscard]] Result<ShapeDiameters> shapeDiameters(std::span<const glm::vec3> positions,
                                                     const std::vector<Triangle>& triangles,
                                                     const ShapeDiameterSettings& settings = {});
 
 /// Area-weighted mean of the face values over each group; `groupOf` names the group of every triangle (-1:
 /// none). A group without area gets 0.
-[[nodiscard]] std::vector<double> meanByGroup(const glm::vec3* positions,
+[[nodiscard]] std::vector<double> meanByGroup(std::span<const glm::vec3> positions,
                                               const std::vector<Triangle>& triangles,
                                               const std::vector<double>& faceValues,
                                               const std::vector<int>& groupOf, std::size_t groupCount);

@@ -73,7 +73,7 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
     const double seconds = frame / clip->framesPerSecond;
     const FrameState state = frameOf(scene, samplePose(scene, *clip, seconds), seconds);
     const std::vector<Vec3> posed = skinnedPositions(scene, state);
-    std::copy(posed.begin(), posed.end(), sequence.frame(static_cast<std::size_t>(frame - first)));
+    std::copy(posed.begin(), posed.end(), sequence.frame(static_cast<std::size_t>(frame - first)).begin());
     sequence.frameNames.push_back(fmt::format("frame {}", frame));
     if (progress) {
       progress(static_cast<double>(frame - first + 1) / (last - first));

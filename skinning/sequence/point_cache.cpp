@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <system_error>
 
 #include "skinning/sequence/read_sequence.h"
@@ -52,10 +53,10 @@ Status readSamples(std::ifstream& stream, const std::string& place, MeshSequence
   static_assert(sizeof(glm::vec3) == 12);
   sequence.positions.resize(sequence.vertexCount * samples);
   for (std::size_t s = 0; s < samples; ++s) {
-    glm::vec3* frame = sequence.frame(s);
+    const std::span<glm::vec3> frame = sequence.frame(s);
     std::vector<char> bytes(sequence.vertexCount * sizeof(glm::vec3));
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    std::memcpy(static_cast<void*>(frame), bytes.data(), bytes.size());
+    std::memcpy(static_cast<void*>(frame.data()), bytes.data(), bytes.size());
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
       if (!std::isfinite(frame[v].x + frame[v].y + frame[v].z)) {
         return Error{"vertex " + std::to_string(v) + " is no finite position",

@@ -44,8 +44,7 @@ Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& name
   if (!sequence) {
     return sequence;
   }
-  const TopologyReport report =
-      inspectTopology(sequence->frame(0), sequence->vertexCount, sequence->triangles);
+  const TopologyReport report = inspectTopology(sequence->frame(0), sequence->triangles);
   for (std::string& warning : report.warnings()) {
     sequence.value().warnings.push_back(std::move(warning));
   }

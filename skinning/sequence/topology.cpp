@@ -80,8 +80,8 @@ void countParts(std::size_t vertexCount, const std::vector<Triangle>& triangles,
   }
 }
 
-std::size_t countDuplicates(const glm::vec3* positions, std::size_t vertexCount) {
-  std::vector<std::size_t> order(vertexCount);
+std::size_t countDuplicates(std::span<const glm::vec3> positions) {
+  std::vector<std::size_t> order(positions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t v) { return std::tie(positions[v].x, positions[v].y, positions[v].z); };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
@@ -112,7 +112,7 @@ std::vector<std::vector<Neighbour>> neighboursOf(const std::vector<Triangle>& tr
   return neighbours;
 }
 
-double signedVolume(const glm::vec3* positions, const Triangle& triangle, const Vec3& centre) {
+double signedVolume(std::span<const glm::vec3> positions, const Triangle& triangle, const Vec3& centre) {
   const Vec3 a = Vec3(positions[triangle[0]]) - centre;
   const Vec3 b = Vec3(positions[triangle[1]]) - centre;
   const Vec3 c = Vec3(positions[triangle[2]]) - centre;
@@ -120,7 +120,7 @@ double signedVolume(const glm::vec3* positions, const Triangle& triangle, const 
 }
 
 /// Mean of the triangles' corners: the point towards which an open surface is closed.
-Vec3 middleOf(const glm::vec3* positions, const std::vector<Triangle>& triangles) {
+Vec3 middleOf(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
   Vec3 sum(0.0);
   for (const Triangle& triangle : triangles) {
     for (const std::uint32_t corner : triangle) {
@@ -151,8 +151,7 @@ std::vector<std::string> TopologyReport::warnings() const {
   return lines;
 }
 
-TopologyReport inspectTopology(const glm::vec3* positions, std::size_t vertexCount,
-                               const std::vector<Triangle>& triangles) {
+TopologyReport inspectTopology(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
   TopologyReport report;
   const std::vector<Side> sides = sortedSides(triangles);
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
@@ -161,12 +160,12 @@ TopologyReport inspectTopology(const glm::vec3* positions, std::size_t vertexCou
   });
   report.degenerateTriangles =
       static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), isDegenerate));
-  report.duplicatePositions = countDuplicates(positions, vertexCount);
-  countParts(vertexCount, triangles, report);
+  report.duplicatePositions = countDuplicates(positions);
+  countParts(positions.size(), triangles, report);
   return report;
 }
 
-std::size_t orientOutwards(const glm::vec3* positions, std::vector<Triangle>& triangles) {
+std::size_t orientOutwards(std::span<const glm::vec3> positions, std::vector<Triangle>& triangles) {
   const auto neighbours = neighboursOf(triangles);
   const Vec3 centre = middleOf(positions, triangles);
   std::vector<int> turned(triangles.size(), -1); // -1: not reached yet.
@@ -198,7 +197,7 @@ std::size_t orientOutwards(const glm::vec3* positions, std::vector<Triangle>& tr
   return count;
 }
 
-double enclosedVolume(const glm::vec3* positions, const std::vector<Triangle>& triangles) {
+double enclosedVolume(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
   const Vec3 centre = middleOf(positions, triangles);
   double volume = 0.0;
   for (const Triangle& triangle : triangles) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,16 +22,17 @@ struct TopologyReport {
   [[nodiscard]] std::vector<std::string> warnings() const;
 };
 
-[[nodiscard]] TopologyReport inspectTopology(const glm::vec3* positions, std::size_t vertexCount,
+[[nodiscard]] TopologyReport inspectTopology(std::span<const glm::vec3> positions,
                                              const std::vector<Triangle>& triangles);
 
 /// Winds all triangles of each connected part alike (over edges of exactly two triangles), and outwards: the
 /// volume that the part encloses is made positive (an open part counts against the middle of the whole).
 /// Returns how many triangles were turned.
-std::size_t orientOutwards(const glm::vec3* positions, std::vector<Triangle>& triangles);
+std::size_t orientOutwards(std::span<const glm::vec3> positions, std::vector<Triangle>& triangles);
 
 /// Volume that the triangles enclose (for an open surface: closed towards its middle); positive when wound
 /// outwards.
-[[nodiscard]] double enclosedVolume(const glm::vec3* positions, const std::vector<Triangle>& triangles);
+[[nodiscard]] double enclosedVolume(std::span<const glm::vec3> positions,
+                                    const std::vector<Triangle>& triangles);
 
 } // namespace stretch::skinning

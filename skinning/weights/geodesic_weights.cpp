@@ -29,7 +29,7 @@ std::size_t nearestBone(const Vec3& point, const std::vector<BoneSegment>& bones
 }
 
 /// Vertices of the faces that are nearest to each bone.
-std::vector<std::vector<std::uint32_t>> patches(const glm::vec3* positions,
+std::vector<std::vector<std::uint32_t>> patches(std::span<const glm::vec3> positions,
                                                 const std::vector<Triangle>& triangles,
                                                 const std::vector<BoneSegment>& bones) {
   std::vector<std::vector<std::uint32_t>> seeds(bones.size());
@@ -76,7 +76,7 @@ Influences strongestFour(const std::vector<double>& weights) {
   return influences;
 }
 
-Result<std::vector<Influences>> geodesicWeights(const glm::vec3* positions, std::size_t vertexCount,
+Result<std::vector<Influences>> geodesicWeights(std::span<const glm::vec3> positions,
                                                 const std::vector<Triangle>& triangles,
                                                 const std::vector<BoneSegment>& bones,
                                                 const GeodesicWeightSettings& settings) {
@@ -84,9 +84,9 @@ Result<std::vector<Influences>> geodesicWeights(const glm::vec3* positions, std:
     return Error{"weights need bones (at most 65535) and triangles", "",
                  "give a mesh with faces and a skeleton"};
   }
-  const GeodesicSolver solver(positions, vertexCount, triangles);
+  const GeodesicSolver solver(positions, triangles);
   const auto seeds = patches(positions, triangles, bones);
-  const double smallest = 1e-6 * boxDiagonal(positions, vertexCount);
+  const double smallest = 1e-6 * boxDiagonal(positions);
   std::vector<std::vector<std::pair<std::uint32_t, double>>> found(bones.size()); // Of each bone: vertex and
                                                                                   // weight.
   tbb::parallel_for(std::size_t{0}, bones.size(), [&](std::size_t b) {
@@ -95,20 +95,20 @@ Result<std::vector<Influences>> geodesicWeights(const glm::vec3* positions, std:
     }
     const double length = std::max(glm::length(bones[b].end - bones[b].start), smallest);
     const std::vector<double> distances = solver.distances(seeds[b], reachOf(settings, length));
-    for (std::uint32_t v = 0; v < vertexCount; ++v) {
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
       if (std::isfinite(distances[v])) {
         found[b].emplace_back(v, std::pow(distances[v] / length + settings.offset, -settings.power));
       }
     }
   });
-  std::vector<std::vector<std::pair<std::size_t, double>>> ofVertex(vertexCount);
+  std::vector<std::vector<std::pair<std::size_t, double>>> ofVertex(positions.size());
   for (std::size_t b = 0; b < bones.size(); ++b) {
     for (const auto& [vertex, weight] : found[b]) {
       ofVertex[vertex].emplace_back(b, weight);
     }
   }
-  std::vector<Influences> result(vertexCount);
-  tbb::parallel_for(std::size_t{0}, vertexCount, [&](std::size_t v) {
+  std::vector<Influences> result(positions.size());
+  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t v) {
     std::vector<double> weights(bones.size(), 0.0);
     for (const auto& [bone, weight] : ofVertex[v]) {
       weights[bone] = weight;

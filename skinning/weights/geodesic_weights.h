@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -24,9 +25,10 @@ struct GeodesicWeightSettings {
 /// to it; a vertex weighs (distance to the patch over the surface / bone length + offset)^-power, at most 4
 /// bones, normalised. Bones without a face of their own get no weight. Parts that no patch reaches follow the
 /// bone nearest in space. An error for no bones or no triangles.
-[[nodiscard]] Result<std::vector<Influences>>
-geodesicWeights(const glm::vec3* positions, std::size_t vertexCount, const std::vector<Triangle>& triangles,
-                const std::vector<BoneSegment>& bones, const GeodesicWeightSettings& settings = {});
+[[nodiscard]] Result<std::vector<Influences>> geodesicWeights(std::span<const glm::vec3> positions,
+                                                              const std::vector<Triangle>& triangles,
+                                                              const std::vector<BoneSegment>& bones,
+                                                              const GeodesicWeightSettings& settings = {});
 
 /// Keeps the four largest weights and makes them sum to 1; all zero gives bone 0 the whole weight.
 [[nodiscard]] Influences strongestFour(const std::vector<double>& weights);

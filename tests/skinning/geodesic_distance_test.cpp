@@ -14,7 +14,7 @@ using namespace stretch::skinning;
 namespace {
 
 std::vector<double> distancesFrom(const test::Shape& shape, std::uint32_t source) {
-  return geodesicDistances(shape.positions.data(), shape.positions.size(), shape.triangles, {source});
+  return geodesicDistances(shape.positions, shape.triangles, {source});
 }
 
 /// Mean of |found - exact| / exact over all vertices but the source.
@@ -104,7 +104,7 @@ TEST_CASE("distances on a torus follow its geodesics to a mean error of 1 %") {
 
 TEST_CASE("several sources: the nearest counts, and a limit leaves the rest unreached") {
   const test::Shape shape = test::plane(10, 0.0);
-  const GeodesicSolver solver(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const GeodesicSolver solver(shape.positions, shape.triangles);
   const std::vector<double> both = solver.distances({0, 10});
   CHECK(both[5] == Approx(0.5));
   CHECK(both[9] == Approx(0.1));
@@ -116,7 +116,7 @@ TEST_CASE("several sources: the nearest counts, and a limit leaves the rest unre
 TEST_CASE(
     "a front that starts on a whole edge moves nearly straight, though it is taken for the sum of circles") {
   const test::Shape shape = test::plane(10, 0.0);
-  const GeodesicSolver solver(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const GeodesicSolver solver(shape.positions, shape.triangles);
   std::vector<std::uint32_t> edge(11);
   for (std::uint32_t i = 0; i < 11; ++i) {
     edge[i] = i;
@@ -132,7 +132,7 @@ TEST_CASE("an edge of four triangles is crossed, another part is not reached") {
   shape.positions = {{0, 0, 0},     {0, 1, 0}, {1, 0.5F, 0}, {-1, 0.5F, 0}, {0, 0.5F, 1},
                      {0, 0.5F, -1}, {5, 0, 0}, {6, 0, 0},    {5, 1, 0}};
   shape.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}, {6, 7, 8}};
-  const GeodesicSolver solver(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const GeodesicSolver solver(shape.positions, shape.triangles);
   const std::vector<double> found = solver.distances({2});
   for (std::size_t v = 0; v < 6; ++v) {
     CHECK(std::isfinite(found[v]));

@@ -64,7 +64,7 @@ TEST_CASE("a shift by a known distance gives its square, its share of the diagon
   const SequenceMetrics metrics =
       compared(sequence, moved(sequence, glm::quat(1, 0, 0, 0), glm::vec3(0.0F, 0.3F, 0.4F)));
   CHECK(metrics.mse == Approx(0.25).epsilon(1e-5));
-  const double diagonal = boxDiagonal(sequence.frame(0), sequence.vertexCount);
+  const double diagonal = boxDiagonal(sequence.frame(0));
   CHECK(metrics.rmsePercent == Approx(50.0 / diagonal).epsilon(1e-5));
   CHECK(metrics.largestPercent == Approx(50.0 / diagonal).epsilon(1e-5));
   double spread = 0.0;

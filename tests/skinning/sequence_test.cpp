@@ -228,9 +228,7 @@ TEST_CASE("a particle log becomes the mesh of its membranes, wound outwards") {
 
 TEST_CASE("the topology report counts what is odd") {
   test::Shape shape = test::tube(4.0, 0.5, 8, 8);
-  const auto report = [&] {
-    return inspectTopology(shape.positions.data(), shape.positions.size(), shape.triangles);
-  };
+  const auto report = [&] { return inspectTopology(shape.positions, shape.triangles); };
   CHECK(report().warnings().empty());
   CHECK(report().components == 1);
   shape.triangles.pop_back();
@@ -246,7 +244,7 @@ TEST_CASE("the topology report counts what is odd") {
 
 TEST_CASE("triangles wound at random are all turned outwards") {
   test::Shape shape = test::torus(2.0, 0.5, 24, 12);
-  const double volume = enclosedVolume(shape.positions.data(), shape.triangles);
+  const double volume = enclosedVolume(shape.positions, shape.triangles);
   CHECK(volume > 0.0);
   std::size_t turned = 0;
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
@@ -255,9 +253,9 @@ TEST_CASE("triangles wound at random are all turned outwards") {
       ++turned;
     }
   }
-  CHECK(orientOutwards(shape.positions.data(), shape.triangles) == turned);
-  CHECK(enclosedVolume(shape.positions.data(), shape.triangles) == Approx(volume));
-  CHECK(orientOutwards(shape.positions.data(), shape.triangles) == 0);
+  CHECK(orientOutwards(shape.positions, shape.triangles) == turned);
+  CHECK(enclosedVolume(shape.positions, shape.triangles) == Approx(volume));
+  CHECK(orientOutwards(shape.positions, shape.triangles) == 0);
 }
 
 TEST_CASE("vertices that lie on another in every frame are joined, others are not") {

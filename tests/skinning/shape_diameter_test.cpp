@@ -53,14 +53,14 @@ double meanOver(const test::Shape& shape, const ShapeDiameters& diameters, doubl
     const float x = (shape.positions[t[0]].x + shape.positions[t[1]].x + shape.positions[t[2]].x) / 3.0F;
     group.push_back(static_cast<double>(x) > from && static_cast<double>(x) < to ? 0 : -1);
   }
-  return meanByGroup(shape.positions.data(), shape.triangles, diameters.faces, group, 1)[0];
+  return meanByGroup(shape.positions, shape.triangles, diameters.faces, group, 1)[0];
 }
 
 } // namespace
 
 TEST_CASE("the shape diameter of a sphere is that of many rays, about three quarters of its diameter") {
   const test::Shape shape = test::sphere(4);
-  const auto diameters = shapeDiameters(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const auto diameters = shapeDiameters(shape.positions, shape.triangles);
   REQUIRE(diameters);
   const double reference = denseReference([](double angle, double) { return 2.0 * std::cos(angle); });
   CHECK(reference > 1.5);
@@ -71,7 +71,7 @@ TEST_CASE("the shape diameter of a sphere is that of many rays, about three quar
 TEST_CASE("the shape diameter of the middle of a long tube is that of many rays, nearly its width") {
   const double radius = 0.5;
   const test::Shape shape = test::tube(20.0, radius, 160, 48);
-  const auto diameters = shapeDiameters(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const auto diameters = shapeDiameters(shape.positions, shape.triangles);
   REQUIRE(diameters);
   const double reference = denseReference([&](double angle, double turn) {
     // From the wall straight inwards along y; the axis runs along x.
@@ -84,11 +84,11 @@ TEST_CASE("the shape diameter of the middle of a long tube is that of many rays,
 
 TEST_CASE("the shape diameter does not depend on how triangles are wound") {
   test::Shape shape = test::tube(6.0, 0.5, 24, 16);
-  const auto before = shapeDiameters(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const auto before = shapeDiameters(shape.positions, shape.triangles);
   for (std::size_t t = 0; t < shape.triangles.size(); t += 2) {
     std::swap(shape.triangles[t][0], shape.triangles[t][1]);
   }
-  const auto after = shapeDiameters(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const auto after = shapeDiameters(shape.positions, shape.triangles);
   REQUIRE(before);
   REQUIRE(after);
   for (std::size_t v = 0; v < shape.positions.size(); ++v) {
@@ -99,7 +99,7 @@ TEST_CASE("the shape diameter does not depend on how triangles are wound") {
 
 TEST_CASE("a flat sheet has no shape diameter and says so") {
   const test::Shape shape = test::plane(4, 0.0);
-  const auto diameters = shapeDiameters(shape.positions.data(), shape.positions.size(), shape.triangles);
+  const auto diameters = shapeDiameters(shape.positions, shape.triangles);
   REQUIRE_FALSE(diameters);
   CHECK(diameters.error().line().find("shape diameter") != std::string::npos);
 }

@@ -1,6 +1,7 @@
 #include "ui/batch/sequence_pictures.h"
 
 #include <cmath>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -17,7 +18,7 @@ namespace {
 constexpr ImU32 clay = IM_COL32(0xB9, 0xB4, 0xAC, 255);
 
 PlainMesh meshOf(const MeshSequence& sequence, std::size_t frame, ImU32 colour) {
-  return {{sequence.frame(frame), sequence.vertexCount}, sequence.triangles, {linearLight(toColour(colour))}};
+  return {sequence.frame(frame), sequence.triangles, {linearLight(toColour(colour))}};
 }
 
 /// Makes the frames morph targets of the primitive, which is the first frame.

@@ -1,6 +1,7 @@
 #include "ui/viewport/sequence_viewport.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -20,7 +21,7 @@ namespace {
 using app::SequenceColours;
 
 double diagonalOf(const app::SequenceDocument& document) {
-  return boxDiagonal(document.mesh->frame(0), document.mesh->vertexCount);
+  return boxDiagonal(document.mesh->frame(0));
 }
 
 bool showsSkinned(const app::SequenceSession& session) {
@@ -46,7 +47,7 @@ std::vector<glm::vec4> thicknessColors(const app::SequenceDocument& document) {
 
 std::vector<glm::vec4> errorColors(const app::SequenceDocument& document, std::size_t frame,
                                    const std::vector<glm::vec3>& skinned) {
-  const glm::vec3* original = document.mesh->frame(frame);
+  const std::span<const glm::vec3> original = document.mesh->frame(frame);
   std::vector<float> errors(skinned.size());
   for (std::size_t v = 0; v < errors.size(); ++v) {
     errors[v] = glm::distance(skinned[v], original[v]);
@@ -73,9 +74,9 @@ Scene sceneOf(const app::SequenceSession& session) {
   std::vector<glm::vec3> skinned;
   if (session.document().result != nullptr) {
     skinned.resize(mesh.vertexCount);
-    skinning::skinFrame(session.document().result->compressed.skinned, frame, skinned.data());
+    skinning::skinFrame(session.document().result->compressed.skinned, frame, skinned);
   }
-  const std::span<const glm::vec3> original(mesh.frame(frame), mesh.vertexCount);
+  const std::span<const glm::vec3> original(mesh.frame(frame));
   const bool plain = session.view().colours == SequenceColours::plain;
   std::vector<PlainMesh> meshes;
   if (session.view().showOriginal && (plain || !showsSkinned(session))) {
