@@ -63,6 +63,7 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
              trail != nullptr && wasSelected && trail->limb == limbId) {
     view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
   }
+  session.followSelection();
 }
 
 void selectTrail(Session& session, int trailId) {
@@ -72,6 +73,7 @@ void selectTrail(Session& session, int trailId) {
     view.selectedSpheres.clear();
   }
   view.selectedTrail = trail == nullptr ? 0 : trailId;
+  session.followSelection();
   if (trail == nullptr) {
     return;
   }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/exaggerate.h"
+#include "app/commands/ranges.h"
 #include "app/file_work.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/trail.h"
@@ -181,6 +183,7 @@ struct UiAnswers {
   std::optional<app::FileAnswer> question; ///< To EditorStatus::question.
   std::optional<NavigationStyle> navigation;
   std::optional<KeyChange> keyChange;
+  std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
 };
@@ -212,7 +215,8 @@ struct UiState {
   SequencePanelState sequencePanel;
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool navigationChoiceOpen = false; ///< The first start.
+  bool navigationChoiceOpen = false;         ///< The first start.
+  std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.

@@ -95,14 +95,39 @@ void addPath(Overlay& overlay, const View& view, const TrailPicture& trail, cons
   addTicks(overlay, view, trail, path, style);
 }
 
-Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style) {
-  const float growth = sphere.selected ? 1.25F : sphere.hovered ? 1.15F : 1.0F;
+/// How large spheres may be on the screen so that they keep apart: one for each, points.
+std::vector<float> roomForSpheres(const View& view, const std::vector<TrailSphere>& spheres) {
+  constexpr double shareOfGap = 0.45;
+  constexpr float least = 2.5F;
+  std::vector<std::optional<ScreenPoint>> places;
+  for (const TrailSphere& sphere : spheres) {
+    places.push_back(projectToPixels(view, sphere.world));
+  }
+  std::vector<float> room(spheres.size(), 1e3F);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; places[i] && k < places.size(); ++k) {
+      if (k != i && places[k]) {
+        const double gap = glm::distance(places[i]->pixels, places[k]->pixels) / view.viewport.pixelsPerPoint;
+        room[i] = std::min(room[i], std::max(least, static_cast<float>(shareOfGap * gap)));
+      }
+    }
+  }
+  return room;
+}
+
+Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style, float roomPoints) {
+  constexpr float farShare = 0.6F;
+  constexpr float seeThrough = 0.62F;
+  const bool picked = sphere.selected || sphere.hovered;
+  const float growth = sphere.selected ? 1.25F : sphere.hovered ? 1.15F : sphere.nearby ? 1.0F : farShare;
+  const float wanted = growth * style.sphereRadiusPoints;
   Marker mark;
   mark.world = sphere.world;
   mark.shape = MarkerShape::sphere;
-  mark.radiusPoints = growth * style.sphereRadiusPoints;
+  mark.radiusPoints = picked ? wanted : std::min(wanted, std::max(roomPoints, 0.35F * wanted));
   mark.fill = sphere.hovered && !sphere.selected ? glm::mix(style.exaggeratedColor, glm::vec4(1.0F), 0.35F)
                                                  : style.exaggeratedColor;
+  mark.fill = picked ? mark.fill : withAlpha(mark.fill, seeThrough);
   mark.edge = sphere.selected ? style.currentColor : darkEdge;
   mark.edgePoints = sphere.selected ? 2.5F : 1.5F;
   mark.depth = OverlayDepth::onTop;
@@ -163,8 +188,9 @@ Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle&
   addPath(overlay, view, trail, trail.original, {style.originalColor, style.originalWidthPoints, true});
   addPath(overlay, view, trail, trail.exaggerated,
           {style.exaggeratedColor, style.exaggeratedWidthPoints, false});
-  for (const TrailSphere& sphere : trail.spheres) {
-    overlay.markers.push_back(sphereMark(sphere, style));
+  const std::vector<float> room = roomForSpheres(view, trail.spheres);
+  for (std::size_t i = 0; i < trail.spheres.size(); ++i) {
+    overlay.markers.push_back(sphereMark(trail.spheres[i], style, room[i]));
   }
   addEnds(overlay, trail, style);
   addCurrent(overlay, trail, style);

@@ -97,6 +97,13 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
+/// Asks first when it is not plain which trail is meant.
+Status beginExaggerating(Shell& shell) {
+  app::Session& session = *shell.open.character();
+  shell.ui.rangeClash = app::rangeClash(session);
+  return shell.ui.rangeClash ? Status(Success{}) : startExaggerate(session, shell.tool);
+}
+
 bool hasSpheres(const Shell& shell) {
   return hasFile(shell) && !shell.open.character()->view().selectedSpheres.empty();
 }
@@ -241,7 +248,7 @@ std::vector<ShellCommand> toolCommands() {
        "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
        {"E"},
        hasLimb,
-       [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }},
+       beginExaggerating},
       {command::sphereGrab,
        "Grab",
        "Moves the selected spheres with the mouse, an axis key or a typed number.",
@@ -460,7 +467,7 @@ void describeCommands(Shell& shell) {
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.jointPick.open || ui.navigationChoiceOpen ||
+         ui.jointPick.open || ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
          shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 

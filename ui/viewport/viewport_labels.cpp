@@ -8,7 +8,9 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "rig/limb_points.h"
 #include "rig/trail/exaggeration.h"
+#include "ui/panels/panel_support.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
@@ -83,6 +85,17 @@ void recordLimbs(ViewportContext& context, const FrameState& frame) {
   }
 }
 
+/// Hands, feet and head, where a drag pulls them.
+void recordEnds(ViewportContext& context, const FrameState& frame) {
+  const float reach = context.theme.px(6.0F);
+  for (const rig::Limb& limb : app::allLimbs(context.open.character()->document())) {
+    if (const auto place = placeOf(context.viewport, rig::endPosition(limb, frame))) {
+      context.items.add("viewport/end/" + limb.id, {place->x - reach, place->y - reach},
+                        {place->x + reach, place->y + reach});
+    }
+  }
+}
+
 void drawFrameNumbers(ViewportContext& context) {
   const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
   if (trail == nullptr || !context.ui.overlays.trailFrameNumbers) {
@@ -109,6 +122,19 @@ void drawHoverLabel(ViewportContext& context) {
             fmt::format("frame {:.4g}", sphere.frame), context.theme.colours.text);
     }
   }
+}
+
+/// The limb under the mouse by its name, and what a drag there does.
+void drawLimbName(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  if (viewport.hoveredLimb.empty() || isRunning(context.tool) || viewport.gesture != ViewportGesture::none) {
+    return;
+  }
+  std::string text = limbHeading(context.open.character()->document(), viewport.hoveredLimb);
+  text += viewport.hoveredEnd ? ": drag to pull it" : "";
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  label(context, {mouse.x + context.theme.px(16.0F), mouse.y + context.theme.px(14.0F)}, text,
+        context.theme.colours.text);
 }
 
 void drawJointNames(ViewportContext& context, const FrameState& frame) {
@@ -217,11 +243,13 @@ void drawStateLabels(ViewportContext& context) {
 void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   ImGui::PushClipRect(context.viewport.box.min, context.viewport.box.max, true);
   recordLimbs(context, frame);
+  recordEnds(context, frame);
   recordSpheres(context);
   recordHandles(context);
   drawJointNames(context, frame);
   drawFrameNumbers(context);
   drawHoverLabel(context);
+  drawLimbName(context);
   drawFalloff(context);
   drawEaseCurve(context);
   drawSelectionBox(context);
