@@ -163,20 +163,6 @@ double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& 
   return score + (headBeyond(view, plane, meanBase(view, arms), up, trunkLength) ? 0.3 : 0.0);
 }
 
-bool isQuadruped(const BodyView& view, const LimbPair& arms, const LimbPair& legs) {
-  const Vec3 trunk = meanBase(view, arms) - meanBase(view, legs);
-  const Vec3 legDirection = meanEnd(legs) - meanBase(view, legs);
-  const Vec3 armDirection = meanEnd(arms) - meanBase(view, arms);
-  const double legLength = glm::length(legDirection);
-  if (legLength <= 0.0 || glm::length(trunk) <= 0.0) {
-    return false;
-  }
-  const Vec3 down = legDirection / legLength;
-  const double handAboveFoot = glm::dot(meanEnd(legs) - meanEnd(arms), down) / legLength;
-  const bool legsAcross = std::abs(cosine(trunk, legDirection)) < 0.6;
-  return legsAcross && std::abs(handAboveFoot) < 0.35 && cosine(armDirection, legDirection) > 0.6;
-}
-
 constexpr double missingPair = -1.5;
 
 void keepBetter(BodyPlan& best, const LimbPair* arms, const LimbPair* legs, double score, double relation) {
@@ -225,7 +211,6 @@ BodyPlan planBody(const BodyView& view, const MirrorPlane& plane) {
       }
     }
   }
-  best.quadruped = best.arms && best.legs && isQuadruped(view, *best.arms, *best.legs);
   return best;
 }
 

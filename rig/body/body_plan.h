@@ -19,7 +19,6 @@ struct LimbPair {
 struct BodyPlan {
   std::optional<LimbPair> arms;
   std::optional<LimbPair> legs;
-  bool quadruped = false; ///< Legs stand across the trunk and the arms reach the ground beside them.
   double score = 0.0;
   double relation = 0.0; ///< How well arms and legs sit on one trunk, -2..2; 0 where one pair is missing.
 };

@@ -8,6 +8,7 @@
 #include "rig/body/height.h"
 #include "rig/body/humanoid.h"
 #include "rig/body/limb_assembly.h"
+#include "rig/body/stance.h"
 #include "rig/limb.h"
 
 namespace stretch::rig {
@@ -23,7 +24,7 @@ constexpr double doubtful = 0.3;         // most that a limb of something else g
 // What one way of choosing candidates found.
 struct Finding {
   Biped result;
-  bool quadruped = false;
+  int legs = 2; // that it stands on
   Vec3 bodyUp{0.0};
 
   [[nodiscard]] double weight() const {
@@ -81,9 +82,11 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   // Limbs without an upright body between them are no biped's.
   constexpr double leastRelation = 0.6;
   const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation;
-  result.isBiped = !plan.quadruped && upright && makesBiped(result.limbs);
-  result.warnings = sides.warnings;
-  finding.quadruped = plan.quadruped;
+  finding.legs = standingLegs(view, plane, plan);
+  result.isBiped = finding.legs == 2 && upright && makesBiped(result.limbs);
+  if (finding.legs == 2) {
+    result.warnings = sides.warnings;
+  }
   finding.bodyUp = bodyUpOf(view, plan, trunk);
   return finding;
 }
@@ -96,7 +99,7 @@ Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
       continue;
     }
     Finding finding = findWith(scene, bindPose, candidates);
-    if (finding.result.isBiped || finding.quadruped) {
+    if (finding.result.isBiped || finding.legs > 2) {
       return finding;
     }
     if (!best || finding.weight() > best->weight() + 1e-9) {
@@ -147,7 +150,14 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
   result.hips = table.hips.exists() ? table.hips : result.hips;
   result.head = table.head.exists() ? table.head : result.head;
   result.isBiped = makesBiped(result.limbs);
-  finding.quadruped = false;
+  finding.legs = 2;
+}
+
+std::string legCount(int legs) {
+  return legs == 4   ? "four legs"
+         : legs == 6 ? "six legs"
+         : legs == 8 ? "eight legs"
+                     : std::to_string(legs) + " legs";
 }
 
 void warn(Finding& finding) {
@@ -163,10 +173,10 @@ void warn(Finding& finding) {
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
-  result.warnings.emplace_back(finding.quadruped
-                                   ? "this is no biped: it stands on four legs; its limbs are only a guess"
-                               : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
-                                                      : "no complete biped found: check the limbs by hand");
+  result.warnings.push_back(finding.legs > 2 ? "this is no biped: it stands on " + legCount(finding.legs) +
+                                                   "; its limbs are only a guess"
+                            : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
+                                                   : "no complete biped found: check the limbs by hand");
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {

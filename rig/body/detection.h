@@ -25,10 +25,11 @@ struct Biped {
 
 /// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (docs/rig.md,
 /// Finding limbs). Names are evidence, not truth: position in the chain and geometry decide. Never fails: a
-/// file without a biped gives an empty list with a warning; something with four legs gives limbs of
-/// confidence 0.3 at most, with a warning. Sides: where names and feet clearly disagree the feet win, with a
-/// warning; a VRM humanoid table is taken as it is. A spine of one joint ends at the neck or head; one
-/// without a joint above the hips starts at the hips.
+/// file without a biped gives an empty list with a warning; something with four legs or
+/// more gives limbs of confidence 0.3 at most, with a warning. Sides: names that agree with each other win
+/// over a single hint of geometry; what contradicts is told as a question. A VRM humanoid table is taken as
+/// it is. A spine of one joint ends at the neck or head; one without a joint above the hips starts at the
+/// hips.
 [[nodiscard]] Biped detectBiped(const Scene& scene);
 
 /// World matrices of all nodes in the bind pose: what the inverse bind matrices say, placed in the world as

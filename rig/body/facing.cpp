@@ -36,30 +36,20 @@ double horizontalShare(const Vec3& offset, const Frame& frame) {
   return length > 0.0 ? glm::dot(offset, frame.forward) / length : 0.0;
 }
 
-// Joints and tips below the ankle: the toes.
+// Joints and tips below the ankle: the toes, on average, since a spur may point back.
 double toeVote(const BodyView& view, const LimbGuess& leg, const Frame& frame) {
   if (leg.end < 0) {
     return 0.0;
   }
-  Vec3 farthest(0.0);
-  const auto consider = [&](const Vec3& point) {
-    const Vec3 offset = point - view.at(leg.end);
-    if (std::abs(glm::dot(offset, frame.forward)) > std::abs(glm::dot(farthest, frame.forward))) {
-      farthest = offset;
-    }
-  };
-  for (int joint = 0; joint < view.count(); ++joint) {
-    const bool isToe = joint != leg.end && view.parentOf(joint) == leg.end && !view.name(joint).control;
-    if (isToe && !view.name(joint).accessory) {
-      consider(view.at(joint));
-    }
+  Vec3 sum(0.0);
+  for (const int joint : view.childrenOf(leg.end)) {
+    const NameEvidence& name = view.name(joint);
+    sum += name.control || name.accessory ? Vec3(0.0) : view.at(joint) - view.at(leg.end);
   }
   for (const Vec3& tip : view.tips[static_cast<std::size_t>(leg.end)]) {
-    consider(tip);
+    sum += tip - view.at(leg.end);
   }
-  return glm::length(farthest) > 0.01 * view.size
-             ? std::clamp(2.0 * horizontalShare(farthest, frame), -1.0, 1.0)
-             : 0.0;
+  return glm::length(sum) > 0.01 * view.size ? std::clamp(2.0 * horizontalShare(sum, frame), -1.0, 1.0) : 0.0;
 }
 
 // How much farther the foot's vertices reach forward of the ankle than back of it.
@@ -103,68 +93,142 @@ double bendVote(const BodyView& view, const LimbGuess& limb, const Frame& frame)
   return std::clamp(10.0 * glm::dot(off, frame.forward) / limb.length, -1.0, 1.0);
 }
 
-struct Votes {
-  double geometry = 0.0; // about -5..5; positive: the character's left is on the positive side
-  double names = 0.0;    // one for each limb
-  int namedLimbs = 0;
-};
-
-void addNames(Votes& votes, const BodyView& view, const LimbGuess& limb) {
-  const Side side = namedSide(view, limb);
-  if (side != Side::none) {
-    votes.names += (side == Side::left) == (limb.lateral > 0.0) ? 1.0 : -1.0;
-    ++votes.namedLimbs;
+// Eyes and jaws stand before the joint that carries them.
+double faceVote(const BodyView& view, const Frame& frame) {
+  double sum = 0.0;
+  int count = 0;
+  for (int joint = 0; joint < view.count(); ++joint) {
+    const int carrier = view.parentOf(joint);
+    if (view.name(joint).face && carrier >= 0 && !view.name(carrier).face) {
+      sum += std::clamp(2.0 * horizontalShare(view.at(joint) - view.at(carrier), frame), -1.0, 1.0);
+      ++count;
+    }
   }
+  return count > 0 ? sum / count : 0.0;
 }
 
-Votes countVotes(const BodyView& view, const BodyPlan& plan, const Frame& frame) {
-  Votes votes;
+// Each hint lies in -1..1; positive: the character's left is on the positive side.
+struct Hints {
+  double toes = 0.0;
+  double feet = 0.0;
+  double face = 0.0;
+  double bends = 0.0; // knees and elbows: many creatures bend the other way
+
+  [[nodiscard]] double sum() const { return 2.0 * toes + 2.0 * feet + face + bends; }
+  // How many kinds clearly speak for a side (+1 or -1).
+  [[nodiscard]] int speakingFor(double side) const {
+    constexpr double clear = 0.5;
+    return static_cast<int>(side * toes >= clear) + static_cast<int>(side * feet >= clear) +
+           static_cast<int>(side * face >= clear);
+  }
+};
+
+std::vector<const LimbGuess*> limbsOf(const std::optional<LimbPair>& pair) {
+  std::vector<const LimbGuess*> limbs;
+  for (const std::optional<LimbGuess>* limb : {&pair->negative, &pair->positive}) {
+    if (pair && *limb) {
+      limbs.push_back(&**limb);
+    }
+  }
+  return limbs;
+}
+
+Hints hintsOf(const BodyView& view, const BodyPlan& plan, const Frame& frame) {
+  Hints hints;
+  hints.face = faceVote(view, frame);
+  if (plan.legs) {
+    const std::vector<const LimbGuess*> legs = limbsOf(plan.legs);
+    const auto share = 1.0 / static_cast<double>(legs.size());
+    for (const LimbGuess* leg : legs) {
+      hints.toes += share * toeVote(view, *leg, frame);
+      hints.feet += share * footMeshVote(view, *leg, frame);
+      hints.bends += 0.4 * bendVote(view, *leg, frame);
+    }
+  }
+  if (plan.arms) {
+    for (const LimbGuess* arm : limbsOf(plan.arms)) {
+      hints.bends -= 0.3 * bendVote(view, *arm, frame);
+    }
+  }
+  return hints;
+}
+
+struct NameVotes {
+  double sum = 0.0; // one for each limb; positive: the left is on the positive side
+  int limbs = 0;
+
+  [[nodiscard]] double side() const { return sum > 0.0 ? 1.0 : -1.0; }
+  [[nodiscard]] bool clear() const { return limbs > 0 && std::abs(sum) >= 0.5 * limbs; }
+};
+
+NameVotes nameVotes(const BodyView& view, const BodyPlan& plan) {
+  NameVotes votes;
   for (const std::optional<LimbPair>* pair : {&plan.legs, &plan.arms}) {
     if (!*pair) {
       continue;
     }
-    const bool legs = pair == &plan.legs;
-    for (const std::optional<LimbGuess>* limb : {&(*pair)->negative, &(*pair)->positive}) {
-      if (!*limb) {
-        continue;
+    for (const LimbGuess* limb : limbsOf(*pair)) {
+      const Side side = namedSide(view, *limb);
+      if (side != Side::none) {
+        votes.sum += (side == Side::left) == (limb->lateral > 0.0) ? 1.0 : -1.0;
+        ++votes.limbs;
       }
-      addNames(votes, view, **limb);
-      votes.geometry += legs ? toeVote(view, **limb, frame) + footMeshVote(view, **limb, frame) +
-                                   0.4 * bendVote(view, **limb, frame)
-                             : -0.3 * bendVote(view, **limb, frame);
     }
   }
   return votes;
+}
+
+Sides fromNames(const NameVotes& names, const Hints& hints) {
+  Sides sides;
+  sides.leftIsPositive = names.sum > 0.0;
+  sides.contradicted = hints.speakingFor(-names.side()) > 0;
+  sides.certainty = sides.contradicted ? 0.5 : 1.0;
+  sides.reason = "sides: from the joint names";
+  if (hints.speakingFor(names.side()) > 0 && !sides.contradicted) {
+    sides.reason = "sides: names and feet agree";
+  } else if (sides.contradicted) {
+    sides.warnings.emplace_back(
+        "left and right follow the joint names, but the feet or the face point the other "
+        "way: are the sides right?");
+  }
+  return sides;
+}
+
+Sides fromHints(const Hints& hints, const Frame& frame) {
+  Sides sides;
+  if (std::abs(hints.sum()) < 0.5) {
+    sides.leftIsPositive = frame.forward.z >= 0.0;
+    sides.certainty = 0.3;
+    sides.reason = "sides: taken to face +Z, as glTF characters do";
+    return sides;
+  }
+  constexpr double clear = 2.0;
+  sides.leftIsPositive = hints.sum() > 0.0;
+  sides.certainty = std::abs(hints.sum()) >= clear ? 0.8 : 0.5;
+  sides.reason = "sides: from the way the feet point";
+  return sides;
 }
 
 } // namespace
 
 Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan) {
   const Frame frame = frameOf(view, plane, plan);
-  const Votes votes = countVotes(view, plan, frame);
-  constexpr double clearGeometry = 2.0;
-  Sides sides;
-  const bool namesClear = votes.namedLimbs > 0 && std::abs(votes.names) >= 0.5 * votes.namedLimbs;
-  const bool agree = votes.geometry * votes.names >= 0.0;
-  if (namesClear && (agree || std::abs(votes.geometry) < clearGeometry)) {
-    sides.leftIsPositive = votes.names > 0.0;
-    sides.certainty = agree ? 1.0 : 0.7;
-    sides.reason = agree ? "sides: names and feet agree" : "sides: names; the feet say little";
-  } else if (std::abs(votes.geometry) >= 0.5) {
-    sides.leftIsPositive = votes.geometry > 0.0;
-    sides.certainty = std::abs(votes.geometry) >= clearGeometry ? 0.8 : 0.5;
-    sides.reason = "sides: from the way the feet point";
-  } else {
-    sides.leftIsPositive = frame.forward.z >= 0.0;
-    sides.certainty = 0.3;
-    sides.reason = "sides: taken to face +Z, as glTF characters do";
-  }
-  if (namesClear && !agree && std::abs(votes.geometry) >= clearGeometry) {
+  const Hints hints = hintsOf(view, plan, frame);
+  const NameVotes names = nameVotes(view, plan);
+  const bool overruled = hints.speakingFor(-names.side()) >= 2 && hints.speakingFor(names.side()) == 0;
+  Sides sides = names.clear() && !overruled ? fromNames(names, hints) : fromHints(hints, frame);
+  if (names.clear() && overruled) {
+    sides.contradicted = true;
     sides.warnings.emplace_back(
-        "joint names call the character's right side left: the sides follow the way its feet point");
+        "joint names call the character's right side left: the sides follow the way its "
+        "feet point; are they right?");
   }
-  if (votes.namedLimbs > 1 && std::abs(votes.names) < votes.namedLimbs) {
-    sides.warnings.emplace_back("joint names disagree about left and right: the sides follow the geometry");
+  if (names.limbs > 1 && std::abs(names.sum) < names.limbs) {
+    sides.contradicted = true;
+    sides.warnings.emplace_back(
+        names.clear()
+            ? "joint names disagree about left and right: the sides follow most of them; are they right?"
+            : "joint names disagree about left and right: the sides follow the geometry; are they right?");
   }
   return sides;
 }

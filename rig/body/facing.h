@@ -11,13 +11,15 @@ namespace stretch::rig::body {
 struct Sides {
   bool leftIsPositive = true;
   double certainty = 0.0;            ///< 0..1.
+  bool contradicted = false;         ///< Names and geometry say different things.
   std::vector<std::string> warnings; ///< Names against geometry, names on one side only, and the like.
   std::string reason;
 };
 
-/// Facing comes from feet (ankle to toe, and the foot's mesh), knees and elbows; names vote as well. Where
-/// both speak clearly and disagree, the feet win and a warning says so; weak geometry gives way to names;
-/// without either the character is taken to face +Z, as glTF has it.
+/// Names that agree with each other decide, unless at least two kinds of hints (toes, the foot's mesh, the
+/// face) clearly say otherwise and none speaks for the names. A contradiction is told as a question. Without
+/// such names the hints decide, knees and elbows among them; without those the character is taken to face +Z,
+/// as glTF has it.
 [[nodiscard]] Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
 
 } // namespace stretch::rig::body

@@ -81,7 +81,9 @@ double confidenceOf(const LimbGuess& guess, const LimbPair& pair, const Sides& s
   const double penalty =
       alike ? std::min(pair.negative->shapePenalty, pair.positive->shapePenalty) : guess.shapePenalty;
   const double shape = std::exp(-0.6 * std::max(0.0, penalty)) * mirror;
-  return combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) * (0.85 + 0.15 * sides.certainty);
+  constexpr double contradictedShare = 0.75;
+  return combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) * (0.85 + 0.15 * sides.certainty) *
+         (sides.contradicted ? contradictedShare : 1.0);
 }
 
 std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, const LimbGuess& guess,

@@ -156,7 +156,8 @@ NameEvidence readName(std::string_view name) {
       std::ranges::any_of(words, [](Word word) { return word >= Word::spine && word <= Word::head; });
   evidence.finger = has(words, Word::finger) && !namesTrunk;
   evidence.palm = has(words, Word::palm);
-  evidence.accessory = has(words, Word::accessory);
+  evidence.face = has(words, Word::face);
+  evidence.accessory = has(words, Word::accessory) || evidence.face;
   addRoles(evidence, words);
   evidence.key = mirrorKey(chunks) + digitsOf(name);
   return evidence;

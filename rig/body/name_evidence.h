@@ -35,7 +35,8 @@ struct NameEvidence {
   bool end = false;
   bool finger = false;
   bool palm = false;
-  bool accessory = false;
+  bool accessory = false; ///< Of neither limb nor trunk; what a face has is among them.
+  bool face = false;
   std::string key; ///< The name without its side and case: equal for the two of a mirrored pair. May be
                    ///< empty.
 

@@ -45,7 +45,8 @@ enum class Word {
   twist,     ///< A joint that shares a bone with another one.
   control,   ///< A handle of the animator's: IK target, pole, FK copy.
   end,       ///< The tip of a bone, no joint of its own.
-  accessory, ///< Anything that a biped has besides limbs and trunk: hair, cloth, face, weapons.
+  accessory, ///< Anything that a biped has besides limbs and trunk: hair, cloth, weapons.
+  face,      ///< Of the head's front: eyes, jaw, nose.
   noise      ///< "joint", "bone": says nothing.
 };
 

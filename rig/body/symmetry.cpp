@@ -59,6 +59,23 @@ void addPair(std::vector<Pair>& pairs, const Vec3& a, const Vec3& b, double weig
   }
 }
 
+// Whether the plane between two subtrees mirrors the one's first joint onto the other's: a neck may be as
+// long as a foreleg, and no image of it.
+bool mirrorBases(const BodyView& view, const std::vector<Subtree>& trees, int a, int b) {
+  const Subtree& ofA = trees[static_cast<std::size_t>(a)];
+  const Subtree& ofB = trees[static_cast<std::size_t>(b)];
+  const Vec3 between = ofB.centre() - ofA.centre();
+  const double distance = glm::length(between);
+  if (distance <= 0.0) {
+    return false;
+  }
+  const Vec3 normal = between / distance;
+  const Vec3 middle = 0.5 * (ofA.centre() + ofB.centre());
+  const Vec3 image = view.at(a) - 2.0 * glm::dot(view.at(a) - middle, normal) * normal;
+  constexpr double most = 0.12; // of the subtrees' length
+  return glm::distance(image, view.at(b)) <= most * std::max(ofA.length, ofB.length) + 1e-3 * view.size;
+}
+
 void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees,
                      std::vector<int> siblings) {
   constexpr std::size_t mostSiblings = 48;
@@ -69,7 +86,8 @@ void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::
     for (std::size_t j = i + 1; j < siblings.size(); ++j) {
       const Subtree& a = trees[static_cast<std::size_t>(siblings[i])];
       const Subtree& b = trees[static_cast<std::size_t>(siblings[j])];
-      if (likeness(a.joints, b.joints) >= 0.7 && likeness(a.length, b.length) >= 0.75) {
+      if (likeness(a.joints, b.joints) >= 0.7 && likeness(a.length, b.length) >= 0.75 &&
+          mirrorBases(view, trees, siblings[i], siblings[j])) {
         addPair(pairs, a.centre(), b.centre(), a.length + b.length + 1e-2 * view.size, view.size);
       }
     }
@@ -125,7 +143,8 @@ Vec3 bestAxis(const std::vector<Pair>& pairs) {
   double bestSupport = support(pairs, best) + 0.1 * total; // glTF characters face along Z
   const std::size_t hypotheses = std::min<std::size_t>(pairs.size(), 60);
   for (std::size_t i = 0; i < hypotheses; ++i) {
-    const double here = support(pairs, pairs[i].direction);
+    // Hardly a character lies on its side.
+    const double here = support(pairs, pairs[i].direction) * (1.0 - 0.4 * std::abs(pairs[i].direction.y));
     if (here > bestSupport * (1.0 + 1e-9)) {
       bestSupport = here;
       best = pairs[i].direction;

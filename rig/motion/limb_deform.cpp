@@ -26,6 +26,7 @@ class PoseWriter {
 public:
   PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
 
+  [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
   [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
 
   // World matrix of the node's parent as it stands, parents of it having been written before.
@@ -111,7 +112,9 @@ void moveNestedTwists(PoseWriter& writer, const Scene& scene, const BoneTopology
       writer.local(node).translation =
           inSpaceOf(writer, bone.joint, parent, stretch) * writer.local(node).translation;
     }
-    writer.addStretch(node, inSpaceOf(writer, bone.joint, node, stretch));
+    // Seen from a node that is scaled unevenly K would shear: the bind leaf of a rigid mesh cannot tell that.
+    const Mat3 seen = inSpaceOf(writer, bone.joint, node, stretch);
+    writer.addStretch(node, 0.5 * (seen + glm::transpose(seen)));
   }
 }
 
@@ -126,6 +129,37 @@ struct KeptTransform {
   NodeIndex node;
   Mat4 world{1.0};
 };
+
+// What stands at the limb's end moves with the end joint as one piece.
+void moveWithEnd(PoseWriter& writer, NodeIndex node, const Mat4& endBefore, const Mat4& endNow) {
+  const Quat turn = rotationOf(endNow) * glm::inverse(rotationOf(endBefore));
+  const Vec3 offset = positionOf(writer.worldBefore(node)) - positionOf(endBefore);
+  writer.turnInWorld(node, turn);
+  writer.setWorldPosition(node, positionOf(endNow) + turn * offset);
+  writer.refreshSubtree(node);
+}
+
+// An end that hangs elsewhere is brought to its place, after the companions that carry it.
+void moveDetachedEnd(PoseWriter& writer, const Scene& scene, const Limb& limb, const LimbTopology& topology,
+                     const Vec3& endWorld) {
+  const Mat4& endBefore = writer.worldBefore(limb.endNode);
+  Mat4 endNow = endBefore;
+  endNow[3] = Vec4(endWorld, 1.0);
+  for (const NodeIndex node : topology.companions) {
+    if (isAncestorOrSelf(scene, node, limb.endNode)) {
+      moveWithEnd(writer, node, endBefore, endNow);
+    }
+  }
+  writer.setWorldPosition(limb.endNode, endWorld);
+}
+
+void moveCompanions(PoseWriter& writer, const Scene& scene, const Limb& limb, const LimbTopology& topology) {
+  for (const NodeIndex node : topology.companions) {
+    if (!isAncestorOrSelf(scene, node, limb.endNode)) {
+      moveWithEnd(writer, node, writer.worldBefore(limb.endNode), writer.world(limb.endNode));
+    }
+  }
+}
 
 bool sameTurn(const Quat& a, const Quat& b) {
   return a == b;
@@ -165,7 +199,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   }
   if (limb.endNode.exists()) {
     if (!topology.endIsDescendant) {
-      writer.setWorldPosition(limb.endNode, shape.end);
+      moveDetachedEnd(writer, scene, limb, topology, shape.end);
     }
     if (!options.turnEnd) {
       writer.turnInWorld(limb.endNode, still);
@@ -179,6 +213,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   if (!topology.endIsDescendant) {
     writer.refreshSubtree(limb.endNode);
   }
+  moveCompanions(writer, scene, limb, topology);
 }
 
 void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
@@ -196,10 +231,12 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
   if (!topology.endIsDescendant) {
     const NodeIndex last = limb.joints.back();
     const Vec3 offset = transformPoint(inverseOf(writer.worldBefore(last)), end);
-    writer.setWorldPosition(limb.endNode, transformPoint(frame.worlds[at(last)], stretches.back() * offset));
+    moveDetachedEnd(writer, scene, limb, topology,
+                    transformPoint(frame.worlds[at(last)], stretches.back() * offset));
     writer.refreshSubtree(limb.endNode);
   }
   writer.refreshSubtree(limb.joints.front());
+  moveCompanions(writer, scene, limb, topology);
 }
 
 void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame) {

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include <glm/geometric.hpp>
-
 #include "core/base/index.h"
-#include "core/scene/queries.h"
 #include "rig/limb.h"
-#include "rig/limb_points.h"
+#include "rig/motion/limb_riders.h"
 
 namespace stretch::rig {
 
@@ -53,42 +50,6 @@ std::set<NodeIndex> jointsOfOthers(const Limb& limb, const std::vector<Limb>& ot
   return joints;
 }
 
-struct BoneLine {
-  Vec3 start{0.0};
-  Vec3 end{0.0};
-
-  [[nodiscard]] double length() const { return glm::length(end - start); }
-  [[nodiscard]] double fraction(const Vec3& p) const {
-    const Vec3 axis = end - start;
-    const double squared = glm::dot(axis, axis);
-    return squared > 0.0 ? glm::dot(p - start, axis) / squared : 0.0;
-  }
-  [[nodiscard]] double distance(const Vec3& p) const {
-    return glm::length(p - (start + (end - start) * fraction(p)));
-  }
-};
-
-// A twist, roll or split joint lies along the bone, off its ends' neighbours and close to its line.
-bool liesAlong(const BoneLine& bone, const Vec3& point) {
-  constexpr double slack = 0.02;
-  constexpr double nearness = 0.12;
-  const double fraction = bone.fraction(point);
-  return fraction > -slack && fraction < 1.0 - slack && bone.distance(point) < nearness * bone.length();
-}
-
-void collectTwists(const Scene& scene, NodeIndex node, const BoneLine& bone,
-                   const std::vector<Mat4>& bindWorlds, const std::set<NodeIndex>& skinned,
-                   const std::set<NodeIndex>& othersJoints, std::vector<NodeIndex>& twists) {
-  if (skinned.count(node) == 0 || subtreeHolds(scene, node, othersJoints) ||
-      !liesAlong(bone, positionOf(bindWorlds[at(node)]))) {
-    return;
-  }
-  twists.push_back(node);
-  for (const NodeIndex child : scene.nodes[at(node)].children) {
-    collectTwists(scene, child, bone, bindWorlds, skinned, othersJoints, twists);
-  }
-}
-
 std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
   std::set<NodeIndex> joints;
   for (const Limb& limb : limbs) {
@@ -102,12 +63,10 @@ std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
 } // namespace
 
 LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
-                          const std::vector<Mat4>& bindWorlds) {
+                          const BindPlaces& places) {
   LimbTopology topology;
-  const std::set<NodeIndex> skinned = skinJoints(scene);
-  const std::set<NodeIndex> othersJoints = jointsOfOthers(limb, others);
+  const Riders riders(scene, limb, places, jointsOfOthers(limb, others));
   const std::set<NodeIndex> legs = isLeg(limb) ? std::set<NodeIndex>{} : legJoints(others);
-  const std::vector<Vec3> points = limbPoints(limb, bindWorlds);
   topology.endIsDescendant =
       !limb.endNode.exists() || isAncestorOrSelf(scene, limb.joints.back(), limb.endNode);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
@@ -117,28 +76,22 @@ LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vecto
     if (next.exists()) {
       bone.pathNodes = pathDown(scene, bone.joint, next);
     }
-    const BoneLine line{points[i], points[i + 1]};
     for (const NodeIndex child : scene.nodes[at(bone.joint)].children) {
       const bool onPath = contains(bone.pathNodes, child);
       if (!onPath && i == 0 && subtreeHolds(scene, child, legs)) {
         topology.staying.push_back(child);
-        continue;
-      }
-      if (!onPath) {
+      } else if (!onPath && i + 1 == limb.joints.size() && riders.isAtEnd(child)) {
+        topology.companions.push_back(child);
+      } else if (!onPath) {
         bone.hanging.push_back(child);
-        collectTwists(scene, child, line, bindWorlds, skinned, othersJoints, bone.twistNodes);
+        riders.collect(child, i, bone.twistNodes);
       }
     }
-    // Nodes between two limb joints that deform the mesh (split limbs) and what lies along the bone below
-    // them.
-    for (std::size_t k = 0; k + 1 < bone.pathNodes.size(); ++k) {
-      const NodeIndex node = bone.pathNodes[k];
-      if (skinned.count(node) != 0) {
-        bone.twistNodes.push_back(node);
-      }
-    }
+    riders.collectOnPath(bone.pathNodes, i, bone.twistNodes);
     topology.bones.push_back(std::move(bone));
   }
+  const std::vector<NodeIndex> elsewhere = companionsElsewhere(scene, limb, others, places);
+  topology.companions.insert(topology.companions.end(), elsewhere.begin(), elsewhere.end());
   return topology;
 }
 
@@ -150,6 +103,7 @@ std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topolo
     nodes.insert(bone.twistNodes.begin(), bone.twistNodes.end());
   }
   nodes.insert(topology.staying.begin(), topology.staying.end());
+  nodes.insert(topology.companions.begin(), topology.companions.end());
   if (limb.endNode.exists()) {
     nodes.insert(limb.endNode);
   }

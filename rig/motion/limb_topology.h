@@ -4,6 +4,7 @@
 
 #include "core/scene/scene.h"
 #include "rig/limb.h"
+#include "rig/motion/bind_places.h"
 
 namespace stretch::rig {
 
@@ -15,9 +16,11 @@ struct BoneTopology {
   /// From the joint's child down to the next limb joint or the end, both included; empty where the end is
   /// estimated or not a descendant.
   std::vector<NodeIndex> pathNodes;
-  /// Joints that lie along the bone and deform with it; parents first. May contain path nodes.
+  /// Joints that lie along the bone and rigid meshes that cover it, with the nodes between them and the bone:
+  /// they deform with it; parents first. May contain path nodes.
   std::vector<NodeIndex> twistNodes;
-  /// Children of the joint that are not on the path: moved by the bone's stretch.
+  /// Children of the joint that are neither on the path nor companions of the end: moved by the bone's
+  /// stretch.
   std::vector<NodeIndex> hanging;
 };
 
@@ -30,12 +33,14 @@ struct LimbTopology {
   std::vector<NodeIndex> staying;
   /// Of the last joint; false for a foot under the root. True when the end is estimated.
   bool endIsDescendant = true;
+  /// What has its mesh at the limb's end and does not hang on the end joint: a heel or a toe beside the foot,
+  /// or under the root as the foot. It moves with the end as one piece; parents first.
+  std::vector<NodeIndex> companions;
 };
 
 /// `others`: all limbs of the character, so that a limb hanging on a bone is not taken for a twist joint.
-/// `bindWorlds`: world matrices of the bind pose (bindPoseWorlds).
 [[nodiscard]] LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
-                                        const std::vector<Mat4>& bindWorlds);
+                                        const BindPlaces& places);
 
 /// Every node whose local transform a trail on this limb may change, ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topology);

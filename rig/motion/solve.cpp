@@ -48,7 +48,7 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
   solved.settings = usable(trail.settings, *input.clip);
   solved.topology = before != nullptr
                         ? before->topology
-                        : limbTopology(*input.scene, limb, input.limbs, bindPoseWorlds(*input.scene));
+                        : limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
   solved.active = trail.connected;
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;

@@ -33,12 +33,11 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
       weights.push_back({limb.id, {}, 0.0, 0.0, 0.0, 0.0});
     }
   }
-  const std::vector<Mat4> bindWorlds = bindPoseWorlds(*input.scene);
+  const BindPlaces places = bindPlaces(*input.scene);
   motion.weights.clear();
   for (LimbWeight& one : weights) {
     const Limb& limb = *limbOf(input, one.limb);
-    motion.weights.push_back(
-        {std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, bindWorlds)});
+    motion.weights.push_back({std::move(one), limb, limbTopology(*input.scene, limb, input.limbs, places)});
   }
   std::vector<ActingLimb> acting;
   for (const SolvedWeight& solved : motion.weights) {

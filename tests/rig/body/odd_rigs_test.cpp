@@ -196,6 +196,19 @@ TEST_CASE(
   CHECK(warnsOf(biped, "sides follow the way its feet point"));
 }
 
+TEST_CASE("names that agree win over feet whose mesh points back; the sides are asked for and doubted") {
+  SyntheticBiped body = named("Mixamo", {.toes = GENERATE(true, false)});
+  body.feetPointBack = true;
+  body.facesBackwards = GENERATE(true, false);
+  const BuiltBiped built = build(body);
+  const Biped biped = detectBiped(built.scene);
+  checkArmsAndLegs(built, biped);
+  CHECK(warnsOf(biped, "are the sides right?"));
+  const Biped sure = detectBiped(build(named("Mixamo")).scene);
+  CHECK(findLimb(biped, LimbKind::leftArm)->confidence <
+        0.85 * findLimb(sure, LimbKind::leftArm)->confidence);
+}
+
 TEST_CASE("two arms both named left are told apart by where they are, with a warning") {
   SyntheticBiped body = named("Mixamo");
   body.names["upperArm.r"] = "mixamorig:LeftArm";
@@ -253,35 +266,6 @@ TEST_CASE(
   CHECK(describe(one, detectBiped(one.scene), LimbKind::spine) == "spine0 -> neck0");
   const BuiltBiped none = build(named("Unreal", {.spineJoints = 0}));
   CHECK(describe(none, detectBiped(none.scene), LimbKind::spine) == "hips -> neck0");
-}
-
-TEST_CASE("four legs are no biped, whatever the joints are called") {
-  SyntheticBiped body = makeBody({.clavicles = false, .fingers = false});
-  // The trunk laid down along +Z at the height of the hips, the arms hanging to the ground.
-  for (SyntheticJoint& each : body.joints) {
-    const std::string stem = each.key.substr(0, each.key.find('.'));
-    const double sign = each.key.ends_with(".l") ? 1.0 : -1.0;
-    if (stem == "upperArm") {
-      each.position = Vec3(sign * 0.1, 0.92, 0.9);
-    } else if (stem == "foreArm") {
-      each.position = Vec3(sign * 0.1, 0.5, 0.92);
-    } else if (stem == "hand") {
-      each.position = Vec3(sign * 0.1, 0.08, 0.9);
-    } else if (stem.starts_with("spine") || stem.starts_with("neck") || stem == "head") {
-      each.position = Vec3(0, 1.0, each.position.y - 0.5);
-    }
-  }
-  const bool hasNames = GENERATE(true, false);
-  if (hasNames) {
-    applyNames(body, namingScheme("Mixamo"));
-  }
-  const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
-  CHECK_FALSE(biped.isBiped);
-  CHECK(warnsOf(biped, "no biped"));
-  for (const Limb& limb : biped.limbs) {
-    CHECK(limb.confidence <= 0.3);
-  }
 }
 
 TEST_CASE("a scene without a character gives an empty list and a warning") {

@@ -134,7 +134,8 @@ void addWeight(Primitive& primitive, const SyntheticBiped& body, const Synthetic
     include(Vec3(0.1, 1.8, 0.14));
     include(Vec3(-0.1, 1.58, -0.1));
   } else if (stem == "foot" || stem == "toe") {
-    include(Vec3(joint.position.x, 0.0, stem == "foot" ? 0.1 : 0.18));
+    const double reach = stem == "foot" ? 0.1 : 0.18;
+    include(Vec3(joint.position.x, 0.0, body.feetPointBack ? -2.0 * reach : reach));
   } else if (stem == "hand" || stem == "foreArm" || stem[0] == 'f') {
     include(joint.position + Vec3(sign * (stem == "foreArm" ? 0.25 : 0.03), 0.0, 0.0));
   } else if (stem == "shin") {

@@ -26,8 +26,9 @@ struct SyntheticBiped {
   bool facesBackwards = false; ///< Turned about Y: left is at -X.
   bool withMesh = true;
   bool withSkin = true;
-  bool shuffled = false;    ///< Node indices in another order than the tree's.
-  bool posedAtRest = false; ///< Rest rotations that are not the bind pose's.
+  bool shuffled = false;      ///< Node indices in another order than the tree's.
+  bool feetPointBack = false; ///< The mesh of the feet alone, as a mech's spurs.
+  bool posedAtRest = false;   ///< Rest rotations that are not the bind pose's.
 };
 
 struct BodyOptions {

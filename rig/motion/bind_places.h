@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/math/bounds.h"
+#include "core/scene/scene.h"
+
+namespace stretch::rig {
+
+/// Where nodes and meshes stand in the bind pose, in the world. Vectors are indexed by node.
+struct BindPlaces {
+  std::vector<Mat4> worlds;
+  /// Of the mesh that follows each node most: the vertices whose strongest joint it is, or the rigid mesh
+  /// that hangs on it. Empty where nothing does.
+  std::vector<Bounds> meshes;
+};
+
+[[nodiscard]] BindPlaces bindPlaces(const Scene& scene);
+
+} // namespace stretch::rig
