@@ -50,7 +50,7 @@ struct TrailStyle {
 /// both; spheres larger, the selected and hovered ones larger still, those far from the playhead or close
 /// together on the screen smaller; through those that nobody picked the character shows. Paths of fewer than
 /// two points are drawn as a dot.
-[[nodiscard]] Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& style = {});
+[[nodiscard]] Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& wanted = {});
 
 /// Point of a path at a fractional sample, clamped to its ends; the path must not be empty.
 [[nodiscard]] Vec3 pointOfPath(const std::vector<Vec3>& path, double sample);
