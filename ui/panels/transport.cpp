@@ -58,7 +58,7 @@ void frameField(PanelContext& context, const ShownTime& time) {
                   .decimals = 0,
                   .showsFill = false,
                   .width = context.theme.px(56.0F)};
-  spec.help = {"Frame", "Drag, or double click to type the frame to go to.", {}};
+  spec.help = {"Frame", "Drag, or click and type the frame to go to.", {}};
   double frame = *time.frame;
   if (slider(widgetsOf(context), spec, frame).changed) {
     *time.frame = frame;

@@ -203,6 +203,7 @@ struct UiState {
   ThemeKind theme = ThemeKind::dark;
   float scale = 1.0F; ///< The user's factor on top of the screen's.
   NavigationStyle navigation = NavigationStyle::maya;
+  bool exaggerateAtTip = false; ///< E moves the playhead to the tip; else a ghost shows the pose there.
   ViewportOverlays overlays;
   TimelineState timeline;
   GraphState graph;

@@ -103,8 +103,7 @@ void takeAnswers(Editor& editor) {
   takeKeyAnswers(shell);
   UiAnswers& answers = shell.ui.answers;
   if (answers.overlap && shell.open.character() != nullptr) {
-    tellProblem(shell, startExaggerate(*shell.open.character(), shell.tool,
-                                       *std::exchange(answers.overlap, std::nullopt)));
+    tellProblem(shell, startExaggerating(shell, *std::exchange(answers.overlap, std::nullopt)));
   }
   bool changed = std::exchange(answers.themeChanged, false);
   if (answers.navigation) {

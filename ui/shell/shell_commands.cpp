@@ -1,7 +1,11 @@
 #include "ui/shell/shell_commands.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
@@ -97,11 +101,25 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
+} // namespace
+
+Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
+  app::Session& session = *shell.open.character();
+  const Status started = startExaggerate(session, shell.tool, choice);
+  if (const std::optional<double> tip = tipFrame(session, shell.tool);
+      started && tip && shell.ui.exaggerateAtTip) {
+    session.view().frame = *tip;
+  }
+  return started;
+}
+
+namespace {
+
 /// Asks first when it is not plain which trail is meant.
 Status beginExaggerating(Shell& shell) {
   app::Session& session = *shell.open.character();
   shell.ui.rangeClash = app::rangeClash(session);
-  return shell.ui.rangeClash ? Status(Success{}) : startExaggerate(session, shell.tool);
+  return shell.ui.rangeClash ? Status(Success{}) : startExaggerating(shell, app::OverlapChoice::edit);
 }
 
 bool hasSpheres(const Shell& shell) {
@@ -439,14 +457,41 @@ bool hasCommand(const Shell& shell, std::string_view commandId) {
   return findCommandOf(shell, commandId) != nullptr;
 }
 
+namespace {
+
+/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
+void finishWhatIsDragged(Shell& shell) {
+  if (isRunning(shell.tool)) {
+    finishTool(*shell.open.character(), shell.tool, true);
+    shell.viewport.gesture = ViewportGesture::none;
+  }
+  if (std::exchange(shell.ui.panelDrag, false)) {
+    shell.ui.panelDrag = shell.open.with(false, [](auto& session) {
+      if (session.isDragging()) {
+        session.commit();
+      }
+      return false;
+    });
+    ImGui::ClearActiveID();
+  }
+}
+
+/// What answers in the middle of a tool or a drag too.
+bool answersAlways(std::string_view id) {
+  constexpr std::array<std::string_view, 6> always{
+      command::fileSave, command::fileSaveAs, command::fileSaveIncremental,
+      command::undo,     command::redo,       command::fileQuit};
+  return std::find(always.begin(), always.end(), id) != always.end();
+}
+
+} // namespace
+
 void runCommand(Shell& shell, std::string_view commandId) {
   const ShellCommand* command = findCommandOf(shell, commandId);
   if (command == nullptr) {
     return;
   }
-  if (isRunning(shell.tool)) {
-    finishTool(*shell.open.character(), shell.tool, true);
-  }
+  finishWhatIsDragged(shell);
   if (!command->enabled(shell)) {
     tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
     return;
@@ -480,7 +525,7 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
     }
     return;
   }
-  if (isRunning(shell.tool)) {
+  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
     tellProblem(shell, pressToolKey(*shell.open.character(), shell.tool, input.press));
     return;
   }

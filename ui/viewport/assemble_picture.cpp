@@ -13,6 +13,7 @@ namespace {
 
 constexpr float hoveredHighlight = 0.7F;
 constexpr float nearestGhostOpacity = 0.34F;
+constexpr float tipGhostOpacity = 0.45F;
 
 /// Of every node: 1 where it carries flesh of a selected limb, less on the hovered one.
 std::vector<float> highlightOf(const app::Document& document, const PictureSelection& selection) {
@@ -204,6 +205,10 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
                                const ViewportOverlays& overlays, const Palette& palette) {
   PictureContent content = assembleBare(subject, selection, overlays, palette);
   content.ghosts = ghostsOf(subject, overlays, palette);
+  if (selection.tipFrame && subject.motion.clip >= 0) {
+    addGhost(subject, *selection.tipFrame, glm::vec4(glm::vec3(palette.highlight), tipGhostOpacity),
+             content.ghosts);
+  }
   content.skeleton = overlays.skeleton;
   for (const ShownTrail& trail : subject.trails.trails) {
     const rig::Trail* source = app::findTrail(subject.document, trail.id);

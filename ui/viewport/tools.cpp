@@ -202,6 +202,15 @@ Status turnFalloff(app::Session& session, Tool& tool, double steps) {
   return previewGrab(session, *grab);
 }
 
+std::optional<double> tipFrame(const app::Session& session, const Tool& tool) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  if (!std::holds_alternative<ExaggerateTool>(tool) || trail == nullptr) {
+    return std::nullopt;
+  }
+  const rig::TrailSettings& settings = trail->settings;
+  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
+}
+
 void finishTool(app::Session& session, Tool& tool, bool keep) {
   if (!isRunning(tool)) {
     return;

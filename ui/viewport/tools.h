@@ -68,6 +68,9 @@ Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const 
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);
 
+/// The frame of the tip of the trail that E works on; nothing outside of E.
+[[nodiscard]] std::optional<double> tipFrame(const app::Session& session, const Tool& tool);
+
 /// Ends the tool: kept as one undo step, or restored.
 void finishTool(app::Session& session, Tool& tool, bool keep);
 

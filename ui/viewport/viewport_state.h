@@ -40,6 +40,7 @@ struct ViewportState {
   std::string hoveredLimb;
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
   LimbHover limbs;
+  std::optional<double> tipFrame; ///< Of the trail that E works on, when the playhead is elsewhere.
 };
 
 } // namespace stretch::ui
