@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 namespace stretch::rig {
 

@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
 #include "rig/motion/solve_steps.h"
 #include "rig/trail/limb_path.h"
 

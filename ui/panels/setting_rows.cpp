@@ -57,9 +57,9 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
   spec.help = dragHelp(settingHelp(setting));
   const EditPhase phase = slider(widgetsOf(context), spec, value);
   if (phase.cut) {
-    toast(context.ui, ToastKind::info,
-          settingHelp(setting).title + " goes from " + sliderText(spec, setting.minimum) + " to " +
-              sliderText(spec, setting.maximum));
+    tell(context.ui, ToastKind::info,
+         settingHelp(setting).title + " goes from " + sliderText(spec, setting.minimum) + " to " +
+             sliderText(spec, setting.maximum));
   }
   return phase;
 }

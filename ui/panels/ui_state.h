@@ -11,7 +11,6 @@
 #include "app/commands/ranges.h"
 #include "app/file_work.h"
 #include "rig/motion/motion.h"
-#include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/timeline.h"

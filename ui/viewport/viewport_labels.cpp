@@ -8,7 +8,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/trail/exaggeration.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/skeleton_drawing.h"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/exaggerate.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 
 using namespace stretch;
 using namespace stretch::app;
