@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/types.h"
+
 namespace stretch::skinning {
 
 double gravityDisplacement(const Cylinder& cylinder, double gravityAcross) {

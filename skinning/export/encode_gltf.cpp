@@ -103,7 +103,6 @@ public:
   }
 
 private:
-  static constexpr int meshNode = 0;
   static constexpr int armature = 1;
 
   // --- mesh

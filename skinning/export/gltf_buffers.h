@@ -5,6 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "core/gltf/json.h"
+
 namespace stretch::skinning {
 
 /// Appends accessors to one binary buffer and describes them in the document.
