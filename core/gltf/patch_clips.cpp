@@ -2,6 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/gltf/animation_target.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
@@ -94,8 +95,9 @@ private:
     const std::size_t channels = sizeOf(journal_.json().at(animation), "channels");
     bool isFound = false;
     for (std::size_t i = 0; i < channels; ++i) {
-      const Json& target = *find(element(journal_.json().at(animation), "channels", i), "target");
-      if (NodeIndex(indexOr(target, "node")) == track.node && textOr(target, "path") == path) {
+      const AnimationTarget driven =
+          animationTarget(*find(element(journal_.json().at(animation), "channels", i), "target"));
+      if (driven.node == track.node && driven.path == path) {
         journal_.set(animation / "channels" / i / "sampler", sampler);
         isFound = true;
       }

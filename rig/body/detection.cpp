@@ -24,7 +24,7 @@ constexpr double doubtful = 0.3;         // most that a limb of something else g
 // What one way of choosing candidates found.
 struct Finding {
   Biped result;
-  int legs = 2; // that it stands on
+  int legs = 0; // that it stands on
   Vec3 bodyUp{0.0};
 
   [[nodiscard]] double weight() const {
@@ -79,12 +79,13 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
-  // Limbs without an upright body between them are no biped's.
+  // Limbs without an upright body between them are no biped's, unless it stands on two of them.
   constexpr double leastRelation = 0.6;
-  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation;
   finding.legs = standingLegs(view, plane, plan);
-  result.isBiped = finding.legs == 2 && upright && makesBiped(result.limbs);
-  if (finding.legs == 2) {
+  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation ||
+                       (finding.legs == 2 && plan.relation >= 0.0);
+  result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  if (finding.legs <= 2) {
     result.warnings = sides.warnings;
   }
   finding.bodyUp = bodyUpOf(view, plan, trunk);
