@@ -92,6 +92,23 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   return finding;
 }
 
+bool hasRigidParts(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin < 0; });
+}
+
+// Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
+bool mayMissParts(const Scene& scene, const Biped& found) {
+  return hasRigidParts(scene) && (findLimb(found.limbs, LimbKind::leftArm) == nullptr ||
+                                  findLimb(found.limbs, LimbKind::rightArm) == nullptr);
+}
+
+bool isBetter(const Finding& finding, const Finding& than) {
+  if (finding.result.isBiped != than.result.isBiped) {
+    return finding.result.isBiped;
+  }
+  return finding.weight() > than.weight() + 1e-9;
+}
+
 Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
   std::optional<Finding> best;
   for (const Candidates candidates :
@@ -100,11 +117,13 @@ Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
       continue;
     }
     Finding finding = findWith(scene, bindPose, candidates);
-    if (finding.result.isBiped || finding.legs > 2) {
-      return finding;
-    }
-    if (!best || finding.weight() > best->weight() + 1e-9) {
+    const bool isWhole = finding.result.isBiped && !mayMissParts(scene, finding.result);
+    const bool isFirst = !best;
+    if (isFirst || isBetter(finding, *best)) {
       best = std::move(finding);
+    }
+    if (isWhole || (isFirst && best->legs > 2)) {
+      break;
     }
   }
   return *std::move(best);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"
 
@@ -203,4 +204,29 @@ TEST_CASE("the spine is read from the joints that deform, not from weightless on
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
+}
+
+TEST_CASE("rigid arms on a skinned body are found, whether the skin lists their joints or not") {
+  SyntheticBiped body = named("Unreal", {.fingers = false});
+  const bool listed = GENERATE(true, false);
+  for (SyntheticJoint& joint : body.joints) {
+    const std::string stem = joint.key.substr(0, joint.key.find('.'));
+    if (stem == "upperArm" || stem == "foreArm" || stem == "hand") {
+      joint.isJoint = listed;
+      joint.movesMesh = false;
+    }
+  }
+  BuiltBiped built = build(body);
+  for (const auto& [key, node] : std::map<std::string, NodeIndex>(built.node)) {
+    const std::string stem = key.substr(0, key.find('.'));
+    if (stem == "upperArm" || stem == "foreArm" || stem == "hand") {
+      const double reach = (key.ends_with(".l") ? 1.0 : -1.0) * (stem == "hand" ? 0.15 : 0.25);
+      Primitive box;
+      box.positions = {{0, -0.05F, 0}, {reach, 0.05F, 0.05F}, {reach, -0.05F, -0.05F}};
+      const NodeIndex part = addNode(built.scene, "part", node, Vec3(0.0));
+      built.scene.nodes[at(part)].mesh = static_cast<int>(built.scene.meshes.size());
+      built.scene.meshes.push_back({"part", {box}, {}});
+    }
+  }
+  checkArmsAndLegs(built, detectBiped(built.scene));
 }
