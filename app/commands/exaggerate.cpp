@@ -5,6 +5,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -17,6 +18,9 @@ rig::TrailSettings newSettings(const Session& session, const rig::Limb& limb, bo
   settings.endFrame = range.y;
   settings.viewAxes = session.view().cameraAxes;
   settings.scale = exaggerated ? firstScale : 1.0;
+  const Document& document = session.document();
+  settings.space = rig::startingSpace(*document.scene, clipOf(document, session.view().clip), limb,
+                                      document.biped.hips, range);
   return settings;
 }
 

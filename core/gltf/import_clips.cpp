@@ -50,10 +50,18 @@ public:
       }
     }
     measure(clip);
+    clip.framesPerSecond = notedRate().value_or(clip.framesPerSecond);
     return clip;
   }
 
 private:
+  // What this program noted where re-keyed clips tell another rate than they had.
+  [[nodiscard]] std::optional<double> notedRate() const {
+    const Json* noted = findPath(json_, {"extras", "stretch_engine", "frames_per_second"});
+    const double rate = noted != nullptr && noted->is_number() ? noted->get<double>() : 0.0;
+    return rate >= 1.0 && rate <= 1000.0 ? std::optional(rate) : std::nullopt;
+  }
+
   static void measure(Clip& clip) {
     if (!clip.tracks.empty()) {
       clip.startSeconds = std::numeric_limits<double>::max();

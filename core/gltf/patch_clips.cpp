@@ -113,6 +113,19 @@ private:
   std::map<std::vector<float>, std::size_t> inputs_;
 };
 
+// Extras that are no object are someone else's: they stay as they are.
+void noteRate(const ClipTracks& clip, Journal& journal) {
+  const Pointer extras = Pointer("/animations") / static_cast<std::size_t>(clip.clip) / "extras";
+  const bool has = journal.json().contains(extras);
+  if (!(clip.framesPerSecond > 0.0) || (has && !journal.json().at(extras).is_object())) {
+    return;
+  }
+  if (!has) {
+    journal.set(extras, Json::object());
+  }
+  journal.set(extras / "stretch_engine", {{"frames_per_second", clip.framesPerSecond}});
+}
+
 } // namespace
 
 void patchClips(const std::vector<ClipTracks>& clips, Journal& journal, AppendedData& data) {
@@ -121,6 +134,7 @@ void patchClips(const std::vector<ClipTracks>& clips, Journal& journal, Appended
     for (const Track& track : clip.tracks) {
       patch.add(clip.clip, track);
     }
+    noteRate(clip, journal);
   }
 }
 

@@ -180,7 +180,12 @@ std::string legCount(int legs) {
                      : std::to_string(legs) + " legs";
 }
 
-void warn(Finding& finding) {
+bool movesMorphTargets(const Scene& scene) {
+  return scene.skins.empty() &&
+         std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.morphWeights.empty(); });
+}
+
+void warn(const Scene& scene, Finding& finding) {
   Biped& result = finding.result;
   if (result.isBiped) {
     for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
@@ -193,10 +198,13 @@ void warn(Finding& finding) {
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
-  result.warnings.push_back(finding.legs > 2 ? "this is no biped: it stands on " + legCount(finding.legs) +
-                                                   "; its limbs are only a guess"
-                            : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
-                                                   : "no complete biped found: check the limbs by hand");
+  result.warnings.push_back(
+      finding.legs > 2
+          ? "this is no biped: it stands on " + legCount(finding.legs) + "; its limbs are only a guess"
+      : result.limbs.empty() && movesMorphTargets(scene)
+          ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
+      : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
+                             : "no complete biped found: check the limbs by hand");
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -214,7 +222,7 @@ Biped detectBiped(const Scene& scene) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
-  body::warn(finding);
+  body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);
