@@ -18,7 +18,7 @@ std::vector<Edge> edgesOf(const std::vector<Triangle>& triangles) {
   for (const Triangle& t : triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       if (t[c] != t[(c + 1) % 3]) {
-        edges.push_back(std::minmax(t[c], t[(c + 1) % 3]));
+        edges.emplace_back(std::minmax(t[c], t[(c + 1) % 3]));
       }
     }
   }

@@ -110,7 +110,7 @@ Status runCompare(const CompareArguments& arguments) {
   }
   gltf::Json report = metricsJson(*metrics);
   if (arguments.flattening) {
-    if (const Status done = addFlattening(arguments, *reference, *other, report); !done) {
+    if (Status done = addFlattening(arguments, *reference, *other, report); !done) {
       return done;
     }
   }

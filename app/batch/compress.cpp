@@ -82,7 +82,7 @@ Status runCompress(const CompressArguments& arguments) {
   skinning::EncodeSettings encoding;
   encoding.quantise = arguments.quantise;
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
-  if (const Status saved = gltf::save(encoded.source, arguments.output); !saved) {
+  if (Status saved = gltf::save(encoded.source, arguments.output); !saved) {
     return saved;
   }
   gltf::Json report = compressionJson(*sequence, *compressed, encoded);

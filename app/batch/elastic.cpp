@@ -104,14 +104,14 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!settings) {
     return settings.error();
   }
-  if (const Status added = addLimbs(arguments, *clip, *settings, *document); !added) {
+  if (Status added = addLimbs(arguments, *clip, *settings, *document); !added) {
     return added;
   }
   Json report;
   report["clip"] = clipOf(*document, *clip).name;
   report["elastic"] = weightJson(*document, *clip);
   report["warnings"] = document->warnings;
-  if (const Status saved = saveDocument(*document, arguments.output.file, arguments.output.save); !saved) {
+  if (Status saved = saveDocument(*document, arguments.output.file, arguments.output.save); !saved) {
     return saved;
   }
   if (arguments.json) {

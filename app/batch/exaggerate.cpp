@@ -60,8 +60,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     return placed.error();
   }
   const gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
-  if (const Status saved = saveDocument(placed->document, arguments.output.file, arguments.output.save);
-      !saved) {
+  if (Status saved = saveDocument(placed->document, arguments.output.file, arguments.output.save); !saved) {
     return saved;
   }
   if (arguments.json) {

@@ -16,7 +16,7 @@ namespace {
 Status setSettings(const TrailRequest& request, rig::TrailSettings& settings) {
   for (const auto& [option, text] : request.settings) {
     for (const Setting<rig::TrailSettings>& setting : trailSchema()) {
-      const Status set = setting.option == option ? setFromText(setting, text, settings) : Status(Success{});
+      Status set = setting.option == option ? setFromText(setting, text, settings) : Status(Success{});
       if (!set) {
         return set;
       }

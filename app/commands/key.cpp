@@ -77,8 +77,8 @@ std::optional<Key> parseKey(std::string_view text) {
     return isPrintableKey(upper) ? std::optional(static_cast<Key>(upper)) : std::nullopt;
   }
   const std::string wanted = folded(text);
-  const auto found = std::find_if(namedKeys.begin(), namedKeys.end(),
-                                  [&](const auto& entry) { return folded(entry.second) == wanted; });
+  const auto* const found = std::find_if(namedKeys.begin(), namedKeys.end(),
+                                         [&](const auto& entry) { return folded(entry.second) == wanted; });
   return found == namedKeys.end() ? std::nullopt : std::optional(found->first);
 }
 
@@ -121,7 +121,7 @@ std::optional<Chord> parseChord(std::string_view text) {
 }
 
 std::string keyName(Key key) {
-  const auto found =
+  const auto* const found =
       std::find_if(namedKeys.begin(), namedKeys.end(), [&](const auto& entry) { return entry.first == key; });
   if (found != namedKeys.end()) {
     return std::string(found->second);

@@ -54,6 +54,8 @@ private:
 template <typename AnyCommand>
 [[nodiscard]] std::vector<KeyedCommand> keyedCommands(const std::vector<AnyCommand>& commands) {
   std::vector<KeyedCommand> keyed;
+  keyed.reserve(commands.size());
+
   for (const AnyCommand& command : commands) {
     keyed.push_back({command.id, command.keys});
   }

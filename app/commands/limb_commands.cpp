@@ -61,6 +61,8 @@ Status detectAgain(Session& session) {
 
 std::vector<DocumentCommand> limbCommands() {
   std::vector<DocumentCommand> commands;
+  commands.reserve(limbKeys.size());
+
   for (const LimbKey& limb : limbKeys) {
     commands.push_back(selectCommand(limb, false));
   }

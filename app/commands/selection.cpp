@@ -57,10 +57,9 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
     view.selectedLimbs.push_back(limbId);
   }
   view.selectedSpheres.clear();
-  if (!add || view.selectedTrail == 0) {
-    view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
-  } else if (const rig::Trail* trail = selectedTrail(session);
-             trail != nullptr && wasSelected && trail->limb == limbId) {
+  const rig::Trail* trail = selectedTrail(session);
+  const bool leavesTrail = trail != nullptr && wasSelected && trail->limb == limbId;
+  if (!add || view.selectedTrail == 0 || leavesTrail) {
     view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
   }
 }

@@ -35,7 +35,7 @@ Status checkAlone(const rig::Trail& trail) {
   if (!hasFiniteShapes(trail.settings)) {
     return Error{"a setting of the trail is not a number", trail.limb, "give a number"};
   }
-  if (const Status values = checkSettings(trailSchema(), trail.settings); !values) {
+  if (Status values = checkSettings(trailSchema(), trail.settings); !values) {
     return values;
   }
   if (trail.settings.endFrame <= trail.settings.startFrame) {

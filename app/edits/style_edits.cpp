@@ -70,8 +70,8 @@ Result<Document> applyStyle(const Document& document, const std::vector<int>& tr
 }
 
 int styleOf(const Document& document, const std::vector<int>& trailIds) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const Style& s) { return hasStyle(document, trailIds, s); });
+  const auto* const found = std::find_if(table.begin(), table.end(),
+                                         [&](const Style& s) { return hasStyle(document, trailIds, s); });
   return trailIds.empty() || found == table.end() ? -1 : static_cast<int>(found - table.begin());
 }
 

@@ -87,7 +87,7 @@ Status readApplied(const Json& json, rig::Trail& trail) {
     return Success{};
   }
   rig::TrailSettings keyed = trail.settings;
-  const Status read = trailFromJson(json, metres, {}, keyed);
+  Status read = trailFromJson(json, metres, {}, keyed);
   trail.connected = true;
   trail.applied = keyed == trail.settings;
   return read;
@@ -258,7 +258,7 @@ Status restoreWork(const Json& work, Document& document) {
     }
     Document restored = withoutWork(document);
     restored.limbsCorrected = work.value("limbs_corrected", false);
-    if (const Status parts = restoreParts(work, restored); !parts) {
+    if (Status parts = restoreParts(work, restored); !parts) {
       return parts;
     }
     document = std::move(restored);

@@ -68,7 +68,7 @@ Status readFractions(const Json& json, const Clip& clip, rig::TrailSettings& set
 // The limb that an entry names; a chain joins the document.
 Result<rig::Limb> limbOf(const Json& json, Document& document) {
   if (!json.is_object() || !json.contains("limb") || !json["limb"].is_string()) {
-    return Error{"names no limb", "", "give \"limb\", such as \"left-arm\""};
+    return Error{"names no limb", "", R"(give "limb", such as "left-arm")"};
   }
   return findOrAddLimb(document, json["limb"].get<std::string>(), "limb");
 }
@@ -140,7 +140,7 @@ Status readList(const Json& recipe, const char* list, std::vector<Entry>& entrie
 
 Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   if (!json.is_object()) {
-    return Error{"is not a JSON object", "recipe", "give {\"version\": 1, \"trails\": [...]}"};
+    return Error{"is not a JSON object", "recipe", R"(give {"version": 1, "trails": [...]})"};
   }
   if (const Status keys = checkKeys(json); !keys) {
     return keys.error();
@@ -153,7 +153,7 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   }
   const Json units = json.value("units", Json("limb_lengths"));
   if (units != "metres" && units != "limb_lengths") {
-    return Error{units.dump() + " is not a unit of a recipe", "units", "give \"metres\" or \"limb_lengths\""};
+    return Error{units.dump() + " is not a unit of a recipe", "units", R"(give "metres" or "limb_lengths")"};
   }
   Recipe recipe;
   recipe.clip = *clip;

@@ -31,14 +31,14 @@ Status readRange(const Json& json, TrailSettings& settings) {
 
 Status readSpheres(const Json& json, double lengthUnit, TrailSettings& settings) {
   if (!json.is_array()) {
-    return Error{"is not a list", "spheres", "give a list of {\"frame\", \"offset\"}"};
+    return Error{"is not a list", "spheres", R"(give a list of {"frame", "offset"})"};
   }
   std::vector<rig::SphereOffset> spheres;
   for (const Json& entry : json) {
     if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() ||
         !entry.contains("offset")) {
       return Error{entry.dump() + " is not a sphere", "spheres",
-                   "give {\"frame\": number, \"offset\": [x, y, z]}"};
+                   R"(give {"frame": number, "offset": [x, y, z]})"};
     }
     const Result<Vec3> offset = vectorFromJson(entry["offset"], "spheres");
     if (!offset) {
@@ -58,7 +58,7 @@ Status readStopPlane(const Json& json, TrailSettings& settings) {
   }
   if (!json.is_object() || !json.contains("point") || !json.contains("normal")) {
     return Error{json.dump() + " is not a plane", "stop_at",
-                 "give {\"point\": [x, y, z], \"normal\": [x, y, z]}"};
+                 R"(give {"point": [x, y, z], "normal": [x, y, z]})"};
   }
   const Result<Vec3> point = vectorFromJson(json["point"], "stop_at.point");
   const Result<Vec3> normal = vectorFromJson(json["normal"], "stop_at.normal");

@@ -106,7 +106,7 @@ std::vector<Vec3> jointsAt(const SequenceDocument& document, std::size_t frame) 
   }
   const skinning::SkinBone& last = skinned.bones.back();
   const Mat4 matrix = skinning::skinMatrix(last, skinned.pose(frame, skinned.bones.size() - 1));
-  joints.push_back(Vec3(matrix * Vec4(last.end, 1.0)));
+  joints.emplace_back(matrix * Vec4(last.end, 1.0));
   return joints;
 }
 

@@ -161,6 +161,8 @@ Vec4 trackValue(const MotionTrack& track, double frame, double framesPerSecond) 
 Motion keyPoses(const std::string& name, const std::vector<Joint>& skeleton, const std::vector<Pose>& poses,
                 double framesPerSecond) {
   std::vector<int> frames;
+  frames.reserve(poses.size());
+
   for (const Pose& pose : poses) {
     frames.push_back(pose.frame);
   }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <ranges>
+
 #include <system_error>
 #include <utility>
 
@@ -215,19 +217,19 @@ private:
   }
 
   void takeBack() {
-    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
-      if (!step->isInPlace) {
-        remove(step->temporary);
-        remove(step->old);
-      } else if (step->old.empty()) {
-        remove(step->target);
+    for (auto& step : std::ranges::reverse_view(steps_)) {
+      if (!step.isInPlace) {
+        remove(step.temporary);
+        remove(step.old);
+      } else if (step.old.empty()) {
+        remove(step.target);
       } else {
         std::error_code ignored; // then the old content stays under its other name
-        fs::rename(step->old, step->target, ignored);
+        fs::rename(step.old, step.target, ignored);
       }
     }
-    for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
-      remove(*folder);
+    for (auto& folder : std::ranges::reverse_view(folders_)) {
+      remove(folder);
     }
   }
 

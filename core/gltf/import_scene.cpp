@@ -79,7 +79,7 @@ std::vector<NodeIndex> importRoots(const Json& json, const std::vector<Node>& no
   std::vector<NodeIndex> roots;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].parent.exists()) {
-      roots.push_back(NodeIndex(i));
+      roots.emplace_back(i);
     }
   }
   return roots;

@@ -188,9 +188,11 @@ void PrimitiveParts::readColors(Primitive& made) {
 void PrimitiveParts::checkOtherAttributes() {
   constexpr std::array<std::string_view, 7> standardNames{"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
                                                           "COLOR_",   "JOINTS_", "WEIGHTS_"};
-  for (const auto& [name, accessor] : find(json_, "attributes")->items()) {
+  for (const auto& attribute : find(json_, "attributes")->items()) {
+    const std::string& name = attribute.key();
     const std::string place = fmt::format("{}.attributes.{}", where_, name.substr(0, 100));
-    const std::optional<AccessorShape> shape = shapeOf(source_, static_cast<int>(*wholeNumber(accessor)));
+    const std::optional<AccessorShape> shape =
+        shapeOf(source_, static_cast<int>(*wholeNumber(attribute.value())));
     const bool isStandard =
         std::any_of(standardNames.begin(), standardNames.end(),
                     [&](std::string_view standard) { return name.starts_with(standard); });

@@ -26,7 +26,7 @@ std::vector<NodeIndex> visibleNodes(const Scene& scene) {
   std::vector<NodeIndex> nodes;
   for (std::size_t i = 0; i < isVisible.size(); ++i) {
     if (isVisible[i]) {
-      nodes.push_back(NodeIndex(i));
+      nodes.emplace_back(i);
     }
   }
   return nodes;

@@ -50,8 +50,8 @@ LinearParts split(const Mat4& matrix) {
 
 Mat4 toMatrix(const Transform& transform) {
   const Mat3 rotation = glm::mat3_cast(transform.rotation);
-  return Mat4(Vec4(rotation[0] * transform.scale.x, 0.0), Vec4(rotation[1] * transform.scale.y, 0.0),
-              Vec4(rotation[2] * transform.scale.z, 0.0), Vec4(transform.translation, 1.0));
+  return {Vec4(rotation[0] * transform.scale.x, 0.0), Vec4(rotation[1] * transform.scale.y, 0.0),
+          Vec4(rotation[2] * transform.scale.z, 0.0), Vec4(transform.translation, 1.0)};
 }
 
 Transform toTransform(const Mat4& matrix) {

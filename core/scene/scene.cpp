@@ -7,7 +7,7 @@ std::vector<NodeIndex> parentsFirst(const Scene& scene) {
   order.reserve(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (!scene.nodes[i].parent.exists()) {
-      order.push_back(NodeIndex(i));
+      order.emplace_back(i);
     }
   }
   for (std::size_t next = 0; next < order.size(); ++next) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
+
 #include <set>
 
 #include <glm/common.hpp>
@@ -43,8 +45,8 @@ std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Ca
 std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIndex>& order,
                                     const std::vector<std::vector<Vec3>>& clouds) {
   std::vector<std::size_t> below(scene.nodes.size(), 0);
-  for (auto node = order.rbegin(); node != order.rend(); ++node) {
-    const auto index = at(*node);
+  for (auto node : std::ranges::reverse_view(order)) {
+    const auto index = at(node);
     below[index] += clouds[index].size();
     if (scene.nodes[index].parent.exists()) {
       below[at(scene.nodes[index].parent)] += below[index];
@@ -207,14 +209,14 @@ private:
     const auto count = static_cast<std::size_t>(view_.count());
     view_.verticesBelow.assign(count, 0);
     view_.reach.assign(count, 0.0);
-    for (auto candidate = topDown_.rbegin(); candidate != topDown_.rend(); ++candidate) {
-      const auto index = static_cast<std::size_t>(*candidate);
+    for (int& candidate : std::ranges::reverse_view(topDown_)) {
+      const auto index = static_cast<std::size_t>(candidate);
       view_.verticesBelow[index] += view_.points[index].size();
       if (view_.parent[index] >= 0) {
         view_.verticesBelow[static_cast<std::size_t>(view_.parent[index])] += view_.verticesBelow[index];
       }
       constexpr int highest = 12; // a hand is never deeper below its limb's base
-      for (int steps = 0, above = *candidate; above >= 0 && steps < highest;
+      for (int steps = 0, above = candidate; above >= 0 && steps < highest;
            ++steps, above = view_.parentOf(above)) {
         double& reach = view_.reach[static_cast<std::size_t>(above)];
         reach = std::max(reach, reachTo(view_.at(above), index));

@@ -36,7 +36,7 @@ Result<NodeIndex> findJoint(const Scene& scene, const std::string& joint) {
   std::vector<NodeIndex> found;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].name == joint) {
-      found.push_back(NodeIndex(i));
+      found.emplace_back(i);
     }
   }
   if (found.empty() && joint.size() > 1 && joint.front() == '#') {

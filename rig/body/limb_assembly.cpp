@@ -56,6 +56,8 @@ std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess) {
 
 std::vector<NodeIndex> nodesOf(const BodyView& view, const std::vector<int>& candidates) {
   std::vector<NodeIndex> nodes;
+  nodes.reserve(candidates.size());
+
   for (const int candidate : candidates) {
     nodes.push_back(view.nodes[static_cast<std::size_t>(candidate)]);
   }
@@ -144,11 +146,11 @@ std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const Body
   if (joints.size() >= 2) {
     end = jointEnd(view, joints.back());
     joints.pop_back();
-    reasons.push_back("from the first joint above the hips to the last one of the chest");
+    reasons.emplace_back("from the first joint above the hips to the last one of the chest");
   } else {
     end = spineEnd(view, plan, trunk);
-    reasons.push_back(joints.empty() ? "no joint above the hips: starts at the hips"
-                                     : "one joint above the hips");
+    reasons.emplace_back(joints.empty() ? "no joint above the hips: starts at the hips"
+                                        : "one joint above the hips");
     if (joints.empty() && trunk.hips >= 0) {
       joints.push_back(trunk.hips);
     }

@@ -288,7 +288,7 @@ std::vector<Word> greedyWords(std::string_view text) {
 } // namespace
 
 std::optional<Word> lookUpWord(std::string_view word) {
-  const auto found = std::ranges::lower_bound(sortedEntries, word, {}, &Entry::word);
+  const auto* const found = std::ranges::lower_bound(sortedEntries, word, {}, &Entry::word);
   return found != sortedEntries.end() && found->word == word ? std::optional(found->meaning) : std::nullopt;
 }
 

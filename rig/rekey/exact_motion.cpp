@@ -28,9 +28,9 @@ Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel) {
   const Transform& local = pose.locals[at(node)];
   switch (channel) {
   case Channel::translation:
-    return Vec4(local.translation, 0.0);
+    return {local.translation, 0.0};
   case Channel::scale:
-    return Vec4(local.scale, 0.0);
+    return {local.scale, 0.0};
   case Channel::rotation:
     return {local.rotation.x, local.rotation.y, local.rotation.z, local.rotation.w};
   case Channel::weights:

@@ -31,7 +31,7 @@ struct SegmentModuli {
 
 /// JSON: {"young": 3770, "segments": [{"from": 0, "to": 4, "young": 20000}, ...]}; both keys may be left out,
 /// an unknown one is an error that names it. Moduli are positive.
-[[nodiscard]] Result<SegmentModuli> parseModuli(std::string_view json);
+[[nodiscard]] Result<SegmentModuli> parseModuli(std::string_view text);
 
 /// The same JSON, as parseModuli reads it.
 [[nodiscard]] std::string moduliText(const SegmentModuli& moduli);

@@ -80,7 +80,7 @@ QuantisedWeights quantised(const Influences& influences) {
     integers[i] = static_cast<std::uint16_t>(std::lround(influences.weights[i] * 65535.0F));
     left -= integers[i];
   }
-  const auto largest = std::max_element(integers.begin(), integers.end());
+  auto* const largest = std::max_element(integers.begin(), integers.end());
   *largest = static_cast<std::uint16_t>(*largest + left);
   return integers;
 }

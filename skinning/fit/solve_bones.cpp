@@ -75,7 +75,7 @@ BindMoments::BindMoments(const FitState& state)
     const Eigen::Vector4d point = homogeneous(state.bind[v]);
     const Eigen::Matrix4d square = point * point.transpose();
     for (std::size_t i = 0; i < Influences::capacity; ++i) {
-      const double weight = static_cast<double>(influences.weights[i]);
+      const auto weight = static_cast<double>(influences.weights[i]);
       if (weight == 0.0) {
         continue;
       }

@@ -13,7 +13,7 @@ namespace stretch::skinning {
 namespace {
 
 NodeIndex strongestJointOf(const Skin& skin, const VertexInfluences& influences) {
-  const auto strongest = std::max_element(influences.weights.begin(), influences.weights.end());
+  const auto* const strongest = std::max_element(influences.weights.begin(), influences.weights.end());
   const auto slot = static_cast<std::size_t>(strongest - influences.weights.begin());
   const std::size_t joint = influences.joints[slot];
   return *strongest > 0.0F && joint < skin.joints.size() ? skin.joints[joint] : NodeIndex::none;

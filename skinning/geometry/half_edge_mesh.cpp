@@ -17,7 +17,7 @@ HalfEdges::Point pointOf(const glm::vec3& p) {
 /// corners open.
 bool fits(const HalfEdges& edges, const Corners& corners) {
   for (std::size_t c = 0; c < 3; ++c) {
-    const HalfEdges::HalfedgeHandle side = edges.find_halfedge(corners[c], corners[(c + 1) % 3]);
+    const auto side = edges.find_halfedge(corners[c], corners[(c + 1) % 3]);
     if (!edges.is_boundary(corners[c]) || (side.is_valid() && !edges.is_boundary(side))) {
       return false;
     }

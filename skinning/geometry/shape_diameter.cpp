@@ -180,9 +180,9 @@ std::vector<std::array<int, 3>> faceNeighbours(const glm::vec3* positions, std::
                                                const std::vector<Triangle>& triangles) {
   const HalfEdgeMesh mesh = buildHalfEdges(positions, vertexCount, triangles);
   std::vector<std::array<int, 3>> neighbours(triangles.size(), {-1, -1, -1});
-  for (const HalfEdges::FaceHandle face : mesh.edges.faces()) {
+  for (const auto face : mesh.edges.faces()) {
     std::size_t slot = 0;
-    for (const HalfEdges::HalfedgeHandle edge : mesh.edges.fh_range(face)) {
+    for (const auto edge : mesh.edges.fh_range(face)) {
       const HalfEdges::FaceHandle beyond = mesh.edges.opposite_face_handle(edge);
       if (beyond.is_valid() && slot < 3) {
         neighbours[mesh.triangle[static_cast<std::size_t>(face.idx())]][slot++] =

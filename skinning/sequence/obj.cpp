@@ -30,7 +30,7 @@ Status parseFace(std::string_view words, const std::string& place, std::size_t v
   std::vector<std::uint32_t> corners;
   for (std::string_view word = nextWord(words); !word.empty(); word = nextWord(words)) {
     const auto index = parseNumber<long long>(word.substr(0, word.find('/')));
-    const long long count = static_cast<long long>(vertexCount);
+    const auto count = static_cast<long long>(vertexCount);
     const long long vertex = index ? (*index < 0 ? count + *index : *index - 1) : -1;
     if (vertex < 0 || vertex >= static_cast<long long>(UINT32_MAX)) {
       return Error{"a face names a vertex that does not exist", place, "export the frame again"};

@@ -55,7 +55,7 @@ void addStaff(Document& document, float beyondHand) {
   Node holder;
   holder.mesh = static_cast<int>(scene.meshes.size()) - 1;
   holder.skin = static_cast<int>(scene.skins.size()) - 1;
-  scene.roots.push_back(NodeIndex(scene.nodes.size()));
+  scene.roots.emplace_back(scene.nodes.size());
   scene.nodes.push_back(holder);
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }

@@ -44,7 +44,7 @@ TEST_CASE("joints follow a body that is turned, moved and stretched as its verti
   const Vec3 shift(3.0, -2.0, 5.0);
   std::vector<glm::vec3> moved;
   for (const glm::vec3& p : tube.shape.positions) {
-    moved.push_back(glm::vec3(linear * Vec3(p) + shift));
+    moved.emplace_back(linear * Vec3(p) + shift);
   }
   const std::vector<Vec3> joints = tracker.joints(moved.data());
   for (std::size_t j = 0; j < joints.size(); ++j) {

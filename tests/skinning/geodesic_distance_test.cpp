@@ -93,8 +93,8 @@ TEST_CASE("distances on a torus follow its geodesics to a mean error of 1 %") {
   double sum = 0.0;
   int count = 0;
   for (std::size_t v = 37; v < found.size(); v += 131) {
-    const Vec2 to(2.0 * pi * static_cast<double>(v / 32) / 80.0,
-                  2.0 * pi * static_cast<double>(v % 32) / 32.0);
+    const std::size_t ring = v / 32;
+    const Vec2 to(2.0 * pi * static_cast<double>(ring) / 80.0, 2.0 * pi * static_cast<double>(v % 32) / 32.0);
     const double truth = torusDistance(majorRadius, minorRadius, Vec2(0.0), to);
     sum += std::abs(found[v] - truth) / truth;
     ++count;

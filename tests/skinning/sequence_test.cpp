@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"
 #include "skinning/sequence/topology.h"
@@ -200,9 +202,9 @@ TEST_CASE("a particle log becomes the mesh of its membranes, wound outwards") {
     log += std::string(number) + "\n";
   }
   for (int frame = 0; frame < 2; ++frame) {
-    const std::string y = std::to_string(frame);
-    log += "9\t9\t9\t2.1\n0\t" + y + "\t0\t2.1\n1\t" + y + "\t0\t2.1\n0\t" + y + "\t1\t2.1\n0\t" +
-           std::to_string(frame + 1) + "\t0\t2.1\n5\t5\t5\t1.1\n";
+    log += fmt::format(
+        "9\t9\t9\t2.1\n0\t{0}\t0\t2.1\n1\t{0}\t0\t2.1\n0\t{0}\t1\t2.1\n0\t{1}\t0\t2.1\n5\t5\t5\t1.1\n", frame,
+        frame + 1);
   }
   folder.write("position_buffer.txt", log);
   folder.write("membranes_buffer.txt", "4\n1\t2\t3\n1\t4\t2\n1\t4\t3\n2\t3\t4\n");

@@ -113,6 +113,8 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, double la
   // A sheet without frames shows the whole clip in twelve pictures.
   constexpr int pictures = 12;
   std::vector<double> frames;
+  frames.reserve(pictures);
+
   for (int i = 0; i < pictures; ++i) {
     frames.push_back(std::round(lastFrame * i / (pictures - 1)));
   }
@@ -223,7 +225,7 @@ Status renderCharacter(const RenderArguments& arguments) {
     }
     clip = *named;
   }
-  if (const Status trails = takeTrails(arguments, *document, clip); !trails) {
+  if (Status trails = takeTrails(arguments, *document, clip); !trails) {
     return trails;
   }
   const double lastFrame =

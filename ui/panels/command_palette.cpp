@@ -93,7 +93,7 @@ void results(PanelContext& context) {
   ImGui::PopStyleVar();
   if (matches.empty()) {
     emptyState(widgetsOf(context), icon::search, "No command is called that",
-               "Try another word: \"trail\", \"view\", \"save\".");
+               R"(Try another word: "trail", "view", "save".)");
   }
   ImGui::EndChild();
 }

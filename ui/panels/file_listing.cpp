@@ -36,7 +36,6 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".glb", ".gltf", ".vrm", ".pc2", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
-    return {".glb", ".gltf"};
   case FilePurpose::exportSequence:
     return {".glb", ".gltf"};
   case FilePurpose::openRecipe:

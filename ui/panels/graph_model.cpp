@@ -92,7 +92,7 @@ std::vector<double> sampleFrames(const Span& frames, double lastFrame) {
 void addSamples(std::vector<Curve>& curves, std::vector<Vec2> Curve::*target, double frame,
                 const Vec3& values) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    (curves[i].*target).push_back({frame, values[static_cast<glm::length_t>(i)]});
+    (curves[i].*target).emplace_back(frame, values[static_cast<glm::length_t>(i)]);
   }
 }
 
@@ -131,7 +131,7 @@ std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, Node
   for (const double frame : keyFramesOf(session.shownClip(), node, context.ui.graph.channels)) {
     const bool onSource = moves && !isApplied(motion, frame / clip.framesPerSecond);
     for (Curve& curve : curves) {
-      curve.keys.push_back({frame, curveValue(onSource ? curve.before : curve.points, frame)});
+      curve.keys.emplace_back(frame, curveValue(onSource ? curve.before : curve.points, frame));
     }
   }
   return curves;

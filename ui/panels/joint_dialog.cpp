@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ranges>
 
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
@@ -77,16 +78,16 @@ void jointRow(PanelContext& context, NodeIndex node, int depth) {
 std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
   std::vector<std::pair<NodeIndex, int>> rows;
   std::vector<std::pair<NodeIndex, int>> open;
-  for (auto root = scene.roots.rbegin(); root != scene.roots.rend(); ++root) {
-    open.emplace_back(*root, 0);
+  for (auto root : std::ranges::reverse_view(scene.roots)) {
+    open.emplace_back(root, 0);
   }
   while (!open.empty()) {
     const auto [node, depth] = open.back();
     open.pop_back();
     rows.emplace_back(node, depth);
     const std::vector<NodeIndex>& children = scene.nodes[at(node)].children;
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-      open.emplace_back(*child, depth + 1);
+    for (auto child : std::ranges::reverse_view(children)) {
+      open.emplace_back(child, depth + 1);
     }
   }
   return rows;
@@ -114,7 +115,7 @@ std::string nodeReference(NodeIndex node) {
 
 /// The chain between the two joints, known by their names where those are unique, else by their indices.
 Result<rig::Limb> chainOf(const Scene& scene, const JointPick& pick) {
-  const Result<rig::Limb> byIndex =
+  Result<rig::Limb> byIndex =
       rig::chainLimb(scene, nodeReference(pick.baseNode), nodeReference(pick.endNode));
   if (!byIndex) {
     return byIndex;

@@ -83,21 +83,21 @@ void beginPanels(PanelContext& context) {
 
 void commandButton(PanelContext& context, const CommandButton& spec) {
   const CommandInfo* info = findCommand(context, spec.command);
-  ButtonSpec button_;
-  button_.id = spec.command;
-  button_.icon = spec.icon;
-  button_.fallback = spec.fallback;
+  ButtonSpec drawn;
+  drawn.id = spec.command;
+  drawn.icon = spec.icon;
+  drawn.fallback = spec.fallback;
   const std::string label = info != nullptr ? info->label : spec.text;
-  button_.text = std::string_view(spec.text) == " " ? "" : spec.text[0] != '\0' ? spec.text : label;
-  button_.help = {label, info != nullptr ? info->help : "", info != nullptr ? info->keyText : ""};
-  button_.emphasis = spec.emphasis;
-  button_.on = info != nullptr && info->checked;
-  button_.enabled = info != nullptr && info->enabled;
-  button_.width = spec.width;
-  if (button_.emphasis == Emphasis::primary && !button_.enabled) {
-    button_.emphasis = Emphasis::normal;
+  drawn.text = std::string_view(spec.text) == " " ? "" : spec.text[0] != '\0' ? spec.text : label;
+  drawn.help = {label, info != nullptr ? info->help : "", info != nullptr ? info->keyText : ""};
+  drawn.emphasis = spec.emphasis;
+  drawn.on = info != nullptr && info->checked;
+  drawn.enabled = info != nullptr && info->enabled;
+  drawn.width = spec.width;
+  if (drawn.emphasis == Emphasis::primary && !drawn.enabled) {
+    drawn.emphasis = Emphasis::normal;
   }
-  if (button(widgetsOf(context), button_)) {
+  if (button(widgetsOf(context), drawn)) {
     request(context, spec.command);
   }
 }

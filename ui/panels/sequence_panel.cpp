@@ -90,7 +90,7 @@ void compressRow(PanelContext& context) {
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
-  const double source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
+  const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
            bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",

@@ -81,6 +81,7 @@ void addAttribute(const GlVertexArray& array, const GlBuffer& buffer, const Vert
   glBindVertexArray(array.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
   // The offset travels as a pointer: an inheritance of the days before buffers.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   const void* offset = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(attribute.offsetBytes));
   const auto stride = static_cast<GLsizei>(attribute.strideBytes);
   if (attribute.unsignedShorts) {
@@ -104,16 +105,14 @@ void setEnabled(GLenum capability, bool enabled) {
 
 } // namespace
 
-GlStateGuard::GlStateGuard() {
+GlStateGuard::GlStateGuard()
+    : blend_(glIsEnabled(GL_BLEND) == GL_TRUE), depthTest_(glIsEnabled(GL_DEPTH_TEST) == GL_TRUE),
+      cullFace_(glIsEnabled(GL_CULL_FACE) == GL_TRUE), scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawFramebuffer_);
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readFramebuffer_);
   glGetIntegerv(GL_VIEWPORT, viewport_);
   glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray_);
-  blend_ = glIsEnabled(GL_BLEND) == GL_TRUE;
-  depthTest_ = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
-  cullFace_ = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
-  scissor_ = glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
   glDisable(GL_SCISSOR_TEST);
 }
 

@@ -105,6 +105,8 @@ std::vector<MarkerInstance> farthestFirst(const View& view, const std::vector<Ma
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<MarkerInstance> instances;
+  instances.reserve(ordered.size());
+
   for (const auto& [distance, marker] : ordered) {
     instances.push_back(instanceOf(view, *marker));
   }

@@ -8,7 +8,7 @@ glm::vec3 rgb(std::uint32_t hex) {
 }
 
 glm::vec4 rgba(std::uint32_t hex, float alpha) {
-  return glm::vec4(rgb(hex), alpha);
+  return {rgb(hex), alpha};
 }
 
 Palette darkPalette() {

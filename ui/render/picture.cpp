@@ -138,7 +138,7 @@ Status renderSeries(const Scene& scene, std::span<const PictureFrame> pictures, 
     if (!image) {
       return image.error();
     }
-    if (const Status kept = keep(i, *image); !kept) {
+    if (Status kept = keep(i, *image); !kept) {
       return kept;
     }
   }

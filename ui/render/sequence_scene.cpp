@@ -52,7 +52,7 @@ Scene sceneOfMeshes(std::span<const PlainMesh> meshes) {
     Node node;
     node.mesh = index;
     scene.nodes.push_back(node);
-    scene.roots.push_back(NodeIndex(scene.nodes.size() - 1));
+    scene.roots.emplace_back(scene.nodes.size() - 1);
   }
   return scene;
 }

@@ -47,7 +47,7 @@ std::vector<NodeIndex> jointsOf(const Scene& scene) {
   std::vector<NodeIndex> joints;
   for (std::size_t i = 0; i < isJoint.size(); ++i) {
     if (isJoint[i]) {
-      joints.push_back(NodeIndex(i));
+      joints.emplace_back(i);
     }
   }
   return joints;

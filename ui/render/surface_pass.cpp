@@ -41,6 +41,8 @@ GlTexture makeStretchColors() {
   std::vector<glm::vec3> colors;
   const double first = std::log2(smallestShownStretch);
   const double last = std::log2(largestShownStretch);
+  colors.reserve(width);
+
   for (int i = 0; i < width; ++i) {
     colors.push_back(stretchColor(std::exp2(first + (last - first) * (i + 0.5) / width)));
   }

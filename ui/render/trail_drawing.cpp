@@ -151,7 +151,7 @@ TrailStyle quieter(TrailStyle style) {
 } // namespace
 
 Vec3 pointOfPath(const std::vector<Vec3>& path, double sample) {
-  const double last = static_cast<double>(path.size() - 1);
+  const auto last = static_cast<double>(path.size() - 1);
   const double place = std::clamp(sample, 0.0, last);
   const auto index = std::min(static_cast<std::size_t>(place), path.size() - 1);
   return glm::mix(path[index], path[std::min(index + 1, path.size() - 1)], place - std::floor(place));

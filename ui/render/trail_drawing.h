@@ -48,7 +48,7 @@ struct TrailStyle {
 /// the exaggerated path at every frame, so that their spacing shows the speed; the current frame marked on
 /// both; spheres larger, the selected and hovered ones larger still. Paths of fewer than two points are drawn
 /// as a dot.
-[[nodiscard]] Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& style = {});
+[[nodiscard]] Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& wanted = {});
 
 /// Point of a path at a fractional sample, clamped to its ends; the path must not be empty.
 [[nodiscard]] Vec3 pointOfPath(const std::vector<Vec3>& path, double sample);

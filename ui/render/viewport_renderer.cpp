@@ -47,9 +47,8 @@ Result<ViewportRenderer> ViewportRenderer::create() {
 
 Status ViewportRenderer::draw(RenderTarget& target, const View& view, const ViewportPicture& picture) {
   const Viewport& viewport = view.viewport;
-  const Status resized =
-      target.resize(static_cast<int>(viewport.widthPixels), static_cast<int>(viewport.heightPixels),
-                    picture.style.quality.samples);
+  Status resized = target.resize(static_cast<int>(viewport.widthPixels),
+                                 static_cast<int>(viewport.heightPixels), picture.style.quality.samples);
   if (!resized) {
     return resized;
   }

@@ -161,9 +161,11 @@ void openFile(Shell& shell, const std::vector<fs::path>& paths) {
   shell.files.openFile(user, paths);
 }
 
-void askForFile(Shell& shell, FilePurpose given) {
-  const bool whole = given == FilePurpose::saveModel || given == FilePurpose::exportClean;
-  const FilePurpose purpose = shell.open.sequence() != nullptr && whole ? FilePurpose::exportSequence : given;
+void askForFile(Shell& shell, FilePurpose purpose) {
+  if (shell.open.sequence() != nullptr &&
+      (purpose == FilePurpose::saveModel || purpose == FilePurpose::exportClean)) {
+    purpose = FilePurpose::exportSequence;
+  }
   FileDialogState& dialog = shell.ui.fileDialog;
   dialog = {};
   dialog.open = true;
@@ -219,7 +221,7 @@ void closeFile(Shell& shell) {
 }
 
 std::string windowTitle(const Shell& shell) {
-  const std::string program = "Stretch-Engine";
+  std::string program = "Stretch-Engine";
   if (shell.open.isEmpty()) {
     return program;
   }

@@ -195,7 +195,7 @@ std::optional<int> toGlfwKey(Key key) {
 }
 
 std::string shownChord(const app::Chord& chord) {
-  const std::string plain = app::chordText(chord);
+  std::string plain = app::chordText(chord);
   const int code = static_cast<int>(chord.key);
   const char letter = code < 128 && chord.key != Key::space ? layoutLetter(code, 0) : '\0';
   const char shown = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));

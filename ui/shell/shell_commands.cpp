@@ -120,7 +120,7 @@ Status pickChain(Shell& shell) {
 
 Status exportKeys(Shell& shell) {
   const std::filesystem::path path = app::configFolder() / "keys-exported.json";
-  const Status done = writeText(path, shell.keymap.toJson(true));
+  Status done = writeText(path, shell.keymap.toJson(true));
   if (done) {
     tell(shell, ToastKind::success, "The keys are in " + path.string());
   }

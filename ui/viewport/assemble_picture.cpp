@@ -71,8 +71,9 @@ std::vector<Vec3> everySo(const std::vector<Vec3>& path, std::size_t stride) {
 
 /// Where a sample of a path of `count` stands among those that everySo() leaves.
 double placeAmong(double sample, std::size_t count, std::size_t stride) {
-  const double whole = static_cast<double>((count - 1) / stride);
-  const double step = static_cast<double>(stride);
+  const std::size_t wholeSteps = (count - 1) / stride;
+  const auto whole = static_cast<double>(wholeSteps);
+  const auto step = static_cast<double>(stride);
   const double rest = static_cast<double>(count - 1) - whole * step;
   return sample <= whole * step ? sample / step : whole + (sample - whole * step) / rest;
 }

@@ -177,7 +177,8 @@ void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn
 
 void showPicture(const DrawnPicture& drawn, const Rect& box) {
   // The target's rows run from the bottom.
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(drawn.target.textureId()));
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
+  auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(drawn.target.textureId()));
   ImGui::GetWindowDrawList()->AddImage(texture, box.min, box.max, {0.0F, 1.0F}, {1.0F, 0.0F});
 }
 
@@ -186,7 +187,7 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
   if (!renderer) {
     return renderer.error();
   }
-  return std::unique_ptr<ViewportGpu>(new ViewportGpu{
+  return std::make_unique<ViewportGpu>(ViewportGpu{
       std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, 0, false});
 }
 

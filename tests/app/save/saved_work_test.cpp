@@ -40,7 +40,7 @@ Document trailed() {
 
 void collect(Json& json, std::vector<Json*>& values) {
   if (json.is_structured()) {
-    for (auto& [key, value] : json.items()) {
+    for (const auto& [key, value] : json.items()) {
       values.push_back(&value);
       collect(value, values);
     }

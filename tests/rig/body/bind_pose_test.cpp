@@ -24,8 +24,8 @@ Scene bentChain(const Transform& armature) {
     node.parent = NodeIndex(i - 1);
     node.rest.translation = Vec3(0, 1, 0);
     node.rest.rotation = i > 1 ? glm::angleAxis(0.7, Vec3(0, 0, 1)) : Quat(1, 0, 0, 0);
-    scene.nodes[static_cast<std::size_t>(i - 1)].children.push_back(NodeIndex(i));
-    skin.joints.push_back(NodeIndex(i));
+    scene.nodes[static_cast<std::size_t>(i - 1)].children.emplace_back(i);
+    skin.joints.emplace_back(i);
     skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(0, -i, 0)));
   }
   scene.skins.push_back(skin);
@@ -55,7 +55,7 @@ TEST_CASE("nodes that no skin binds follow their parents") {
   scene.nodes.resize(5);
   scene.nodes[4].parent = NodeIndex(3);
   scene.nodes[4].rest.translation = Vec3(0, 0.5, 0);
-  scene.nodes[3].children.push_back(NodeIndex(4));
+  scene.nodes[3].children.emplace_back(4);
   CHECK(glm::distance(positionOf(bindPoseWorlds(scene)[4]), Vec3(0, 3.5, 0)) < 1e-12);
 }
 

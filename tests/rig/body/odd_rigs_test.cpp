@@ -282,9 +282,9 @@ TEST_CASE("a scene without a character gives an empty list and a warning") {
       node.parent = NodeIndex(i - 1);
       node.rest.translation = Vec3(0, 0, 0.1);
       if (i + 1 < 4000) {
-        node.children.push_back(NodeIndex(i + 1));
+        node.children.emplace_back(i + 1);
       }
-      skin.joints.push_back(NodeIndex(i));
+      skin.joints.emplace_back(i);
       skin.inverseBind.push_back(glm::translate(Mat4(1.0), Vec3(0, 0, -0.1 * (i + 1))));
     }
     scene.skins.push_back(skin);

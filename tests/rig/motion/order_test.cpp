@@ -89,7 +89,7 @@ TEST_CASE("trails of one limb act in the order of their starts, and a circle of 
   scene.nodes.resize(4);
   const auto hang = [&](std::size_t child, NodeIndex parent) {
     scene.nodes[child].parent = parent;
-    scene.nodes[at(parent)].children.push_back(NodeIndex(child));
+    scene.nodes[at(parent)].children.emplace_back(child);
   };
   hang(1, NodeIndex(0));
   hang(3, NodeIndex(2));

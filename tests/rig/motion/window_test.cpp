@@ -141,7 +141,7 @@ TEST_CASE("the tip is met where its key is stored in single precision, however l
     Trail trail = connectedTrail("left-arm", 1680, tip, 2.0);
     trail.settings.releaseFrames = 0.0;
     const MotionState motion = solved(moving, {trail});
-    const double seconds = static_cast<double>(static_cast<float>(tip / 24.0));
+    const auto seconds = static_cast<double>(static_cast<float>(tip / 24.0));
     CAPTURE(tip);
     CHECK(glm::length(handOffset(moving, motion, seconds * 24.0) - handOffset(moving, motion, tip)) < 1e-4);
   }

@@ -50,6 +50,8 @@ TEST_CASE("nothing moves beyond the second neighbours of a pulled sphere") {
 
 TEST_CASE("equal steps of offset give a straight ramp, however the spheres are spaced") {
   std::vector<SphereOffset> pulled;
+  pulled.reserve(controls.size());
+
   for (const double frame : controls) {
     pulled.push_back({frame, Vec3(0.01, 0.02, -0.005) * frame});
   }
@@ -61,6 +63,8 @@ TEST_CASE("equal steps of offset give a straight ramp, however the spheres are s
 
 TEST_CASE("all spheres pulled alike carry the path as it is") {
   std::vector<SphereOffset> pulled;
+  pulled.reserve(controls.size());
+
   for (const double frame : controls) {
     pulled.push_back({frame, Vec3(0.1, 0.0, 0.0)});
   }

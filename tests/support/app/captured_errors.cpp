@@ -10,10 +10,10 @@
 
 namespace stretch::test {
 
-CapturedErrors::CapturedErrors() {
+CapturedErrors::CapturedErrors() : kept_(dup(STDERR_FILENO)) {
   std::string pattern = (std::filesystem::temp_directory_path() / "stretch-told-XXXXXX").string();
   std::fflush(stderr);
-  kept_ = dup(STDERR_FILENO);
+
   file_ = mkstemp(pattern.data());
   if (kept_ < 0 || file_ < 0 || dup2(file_, STDERR_FILENO) < 0) {
     throw std::runtime_error("cannot keep what goes to standard error");

@@ -49,7 +49,7 @@ void addMeshes(GlbBuilder& glb) {
 void addSkin(GlbBuilder& glb) {
   std::vector<float> matrices;
   for (int joint = 0; joint < 3; ++joint) {
-    const float height = static_cast<float>(joint);
+    const auto height = static_cast<float>(joint);
     const std::vector<float> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -height, 0, 1};
     matrices.insert(matrices.end(), matrix.begin(), matrix.end());
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -32,7 +33,7 @@ void addArm(SyntheticBiped& body, const BodyOptions& options, const std::string&
       const std::string key = "finger" + std::to_string(finger);
       const double z = 0.03 * (1 - finger);
       add(key + "a", "hand" + side, {0.79, 1.43, z});
-      add(key + "b", key + "a" + side, {0.83, 1.43, z});
+      add(key + "b", fmt::format("{}a{}", key, side), {0.83, 1.43, z});
     }
   }
 }

@@ -65,7 +65,7 @@ MeshSequence shorteningTube(int frames, double largestCurvature, double shorteni
       const Vec3 posed = curvature > 0.0 ? Vec3((radius + across) * std::sin(angle), up,
                                                 (radius + across) * std::cos(angle) - radius)
                                          : Vec3(along, up, across);
-      sequence.positions.push_back(glm::vec3(posed));
+      sequence.positions.emplace_back(posed);
     }
     sequence.frameNames.push_back("frame " + std::to_string(k));
   }

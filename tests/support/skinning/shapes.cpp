@@ -10,6 +10,11 @@
 namespace stretch::test {
 namespace {
 
+/// Of a vertex in rows of `width` vertices.
+std::uint32_t onGrid(int row, int width, int column) {
+  return static_cast<std::uint32_t>(row * width + column);
+}
+
 std::uint32_t index(std::size_t i) {
   return static_cast<std::uint32_t>(i);
 }
@@ -21,7 +26,7 @@ std::uint32_t middle(Shape& shape, std::map<std::pair<std::uint32_t, std::uint32
   if (found != known.end()) {
     return found->second;
   }
-  shape.positions.push_back(glm::vec3(glm::normalize(Vec3(shape.positions[a]) + Vec3(shape.positions[b]))));
+  shape.positions.emplace_back(glm::normalize(Vec3(shape.positions[a]) + Vec3(shape.positions[b])));
   return known[key] = index(shape.positions.size() - 1);
 }
 
@@ -71,11 +76,10 @@ Shape plane(int cells, double jitter) {
       const bool inner = r > 0 && c > 0 && r < cells && c < cells;
       const double dx = inner ? jitter * std::sin(12.9898 * r + 78.233 * c) : 0.0;
       const double dz = inner ? jitter * std::sin(39.3467 * r + 11.135 * c + 1.0) : 0.0;
-      shape.positions.push_back(glm::vec3(Vec3((c + dx) / cells, 0.0, (r + dz) / cells)));
+      shape.positions.emplace_back(Vec3((c + dx) / cells, 0.0, (r + dz) / cells));
     }
   }
-  addGrid(shape, cells, cells,
-          [&](int r, int c) { return index(static_cast<std::size_t>(r * (cells + 1) + c)); });
+  addGrid(shape, cells, cells, [&](int r, int c) { return onGrid(r, cells + 1, c); });
   return shape;
 }
 
@@ -86,11 +90,10 @@ Shape torus(double majorRadius, double minorRadius, int around, int across) {
       const double u = 2.0 * pi * i / around;
       const double v = 2.0 * pi * j / across;
       const double r = majorRadius + minorRadius * std::cos(v);
-      shape.positions.push_back(glm::vec3(Vec3(r * std::cos(u), minorRadius * std::sin(v), r * std::sin(u))));
+      shape.positions.emplace_back(Vec3(r * std::cos(u), minorRadius * std::sin(v), r * std::sin(u)));
     }
   }
-  addGrid(shape, around, across,
-          [&](int i, int j) { return index(static_cast<std::size_t>((i % around) * across + j % across)); });
+  addGrid(shape, around, across, [&](int i, int j) { return onGrid(i % around, across, j % across); });
   for (Triangle& triangle : shape.triangles) {
     std::swap(triangle[1], triangle[2]);
   }
@@ -102,17 +105,16 @@ Shape tube(double length, double radius, int rings, int sides) {
   for (int r = 0; r <= rings; ++r) {
     for (int s = 0; s < sides; ++s) {
       const double angle = 2.0 * pi * (s + 0.5 * (r % 2)) / sides;
-      shape.positions.push_back(
-          glm::vec3(Vec3(length * r / rings, radius * std::cos(angle), radius * std::sin(angle))));
+      shape.positions.emplace_back(
+          Vec3(length * r / rings, radius * std::cos(angle), radius * std::sin(angle)));
     }
   }
-  addGrid(shape, rings, sides,
-          [&](int r, int s) { return index(static_cast<std::size_t>(r * sides + s % sides)); });
+  addGrid(shape, rings, sides, [&](int r, int s) { return onGrid(r, sides, s % sides); });
   const std::uint32_t first = index(shape.positions.size());
   shape.positions.emplace_back(0.0F, 0.0F, 0.0F);
-  shape.positions.push_back(glm::vec3(Vec3(length, 0.0, 0.0)));
+  shape.positions.emplace_back(Vec3(length, 0.0, 0.0));
   for (int s = 0; s < sides; ++s) {
-    const std::uint32_t last = index(static_cast<std::size_t>(rings * sides));
+    const std::uint32_t last = onGrid(rings, sides, 0);
     const auto here = index(static_cast<std::size_t>(s));
     const auto next = index(static_cast<std::size_t>((s + 1) % sides));
     shape.triangles.push_back({first, here, next});

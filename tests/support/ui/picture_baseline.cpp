@@ -22,7 +22,7 @@ std::filesystem::path keepForALook(const std::string& name, const Image& picture
   const std::filesystem::path folder =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "render-differences";
   std::filesystem::create_directories(folder);
-  const std::filesystem::path path = folder / (name + ".png");
+  std::filesystem::path path = folder / (name + ".png");
   (void)ui::writePng(path, picture);
   return path;
 }

@@ -104,7 +104,7 @@ Scene triangleScene() {
   Node node;
   node.mesh = 0;
   scene.nodes.push_back(node);
-  scene.roots.push_back(NodeIndex(0));
+  scene.roots.emplace_back(0);
   return scene;
 }
 
@@ -159,7 +159,8 @@ Scene manyJointsScene() {
   primitive.morphTargets.resize(2);
   for (std::uint32_t i = 0; i < side * side; ++i) {
     const double seed = i;
-    primitive.positions.emplace_back(0.05 * (i % side), 0.05 * (i / side), 0.2 * wobble(seed));
+    const std::uint32_t row = i / side;
+    primitive.positions.emplace_back(0.05 * (i % side), 0.05 * row, 0.2 * wobble(seed));
     primitive.normals.emplace_back(glm::normalize(Vec3(wobble(seed + 0.1), wobble(seed + 0.2), 1.5)));
     VertexInfluences influences;
     for (std::size_t k = 0; k < VertexInfluences::capacity; ++k) {

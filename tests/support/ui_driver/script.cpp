@@ -67,7 +67,7 @@ Image readWindow(const WindowSize& size) {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   image.rgba.reserve(pixels.size());
-  for (std::size_t y = static_cast<std::size_t>(image.height); y-- > 0;) {
+  for (auto y = static_cast<std::size_t>(image.height); y-- > 0;) {
     const auto from = pixels.begin() + static_cast<std::ptrdiff_t>(y * row);
     image.rgba.insert(image.rgba.end(), from, from + static_cast<std::ptrdiff_t>(row));
   }
@@ -325,7 +325,7 @@ void Script::afterFrame(Shell& shell, const WindowSize& size) {
     if (state && sameState(*state, wanted)) {
       until_.reset();
     } else if (clockSeconds() > untilSeconds_) {
-      fail(fmt::format("{} is \"{}\" and did not become \"{}\"", until_->words.front(),
+      fail(fmt::format(R"({} is "{}" and did not become "{}")", until_->words.front(),
                        state.value_or("unknown"), wanted));
     }
   }
@@ -344,7 +344,7 @@ void Script::afterFrame(Shell& shell, const WindowSize& size) {
   const std::string wanted = joined(check.words, 1);
   const auto state = stateOf(shell, check.words.empty() ? "" : check.words.front());
   if (!state || !sameState(*state, wanted)) {
-    fail(fmt::format("{} is \"{}\", expected \"{}\"", check.words.empty() ? "" : check.words.front(),
+    fail(fmt::format(R"({} is "{}", expected "{}")", check.words.empty() ? "" : check.words.front(),
                      state.value_or("unknown"), wanted));
   }
 }
