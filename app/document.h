@@ -1,13 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/weight/weight_settings.h"
 #include "core/anim/clip.h"
-#include "core/base/result.h"
 #include "core/gltf/source.h"
 #include "core/scene/scene.h"
 #include "rig/body/detection.h"

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 #include "app/batch/verb.h"
+#include "core/base/number.h"
 #include "skinning/sequence/mesh_file.h"
-#include "skinning/sequence/point_cache.h"
 #include "ui/batch/render_verb.h"
 #include "ui/shell/editor.h"
 
@@ -41,7 +40,7 @@ EditorStart editorStart(const std::vector<std::string_view>& words) {
   EditorStart start;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--ui-scale" && i + 1 < words.size()) {
-      start.options.scale = std::strtof(std::string(words[++i]).c_str(), nullptr);
+      start.options.scale = stretch::parseNumber<float>(words[++i]).value_or(0.0F);
     } else {
       start.files.emplace_back(words[i]);
     }

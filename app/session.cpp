@@ -1,6 +1,5 @@
 #include "app/session.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/files/save.h"

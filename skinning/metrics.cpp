@@ -225,13 +225,4 @@ Result<SequenceMetrics> compareSequences(const MeshSequence& reference, const Me
   return metrics;
 }
 
-std::vector<float> vertexErrors(const MeshSequence& reference, const MeshSequence& other, std::size_t frame) {
-  std::vector<float> errors(reference.vertexCount);
-  for (std::size_t v = 0; v < errors.size(); ++v) {
-    errors[v] =
-        static_cast<float>(glm::length(Vec3(reference.frame(frame)[v]) - Vec3(other.frame(frame)[v])));
-  }
-  return errors;
-}
-
 } // namespace stretch::skinning

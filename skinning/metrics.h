@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
 
@@ -34,9 +32,5 @@ struct SequenceMetrics {
 /// An error when vertices, triangles or frames differ in number.
 [[nodiscard]] Result<SequenceMetrics>
 compareSequences(const MeshSequence& reference, const MeshSequence& other, const StedSettings& settings = {});
-
-/// Distance of every vertex from the reference in one frame: for a heat map. Same units as the sequences.
-[[nodiscard]] std::vector<float> vertexErrors(const MeshSequence& reference, const MeshSequence& other,
-                                              std::size_t frame);
 
 } // namespace stretch::skinning

@@ -6,13 +6,11 @@
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
-#include "app/batch/setting_options.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
-#include "skinning/sequence/point_cache.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {

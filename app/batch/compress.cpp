@@ -8,7 +8,6 @@
 
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
-#include "app/batch/setting_options.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/gltf/edits.h"
@@ -16,7 +15,6 @@
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/export/encode_gltf.h"
-#include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {
 

@@ -2,9 +2,8 @@
 #include <memory>
 
 #include "app/batch/options.h"
-#include "app/batch/setting_options.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
-#include "app/batch/weight_report.h"
 #include "app/document.h"
 #include "app/edits/weight_edits.h"
 #include "app/named.h"

@@ -5,10 +5,9 @@
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
-#include "app/edits/recipe_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "core/gltf/json.h"
-#include "rig/limb_points.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/gltf/source.h"
 #include "core/scene/mesh_sequence.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"

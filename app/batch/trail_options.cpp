@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "app/batch/setting_options.h"
+#include "app/batch/options.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
-#include "rig/motion/motion.h"
 
 namespace stretch::app {
 

@@ -13,4 +13,10 @@ namespace stretch::app {
 /// The same as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);
 
+/// What the weight of each limb of a clip comes to, as `elastic` and `exaggerate` report it.
+[[nodiscard]] gltf::Json weightJson(const Document& document, int clip);
+
+/// The same as lines of text; warnings on standard error.
+void printWeight(const gltf::Json& limbs);
+
 } // namespace stretch::app

@@ -3,21 +3,14 @@
 #include <iterator>
 
 #include "app/commands/command_ids.h"
+#include "app/commands/tables.h"
+
 namespace stretch::app {
 
 namespace {
 
 constexpr auto canUndo = [](const auto& session) { return session.history().canUndo(); };
 constexpr auto canRedo = [](const auto& session) { return session.history().canRedo(); };
-constexpr auto undo = [](auto& session) -> Status {
-  session.undo();
-  return Success{};
-};
-constexpr auto redo = [](auto& session) -> Status {
-  session.redo();
-  return Success{};
-};
-
 } // namespace
 
 bool isEnabled(const DocumentCommand& command, const OpenDocument& open) {
@@ -36,16 +29,12 @@ Status run(const DocumentCommand& command, OpenDocument& open) {
 }
 
 std::vector<DocumentCommand> historyCommands() {
+  const auto undo = doing([](auto& session) { session.undo(); });
+  const auto redo = doing([](auto& session) { session.redo(); });
   return {
-      {command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo},
-      {command::redo,
-       "Redo",
-       "Brings the change that was taken back again.",
-       {"Ctrl+Shift+Z", "Ctrl+Y"},
-       canRedo,
-       redo,
-       canRedo,
-       redo},
+      entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo),
+      entry(command::redo, "Redo", "Brings the change that was taken back again.", {"Ctrl+Shift+Z", "Ctrl+Y"},
+            canRedo, redo, canRedo, redo),
   };
 }
 

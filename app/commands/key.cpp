@@ -9,7 +9,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr std::array<std::pair<Key, std::string_view>, 42> namedKeys{{
+constexpr std::array<std::pair<Key, std::string_view>, 20> namedKeys{{
     {Key::space, "Space"},
     {Key::escape, "Esc"},
     {Key::enter, "Enter"},
@@ -25,28 +25,6 @@ constexpr std::array<std::pair<Key, std::string_view>, 42> namedKeys{{
     {Key::pageDown, "Page Down"},
     {Key::home, "Home"},
     {Key::end, "End"},
-    {Key::f1, "F1"},
-    {Key::f2, "F2"},
-    {Key::f3, "F3"},
-    {Key::f4, "F4"},
-    {Key::f5, "F5"},
-    {Key::f6, "F6"},
-    {Key::f7, "F7"},
-    {Key::f8, "F8"},
-    {Key::f9, "F9"},
-    {Key::f10, "F10"},
-    {Key::f11, "F11"},
-    {Key::f12, "F12"},
-    {Key::numpad0, "Numpad 0"},
-    {Key::numpad1, "Numpad 1"},
-    {Key::numpad2, "Numpad 2"},
-    {Key::numpad3, "Numpad 3"},
-    {Key::numpad4, "Numpad 4"},
-    {Key::numpad5, "Numpad 5"},
-    {Key::numpad6, "Numpad 6"},
-    {Key::numpad7, "Numpad 7"},
-    {Key::numpad8, "Numpad 8"},
-    {Key::numpad9, "Numpad 9"},
     {Key::numpadDecimal, "Numpad ."},
     {Key::numpadEnter, "Numpad Enter"},
     // Other names by which people know some of them.
@@ -71,6 +49,27 @@ bool isPrintableKey(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || punctuation.find(c) != std::string_view::npos;
 }
 
+/// Keys that are told apart by a number.
+struct NumberedKeys {
+  Key first;
+  Key last;
+  int firstNumber;
+  std::string_view name;
+};
+constexpr std::array<NumberedKeys, 2> numberedKeys{
+    {{Key::f1, Key::f12, 1, "F"}, {Key::numpad0, Key::numpad9, 0, "Numpad "}}};
+
+/// "F5", "Numpad 0"; empty for a key without a number.
+std::string numberedName(Key key) {
+  for (const NumberedKeys& keys : numberedKeys) {
+    if (key >= keys.first && key <= keys.last) {
+      const int number = keys.firstNumber + static_cast<int>(key) - static_cast<int>(keys.first);
+      return std::string(keys.name) + std::to_string(number);
+    }
+  }
+  return {};
+}
+
 std::optional<Key> parseKey(std::string_view text) {
   if (text.size() == 1) {
     const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
@@ -79,7 +78,15 @@ std::optional<Key> parseKey(std::string_view text) {
   const std::string wanted = folded(text);
   const auto* const found = std::find_if(namedKeys.begin(), namedKeys.end(),
                                          [&](const auto& entry) { return folded(entry.second) == wanted; });
-  return found == namedKeys.end() ? std::nullopt : std::optional(found->first);
+  if (found != namedKeys.end()) {
+    return found->first;
+  }
+  for (int code = static_cast<int>(Key::f1); code <= static_cast<int>(Key::numpad9); ++code) {
+    if (folded(numberedName(static_cast<Key>(code))) == wanted) {
+      return static_cast<Key>(code);
+    }
+  }
+  return std::nullopt;
 }
 
 bool takeModifier(std::string_view word, Chord& chord) {
@@ -128,7 +135,7 @@ std::string keyName(Key key) {
   }
   const int code = static_cast<int>(key);
   const bool printable = code > 0 && code < 128 && isPrintableKey(static_cast<char>(code));
-  return printable ? std::string(1, static_cast<char>(code)) : std::string();
+  return printable ? std::string(1, static_cast<char>(code)) : numberedName(key);
 }
 
 std::string chordText(const Chord& chord) {
@@ -163,20 +170,6 @@ char typedLetter(const KeyPress& press) {
   }
   const int code = static_cast<int>(press.chord.key);
   return code >= 'A' && code <= 'Z' ? static_cast<char>(code - 'A' + 'a') : '\0';
-}
-
-std::vector<Key> allKeys() {
-  std::vector<Key> keys;
-  for (int code = 1; code < 128; ++code) {
-    if (isPrintableKey(static_cast<char>(code))) {
-      keys.push_back(static_cast<Key>(code));
-    }
-  }
-  keys.push_back(Key::space);
-  for (int code = static_cast<int>(Key::escape); code <= static_cast<int>(Key::numpadEnter); ++code) {
-    keys.push_back(static_cast<Key>(code));
-  }
-  return keys;
 }
 
 } // namespace stretch::app

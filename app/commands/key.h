@@ -3,62 +3,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stretch::app {
 
 /// A key by its position on the keyboard, named as a US keyboard labels it. Printable keys have the value of
-/// their character (letters in capitals).
+/// their character (letters in capitals): Key{'Z'} is one without a name of its own here.
 enum class Key : int {
   none = 0,
   space = ' ',
-  apostrophe = '\'',
   comma = ',',
   minus = '-',
   period = '.',
   slash = '/',
   digit0 = '0',
-  digit1,
-  digit2,
-  digit3,
-  digit4,
-  digit5,
-  digit6,
-  digit7,
-  digit8,
-  digit9,
-  semicolon = ';',
-  equal = '=',
-  a = 'A',
-  b,
-  c,
-  d,
-  e,
-  f,
-  g,
-  h,
-  i,
-  j,
-  k,
-  l,
-  m,
-  n,
-  o,
-  p,
-  q,
-  r,
-  s,
-  t,
-  u,
-  v,
-  w,
-  x,
-  y,
-  z,
-  leftBracket = '[',
-  backslash = '\\',
-  rightBracket = ']',
-  backtick = '`',
+  digit9 = '9',
   escape = 256,
   enter,
   tab,
@@ -74,27 +32,9 @@ enum class Key : int {
   home,
   end,
   f1,
-  f2,
-  f3,
-  f4,
-  f5,
-  f6,
-  f7,
-  f8,
-  f9,
-  f10,
-  f11,
-  f12,
+  f12 = f1 + 11,
   numpad0,
-  numpad1,
-  numpad2,
-  numpad3,
-  numpad4,
-  numpad5,
-  numpad6,
-  numpad7,
-  numpad8,
-  numpad9,
+  numpad9 = numpad0 + 9,
   numpadDecimal,
   numpadEnter,
 };
@@ -107,7 +47,6 @@ struct Chord {
   bool alt = false;
 
   friend bool operator==(const Chord&, const Chord&) = default;
-  friend auto operator<=>(const Chord&, const Chord&) = default;
 };
 
 /// One press (or repeat) of a key, as the window reports it.
@@ -135,8 +74,5 @@ struct KeyPress {
 
 /// What the key is typed for: the layout's letter, else the position's.
 [[nodiscard]] char typedLetter(const KeyPress& press);
-
-/// Every key that has a name.
-[[nodiscard]] std::vector<Key> allKeys();
 
 } // namespace stretch::app

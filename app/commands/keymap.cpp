@@ -49,25 +49,6 @@ const KeyedCommand* Keymap::find(std::string_view commandId) const {
   return found == commands_.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> Keymap::problems() const {
-  std::vector<std::string> problems;
-  std::map<Chord, std::string> owners;
-  for (const KeyedCommand& command : commands_) {
-    for (const std::string& text : command.defaultKeys) {
-      if (!parseChord(text)) {
-        problems.push_back(command.id + ": there is no key \"" + text + "\"");
-      }
-    }
-    for (const Chord& chord : chordsOf(command.id)) {
-      const auto [owner, isNew] = owners.emplace(chord, command.id);
-      if (!isNew) {
-        problems.push_back(chordText(chord) + " is bound to " + owner->second + " and to " + command.id);
-      }
-    }
-  }
-  return problems;
-}
-
 std::vector<Chord> Keymap::chordsOf(std::string_view commandId) const {
   if (const auto changed = changed_.find(std::string(commandId)); changed != changed_.end()) {
     return changed->second;

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/commands/command.h"
 #include "app/commands/key.h"
 #include "core/base/result.h"
 
@@ -21,11 +20,8 @@ struct KeyedCommand {
 /// Which key runs which command: the defaults of the commands, with what the user changed on top.
 class Keymap {
 public:
-  /// Keys that do not parse are left out; `problems` tells them.
+  /// Keys that do not parse are left out.
   explicit Keymap(std::vector<KeyedCommand> commands);
-
-  /// Bound twice, or not to be read: one line each. A good table has none.
-  [[nodiscard]] std::vector<std::string> problems() const;
 
   /// Id of the command that a key runs; empty for none.
   [[nodiscard]] std::string commandOf(const Chord& chord) const;

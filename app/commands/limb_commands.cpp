@@ -2,7 +2,6 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 
@@ -69,18 +68,12 @@ std::vector<DocumentCommand> limbCommands() {
   for (const LimbKey& limb : limbKeys) {
     commands.push_back(selectCommand(limb, true));
   }
-  commands.push_back({command::selectNone,
-                      "Select nothing",
-                      "Takes limbs, trail and spheres out of the selection.",
-                      {"0"},
-                      always,
-                      selectNone});
-  commands.push_back({command::detectAgain,
-                      "Find the limbs again",
-                      "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
-                      {},
-                      always,
-                      detectAgain});
+  commands.push_back(entry(command::selectNone, "Select nothing",
+                           "Takes limbs, trail and spheres out of the selection.", {"0"}, always,
+                           selectNone));
+  commands.push_back(entry(command::detectAgain, "Find the limbs again",
+                           "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
+                           {}, always, detectAgain));
   return commands;
 }
 

@@ -1,7 +1,5 @@
 #include "app/commands/modal.h"
 
-#include <cstdlib>
-
 namespace stretch::app {
 
 double TypedNumber::value() const {

@@ -4,7 +4,6 @@
 
 #include "app/commands/frames.h"
 #include "app/edits/place_trails.h"
-#include "app/edits/trail_edits.h"
 
 namespace stretch::app {
 

@@ -1,5 +1,6 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/tables.h"
 
 namespace stretch::app {
 
@@ -24,28 +25,21 @@ std::vector<DocumentCommand> sequenceCommands() {
        .help = "Stops it; what was compressed before stays.",
        .keys = {},
        .enabledOnSequence = [](const SequenceSession& session) { return session.isCompressing(); },
-       .runOnSequence = [](SequenceSession& session) -> Status {
-         session.cancelCompression();
-         return Success{};
-       }},
+       .runOnSequence = doing([](SequenceSession& session) { session.cancelCompression(); })},
       {.id = command::sequenceOriginal,
        .label = "Show the original sequence",
        .help = "Shows the meshes as they were simulated, in red.",
        .keys = {},
        .enabledOnSequence = [](const SequenceSession&) { return true; },
-       .runOnSequence = [](SequenceSession& session) -> Status {
-         session.view().showOriginal = !session.view().showOriginal;
-         return Success{};
-       }},
+       .runOnSequence = doing(
+           [](SequenceSession& session) { session.view().showOriginal = !session.view().showOriginal; })},
       {.id = command::sequenceSkinned,
        .label = "Show the skinned result",
        .help = "Shows what the compressed clip makes of them, in green.",
        .keys = {},
        .enabledOnSequence = hasResult,
-       .runOnSequence = [](SequenceSession& session) -> Status {
-         session.view().showSkinned = !session.view().showSkinned;
-         return Success{};
-       }},
+       .runOnSequence =
+           doing([](SequenceSession& session) { session.view().showSkinned = !session.view().showSkinned; })},
   };
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -151,38 +150,21 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
 
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
-      {command::sphereNext,
-       "Next sphere",
-       "Selects the next control sphere; the playhead jumps there.",
-       {"Tab"},
-       hasSelectedTrail,
-       [](Session& session) { return stepSphere(session, true); }},
-      {command::spherePrevious,
-       "Previous sphere",
-       "Selects the control sphere before; the playhead jumps there.",
-       {"Shift+Tab"},
-       hasSelectedTrail,
-       [](Session& session) { return stepSphere(session, false); }},
-      {command::sphereAll,
-       "All spheres",
-       "Selects every control sphere of the trail.",
-       {"Ctrl+A"},
-       hasSelectedTrail,
-       selectAll},
-      {command::sphereAlongBack,
-       "Slide back along the path",
-       "Moves the selected spheres back along the path: closer spacing "
-       "before, wider after.",
-       {"Alt+Left"},
-       hasSpheres,
-       [](Session& session) { return nudgeAlong(session, -1.0); }},
-      {command::sphereAlongForward,
-       "Slide on along the path",
-       "Moves the selected spheres on along the path: wider spacing "
-       "before, closer after.",
-       {"Alt+Right"},
-       hasSpheres,
-       [](Session& session) { return nudgeAlong(session, 1.0); }},
+      entry(command::sphereNext, "Next sphere", "Selects the next control sphere; the playhead jumps there.",
+            {"Tab"}, hasSelectedTrail, [](Session& session) { return stepSphere(session, true); }),
+      entry(command::spherePrevious, "Previous sphere",
+            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"}, hasSelectedTrail,
+            [](Session& session) { return stepSphere(session, false); }),
+      entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
+            hasSelectedTrail, selectAll),
+      entry(command::sphereAlongBack, "Slide back along the path",
+            "Moves the selected spheres back along the path: closer spacing "
+            "before, wider after.",
+            {"Alt+Left"}, hasSpheres, [](Session& session) { return nudgeAlong(session, -1.0); }),
+      entry(command::sphereAlongForward, "Slide on along the path",
+            "Moves the selected spheres on along the path: wider spacing "
+            "before, closer after.",
+            {"Alt+Right"}, hasSpheres, [](Session& session) { return nudgeAlong(session, 1.0); }),
   };
   for (const Reach& reach : reaches) {
     for (const Direction& direction : directions) {

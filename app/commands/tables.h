@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands/command.h"
 #include "app/session.h"
 
 namespace stretch::app {
@@ -17,6 +18,32 @@ namespace stretch::app {
 
 [[nodiscard]] inline bool always(const Session&) {
   return true;
+}
+
+/// One row of a table: a command of a character, and what it means for a sequence where it means something.
+[[nodiscard]] inline DocumentCommand entry(std::string id, std::string label, std::string help,
+                                           std::vector<std::string> keys,
+                                           std::function<bool(const Session&)> enabled,
+                                           std::function<Status(Session&)> run,
+                                           std::function<bool(const SequenceSession&)> enabledOnSequence = {},
+                                           std::function<Status(SequenceSession&)> runOnSequence = {}) {
+  return {std::move(id),
+          std::move(label),
+          std::move(help),
+          std::move(keys),
+          std::move(enabled),
+          std::move(run),
+          std::move(enabledOnSequence),
+          std::move(runOnSequence)};
+}
+
+/// Runs what cannot fail.
+template <typename Action>
+[[nodiscard]] auto doing(Action action) {
+  return [action](auto& context) -> Status {
+    action(context);
+    return Success{};
+  };
 }
 
 } // namespace stretch::app

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
@@ -93,95 +92,49 @@ Status toggleLoop(Session& session) {
   return finish(session, setLooping(document, clip, !loops), loops ? "Clip does not loop" : "Clip loops");
 }
 
-std::vector<DocumentCommand> rangeCommands() {
-  return {
-      {command::rangeStart,
-       "Range starts here",
-       "Starts the range at the playhead: of the selected trail, else of the next one.",
-       {"[", "Alt+,"},
-       hasViewedClip,
-       [](Session& session) { return setRange(session, true); }},
-      {command::rangeEnd,
-       "Range ends here",
-       "Ends the range at the playhead: of the selected trail, else of the next one.",
-       {"]", "Alt+."},
-       hasViewedClip,
-       [](Session& session) { return setRange(session, false); }},
-      {command::rangeDefault,
-       "Forget the range",
-       "The next trail takes the limb's own range: up to where its end is farthest away.",
-       {},
-       always,
-       [](Session& session) -> Status {
-         session.view().rangeStart = 0.0;
-         session.view().rangeEnd = -1.0;
-         return Success{};
-       }},
-  };
-}
-
-std::vector<DocumentCommand> playheadCommands() {
-  return {
-      {command::timeBack,
-       "Frame back",
-       "Steps to the frame before.",
-       {","},
-       hasViewedClip,
-       stepBack,
-       alwaysOnSequence,
-       [](SequenceSession& session) { return goToFrame(session, std::ceil(session.view().frame) - 1.0); }},
-      {command::timeForward,
-       "Frame forward",
-       "Steps to the next frame.",
-       {"."},
-       hasViewedClip,
-       stepForward,
-       alwaysOnSequence,
-       [](SequenceSession& session) { return goToFrame(session, std::floor(session.view().frame) + 1.0); }},
-      {command::timePreviousKey,
-       "Previous key",
-       "Jumps to the key before, of the selected limbs if there are any.",
-       {"Ctrl+,"},
-       hasViewedClip,
-       [](Session& session) { return goToKey(session, false); }},
-      {command::timeNextKey,
-       "Next key",
-       "Jumps to the next key, of the selected limbs if there are any.",
-       {"Ctrl+."},
-       hasViewedClip,
-       [](Session& session) { return goToKey(session, true); }},
-      {command::timeStart,
-       "To the start",
-       "Jumps to the clip's first frame.",
-       {"Home"},
-       hasViewedClip,
-       [](Session& session) { return goTo(session, 0.0); },
-       alwaysOnSequence,
-       [](SequenceSession& session) { return goToFrame(session, 0.0); }},
-      {command::timeEnd,
-       "To the end",
-       "Jumps to the clip's last frame.",
-       {"End"},
-       hasViewedClip,
-       [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
-       alwaysOnSequence,
-       [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }},
-      {command::clipLoop,
-       "Clip loops",
-       "Marks the clip as a loop: a release at its end goes on at its start.",
-       {},
-       hasViewedClip,
-       toggleLoop},
-  };
-}
-
 } // namespace
 
 std::vector<DocumentCommand> timeCommands() {
-  std::vector<DocumentCommand> all = rangeCommands();
-  std::vector<DocumentCommand> more = playheadCommands();
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-  return all;
+  return {
+      entry(command::rangeStart, "Range starts here",
+            "Starts the range at the playhead: of the selected trail, else of the next one.", {"[", "Alt+,"},
+            hasViewedClip, [](Session& session) { return setRange(session, true); }),
+      entry(command::rangeEnd, "Range ends here",
+            "Ends the range at the playhead: of the selected trail, else of the next one.", {"]", "Alt+."},
+            hasViewedClip, [](Session& session) { return setRange(session, false); }),
+      entry(command::rangeDefault, "Forget the range",
+            "The next trail takes the limb's own range: up to where its end is farthest away.", {}, always,
+            doing([](Session& session) {
+              session.view().rangeStart = 0.0;
+              session.view().rangeEnd = -1.0;
+            })),
+      entry(
+          command::timeBack, "Frame back", "Steps to the frame before.", {","}, hasViewedClip, stepBack,
+          alwaysOnSequence,
+          [](SequenceSession& session) { return goToFrame(session, std::ceil(session.view().frame) - 1.0); }),
+      entry(command::timeForward, "Frame forward", "Steps to the next frame.", {"."}, hasViewedClip,
+            stepForward, alwaysOnSequence,
+            [](SequenceSession& session) {
+              return goToFrame(session, std::floor(session.view().frame) + 1.0);
+            }),
+      entry(command::timePreviousKey, "Previous key",
+            "Jumps to the key before, of the selected limbs if there are any.", {"Ctrl+,"}, hasViewedClip,
+            [](Session& session) { return goToKey(session, false); }),
+      entry(command::timeNextKey, "Next key",
+            "Jumps to the next key, of the selected limbs if there are any.", {"Ctrl+."}, hasViewedClip,
+            [](Session& session) { return goToKey(session, true); }),
+      entry(
+          command::timeStart, "To the start", "Jumps to the clip's first frame.", {"Home"}, hasViewedClip,
+          [](Session& session) { return goTo(session, 0.0); }, alwaysOnSequence,
+          [](SequenceSession& session) { return goToFrame(session, 0.0); }),
+      entry(
+          command::timeEnd, "To the end", "Jumps to the clip's last frame.", {"End"}, hasViewedClip,
+          [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
+          alwaysOnSequence, [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }),
+      entry(command::clipLoop, "Clip loops",
+            "Marks the clip as a loop: a release at its end goes on at its start.", {}, hasViewedClip,
+            toggleLoop),
+  };
 }
 
 } // namespace stretch::app

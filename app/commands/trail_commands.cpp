@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
@@ -207,104 +206,50 @@ bool canDelete(const Session& session) {
   return hasTarget(session) || !session.view().selectedSpheres.empty();
 }
 
-std::vector<DocumentCommand> shapingCommands() {
-  return {
-      {command::trailToggle,
-       "Motion trail",
-       "Shows the path of the limb's end over the range; again hides it.",
-       {"T"},
-       hasLimb,
-       toggleTrails},
-      {command::trailExaggerateOnce,
-       "Exaggerate at 2",
-       "Makes the trail if there is none, exaggerates it to twice the length and "
-       "connects the limb.",
-       {},
-       hasLimb,
-       exaggerateOnce},
-      {command::trailConnect,
-       "Connect",
-       "Lets the limb follow the exaggerated trail; again lets it go.",
-       {"C"},
-       hasTarget,
-       toggleConnected},
-      {command::trailFollow,
-       "Follow",
-       "The limb follows while its spheres are dragged, or waits until it is connected.",
-       {"Shift+C"},
-       hasTarget,
-       toggleFollow},
-      {command::trailBlend,
-       "Blend",
-       "Goes on from exaggerated to half-way, to original, and round again.",
-       {"B"},
-       hasTarget,
-       cycleBlend},
-      {command::trailApply,
-       "Apply new motion",
-       "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
-       "and "
-       "can be changed.",
-       {"Enter", "Numpad Enter"},
-       hasTarget,
-       applyTargets},
-      {command::trailApplyAll,
-       "Apply all",
-       "Applies every connected trail of the clip; disconnected ones stay as they are.",
-       {"Ctrl+Enter", "Ctrl+Numpad Enter"},
-       [](const Session& session) { return !waitingTrails(session).empty(); },
-       applyAll},
-  };
-}
-
-std::vector<DocumentCommand> deletingAndCopyingCommands() {
-  return {
-      {command::editDelete,
-       "Delete",
-       "Puts the selected spheres back; with none selected deletes the trail.",
-       {"Delete"},
-       canDelete,
-       deleteSelection},
-      {command::trailDelete,
-       "Delete trail",
-       "Deletes the trail and gives its range back as the file had it.",
-       {},
-       hasTarget,
-       deleteTargets},
-      {command::trailDeleteAll,
-       "Delete all trails of the limb",
-       "Deletes every trail of the selected limbs in this clip.",
-       {"Shift+Delete"},
-       hasLimb,
-       deleteAllOfLimbs},
-      {command::copyTrail,
-       "Copy trail",
-       "Copies the selected trail with its spheres.",
-       {"Ctrl+C"},
-       hasSelectedTrail,
-       copySelected},
-      {command::pasteTrail,
-       "Paste trail",
-       "Pastes the copied trail on the selected limbs.",
-       {"Ctrl+V"},
-       canPaste,
-       pasteOnLimbs},
-      {command::mirrorTrail,
-       "Mirror trail",
-       "Makes the same trail on the other side of the body.",
-       {"Ctrl+M"},
-       hasTarget,
-       mirrorTargets},
-  };
-}
-
 } // namespace
 
 std::vector<DocumentCommand> trailCommands() {
-  std::vector<DocumentCommand> all = shapingCommands();
-  std::vector<DocumentCommand> more = deletingAndCopyingCommands();
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-  return all;
+  return {
+      entry(command::trailToggle, "Motion trail",
+            "Shows the path of the limb's end over the range; again hides it.", {"T"}, hasLimb, toggleTrails),
+      entry(command::trailExaggerateOnce, "Exaggerate at 2",
+            "Makes the trail if there is none, exaggerates it to twice the length and "
+            "connects the limb.",
+            {}, hasLimb, exaggerateOnce),
+      entry(command::trailConnect, "Connect", "Lets the limb follow the exaggerated trail; again lets it go.",
+            {"C"}, hasTarget, toggleConnected),
+      entry(command::trailFollow, "Follow",
+            "The limb follows while its spheres are dragged, or waits until it is connected.", {"Shift+C"},
+            hasTarget, toggleFollow),
+      entry(command::trailBlend, "Blend",
+            "Goes on from exaggerated to half-way, to original, and round again.", {"B"}, hasTarget,
+            cycleBlend),
+      entry(
+          command::trailApply, "Apply new motion",
+          "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
+          "and "
+          "can be changed.",
+          {"Enter", "Numpad Enter"}, hasTarget, applyTargets),
+      entry(
+          command::trailApplyAll, "Apply all",
+          "Applies every connected trail of the clip; disconnected ones stay as they are.",
+          {"Ctrl+Enter", "Ctrl+Numpad Enter"},
+          [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
+      entry(command::editDelete, "Delete",
+            "Puts the selected spheres back; with none selected deletes the trail.", {"Delete"}, canDelete,
+            deleteSelection),
+      entry(command::trailDelete, "Delete trail",
+            "Deletes the trail and gives its range back as the file had it.", {}, hasTarget, deleteTargets),
+      entry(command::trailDeleteAll, "Delete all trails of the limb",
+            "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"}, hasLimb,
+            deleteAllOfLimbs),
+      entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
+            hasSelectedTrail, copySelected),
+      entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.", {"Ctrl+V"},
+            canPaste, pasteOnLimbs),
+      entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
+            {"Ctrl+M"}, hasTarget, mirrorTargets),
+  };
 }
 
 } // namespace stretch::app

@@ -72,24 +72,15 @@ Status weightForAll(Session& session) {
 
 std::vector<DocumentCommand> weightCommands() {
   return {
-      {command::weightToggle,
-       "Weight on or off",
-       "Lets the selected limbs sag, squash and stretch by their own load, or stops that.",
-       {},
-       hasTargets,
-       toggleWeight},
-      {command::weightAll,
-       "Weight for arms and legs",
-       "Lets all arms and legs of this clip sag, squash and stretch by their own load.",
-       {},
-       viewsClip,
-       weightForAll},
-      {command::weightRemove,
-       "Take the weight away",
-       "Takes the weight of the selected limbs away, with its settings.",
-       {},
-       targetsHaveWeight,
-       takeWeightAway},
+      entry(command::weightToggle, "Weight on or off",
+            "Lets the selected limbs sag, squash and stretch by their own load, or stops that.", {},
+            hasTargets, toggleWeight),
+      entry(command::weightAll, "Weight for arms and legs",
+            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {}, viewsClip,
+            weightForAll),
+      entry(command::weightRemove, "Take the weight away",
+            "Takes the weight of the selected limbs away, with its settings.", {}, targetsHaveWeight,
+            takeWeightAway),
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/weight_edits.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
 
@@ -126,6 +127,26 @@ Result<PlacedTrails> placeTrails(const Document& document, std::span<const rig::
     placed.document.nextTrailId = std::max(placed.document.nextTrailId, trail.id + 1);
     placed.trailIds.push_back(trail.id);
     trails.push_back(std::move(trail));
+  }
+  return placed;
+}
+
+Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
+  std::vector<rig::Trail> trails = recipe.trails;
+  for (rig::Trail& trail : trails) {
+    trail.exaggerated = true;
+    trail.connected = true;
+  }
+  Result<PlacedTrails> placed = placeTrails(document, trails, Entry::request);
+  if (!placed) {
+    return placed;
+  }
+  for (const WeightedLimb& wanted : recipe.weights) {
+    Result<Document> next = setWeight(placed->document, wanted);
+    if (!next) {
+      return next.error();
+    }
+    placed->document = std::move(*next);
   }
   return placed;
 }

@@ -72,14 +72,6 @@ Result<Document> setTrailSettings(const Document& document, int trailId, const r
   });
 }
 
-Result<Document> setExaggerated(const Document& document, int trailId, bool exaggerated) {
-  return changeTrail(document, trailId, [&](rig::Trail& trail) {
-    trail.exaggerated = exaggerated;
-    trail.connected = trail.connected && exaggerated;
-    trail.applied = trail.applied && trail.connected;
-  });
-}
-
 Result<Document> setConnected(const Document& document, int trailId, bool connected) {
   return changeTrail(document, trailId, [&](rig::Trail& trail) {
     trail.connected = connected;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/document.h"
 
@@ -33,9 +32,6 @@ struct CreatedTrail {
 /// that are not finite.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
                                                 const rig::TrailSettings& settings);
-
-/// Makes the exaggerated copy of the path, or drops it (which disconnects the character).
-[[nodiscard]] Result<Document> setExaggerated(const Document& document, int trailId, bool exaggerated);
 
 /// Whether the character follows the exaggerated copy; connecting makes the copy where there is none.
 [[nodiscard]] Result<Document> setConnected(const Document& document, int trailId, bool connected);

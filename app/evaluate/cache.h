@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/evaluate/stages.h"
+#include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
 #include "rig/motion/motion.h"

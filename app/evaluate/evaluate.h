@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/evaluate/stages.h"
+#include "app/evaluate/evaluation_input.h"
 #include "app/weight/report.h"
 #include "core/anim/frame_state.h"
 #include "rig/motion/motion.h"

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "core/base/index.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -15,6 +17,40 @@ std::vector<T> ofClip(const std::vector<T>& all, int clip) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(some),
                [&](const T& one) { return one.clip == clip; });
   return some;
+}
+
+rig::MotionInput motionInput(const EvaluationInput& input) {
+  rig::MotionInput wanted;
+  wanted.scene = input.ground.scene.get();
+  wanted.clip = &clipOf(input.ground);
+  wanted.clipIndex = input.ground.clip;
+  wanted.hips = input.ground.hips;
+  wanted.limbs = input.ground.limbs;
+  wanted.trails = input.trails;
+  wanted.loops = input.ground.loops;
+  return wanted;
+}
+
+// The trails that the paths of one of a motion's trails come from, its own included.
+std::vector<rig::Trail> originsOf(const Scene& scene, const rig::MotionState& motion, std::size_t trail) {
+  std::vector<rig::Trail> origins{motion.trails[trail].trail};
+  for (std::size_t other = 0; other < motion.trails.size(); ++other) {
+    if (rig::shapesPath(scene, motion, other, trail)) {
+      origins.push_back(motion.trails[other].trail);
+    }
+  }
+  return origins;
+}
+
+// Null where the trail, or one that moves it, is another now.
+const TrailPaths* stillTrue(const Scene& scene, const EarlierPaths& earlier, const rig::MotionState& motion,
+                            std::size_t trail) {
+  if (earlier.motion == nullptr) {
+    return nullptr;
+  }
+  const auto before = rig::placeOfTrail(*earlier.motion, motion.trails[trail].trail.id);
+  const bool same = before && originsOf(scene, *earlier.motion, *before) == originsOf(scene, motion, trail);
+  return same ? &(*earlier.paths)[*before] : nullptr;
 }
 
 } // namespace
@@ -35,6 +71,44 @@ const Clip& clipOrStill(const std::vector<Clip>& clips, int clip) {
 
 const Clip& clipOf(const EvaluationGround& ground) {
   return clipOrStill(*ground.clips, ground.clip);
+}
+
+rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous) {
+  rig::MotionInput wanted = motionInput(input);
+  wanted.previous = previous;
+  return rig::solveMotion(wanted);
+}
+
+WeightInput weightInput(const EvaluationInput& input) {
+  const EvaluationGround& ground = input.ground;
+  return {ground.scene, &clipOf(ground), ground.limbs, ground.height, ground.loops, input.weights};
+}
+
+void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion) {
+  rig::setWeight(motionInput(input), std::move(weights), motion);
+}
+
+std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::MotionState& motion,
+                                  std::size_t samplesPerFrame, const EarlierPaths& earlier) {
+  const Clip& clip = clipOf(ground);
+  std::vector<TrailPaths> paths(motion.trails.size());
+  std::vector<rig::PathRequest> requests;
+  std::vector<rig::DrawnTrail*> answers;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (const TrailPaths* const kept = stillTrue(*ground.scene, earlier, motion, i)) {
+      paths[i] = *kept;
+      continue;
+    }
+    requests.push_back({i, rig::drawnFrames(clip, motion.trails[i], samplesPerFrame)});
+    answers.push_back(&paths[i].drawn);
+    requests.push_back({i, motion.trails[i].controlFrames});
+    answers.push_back(&paths[i].spheres);
+  }
+  std::vector<rig::DrawnTrail> drawn = rig::pathsAt(*ground.scene, clip, motion, requests);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    *answers[i] = std::move(drawn[i]);
+  }
+  return paths;
 }
 
 } // namespace stretch::app

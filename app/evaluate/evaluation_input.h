@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "app/document.h"
+#include "app/weight/weight_motion.h"
+#include "rig/motion/motion.h"
+#include "rig/motion/paths.h"
 
 namespace stretch::app {
 
@@ -36,5 +39,36 @@ struct EvaluationInput {
 /// The clip; one without tracks where there is none.
 [[nodiscard]] const Clip& clipOrStill(const std::vector<Clip>& clips, int clip);
 [[nodiscard]] const Clip& clipOf(const EvaluationGround& ground);
+
+// What is made of an EvaluationInput before a time is known, one stage after the other. At a time the stages
+// are those of rig/motion/evaluate.h.
+
+/// The trails alone. `previous`: solved on the same ground before; what did not change is taken over. Null:
+/// none.
+[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous);
+
+/// What the weight of the clip's limbs is worked out from.
+[[nodiscard]] WeightInput weightInput(const EvaluationInput& input);
+
+/// Puts the weight on top of the trails.
+void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion);
+
+/// The paths of one trail, as they are drawn.
+struct TrailPaths {
+  rig::DrawnTrail drawn;   ///< Evenly over range and release.
+  rig::DrawnTrail spheres; ///< At SolvedTrail::controlFrames.
+};
+
+/// Paths made before of a motion on the same ground, with as many samples for each frame.
+struct EarlierPaths {
+  const rig::MotionState* motion = nullptr; ///< Null: none.
+  const std::vector<TrailPaths>* paths = nullptr;
+};
+
+/// One for each trail of `motion`. Of trails that are the same as before, and that no changed one moves, the
+/// earlier paths are taken over.
+[[nodiscard]] std::vector<TrailPaths> drawPaths(const EvaluationGround& ground,
+                                                const rig::MotionState& motion, std::size_t samplesPerFrame,
+                                                const EarlierPaths& earlier);
 
 } // namespace stretch::app

@@ -1,9 +1,8 @@
 #include "app/evaluate/quality.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "app/document.h"
 #include "core/gltf/edits.h"
@@ -22,5 +20,9 @@ struct SaveOptions {
 /// Writes the document atomically; the source file itself is left alone unless it is `path`.
 [[nodiscard]] Status saveDocument(const Document& document, const std::filesystem::path& path,
                                   const SaveOptions& options);
+
+/// Opens a file, finds its limbs, and takes up the work that a file of ours carries.
+[[nodiscard]] Result<Document> openDocument(const std::filesystem::path& path,
+                                            gltf::Tolerance tolerance = gltf::Tolerance::refuse);
 
 } // namespace stretch::app

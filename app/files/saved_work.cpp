@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "app/edits/place_trails.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"

@@ -4,8 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "core/base/file.h"
-
 namespace stretch::app {
 
 /// Where a user's own files lie: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or their

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "app/schema/schema.h"
 #include "core/gltf/json.h"
 #include "core/math/types.h"

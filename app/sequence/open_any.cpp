@@ -1,11 +1,10 @@
 #include "app/sequence/open_any.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 
 #include <algorithm>
 #include <system_error>
 
 #include "skinning/sequence/mesh_file.h"
-#include "skinning/sequence/point_cache.h"
 
 namespace stretch::app {
 

@@ -1,9 +1,31 @@
 #include "app/sequence/sequence_session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace stretch::app {
+
+CompressionJob::CompressionJob(std::shared_ptr<const MeshSequence> mesh,
+                               const skinning::CompressSettings& settings) {
+  work_ = std::async(std::launch::async, [this, mesh = std::move(mesh), settings] {
+    return makeCompression(*mesh, settings, [this](double share) {
+      share_ = share;
+      return !cancelled_;
+    });
+  });
+}
+
+CompressionJob::~CompressionJob() {
+  cancel();
+  if (work_.valid()) {
+    work_.wait();
+  }
+}
+
+bool CompressionJob::isFinished() const {
+  return work_.valid() && work_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
 
 Status SequenceSession::startCompression() {
   if (isCompressing()) {

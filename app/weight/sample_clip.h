@@ -1,11 +1,30 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "app/weight/weight_input.h"
+#include "app/weight/weight_settings.h"
+#include "core/anim/clip.h"
+#include "core/scene/scene.h"
+#include "rig/limb.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
+
+/// What the weight of the limbs of one clip is worked out from.
+struct WeightInput {
+  std::shared_ptr<const Scene> scene;
+  const Clip* clip = nullptr;
+  std::vector<rig::Limb> limbs;      ///< All limbs that weight may name, chains included.
+  double height = 1.0;               ///< Of the character, world units, > 0.
+  bool loops = false;                ///< The clip goes on with its own beginning.
+  std::vector<WeightedLimb> weights; ///< Of this clip; what is off or names no limb is passed over.
+
+  [[nodiscard]] double metresPerUnit() const { return characterHeightMetres / height; }
+};
+
+/// Places in WeightInput::weights of the limbs that give way: on, and there.
+[[nodiscard]] std::vector<std::size_t> activeWeights(const WeightInput& input);
 
 /// The limbs of a clip with its trails, sampled for the elastic model: where each joint is, metres of a
 /// character of characterHeightMetres, and how its space lies.
@@ -24,5 +43,16 @@ struct SampledClip {
 
 /// `motion`: trails of the clip, without weight.
 [[nodiscard]] SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion);
+
+/// How long and how thick each bone of a limb is in the bind pose, world units.
+struct LimbSize {
+  std::vector<double> lengths; ///< One for each bone, > 0.
+  std::vector<double> widths;  ///< Mean shape diameter of the surface that follows the bone, > 0; where the
+                               ///< limb has no surface, a sixth of the bone's length.
+};
+
+/// `others`: all limbs of the character: what follows them does not count.
+[[nodiscard]] LimbSize limbSize(const Scene& scene, const rig::Limb& limb,
+                                const std::vector<rig::Limb>& others);
 
 } // namespace stretch::app

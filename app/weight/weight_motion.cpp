@@ -1,11 +1,9 @@
 #include "app/weight/weight_motion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "app/weight/loop.h"
 #include "app/weight/standing.h"

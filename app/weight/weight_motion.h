@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/weight/limb_widths.h"
 #include "app/weight/report.h"
 #include "app/weight/sample_clip.h"
-#include "app/weight/weight_input.h"
 #include "rig/motion/limb_weight.h"
 
 namespace stretch::app {

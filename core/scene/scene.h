@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -126,5 +128,11 @@ struct Scene {
 
 /// Whether `ancestor` is `node` or above it.
 [[nodiscard]] bool isAncestorOrSelf(const Scene& scene, NodeIndex ancestor, NodeIndex node);
+
+/// Nodes that are a joint of any skin.
+[[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);
+
+/// Vertices of all meshes.
+[[nodiscard]] std::size_t vertexCount(const Scene& scene);
 
 } // namespace stretch

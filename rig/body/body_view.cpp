@@ -12,7 +12,7 @@
 
 #include "core/math/bounds.h"
 #include "core/math/finite.h"
-#include "core/scene/queries.h"
+#include "core/scene/scene.h"
 
 namespace stretch::rig::body {
 

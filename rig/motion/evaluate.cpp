@@ -1,10 +1,199 @@
 #include "rig/motion/evaluate.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "rig/motion/apply.h"
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/base/index.h"
+#include "rig/ik/limb_shape.h"
+#include "rig/limb.h"
+#include "rig/motion/limb_deform.h"
 
 namespace stretch::rig {
+
+namespace {
+
+constexpr double shortestReachOfRest = 1e-3;
+
+// The stop plane cuts the way from the original to the exaggerated point: the limb's end comes as far as the
+// plane.
+Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target) {
+  const double before = glm::dot(plane.normal, original - plane.point);
+  const double after = glm::dot(plane.normal, target - plane.point);
+  if (after <= 0.0 || before >= 0.0) {
+    return after <= 0.0 ? target : original;
+  }
+  return original + (target - original) * (before / (before - after));
+}
+
+// w(r) E(c) with pull and spheres, world space, at a time of the range, from the source's sample there.
+Vec3 rangeOffset(const SolvedTrail& solved, const LimbSample& sample, double frame, double weight) {
+  const Vec3 original = solved.path.toSpace(sample, sample.end);
+  Vec3 offset(0.0);
+  if (solved.tip.outcome != TipOutcome::nothingToScale) {
+    offset = weight * (exaggeratePoint(solved.tip, original) - original) + weight * solved.tip.pull;
+  }
+  return solved.path.axes * (offset + solved.offsets.at(frame));
+}
+
+// Key times are stored in single precision: a time nearer than this to a border is at it.
+double keyRounding(double timeSeconds) {
+  return 1e-7 * std::max(1.0, std::abs(timeSeconds));
+}
+
+bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
+  const double rounding = keyRounding(timeSeconds);
+  return timeSeconds >= solved.windowStartSeconds - rounding &&
+         timeSeconds <= solved.windowEndSeconds + rounding;
+}
+
+// On a loop, the time one turn later or earlier where that is what falls into the trail's window.
+double wrapped(const MotionState& motion, const SolvedTrail& solved, double timeSeconds) {
+  const double turn = motion.endSeconds - motion.startSeconds;
+  if (!motion.loops || insideWindow(solved, timeSeconds)) {
+    return timeSeconds;
+  }
+  const double other = timeSeconds < solved.windowStartSeconds ? timeSeconds + turn : timeSeconds - turn;
+  return insideWindow(solved, other) ? other : timeSeconds;
+}
+
+// How far past the tip (release) or before the pivot (fade) a time lies; both 0 inside the range.
+struct Outside {
+  double pastTip = 0.0;
+  double pastPivot = 0.0;
+};
+
+Outside outsideOf(const SolvedTrail& solved, double timeSeconds) {
+  const double before = std::max(0.0, solved.startSeconds - timeSeconds);
+  const double after = std::max(0.0, timeSeconds - solved.endSeconds);
+  const bool forwards = solved.settings.pivot == Pivot::start;
+  return {forwards ? after : before, forwards ? before : after};
+}
+
+// The limb's own amount at a time: w, w times the decay in the release, 0 before the pivot.
+struct Amount {
+  double weight = 0.0;
+  double decay = 1.0;
+  Vec3 offset{0.0};
+};
+
+Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
+  const double framesPerSecond = motion.framesPerSecond;
+  const double timeSeconds = wrapped(motion, solved, sample.timeSeconds);
+  const Outside outside = outsideOf(solved, timeSeconds);
+  const double rounding = keyRounding(timeSeconds);
+  if (outside.pastPivot > rounding) {
+    const double fade =
+        solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;
+    return {0.0, fade, solved.path.axes * solved.offsets.at(timeSeconds * framesPerSecond) * fade};
+  }
+  // Where a loop starts again the tip's frame counts as the first of the release.
+  if (outside.pastTip > rounding || timeSeconds != sample.timeSeconds) {
+    // The tip's own offset, which decays: the limb goes on with the clip below it.
+    const bool forwards = solved.settings.pivot == Pivot::start;
+    const LimbSample& tip = forwards ? solved.path.samples.back() : solved.path.samples.front();
+    const double decay = solved.release.at(outside.pastTip);
+    return {1.0, decay, decay * rangeOffset(solved, tip, solved.tipSeconds * framesPerSecond, 1.0)};
+  }
+  const double weight = solved.remap.at(solved.path.ratioAt(timeSeconds));
+  return {weight, 1.0, rangeOffset(solved, sample, timeSeconds * framesPerSecond, weight)};
+}
+
+// How inner trails carry what hangs on a limb's base: it moves and turns with the base's parent.
+struct Carry {
+  bool still = true;
+  Vec3 baseBefore{0.0};
+  Vec3 baseNow{0.0};
+  Quat turn{1.0, 0.0, 0.0, 0.0};
+
+  [[nodiscard]] Vec3 point(const Vec3& world) const {
+    return still ? world : baseNow + turn * (world - baseBefore);
+  }
+  [[nodiscard]] Vec3 vector(const Vec3& world) const { return still ? world : turn * world; }
+};
+
+Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample,
+              const FrameState& source, const FrameState& frame) {
+  const NodeIndex base = solved.limb.joints.front();
+  const NodeIndex parent = scene.nodes[at(base)].parent;
+  Carry carry;
+  carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
+  carry.baseBefore = sample.base;
+  carry.baseNow = positionOf(frame.worlds[at(base)]);
+  if (!carry.still && parent.exists()) {
+    carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(source.worlds[at(parent)]));
+  }
+  return carry;
+}
+
+// Whether an active trail of the same limb that acts earlier moves it at this time: the limb starts from
+// where that one leaves it, so that the release of the one lasts into the range of the next.
+bool followsAnother(const MotionState& motion, std::size_t trail, double timeSeconds) {
+  const std::string& limb = motion.trails[trail].limb.id;
+  return std::any_of(motion.trails.begin(), motion.trails.begin() + static_cast<std::ptrdiff_t>(trail),
+                     [&](const SolvedTrail& earlier) {
+                       return earlier.active && earlier.limb.id == limb &&
+                              insideWindow(earlier, wrapped(motion, earlier, timeSeconds));
+                     });
+}
+
+// Where the end would be without this trail and where the trail wants it, inner trails included.
+struct Target {
+  Vec3 original{0.0};
+  Vec3 wanted{0.0};
+};
+
+Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& motion, std::size_t trail,
+                const LimbSample& sample, const Amount& amount) {
+  const SolvedTrail& solved = motion.trails[trail];
+  Target target;
+  target.original = followsAnother(motion, trail, sample.timeSeconds) ? endPosition(solved.limb, frame)
+                                                                      : carry.point(sample.end);
+  target.wanted = target.original + carry.vector(0.5 * solved.settings.blend * amount.offset);
+  if (solved.settings.stopAt) {
+    target.wanted = stoppedAt(*solved.settings.stopAt, target.original, target.wanted);
+  }
+  return target;
+}
+
+// Outside its window a trail has only what keeps its limb in the world to do, where an inner trail moves the
+// base.
+bool hasNothingToDo(const MotionState& motion, std::size_t trail, const LimbSample& sample,
+                    const FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
+  if (insideWindow(solved, wrapped(motion, solved, sample.timeSeconds))) {
+    return false;
+  }
+  const Vec3 baseNow = positionOf(frame.worlds[at(solved.limb.joints.front())]);
+  return !solved.settings.stayInWorld || glm::length(baseNow - sample.base) <= 0.0 ||
+         followsAnother(motion, trail, sample.timeSeconds);
+}
+
+Amount amountOrNone(const MotionState& motion, const SolvedTrail& solved, const LimbSample& sample) {
+  const bool inside = insideWindow(solved, wrapped(motion, solved, sample.timeSeconds));
+  return inside ? amountAt(motion, solved, sample) : Amount{};
+}
+
+LimbShapeProblem shapeProblem(const SolvedTrail& solved, const Amount& amount, const Vec3& target,
+                              const FrameState& frame) {
+  LimbShapeProblem problem;
+  problem.points = limbPoints(solved.limb, frame);
+  problem.target = target;
+  problem.bendNormal =
+      solved.bend.at(problem.points, rotationOf(frame.worlds[at(solved.limb.joints.front())]));
+  problem.shortestReach = shortestReachOfRest * solved.limb.restLength;
+  problem.stretchSwitch = solved.settings.stretchSwitch;
+  problem.bend = solved.settings.bend;
+  problem.restLength = solved.limb.restLength;
+  problem.straightenAmount =
+      solved.settings.stretchSwitch * amount.weight * amount.decay * 0.5 * solved.settings.blend;
+  problem.grows = solved.settings.scale >= 1.0;
+  return problem;
+}
+
+} // namespace
 
 FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds) {
   const double heldSeconds = std::min(timeSeconds, clip.endSeconds);
@@ -27,6 +216,37 @@ FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionStat
   applyWeight(scene, motion.weights, motion.hips, frame);
   frame.timeSeconds = timeSeconds;
   return frame;
+}
+
+void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail, const FrameState& source,
+                FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
+  const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
+  if (hasNothingToDo(motion, trail, sample, frame)) {
+    return;
+  }
+  const Amount amount = amountOrNone(motion, solved, sample);
+  const Carry carry = carryOf(scene, solved, sample, source, frame);
+  const Vec3 target = targetIn(frame, carry, motion, trail, sample, amount).wanted;
+  const LimbShapeProblem problem = shapeProblem(solved, amount, target, frame);
+  const bool still = glm::length(target - problem.points.back()) <= 0.0;
+  if (still && (problem.bend == Bend::keep || problem.straightenAmount <= 0.0)) {
+    return;
+  }
+  const LimbShape shape = solveLimbShape(problem);
+  if (!shape.isIdentity()) {
+    deformLimb(scene, solved.limb, solved.topology, shape, {solved.settings.volume, solved.settings.turnEnd},
+               frame);
+  }
+}
+
+PathPoint pathPoint(const Scene& scene, const MotionState& motion, std::size_t trail,
+                    const FrameState& source, const FrameState& frame) {
+  const SolvedTrail& solved = motion.trails[trail];
+  const LimbSample sample = limbSample(solved.limb, solved.settings.space, motion.hips, source);
+  const Carry carry = carryOf(scene, solved, sample, source, frame);
+  const Amount amount = amountOrNone(motion, solved, sample);
+  return {carry.point(sample.end), targetIn(frame, carry, motion, trail, sample, amount).wanted};
 }
 
 } // namespace stretch::rig

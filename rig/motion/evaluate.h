@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
@@ -17,5 +19,21 @@ void applyTrails(const Scene& scene, const MotionState& motion, FrameState& fram
 /// applied. Each stage takes the pose of the one before, with its stretch for each bone, and gives the next.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
+
+/// Brings one trail, by its place in MotionState::trails, onto a frame that the trails before it were applied
+/// to, from the root outwards. `source`: the source clip at the frame's time. Only the nodes that the trail
+/// touches (touchedNodes), the hips, and the ancestors of these need to be filled in.
+void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail, const FrameState& source,
+                FrameState& frame);
+
+/// A trail's two paths at the time of a frame that the trails before it were applied to, world space.
+struct PathPoint {
+  Vec3 original{0.0};
+  Vec3 exaggerated{0.0};
+};
+
+/// Needs of `source` and `frame` what applyTrail needs.
+[[nodiscard]] PathPoint pathPoint(const Scene& scene, const MotionState& motion, std::size_t trail,
+                                  const FrameState& source, const FrameState& frame);
 
 } // namespace stretch::rig

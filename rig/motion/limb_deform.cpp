@@ -1,16 +1,14 @@
 #include "rig/motion/limb_deform.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
-#include "core/math/rotation.h"
 
 namespace stretch::rig {
 

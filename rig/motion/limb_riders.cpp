@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/scene/queries.h"
-#include "rig/limb_points.h"
+#include "core/scene/scene.h"
+#include "rig/limb.h"
 
 namespace stretch::rig {
 

@@ -1,5 +1,5 @@
 #include "rig/motion/limb_weight.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <algorithm>
 
@@ -8,7 +8,6 @@
 
 #include "core/base/index.h"
 #include "rig/ik/limb_shape.h"
-#include "rig/limb.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/trail/release.h"
 

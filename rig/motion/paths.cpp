@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "rig/motion/apply.h"
+#include "rig/motion/evaluate.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {
@@ -146,11 +146,6 @@ std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std
     frames.push_back(start + static_cast<double>(i) / perFrame);
   }
   return frames;
-}
-
-DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,
-                      std::size_t samplesPerFrame) {
-  return pathsAt(scene, clip, motion, trail, drawnFrames(clip, motion.trails[trail], samplesPerFrame));
 }
 
 } // namespace stretch::rig

@@ -42,8 +42,4 @@ struct PathRequest {
 [[nodiscard]] std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved,
                                               std::size_t samplesPerFrame);
 
-/// The paths at these frames.
-[[nodiscard]] DrawnTrail drawnPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
-                                    std::size_t trail, std::size_t samplesPerFrame);
-
 } // namespace stretch::rig

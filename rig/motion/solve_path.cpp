@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 namespace stretch::rig {
 

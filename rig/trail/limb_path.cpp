@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 namespace stretch::rig {
 

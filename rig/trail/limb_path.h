@@ -4,7 +4,6 @@
 
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
-#include "core/anim/sampling.h"
 #include "core/scene/scene.h"
 #include "rig/limb.h"
 #include "rig/trail/trail.h"

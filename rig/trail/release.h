@@ -1,7 +1,5 @@
 #pragma once
 
-#include "rig/trail/trail.h"
-
 namespace stretch::rig {
 
 /// How the tip's offset decays back to the original motion (docs/exaggeration.md, Release): 1 at the tip, 0

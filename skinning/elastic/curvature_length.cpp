@@ -1,8 +1,6 @@
 #include "skinning/elastic/curvature_length.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/math/types.h"
-
 namespace stretch::skinning {
 
 /// A segment of a body as the stretching model sees it: a cylinder of homogeneous, isotropic material. One

@@ -3,10 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
-
-#include "core/gltf/source.h"
 
 namespace stretch::skinning {
 

@@ -7,9 +7,9 @@
 #include <Eigen/Geometry>
 #include <glm/geometric.hpp>
 
+#include "skinning/fit/fit_state.h"
 #include "skinning/fit/solve_bones.h"
 #include "skinning/fit/solve_chain.h"
-#include "skinning/fit/solve_weights.h"
 
 namespace stretch::skinning {
 namespace {

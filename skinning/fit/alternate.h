@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 #include "core/scene/mesh_sequence.h"
 #include "skinning/skinned_sequence.h"

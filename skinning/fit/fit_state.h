@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 
-#include "core/scene/mesh_sequence.h"
 #include "skinning/skinned_sequence.h"
 
 // Internal to skinning/fit: the numbers that the least-squares steps hand to each other. Positions are moved
 // so that the bind pose's centre is the origin and scaled so that its box diagonal is 1.
+
 namespace stretch::skinning::fit {
 
 /// Row-major 3 x 4: linear part and translation.
@@ -35,5 +35,14 @@ struct FitState {
   }
   [[nodiscard]] std::size_t vertexCount() const { return bind.size(); }
 };
+
+/// The weights on a simplex (w >= 0, sum 1, at most `most` of them not 0) that minimise w^T G w, G symmetric
+/// and positive semi-definite; a ridge of 1e-9 of its trace settles ties. The few rounds of dropping the
+/// least weight are a heuristic for which of them stay, the values of those that stay are exact.
+[[nodiscard]] Eigen::VectorXd simplexLeastSquares(const Eigen::MatrixXd& original, int most);
+
+/// Fits every vertex's influences to its trajectory, bones and bind pose given: least squares over the
+/// frames, among the `candidateCount` bones that alone follow the vertex best.
+void solveWeights(FitState& state, int candidateCount);
 
 } // namespace stretch::skinning::fit

@@ -1,4 +1,4 @@
-#include "skinning/fit/solve_weights.h"
+#include "skinning/fit/fit_state.h"
 
 #include <algorithm>
 #include <array>

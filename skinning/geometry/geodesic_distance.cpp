@@ -29,7 +29,6 @@ struct Stencil {
 
 struct GeodesicSolver::Stencils {
   std::size_t vertexCount = 0;
-  std::size_t detachedTriangles = 0;
   std::vector<Stencil> all;
   std::vector<std::uint32_t> firstOf; ///< Range of `uses` of each vertex.
   std::vector<std::uint32_t> uses;    ///< Indices of the stencils that a vertex feeds.
@@ -167,7 +166,6 @@ GeodesicSolver::GeodesicSolver(const glm::vec3* positions, std::size_t vertexCou
   const HalfEdgeMesh mesh = buildHalfEdges(positions, vertexCount, triangles);
   auto stencils = std::make_unique<Stencils>();
   stencils->vertexCount = vertexCount;
-  stencils->detachedTriangles = mesh.detachedTriangles;
   stencils->all = makeStencils(mesh);
   stencils->firstOf.assign(vertexCount + 1, 0);
   for (const Stencil& s : stencils->all) {
@@ -189,10 +187,6 @@ GeodesicSolver::GeodesicSolver(const glm::vec3* positions, std::size_t vertexCou
 GeodesicSolver::~GeodesicSolver() = default;
 GeodesicSolver::GeodesicSolver(GeodesicSolver&&) noexcept = default;
 GeodesicSolver& GeodesicSolver::operator=(GeodesicSolver&&) noexcept = default;
-
-std::size_t GeodesicSolver::detachedTriangles() const {
-  return stencils_->detachedTriangles;
-}
 
 std::vector<double> GeodesicSolver::distances(const std::vector<std::uint32_t>& sources, double limit) const {
   constexpr double unreached = std::numeric_limits<double>::infinity();

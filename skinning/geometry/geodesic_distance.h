@@ -26,9 +26,6 @@ public:
   [[nodiscard]] std::vector<double> distances(const std::vector<std::uint32_t>& sources,
                                               double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// Triangles that meet the rest of the surface in a way half-edges cannot hold; 0 for a manifold.
-  [[nodiscard]] std::size_t detachedTriangles() const;
-
 private:
   struct Stencils;
   std::unique_ptr<const Stencils> stencils_;

@@ -52,7 +52,6 @@ HalfEdgeMesh buildHalfEdges(const glm::vec3* positions, std::size_t vertexCount,
       corners[c] = HalfEdges::VertexHandle(static_cast<int>(triangle[c]));
     }
     if (!fits(mesh.edges, corners)) {
-      ++mesh.detachedTriangles;
       for (std::size_t c = 0; c < 3; ++c) {
         corners[c] = mesh.edges.add_vertex(pointOf(positions[triangle[c]]));
         mesh.original.push_back(triangle[c]);

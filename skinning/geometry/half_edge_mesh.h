@@ -25,7 +25,6 @@ struct HalfEdgeMesh {
   HalfEdges edges;
   std::vector<std::uint32_t> original; ///< One for each vertex of `edges`.
   std::vector<std::uint32_t> triangle; ///< One for each face of `edges`: index of the triangle it is.
-  std::size_t detachedTriangles = 0;   ///< Triangles that needed vertices of their own.
 };
 
 /// Triangles are wound alike first (over edges of two triangles); those with a repeated corner are left out.

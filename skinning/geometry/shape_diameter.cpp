@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include <embree3/rtcore.h>
 #include <glm/geometric.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -31,5 +32,11 @@ struct MeshFile {
 
 /// .obj or .ply, by the extension.
 [[nodiscard]] Result<MeshFile> readMeshFile(const std::filesystem::path& path);
+
+/// Whether the extension is .pc2.
+[[nodiscard]] bool isPointCache(const std::filesystem::path& path);
+
+/// Number of points that the header of a cache promises. An error for bytes that are not a point cache.
+[[nodiscard]] Result<std::uint64_t> pointsOfCache(const std::filesystem::path& cache);
 
 } // namespace stretch::skinning

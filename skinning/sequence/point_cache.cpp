@@ -1,4 +1,4 @@
-#include "skinning/sequence/point_cache.h"
+#include "skinning/sequence/mesh_file.h"
 
 #include <array>
 #include <bit>
@@ -7,7 +7,6 @@
 #include <fstream>
 #include <system_error>
 
-#include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"
 #include "skinning/sequence/text.h"
 

@@ -2,7 +2,6 @@
 #include <system_error>
 
 #include "skinning/sequence/mesh_file.h"
-#include "skinning/sequence/point_cache.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::skinning {

@@ -5,7 +5,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

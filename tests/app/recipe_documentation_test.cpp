@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"

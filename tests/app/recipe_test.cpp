@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/edits/recipe_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "app/recipe/recipe.h"
 #include "core/gltf/json.h"

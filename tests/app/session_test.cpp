@@ -2,7 +2,7 @@
 
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
@@ -150,5 +150,4 @@ TEST_CASE("An applied trail is opened again by a change, and by disconnecting it
   CHECK(findTrail(*setTrailSettings(applied, id, findTrail(applied, id)->settings), id)->applied);
   CHECK_FALSE(findTrail(scaled(applied, 3.0), id)->applied);
   CHECK_FALSE(findTrail(*setConnected(applied, id, false), id)->applied);
-  CHECK_FALSE(findTrail(*setExaggerated(applied, id, false), id)->applied);
 }

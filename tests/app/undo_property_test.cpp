@@ -71,7 +71,7 @@ Document randomEdit(const Document& document, Dice& dice) {
     settings.axes[1] = dice.below(2) == 0;
     return orUnchanged(document, setTrailSettings(document, trail.id, settings));
   case 1:
-    return orUnchanged(document, setExaggerated(document, trail.id, dice.below(2) == 0));
+    return orUnchanged(document, setFollow(document, trail.id, dice.below(2) == 0));
   case 2:
     return orUnchanged(document, setConnected(document, trail.id, dice.below(2) == 0));
   case 3:

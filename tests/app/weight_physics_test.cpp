@@ -7,7 +7,7 @@
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "core/math/rotation.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

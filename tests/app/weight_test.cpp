@@ -1,5 +1,5 @@
 #include "app/weight/weight_motion.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,11 +14,10 @@
 #include <glm/geometric.hpp>
 
 #include "app/batch/verb.h"
-#include "app/edits/recipe_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"

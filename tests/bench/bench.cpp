@@ -12,10 +12,9 @@
 #include "app/edits/sphere_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/base/check.h"
-#include "core/scene/queries.h"
+#include "core/scene/scene.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {

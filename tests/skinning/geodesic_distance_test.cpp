@@ -134,7 +134,6 @@ TEST_CASE("an edge of four triangles is crossed, another part is not reached") {
   shape.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}, {6, 7, 8}};
   const GeodesicSolver solver(shape.positions.data(), shape.positions.size(), shape.triangles);
   const std::vector<double> found = solver.distances({2});
-  CHECK(solver.detachedTriangles() > 0);
   for (std::size_t v = 0; v < 6; ++v) {
     CHECK(std::isfinite(found[v]));
   }

@@ -9,16 +9,15 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
-#include "app/edits/recipe_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"
-#include "ui/batch/character_pictures.h"
 #include "ui/batch/sequence_pictures.h"
+#include "ui/render/image_edits.h"
 #include "ui/render/picture.h"
-#include "ui/render/png.h"
 
 namespace stretch::ui {
 

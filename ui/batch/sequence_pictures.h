@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "app/document.h"
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
+#include "rig/motion/motion.h"
 #include "ui/render/picture.h"
 
 namespace stretch::ui {
@@ -21,5 +24,17 @@ struct SequencePictures {
                                                           const MeshSequence* over,
                                                           const std::vector<double>& frames,
                                                           const PictureOptions& options);
+
+/// What pictures of a character show beyond its trails.
+struct CharacterLook {
+  bool skeleton = false;
+  int ghosts = 0; ///< Before and after.
+  bool labelled = false;
+};
+
+/// What the window shows at these frames, every trail as if it were selected.
+[[nodiscard]] std::vector<PictureFrame>
+picturesOfCharacter(const app::Document& document, const std::shared_ptr<const rig::MotionState>& motion,
+                    const std::vector<double>& frames, const CharacterLook& look);
 
 } // namespace stretch::ui

@@ -1,13 +1,12 @@
 #include "ui/panels/graph_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/panel_support.h"
 
@@ -112,7 +111,7 @@ bool isApplied(const rig::MotionState& motion, double seconds) {
 
 std::vector<Curve> makeCurves(PanelContext& context, const rig::Limb& limb, NodeIndex node,
                               const Span& frames) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const app::Document& document = session.document();
   const Clip& clip = app::clipOf(document, session.view().clip);
   const rig::MotionState& motion = session.motion();
@@ -153,7 +152,7 @@ const std::vector<Curve>& graphCurves(PanelContext& context, const rig::Limb& li
   const NodeIndex node =
       nodes[static_cast<std::size_t>(std::clamp(graph.joint, 0, static_cast<int>(nodes.size()) - 1))];
   const GraphKey key{
-      context.open.character()->sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};
+      context.character().sharedMotion(), limb.id, node, graph.channels, frames.start, frames.end};
   if (!graph.madeFrom || !(*graph.madeFrom == key)) {
     graph.curves = makeCurves(context, limb, node, frames);
     graph.madeFrom = key;

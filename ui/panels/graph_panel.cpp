@@ -16,7 +16,7 @@ namespace {
 
 void jointChooser(PanelContext& context, const rig::Limb& limb) {
   GraphState& graph = context.ui.graph;
-  const Scene& scene = *context.open.character()->document().scene;
+  const Scene& scene = *context.character().document().scene;
   std::vector<Choice> choices;
   for (const NodeIndex node : graphNodes(limb)) {
     choices.push_back({nodeName(scene, node)});
@@ -80,9 +80,8 @@ void applyOutcome(PanelContext& context, const CurveViewOutcome& outcome) {
     graph.valueMax = outcome.values.end;
   }
   if (outcome.playheadMoved) {
-    const double last =
-        app::lastFrame(context.open.character()->document(), context.open.character()->view().clip);
-    context.open.character()->view().frame = std::clamp(outcome.playhead, 0.0, last);
+    const double last = app::lastFrame(context.character().document(), context.character().view().clip);
+    context.character().view().frame = std::clamp(outcome.playhead, 0.0, last);
   }
   graph.fitPending = graph.fitPending || outcome.fitAsked;
 }
@@ -100,8 +99,8 @@ void curves(PanelContext& context, const rig::Limb& limb) {
   }
   toolbar(context, limb);
   model.values = {graph.valueMin, graph.valueMax};
-  model.playhead = context.open.character()->view().frame;
-  model.range = shownRange(*context.open.character());
+  model.playhead = context.character().view().frame;
+  model.range = shownRange(context.character());
   model.unit = graphUnit(graph.channels);
   const float height = std::max(context.theme.px(80.0F), ImGui::GetContentRegionAvail().y);
   applyOutcome(context, curveView(widgetsOf(context), "graph", model, height));
@@ -120,9 +119,9 @@ void drawGraphPanel(PanelContext& context) {
     drawDopeSheet(context);
     return;
   }
-  const std::vector<std::string>& limbs = context.open.character()->view().selectedLimbs;
+  const std::vector<std::string>& limbs = context.character().view().selectedLimbs;
   const rig::Limb* selected =
-      limbs.empty() ? nullptr : app::findLimb(context.open.character()->document(), limbs.front());
+      limbs.empty() ? nullptr : app::findLimb(context.character().document(), limbs.front());
   if (selected == nullptr || graphNodes(*selected).empty()) {
     emptyState(widgets, icon::graph, "No limb selected",
                "Click a limb in the body picture to see the curves of its joints.");

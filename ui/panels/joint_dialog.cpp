@@ -37,7 +37,7 @@ bool isBetween(const Scene& scene, const JointPick& pick, NodeIndex node) {
 }
 
 void jointRow(PanelContext& context, NodeIndex node, int depth) {
-  const Scene& scene = *context.open.character()->document().scene;
+  const Scene& scene = *context.character().document().scene;
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   JointPick& pick = context.ui.jointPick;
@@ -94,7 +94,7 @@ std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
 }
 
 void tree(PanelContext& context) {
-  const Scene& scene = *context.open.character()->document().scene;
+  const Scene& scene = *context.character().document().scene;
   const std::string& filter = context.ui.jointPick.filter;
   ImGui::BeginChild("joints/tree", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
@@ -151,17 +151,17 @@ Result<app::Document> changedDocument(const app::Document& document, const Joint
 
 void useChain(PanelContext& context) {
   JointPick& pick = context.ui.jointPick;
-  const Result<app::Document> changed = changedDocument(context.open.character()->document(), pick);
+  const Result<app::Document> changed = changedDocument(context.character().document(), pick);
   if (!changed) {
     pick.message = changed.error().line();
     return;
   }
   const bool adds = pick.limbId.empty();
   editOnce(context, adds ? "Add a chain" : "Choose a limb's joints", changed);
-  if (adds && !context.open.character()->document().chains.empty()) {
-    app::selectLimb(*context.open.character(), context.open.character()->document().chains.back().id, false);
+  if (adds && !context.character().document().chains.empty()) {
+    app::selectLimb(context.character(), context.character().document().chains.back().id, false);
   } else if (!adds) {
-    app::selectLimb(*context.open.character(), pick.limbId, false);
+    app::selectLimb(context.character(), pick.limbId, false);
   }
   pick = {};
   ImGui::CloseCurrentPopup();
@@ -188,7 +188,7 @@ void drawJointDialog(PanelContext& context) {
       pick.limbId.empty()
           ? "Pick a chain"
           : "Joints of the " + (context.open.character() != nullptr
-                                    ? app::limbTitle(context.open.character()->document(), pick.limbId)
+                                    ? app::limbTitle(context.character().document(), pick.limbId)
                                     : pick.limbId);
   if (!beginDialog(
           context,
@@ -199,7 +199,7 @@ void drawJointDialog(PanelContext& context) {
   textField(widgetsOf(context), "joints/filter", "Search a joint", pick.filter);
   tree(context);
   note(widgetsOf(context),
-       pick.message.empty() ? summary(*context.open.character()->document().scene, pick) : pick.message);
+       pick.message.empty() ? summary(*context.character().document().scene, pick) : pick.message);
   const bool complete = pick.baseNode.exists() && pick.endNode.exists();
   const int clicked = dialogButtons(
       context, "joints", {{.id = "", .text = "Cancel"}, {.id = "", .text = "Use them", .enabled = complete}});

@@ -34,7 +34,7 @@ const rig::Trail* trailOf(const app::Session& session, const std::string& limbId
 }
 
 BodyPartState stateOf(const PanelContext& context, std::size_t part) {
-  const app::Session& session = *context.open.character();
+  const app::Session& session = context.character();
   BodyPartState state;
   state.id = limbIds[part];
   const rig::Limb* limb = app::findLimb(session.document(), state.id);
@@ -65,7 +65,7 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
 }
 
 void chainChips(PanelContext& context) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const WidgetContext widgets = widgetsOf(context);
   for (const rig::Limb& chain : session.document().chains) {
     ButtonSpec chip;
@@ -102,7 +102,7 @@ void drawLimbPanel(PanelContext& context) {
     note(widgets, "The character's limbs appear here.");
     return;
   }
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   std::array<BodyPartState, bodyPartCount> parts;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     parts[part] = stateOf(context, part);

@@ -34,6 +34,10 @@ struct PanelContext {
   std::vector<std::string>& requestedCommands;
   ItemRegistry& items;
   const EditorStatus& status;
+
+  /// For panels that are drawn while a document of their kind is open.
+  [[nodiscard]] app::Session& character() const { return *open.character(); }
+  [[nodiscard]] app::SequenceSession& sequence() const { return *open.sequence(); }
 };
 
 /// Null for an id that no command has.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdio>
 
 #include <glm/geometric.hpp>
@@ -11,7 +10,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "ui/panels/panels.h"
 
 namespace stretch::ui {
@@ -46,7 +45,7 @@ void carry(PanelContext& context, app::Editing<Document>& session, const EditPha
   if (phase.changed) {
     Result<Document> changed = change(session.atBegin());
     if (!changed) {
-      toast(context.ui, ToastKind::warning, changed.error().line());
+      tell(context.ui, ToastKind::warning, changed.error().line());
     } else {
       if (!session.isDragging()) {
         session.begin(label);
@@ -119,12 +118,12 @@ std::string keyOf(const PanelContext& context, std::string_view commandId) {
 
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
                  const DocumentChange& change) {
-  carry(context, *context.open.character(), phase, label, change);
+  carry(context, context.character(), phase, label, change);
 }
 
 void editSequence(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SequenceChange& change) {
-  carry(context, *context.open.sequence(), phase, label,
+  carry(context, context.sequence(), phase, label,
         [&](const app::SequenceDocument& start) -> Result<app::SequenceDocument> {
           app::SequenceDocument changed = start;
           change(changed);
@@ -134,19 +133,19 @@ void editSequence(PanelContext& context, const EditPhase& phase, const std::stri
 
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed) {
   if (!changed) {
-    toast(context.ui, ToastKind::warning, changed.error().line());
+    tell(context.ui, ToastKind::warning, changed.error().line());
     return;
   }
-  if (context.open.character()->isDragging()) {
-    toast(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
+  if (context.character().isDragging()) {
+    tell(context.ui, ToastKind::info, "Finish what is being dragged first: Enter keeps it, Esc restores.");
     return;
   }
-  context.open.character()->edit(*changed, label);
+  context.character().edit(*changed, label);
 }
 
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change) {
-  const std::vector<int> targets = app::targetTrails(*context.open.character());
+  const std::vector<int> targets = app::targetTrails(context.character());
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const int id : targets) {
@@ -164,17 +163,6 @@ void editSettings(PanelContext& context, const EditPhase& phase, const std::stri
     }
     return document;
   });
-}
-
-void toast(UiState& ui, ToastKind kind, const std::string& text) {
-  constexpr float shownSeconds = 5.0F;
-  const auto same =
-      std::find_if(ui.toasts.begin(), ui.toasts.end(), [&](const Toast& t) { return t.text == text; });
-  if (same != ui.toasts.end()) {
-    same->secondsLeft = shownSeconds;
-  } else {
-    ui.toasts.push_back({kind, text, shownSeconds});
-  }
 }
 
 std::string capitalised(std::string text) {
@@ -204,15 +192,15 @@ std::string nodeName(const Scene& scene, NodeIndex node) {
 }
 
 bool hasCharacter(const PanelContext& context) {
-  return context.open.character() != nullptr && context.open.character()->document().scene != nullptr;
+  return context.open.character() != nullptr && context.character().document().scene != nullptr;
 }
 
 bool hasViewedClip(const PanelContext& context) {
-  if (!hasCharacter(context) || !context.open.character()->document().clips) {
+  if (!hasCharacter(context) || !context.character().document().clips) {
     return false;
   }
-  const int clip = context.open.character()->view().clip;
-  return clip >= 0 && clip < static_cast<int>(context.open.character()->document().clips->size());
+  const int clip = context.character().view().clip;
+  return clip >= 0 && clip < static_cast<int>(context.character().document().clips->size());
 }
 
 std::string shortNumber(double value, int decimals) {
@@ -254,6 +242,22 @@ std::string lengthsText(const TipLengths& lengths) {
   std::snprintf(text, sizeof text, "%.*f \xE2\x86\x92 %.*f  (\xC3\x97%.2f)", decimals, lengths.before,
                 decimals, lengths.after, ratio);
   return text;
+}
+
+void tell(UiState& ui, ToastKind kind, const std::string& text) {
+  const float seconds = kind == ToastKind::error ? 8.0F : 5.0F;
+  const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
+  if (same != ui.toasts.end()) {
+    same->secondsLeft = seconds;
+  } else {
+    ui.toasts.push_back({kind, text, seconds});
+  }
+}
+
+void tellProblem(UiState& ui, const Status& status) {
+  if (!status) {
+    tell(ui, ToastKind::error, status.error().line());
+  }
 }
 
 } // namespace stretch::ui

@@ -3,10 +3,11 @@
 #include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "core/base/result.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/panel_context.h"
+#include "ui/panels/ui_state.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/control.h"
 
@@ -57,9 +58,6 @@ using SettingsChange = std::function<void(rig::TrailSettings&)>;
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change);
 
-/// Shows a message for a few seconds; the same message is not shown twice at once.
-void toast(UiState& ui, ToastKind kind, const std::string& text);
-
 /// "left arm" -> "Left arm".
 [[nodiscard]] std::string capitalised(std::string text);
 /// A limb's name as a heading: "Left arm", or the chain's id.
@@ -86,5 +84,12 @@ struct TipLengths {
 
 /// "0.52 -> 1.04 (x2.00)" with units fit for the size.
 [[nodiscard]] std::string lengthsText(const TipLengths& lengths);
+
+/// Tells the user something for a few seconds; what is told already stays longer instead of standing there
+/// twice.
+void tell(UiState& ui, ToastKind kind, const std::string& text);
+
+/// An error as a toast; nothing for success.
+void tellProblem(UiState& ui, const Status& status);
 
 } // namespace stretch::ui

@@ -2,11 +2,10 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
-#include "core/scene/queries.h"
-#include "ui/panels/clip_chooser.h"
+#include "core/scene/scene.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/transport.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
@@ -33,7 +32,7 @@ std::string grouped(std::size_t number) {
 
 void fileSummary(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::Document& document = context.open.character()->document();
+  const app::Document& document = context.character().document();
   const Scene& scene = *document.scene;
   valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices");
   const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
@@ -48,7 +47,7 @@ void clipRows(PanelContext& context) {
       widgets, "Clip",
       {.title = "Animation of the file", .text = "Trails belong to the clip that they were made in."});
   clipChooser(context, "rig/clip", 0.0F);
-  const Clip& clip = app::clipOf(context.open.character()->document(), context.open.character()->view().clip);
+  const Clip& clip = app::clipOf(context.character().document(), context.character().view().clip);
   valueRow(widgets, "Length",
            std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.framesPerSecond) + " fps",
            {.title = shortNumber(clip.endSeconds) + " seconds",
@@ -84,10 +83,9 @@ void drawLimbRow(const PanelContext& context, const Control& row, const rig::Lim
   }
   const float split = row.box.min.x + theme.px(88.0F);
   drawText(widgets, theme.fonts.body, {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}},
-           selected ? colours.accent : colours.text,
-           limbHeading(context.open.character()->document(), limb.id));
+           selected ? colours.accent : colours.text, limbHeading(context.character().document(), limb.id));
   const float numberLeft = row.box.max.x - theme.px(40.0F);
-  const std::string joints = jointsText(*context.open.character()->document().scene, limb);
+  const std::string joints = jointsText(*context.character().document().scene, limb);
   const Rect jointsBox{{split + theme.unit(), row.box.min.y}, {numberLeft - theme.px(4.0F), row.box.max.y}};
   if (textSize(theme.fonts.label, joints).x <= jointsBox.width()) { // cut names would only be noise: the
                                                                     // reasons have them
@@ -102,7 +100,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
   const WidgetContext widgets = widgetsOf(context);
   ImGui::Indent(context.theme.px(12.0F));
   verticalSpace(widgets, 4.0F);
-  const Scene& scene = *context.open.character()->document().scene;
+  const Scene& scene = *context.character().document().scene;
   std::string joints;
   for (const NodeIndex joint : limb.joints) {
     joints += (joints.empty() ? "" : ", ") + nodeName(scene, joint);
@@ -127,7 +125,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
 
 void limbRow(PanelContext& context, const rig::Limb& limb) {
   const WidgetContext widgets = widgetsOf(context);
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const std::vector<std::string>& limbs = session.view().selectedLimbs;
   const bool selected = std::find(limbs.begin(), limbs.end(), limb.id) != limbs.end();
   const float chevron = context.theme.rowHeight();
@@ -161,7 +159,7 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
 }
 
 void limbList(PanelContext& context) {
-  const app::Document& document = context.open.character()->document();
+  const app::Document& document = context.character().document();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.unit(), context.theme.px(1.0F)));
   for (const rig::Limb& limb : document.biped.limbs) {
     limbRow(context, limb);
@@ -213,7 +211,7 @@ void drawRigPanel(PanelContext& context) {
     limbList(context);
     limbTools(context);
   }
-  const app::Document& document = context.open.character()->document();
+  const app::Document& document = context.character().document();
   std::vector<std::string> warnings = document.warnings;
   warnings.insert(warnings.end(), document.biped.warnings.begin(), document.biped.warnings.end());
   if (!warnings.empty() &&

@@ -20,14 +20,14 @@ void swatch(const PanelContext& context, ImU32 colour) {
 }
 
 void meshSwitch(PanelContext& context, const char* id, const char* text, ImU32 colour) {
-  const bool coloured = context.open.sequence()->view().colours == app::SequenceColours::plain;
+  const bool coloured = context.sequence().view().colours == app::SequenceColours::plain;
   swatch(context, coloured ? colour : faded(context.theme.colours.quietText, 0.5F));
   commandButton(context, {.command = id, .text = text, .emphasis = Emphasis::quiet});
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
 void coloursChoice(PanelContext& context) {
-  app::SequenceSession& session = *context.open.sequence();
+  app::SequenceSession& session = context.sequence();
   const bool hasThickness = !session.document().analysis->vertexDiameters.empty();
   const std::vector<Choice> choices{
       {"Plain", {"Plain", "The original in red, the skinned result in green.", {}}},

@@ -17,7 +17,7 @@ constexpr ImU32 monotoneColour = trailPalette[1];
 
 void facts(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const MeshSequence& mesh = *context.open.sequence()->document().mesh;
+  const MeshSequence& mesh = *context.sequence().document().mesh;
   valueRow(widgets, "Name", mesh.name);
   valueRow(widgets, "Frames",
            fmt::format("{}, {} fps", mesh.frameCount(), shortNumber(mesh.framesPerSecond)));
@@ -26,9 +26,9 @@ void facts(PanelContext& context) {
   for (const std::string& warning : mesh.warnings) {
     notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }
-  if (!context.open.sequence()->document().analysis->problem.empty()) {
+  if (!context.sequence().document().analysis->problem.empty()) {
     notice(widgets, NoticeKind::info,
-           capitalised(context.open.sequence()->document().analysis->problem) +
+           capitalised(context.sequence().document().analysis->problem) +
                ": it can be measured with fitted weights, but has no elastic model.");
   }
 }
@@ -47,7 +47,7 @@ PlotLine stepped(const skinning::MonotoneFit& fit) {
 }
 
 ScatterPlotModel modelOf(const PanelContext& context, const skinning::LengthFunction& fit) {
-  const app::SequenceSession& session = *context.open.sequence();
+  const app::SequenceSession& session = context.sequence();
   const std::vector<skinning::CurvatureLength>& frames = app::measuredFrames(session.document());
   const std::size_t first = session.document().settings.body.firstFittedFrame;
   ScatterPlotModel model;
@@ -85,7 +85,7 @@ void fitRow(PanelContext& context, const char* id, ImU32 colour, const std::stri
 
 void lengthSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  app::SequenceSession& session = *context.open.sequence();
+  app::SequenceSession& session = context.sequence();
   const skinning::LengthFunction fit = app::fittedLength(session.document());
   const ScatterPlotModel model = modelOf(context, fit);
   if (const auto clicked = scatterPlot(widgets, "sequence/plot", model, context.theme.px(196.0F))) {
@@ -115,7 +115,7 @@ void drawSequenceFacts(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   panelTitle(widgets, icon::film, "Sequence");
   facts(context);
-  if (app::measuredFrames(context.open.sequence()->document()).empty()) {
+  if (app::measuredFrames(context.sequence().document()).empty()) {
     return;
   }
   if (section(widgets, "sequence/length", "Length and curvature", context.ui.closedSections)) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 #include "ui/panels/setting_rows.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
-#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 
@@ -20,12 +18,12 @@ namespace {
 
 /// What the sequence allows: a body without a centre line has no elastic model.
 RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
-  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
+  const bool hasLine = !context.sequence().document().analysis->joints.empty();
   if (setting.name == "bones") {
     return {.maximum = std::min(100.0, mostBones)};
   }
   if (setting.name == "skip") {
-    return {.maximum = std::max(1.0, app::lastFrame(*context.open.sequence()))};
+    return {.maximum = std::max(1.0, app::lastFrame(context.sequence()))};
   }
   if (setting.name == "stretch") {
     return {.offered = {true, hasLine, true}};
@@ -35,7 +33,7 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
 
 void optionRows(PanelContext& context) {
   using skinning::CompressSettings;
-  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
+  const app::SequenceDocument document = context.sequence().document(); // a copy: rows edit it
   const auto mostBones = std::clamp<std::size_t>(document.mesh->vertexCount / 4, 1, 1000);
   const auto edit = [&](const EditPhase& phase, const std::string& label,
                         const std::function<void(CompressSettings&)>& change) {
@@ -60,7 +58,7 @@ void progressRow(PanelContext& context) {
   const Control place =
       takePlace(widgets, "sequence/progress",
                 {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
-  const double share = context.open.sequence()->compressedShare();
+  const double share = context.sequence().compressedShare();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
   list->AddRectFilled(place.box.min,
@@ -74,12 +72,12 @@ void progressRow(PanelContext& context) {
 
 void compressRow(PanelContext& context) {
   verticalSpace(widgetsOf(context), 4.0F);
-  if (context.open.sequence()->isCompressing()) {
+  if (context.sequence().isCompressing()) {
     progressRow(context);
     return;
   }
-  const bool next = context.open.sequence()->document().result == nullptr ||
-                    app::isOutdated(context.open.sequence()->document());
+  const bool next =
+      context.sequence().document().result == nullptr || app::isOutdated(context.sequence().document());
   commandButton(context, {.command = command::sequenceCompress,
                           .icon = icon::bolt,
                           .text = "Compress",
@@ -89,7 +87,7 @@ void compressRow(PanelContext& context) {
 
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument document = context.open.sequence()->document(); // a copy: rows edit it
+  const app::SequenceDocument document = context.sequence().document(); // a copy: rows edit it
   const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
   const double bytes = app::exported(document).bytesPerFrame;
   valueRow(widgets, "Frame",
@@ -110,7 +108,7 @@ void sizeRows(PanelContext& context) {
 
 void errorRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const skinning::SequenceMetrics& metrics = context.open.sequence()->document().result->compressed.metrics;
+  const skinning::SequenceMetrics& metrics = context.sequence().document().result->compressed.metrics;
   valueRow(widgets, "RMSE", fmt::format("{:.3g} %", metrics.rmsePercent),
            {"Root of the mean squared error",
             "Over all frames and vertices, in percent of the first frame's "
@@ -127,7 +125,7 @@ void errorRows(PanelContext& context) {
 
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument document = context.open.sequence()->document();
+  const app::SequenceDocument document = context.sequence().document();
   if (!section(widgets, "sequence/result", "Result", context.ui.closedSections)) {
     return;
   }
@@ -154,10 +152,10 @@ void drawSequencePanel(PanelContext& context) {
   panelTitle(widgets, icon::skeleton, "Skinned clip");
   optionRows(context);
   compressRow(context);
-  if (context.open.sequence()->document().result != nullptr) {
+  if (context.sequence().document().result != nullptr) {
     resultSection(context);
   }
-  const bool hasLine = !context.open.sequence()->document().analysis->joints.empty();
+  const bool hasLine = !context.sequence().document().analysis->joints.empty();
   if (hasLine && section(widgets, "sequence/elastic", "Elastic model", context.ui.closedSections)) {
     elasticModelRows(context);
   }

@@ -49,7 +49,7 @@ struct TypedRow {
 template <typename Value>
 void typedRow(PanelContext& context, const TypedRow<Value>& row, std::string& text) {
   const WidgetContext widgets = widgetsOf(context);
-  skinning::BodyStretchSettings body = context.open.sequence()->document().settings.body;
+  skinning::BodyStretchSettings body = context.sequence().document().settings.body;
   if (!(row.parse(text) == row.place(body))) {
     text = row.print(row.place(body));
   }
@@ -72,7 +72,7 @@ void complain(PanelContext& context, const std::string& text, bool right, const 
 /// What the program chose where nothing is typed, once it is known.
 std::string chosen(const PanelContext& context, double skinning::BodyStretch::*value, const char* unit,
                    const char* before) {
-  const auto& result = context.open.sequence()->document().result;
+  const auto& result = context.sequence().document().result;
   return result != nullptr && result->compressed.model && (*result->compressed.model).*value > 0.0
              ? fmt::format("{}: {:.4g} {}", before, (*result->compressed.model).*value, unit)
              : before;
@@ -165,7 +165,7 @@ EditPhase modulusSlider(PanelContext& context, const std::string& id, double& yo
 /// One range of segments; true when it is to go.
 bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli::Range range) {
   const std::string id = fmt::format("sequence/moduli/{}", index);
-  const auto most = static_cast<double>(context.open.sequence()->document().settings.bones - 1);
+  const auto most = static_cast<double>(context.sequence().document().settings.bones - 1);
   EditPhase phase;
   const auto gather = [&phase](const EditPhase& part) {
     phase = {phase.changed || part.changed, phase.ended || part.ended};
@@ -185,7 +185,7 @@ bool rangeRow(PanelContext& context, std::size_t index, skinning::SegmentModuli:
 }
 
 void addRange(PanelContext& context) {
-  const app::SequenceDocument& document = context.open.sequence()->document();
+  const app::SequenceDocument& document = context.sequence().document();
   skinning::SegmentModuli::Range range;
   range.last = static_cast<std::size_t>(std::max(0, std::min(4, document.settings.bones - 1)));
   const bool known = document.result != nullptr && document.result->compressed.model &&
@@ -196,7 +196,7 @@ void addRange(PanelContext& context) {
 
 void moduliRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const Ranges ranges = context.open.sequence()->document().settings.body.moduli.ranges; // rows edit it
+  const Ranges ranges = context.sequence().document().settings.body.moduli.ranges; // rows edit it
   note(widgets,
        ranges.empty() ? "Segments: all are as stiff as the body." : "Segments with a modulus of their own");
   std::optional<std::size_t> removed;

@@ -14,7 +14,7 @@ constexpr float sequenceLabelWidth = 112.0F;
 
 /// The working range is what the fits use: its start is the number of settling frames that are left out.
 TimelineModel modelOf(const PanelContext& context) {
-  const app::SequenceSession& session = *context.open.sequence();
+  const app::SequenceSession& session = context.sequence();
   const TimelineState& time = context.ui.timeline;
   TimelineModel model;
   model.clip = {0.0, app::lastFrame(session)};
@@ -28,7 +28,7 @@ TimelineModel modelOf(const PanelContext& context) {
 }
 
 void apply(PanelContext& context, const TimelineOutcome& outcome) {
-  app::SequenceSession& session = *context.open.sequence();
+  app::SequenceSession& session = context.sequence();
   if (outcome.playheadMoved) {
     session.view().frame = outcome.playhead;
   }

@@ -8,7 +8,6 @@
 #include "ui/panels/view_schema.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
-#include "ui/widgets/slider.h"
 
 namespace stretch::ui {
 

@@ -42,7 +42,7 @@ std::string selectionText(const app::Session& session) {
 }
 
 void selectionPart(PanelContext& context) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   if (context.status.modalText.empty()) { // which names its limb itself
     statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
                {"What is selected", "", {}});
@@ -79,7 +79,7 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
     addHint(context, hints, command::palette, "all commands");
     return hints;
   }
-  const app::Session& session = *context.open.character();
+  const app::Session& session = context.character();
   const bool limbChosen = !session.view().selectedLimbs.empty();
   if (!limbChosen) {
     const std::string first = keyOf(context, command::selectLeftArm);
@@ -155,7 +155,7 @@ void busyPart(PanelContext& context) {
 }
 
 void sequencePart(PanelContext& context) {
-  const app::SequenceSession& session = *context.open.sequence();
+  const app::SequenceSession& session = context.sequence();
   statusText(context, "status/selection",
              session.document().mesh->name + ", frame " + std::to_string(app::shownFrame(session)) + " of " +
                  std::to_string(session.document().mesh->frameCount()),

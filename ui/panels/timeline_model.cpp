@@ -55,7 +55,7 @@ Span visibleFrames(const PanelContext& context) {
   if (time.viewEnd > time.viewStart) {
     return {time.viewStart, time.viewEnd};
   }
-  const app::Session& session = *context.open.character();
+  const app::Session& session = context.character();
   return {0.0, std::max(1.0, app::lastFrame(session.document(), session.view().clip))};
 }
 
@@ -75,7 +75,7 @@ Span shownRange(const app::Session& session) {
 }
 
 TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const app::Document& document = session.document();
   const int clip = session.view().clip;
   TimelineModel model;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "ui/panels/panel_support.h"
@@ -41,7 +40,7 @@ void moveRange(rig::TrailSettings& settings, const Span& span) {
 }
 
 void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   if (outcome.clickedBar != 0) {
     app::selectTrail(session, outcome.clickedBar);
   }
@@ -81,7 +80,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
                                            context.theme.px(labelWidth), height);
   ImGui::EndChild();
-  applyRange(*context.open.character(), outcome);
+  applyRange(context.character(), outcome);
   applyBars(context, outcome);
   applyView(context, outcome);
 }

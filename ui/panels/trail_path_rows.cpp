@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
@@ -29,7 +28,7 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
                                   [&](const rig::SphereOffset& s) { return app::sameFrame(s.frame, frame); });
   rig::SphereOffset sphere =
       found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
-  const double reach = context.open.character()->document().biped.height * 2.0;
+  const double reach = context.character().document().biped.height * 2.0;
   labelledRow(widgets, "Offset",
               {"Offset of the sphere at frame " + shortNumber(frame),
                "How far the path is pulled there, along the axes of the trail's space.",
@@ -61,16 +60,16 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
 } // namespace
 
 void releaseRows(PanelContext& context, const rig::Trail& trail) {
-  const double rate = app::clipOf(context.open.character()->document(), trail.clip).framesPerSecond;
-  const double last = std::max(1.0, app::lastFrame(context.open.character()->document(), trail.clip));
-  const double solved = releaseFrames(app::solvedTrail(*context.open.character(), trail.id), rate);
+  const double rate = app::clipOf(context.character().document(), trail.clip).framesPerSecond;
+  const double last = std::max(1.0, app::lastFrame(context.character().document(), trail.clip));
+  const double solved = releaseFrames(app::solvedTrail(context.character(), trail.id), rate);
   trailRow(context, trail, "release", {}, {.automatic = solved, .maximum = last});
   trailSection(context, trail, "release", {}, {"release"});
 }
 
 void sphereRows(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const rig::SolvedTrail* solved = app::solvedTrail(session, trail.id);
   const std::size_t count = solved != nullptr ? solved->controlFrames.size() : 0;
   labelledRow(widgets, "Spheres",

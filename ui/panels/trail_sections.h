@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "ui/panels/panel_context.h"
 #include "ui/panels/panel_support.h"
 
 namespace stretch::ui {
@@ -15,5 +18,9 @@ void releaseRows(PanelContext& context, const rig::Trail& trail);
 void sphereRows(PanelContext& context, const rig::Trail& trail);
 /// "Up to here and not past it": an axis-aligned plane that the limb's end does not pass.
 void stopRows(PanelContext& context, const rig::Trail& trail);
+
+/// The weight of a limb in the viewed clip: on or off, how soft, what it comes to. Edits change the same
+/// setting of every selected limb that has weight.
+void weightSection(PanelContext& context, const std::string& limbId);
 
 } // namespace stretch::ui

@@ -6,7 +6,6 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
-#include "ui/panels/weight_section.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/remap_editor.h"
@@ -38,7 +37,7 @@ void remapRows(PanelContext& context, const rig::Trail& trail) {
 }
 
 void spaceRows(PanelContext& context, const rig::Trail& trail) {
-  const Mat3 camera = context.open.character()->view().cameraAxes;
+  const Mat3 camera = context.character().view().cameraAxes;
   trailRow(context, trail, "space", [camera](TrailSettings& s) {
     if (s.space == rig::TrailSpace::view) {
       s.viewAxes = camera;
@@ -75,7 +74,7 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
 // Without a trail there is still the weight of the selected limb.
 void drawLimbSettings(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const std::vector<std::string> limbs = app::targetLimbs(*context.open.character());
+  const std::vector<std::string> limbs = app::targetLimbs(context.character());
   if (limbs.empty()) {
     panelTitle(widgets, icon::sliders, "Settings");
     note(widgets, "Select a limb or a trail to see its settings.");
@@ -83,7 +82,7 @@ void drawLimbSettings(PanelContext& context) {
   }
   const std::size_t also = limbs.size() - 1;
   panelTitle(widgets, icon::sliders,
-             limbHeading(context.open.character()->document(), limbs.front()) +
+             limbHeading(context.character().document(), limbs.front()) +
                  (also > 0 ? " and " + std::to_string(also) + " more" : ""));
   note(widgets, "Make a trail to see its range, scale, axes and transition.");
   weightSection(context, limbs.front());
@@ -98,7 +97,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   }
   verticalSpace(widgets, 8.0F);
   separator(widgets);
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
     drawLimbSettings(context);

@@ -33,12 +33,12 @@ void styleRow(PanelContext& context) {
                             shortNumber(style.torso) + ", legs \xC3\x97" + shortNumber(style.leg),
                         {}}});
   }
-  const std::vector<int> trails = app::targetTrails(*context.open.character());
-  const int current = app::styleOf(context.open.character()->document(), trails);
+  const std::vector<int> trails = app::targetTrails(context.character());
+  const int current = app::styleOf(context.character().document(), trails);
   if (const int chosen = dropdown(widgets, "trail/style", choices, current, help, 0.0F, "custom");
       chosen >= 0) {
     editOnce(context, "Take a style",
-             app::applyStyle(context.open.character()->document(), trails,
+             app::applyStyle(context.character().document(), trails,
                              app::styles()[static_cast<std::size_t>(chosen)]));
   }
 }
@@ -49,7 +49,7 @@ void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
   if (sample >= solved.path.samples.size() || sample == tip) {
     return;
   }
-  const double rate = app::clipOf(context.open.character()->document(), solved.trail.clip).framesPerSecond;
+  const double rate = app::clipOf(context.character().document(), solved.trail.clip).framesPerSecond;
   const double frame = std::round(solved.path.samples[sample].timeSeconds * rate);
   ButtonSpec propose;
   propose.id = "trail/use-farthest";
@@ -79,7 +79,7 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
 
 /// Looked for once the hand is off: every frame of the trail is posed for it. None during a drag.
 std::vector<std::string> lookWarnings(PanelContext& context, const rig::SolvedTrail& solved) {
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   LookState& look = context.ui.look;
   const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
   if (session.isDragging() || !solved.active) {
@@ -97,7 +97,7 @@ std::vector<std::string> lookWarnings(PanelContext& context, const rig::SolvedTr
 void rangeRow(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);
   labelledRow(widgets, "Range", {"Range", "First and last frame of the trail.", {}});
-  const double last = app::lastFrame(context.open.character()->document(), trail.clip);
+  const double last = app::lastFrame(context.character().document(), trail.clip);
   const float width = columnWidth(2);
   SliderSpec spec{.id = "trail/range-start",
                   .minimum = 0.0,
@@ -128,11 +128,11 @@ void scaleRows(PanelContext& context, const rig::Trail& trail) {
 
 void tipMessages(PanelContext& context, int trailId) {
   const WidgetContext widgets = widgetsOf(context);
-  const rig::SolvedTrail* solved = app::solvedTrail(*context.open.character(), trailId);
+  const rig::SolvedTrail* solved = app::solvedTrail(context.character(), trailId);
   if (solved == nullptr) {
     return;
   }
-  const TipLengths lengths = tipLengths(*context.open.character(), *solved);
+  const TipLengths lengths = tipLengths(context.character(), *solved);
   valueRow(widgets, "Tip length", lengthsText(lengths),
            {.title = "Length of the limb at the tip",
             .text = "Straight from its base to its end: in the source clip, and as it is now."});

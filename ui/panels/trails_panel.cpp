@@ -41,10 +41,10 @@ const char* nextStep(const app::Session& session) {
 }
 
 void actions(PanelContext& context) {
-  const std::string next = nextStep(*context.open.character());
+  const std::string next = nextStep(context.character());
   const auto emphasis = [&](const char* id) { return next == id ? Emphasis::primary : Emphasis::normal; };
   const float width = columnWidth(2);
-  const rig::Trail* trail = app::selectedTrail(*context.open.character());
+  const rig::Trail* trail = app::selectedTrail(context.character());
   const bool connected = trail != nullptr && trail->connected;
   commandButton(context,
                 {.command = command::trailToggle, .icon = icon::plus, .text = "Trail", .width = width});
@@ -86,9 +86,9 @@ void colourPopup(PanelContext& context, const rig::Trail& trail, const std::stri
                       context.theme.px(1.5F));
     }
     if (swatch.clicked) {
-      editOnce(context, "Change the trail's colour",
-               app::setTrailDisplay(context.open.character()->document(), trail.id,
-                                    {i, trail.visible, trail.pinned}));
+      editOnce(
+          context, "Change the trail's colour",
+          app::setTrailDisplay(context.character().document(), trail.id, {i, trail.visible, trail.pinned}));
       ImGui::CloseCurrentPopup();
     }
   }
@@ -119,7 +119,7 @@ void colourSwatch(PanelContext& context, const rig::Trail& trail, float height) 
 void trailText(PanelContext& context, const rig::Trail& trail, float width, float height) {
   const WidgetContext widgets = widgetsOf(context);
   const Theme& theme = context.theme;
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const bool selected = session.view().selectedTrail == trail.id;
   const Control row = takePlace(widgets, "trails/" + std::to_string(trail.id), {width, height});
   const float middle = row.box.centre().y + theme.px(1.0F);
@@ -154,7 +154,7 @@ bool rowButton(PanelContext& context, const std::string& id, const char* iconTex
 
 void trailButtons(PanelContext& context, const rig::Trail& trail) {
   const std::string id = "trails/" + std::to_string(trail.id);
-  const app::Document& document = context.open.character()->document();
+  const app::Document& document = context.character().document();
   if (rowButton(context, id + "/visible", trail.visible ? icon::visible : icon::hidden,
                 trail.visible ? "o" : "-", false,
                 {"Visible", "Shows or hides the trail in the viewport.", {}})) {
@@ -180,7 +180,7 @@ void trailRow(PanelContext& context, const rig::Trail& trail) {
   const float height = theme.px(trailRowHeight);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool selected = context.open.character()->view().selectedTrail == trail.id;
+  const bool selected = context.character().view().selectedTrail == trail.id;
   const bool hovered =
       ImGui::IsMouseHoveringRect(corner, {corner.x + width, corner.y + height}) && ImGui::IsWindowHovered();
   if (selected || hovered) {
@@ -233,7 +233,7 @@ void drawTrailsPanel(PanelContext& context) {
   clipboardButtons(context);
   actions(context);
   verticalSpace(widgets, 4.0F);
-  const app::Session& session = *context.open.character();
+  const app::Session& session = context.character();
   const std::vector<rig::Trail> trails = session.document().trails; // a copy: rows may edit the document
   bool any = false;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));

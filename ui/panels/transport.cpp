@@ -6,7 +6,6 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
-#include "ui/panels/clip_chooser.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/timeline_model.h"
 #include "ui/widgets/dropdown.h"
@@ -83,11 +82,11 @@ void speedChooser(PanelContext& context) {
 
 std::string rangeText(const PanelContext& context) {
   if (context.open.sequence() != nullptr) {
-    const MeshSequence& mesh = *context.open.sequence()->document().mesh;
-    const std::size_t frame = app::shownFrame(*context.open.sequence());
+    const MeshSequence& mesh = *context.sequence().document().mesh;
+    const std::size_t frame = app::shownFrame(context.sequence());
     return frame < mesh.frameNames.size() ? mesh.frameNames[frame] : std::string();
   }
-  const Span range = shownRange(*context.open.character());
+  const Span range = shownRange(context.character());
   return "range " + shortNumber(range.start, 1) + "\xE2\x80\x93" + shortNumber(range.end, 1);
 }
 
@@ -112,14 +111,30 @@ void timeText(PanelContext& context, const ShownTime& time) {
   tooltip(widgets, rangeHelp(context));
 }
 
+std::string clipName(const Clip& clip, std::size_t index) {
+  return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
+}
+
+void chooseClip(PanelContext& context, int clip) {
+  app::ViewState& view = context.character().view();
+  view.clip = clip;
+  view.frame = 0.0;
+  view.rangeStart = 0.0;
+  view.rangeEnd = -1.0;
+  view.selectedTrail = 0;
+  view.selectedSpheres.clear();
+  context.ui.timeline.viewEnd = context.ui.timeline.viewStart - 1.0;
+  context.ui.graph.fitPending = true;
+}
+
 } // namespace
 
 ShownTime shownTime(PanelContext& context) {
   if (context.open.sequence() != nullptr) {
-    return {&context.open.sequence()->view().frame, app::lastFrame(*context.open.sequence()),
-            context.open.sequence()->document().mesh->framesPerSecond};
+    return {&context.sequence().view().frame, app::lastFrame(context.sequence()),
+            context.sequence().document().mesh->framesPerSecond};
   }
-  app::Session& session = *context.open.character();
+  app::Session& session = context.character();
   const app::Document& document = session.document();
   const int clip = session.view().clip;
   return {&session.view().frame, app::lastFrame(document, clip), app::clipOf(document, clip).framesPerSecond};
@@ -131,11 +146,26 @@ void drawTransport(PanelContext& context) {
   loopSwitch(context);
   frameField(context, time);
   speedChooser(context);
-  if (context.open.character() != nullptr && context.open.character()->document().clips->size() > 1) {
+  if (context.open.character() != nullptr && context.character().document().clips->size() > 1) {
     clipChooser(context, "timeline/clip", context.theme.px(150.0F));
     ImGui::SameLine(0.0F, context.theme.unit());
   }
   timeText(context, time);
+}
+
+void clipChooser(PanelContext& context, const std::string& id, float width) {
+  const std::vector<Clip>& clips = *context.character().document().clips;
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
+    choices.push_back({clipName(clips[i], i), {.title = clipName(clips[i], i), .text = seconds}});
+  }
+  const Help help{.title = "Clip",
+                  .text = "The animation to work on. Trails belong to the clip that they were made in."};
+  const int chosen = dropdown(widgetsOf(context), id, choices, context.character().view().clip, help, width);
+  if (chosen >= 0 && chosen != context.character().view().clip) {
+    chooseClip(context, chosen);
+  }
 }
 
 } // namespace stretch::ui

@@ -19,4 +19,8 @@ struct ShownTime {
 /// Play controls in a row: jumps, play, loop, frame, speed, clip, and a line of text about range and time.
 void drawTransport(PanelContext& context);
 
+/// Chooses the clip to work on; another clip starts at its first frame, with nothing selected in time. The
+/// viewed clip must exist. Width 0: the available width.
+void clipChooser(PanelContext& context, const std::string& id, float width);
+
 } // namespace stretch::ui

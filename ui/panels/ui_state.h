@@ -9,7 +9,6 @@
 
 #include "app/file_work.h"
 #include "rig/motion/motion.h"
-#include "rig/trail/trail.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/timeline.h"

@@ -1,4 +1,4 @@
-#include "ui/panels/weight_section.h"
+#include "ui/panels/trail_sections.h"
 
 #include <algorithm>
 #include <functional>
@@ -30,8 +30,8 @@ constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
                 const Change& change) {
-  const int clip = context.open.character()->view().clip;
-  const std::vector<std::string> limbs = app::targetLimbs(*context.open.character());
+  const int clip = context.character().view().clip;
+  const std::vector<std::string> limbs = app::targetLimbs(context.character());
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const std::string& limb : limbs) {
@@ -145,7 +145,7 @@ void setBoneModulus(std::size_t bone, std::optional<double> young, WeightSetting
 
 void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::Document& document = context.open.character()->document();
+  const app::Document& document = context.character().document();
   const rig::Limb* const limb = app::findLimb(document, entry.limb);
   if (limb == nullptr) {
     return;
@@ -168,8 +168,7 @@ void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
 
 void rangeRow(PanelContext& context, const WeightSettings& settings) {
   const WidgetContext widgets = widgetsOf(context);
-  const double last =
-      app::lastFrame(context.open.character()->document(), context.open.character()->view().clip);
+  const double last = app::lastFrame(context.character().document(), context.character().view().clip);
   const Help help{"Range", "First and last frame with weight; inside the clip it fades in and out.", {}};
   labelledRow(widgets, "Range", help);
   const Vec2 range = settings.rangeFrames.value_or(Vec2(0.0, last));
@@ -200,7 +199,7 @@ void rangeRow(PanelContext& context, const WeightSettings& settings) {
 }
 
 const app::WeightReport* reportOf(PanelContext& context, const std::string& limbId) {
-  const std::vector<app::WeightReport>& reports = context.open.character()->weightReports();
+  const std::vector<app::WeightReport>& reports = context.character().weightReports();
   const auto found = std::find_if(reports.begin(), reports.end(),
                                   [&](const app::WeightReport& report) { return report.limb == limbId; });
   return found == reports.end() ? nullptr : &*found;
@@ -241,7 +240,7 @@ void weightSection(PanelContext& context, const std::string& limbId) {
     return;
   }
   const WeightedLimb* const present =
-      app::findWeight(context.open.character()->document(), limbId, context.open.character()->view().clip);
+      app::findWeight(context.character().document(), limbId, context.character().view().clip);
   const bool on = present != nullptr && present->on;
   const Help help{"Weight",
                   "The limb sags, squashes when it lands and stretches when it swings, by its own load. "

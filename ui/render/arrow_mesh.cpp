@@ -1,7 +1,6 @@
 #include "ui/render/arrow_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>

@@ -6,62 +6,55 @@
 
 namespace stretch::ui {
 
-unsigned createGl(GlKind kind) {
-  GLuint name = 0;
+namespace {
+
+/// How the driver makes and destroys objects of a kind, several at a time. Programs and shaders have calls of
+/// their own.
+struct NameCalls {
+  void (*make)(GLsizei count, GLuint* names) = nullptr;
+  void (*destroy)(GLsizei count, const GLuint* names) = nullptr;
+};
+
+NameCalls callsOf(GlKind kind) {
   switch (kind) {
   case GlKind::buffer:
-    glGenBuffers(1, &name);
-    break;
+    return {glGenBuffers, glDeleteBuffers};
   case GlKind::vertexArray:
-    glGenVertexArrays(1, &name);
-    break;
+    return {glGenVertexArrays, glDeleteVertexArrays};
   case GlKind::texture:
-    glGenTextures(1, &name);
-    break;
+    return {glGenTextures, glDeleteTextures};
   case GlKind::sampler:
-    glGenSamplers(1, &name);
-    break;
+    return {glGenSamplers, glDeleteSamplers};
   case GlKind::framebuffer:
-    glGenFramebuffers(1, &name);
-    break;
+    return {glGenFramebuffers, glDeleteFramebuffers};
   case GlKind::renderbuffer:
-    glGenRenderbuffers(1, &name);
-    break;
+    return {glGenRenderbuffers, glDeleteRenderbuffers};
   case GlKind::program:
-    name = glCreateProgram();
-    break;
   case GlKind::shader:
     break;
+  }
+  return {};
+}
+
+} // namespace
+
+unsigned createGl(GlKind kind) {
+  GLuint name = 0;
+  if (const NameCalls calls = callsOf(kind); calls.make != nullptr) {
+    calls.make(1, &name);
+  } else if (kind == GlKind::program) {
+    name = glCreateProgram();
   }
   return name;
 }
 
 void destroyGl(GlKind kind, unsigned name) {
-  switch (kind) {
-  case GlKind::buffer:
-    glDeleteBuffers(1, &name);
-    break;
-  case GlKind::vertexArray:
-    glDeleteVertexArrays(1, &name);
-    break;
-  case GlKind::texture:
-    glDeleteTextures(1, &name);
-    break;
-  case GlKind::sampler:
-    glDeleteSamplers(1, &name);
-    break;
-  case GlKind::framebuffer:
-    glDeleteFramebuffers(1, &name);
-    break;
-  case GlKind::renderbuffer:
-    glDeleteRenderbuffers(1, &name);
-    break;
-  case GlKind::program:
+  if (const NameCalls calls = callsOf(kind); calls.destroy != nullptr) {
+    calls.destroy(1, &name);
+  } else if (kind == GlKind::program) {
     glDeleteProgram(name);
-    break;
-  case GlKind::shader:
+  } else {
     glDeleteShader(name);
-    break;
   }
 }
 

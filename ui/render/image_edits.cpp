@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <stb_image_write.h>
+
+#include "core/base/file.h"
+
 namespace stretch::ui {
 
 namespace {
@@ -27,6 +31,12 @@ int averageOf(const Image& image, int x, int y, int factor, std::size_t channel)
 
 int clampedSide(long long side) {
   return static_cast<int>(std::min<long long>(side, std::numeric_limits<int>::max()));
+}
+
+void append(void* context, void* data, int size) {
+  auto& bytes = *static_cast<std::vector<std::uint8_t>*>(context);
+  const auto* first = static_cast<const std::uint8_t*>(data);
+  bytes.insert(bytes.end(), first, first + size);
 }
 
 } // namespace
@@ -93,6 +103,26 @@ SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, 
   layout.widthPixels = clampedSide(static_cast<long long>(layout.columns) * layout.cellWidth - gapPixels);
   layout.heightPixels = clampedSide(rows * layout.cellHeight - gapPixels);
   return layout;
+}
+
+Result<std::vector<std::uint8_t>> encodePng(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  const bool complete =
+      image.width > 0 && image.height > 0 &&
+      image.rgba.size() == 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (!complete || stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(),
+                                          4 * image.width) == 0) {
+    return Error{"the picture has no pixels to write", "PNG", ""};
+  }
+  return bytes;
+}
+
+Status writePng(const std::filesystem::path& path, const Image& image) {
+  const Result<std::vector<std::uint8_t>> bytes = encodePng(image);
+  if (!bytes) {
+    return bytes.error();
+  }
+  return writeFile(path, *bytes);
 }
 
 } // namespace stretch::ui

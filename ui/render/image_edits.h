@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/base/result.h"
 #include "core/scene/scene.h"
 
 namespace stretch::ui {
@@ -33,5 +36,11 @@ struct SheetLayout {
 /// `columns` 0 chooses so that the sheet comes out about as wide as high. Sides that would overflow are
 /// clamped.
 [[nodiscard]] SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, int columns);
+
+/// The picture as a PNG file's bytes (RGBA). Empty pictures are an error.
+[[nodiscard]] Result<std::vector<std::uint8_t>> encodePng(const Image& image);
+
+/// Writes a PNG; an existing file is replaced at once or, on an error, left as it is.
+[[nodiscard]] Status writePng(const std::filesystem::path& path, const Image& image);
 
 } // namespace stretch::ui

@@ -1,7 +1,6 @@
 #include "ui/render/picking.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #include "ui/render/picture.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ui/render/image_edits.h"
 #include "ui/render/offscreen_context.h"

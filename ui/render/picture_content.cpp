@@ -1,5 +1,8 @@
 #include "ui/render/picture_content.h"
 
+#include <glm/common.hpp>
+
+#include "ui/render/palette.h"
 #include "ui/render/skeleton_drawing.h"
 
 namespace stretch::ui {
@@ -15,6 +18,28 @@ Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& co
   }
   if (content.handles) {
     overlay.add(drawAxisHandles(view, *content.handles, content.activeAxis));
+  }
+  return overlay;
+}
+
+Overlay drawAxisHandles(const View& view, const AxisHandles& handles, std::optional<std::size_t> active) {
+  const std::array<glm::vec4, 3> colors{rgba(0xE5484D), rgba(0x5BB65B), rgba(0x4C8DF6)};
+  const std::array<Vec3, 3> tips = handleTips(view, handles);
+  constexpr double startShare = 0.16; // leaves room for the sphere at the origin
+  Overlay overlay;
+  for (std::size_t axis = 0; axis < tips.size(); ++axis) {
+    Arrow arrow;
+    arrow.from = glm::mix(handles.origin, tips[axis], startShare);
+    arrow.to = tips[axis];
+    arrow.color = colors[axis];
+    if (active == axis) {
+      arrow.color = glm::mix(arrow.color, glm::vec4(1.0F), 0.35F);
+      arrow.widthPoints = 4.0F;
+      arrow.headPoints = 15.0F;
+    } else if (active) {
+      arrow.color.a = 0.45F;
+    }
+    overlay.arrows.push_back(arrow);
   }
   return overlay;
 }

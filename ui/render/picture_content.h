@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/render/handle_drawing.h"
+#include "ui/render/overlay.h"
+#include "ui/render/picking.h"
 #include "ui/render/scene_renderer.h"
 #include "ui/render/trail_drawing.h"
 
@@ -28,5 +29,11 @@ struct PictureContent {
 
 /// Skeleton, trails and handles, as they lie over the scene in a view.
 [[nodiscard]] Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& content);
+
+/// The three arrows of axis handles. `active`: the axis under the mouse or being dragged, drawn brighter and
+/// thicker; the others are then quieter. Red, green, blue for x, y, z as everywhere, in shades that stay
+/// apart for every eye.
+[[nodiscard]] Overlay drawAxisHandles(const View& view, const AxisHandles& handles,
+                                      std::optional<std::size_t> active = std::nullopt);
 
 } // namespace stretch::ui

@@ -3,15 +3,13 @@
 #include <optional>
 
 #include <epoxy/gl.h>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "ui/render/floor_pass.h"
 #include "ui/render/lighting.h"
 #include "ui/render/posing.h"
 #include "ui/render/shadow_pass.h"
-#include "ui/render/stretch_colors.h"
 #include "ui/render/surface_pass.h"
+#include "ui/render/value_colors.h"
 
 namespace stretch::ui {
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include <epoxy/gl.h>
 #include <glm/matrix.hpp>
 
-#include "ui/render/stretch_colors.h"
+#include "ui/render/value_colors.h"
 
 namespace stretch::ui {
 

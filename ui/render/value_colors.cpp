@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
 
 #include "ui/render/palette.h"
 
@@ -38,6 +41,36 @@ float linearChannel(float srgb) {
   return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }
 
+// Eigenvalues of a symmetric matrix in closed form (trigonometric solution of its characteristic polynomial).
+std::array<double, 3> symmetricEigenvalues(const Mat3& m) {
+  const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
+  const Mat3 deviation = m - mean * Mat3(1.0);
+  double squares = 0.0;
+  for (glm::length_t column = 0; column < 3; ++column) {
+    squares += glm::dot(deviation[column], deviation[column]);
+  }
+  const double spread = std::sqrt(squares / 6.0);
+  if (spread <= 1e-14 * std::abs(mean)) {
+    return {mean, mean, mean};
+  }
+  const double cosine = std::clamp(0.5 * glm::determinant(deviation * (1.0 / spread)), -1.0, 1.0);
+  const double angle = std::acos(cosine) / 3.0;
+  const double largest = mean + 2.0 * spread * std::cos(angle);
+  const double smallest = mean + 2.0 * spread * std::cos(angle + 2.0 * pi / 3.0);
+  return {largest, 3.0 * mean - largest - smallest, smallest};
+}
+
+struct Stop {
+  double log2Ratio;
+  glm::vec3 color; // linear light
+};
+
+constexpr std::array<Stop, 5> stops{{{-1.0, {0.050F, 0.250F, 0.720F}},
+                                     {0.0, {0.300F, 0.300F, 0.300F}},
+                                     {0.35, {0.620F, 0.400F, 0.140F}},
+                                     {0.85, {0.830F, 0.270F, 0.015F}},
+                                     {1.585, {0.620F, 0.045F, 0.005F}}}};
+
 } // namespace
 
 glm::vec4 linearLight(const glm::vec4& srgb) {
@@ -61,6 +94,37 @@ std::vector<glm::vec4> valueColors(ValueScale scale, std::span<const float> valu
     colors.push_back(valueColor(scale, largest > 0.0 ? static_cast<double>(value) / largest : 0.0));
   }
   return colors;
+}
+
+glm::vec3 stretchColor(double ratio) {
+  const double place = std::log2(std::clamp(ratio, smallestShownStretch, largestShownStretch));
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    if (place <= stops[i].log2Ratio) {
+      const double share = (place - stops[i - 1].log2Ratio) / (stops[i].log2Ratio - stops[i - 1].log2Ratio);
+      return glm::mix(stops[i - 1].color, stops[i].color, static_cast<float>(share));
+    }
+  }
+  return stops.back().color;
+}
+
+double stretchRatio(const Mat3& linear) {
+  double farthest = 1.0;
+  for (const double squared : symmetricEigenvalues(glm::transpose(linear) * linear)) {
+    const double ratio = std::sqrt(std::max(squared, 0.0));
+    if (ratio == 0.0) {
+      return 0.0;
+    }
+    if (std::abs(std::log(ratio)) > std::abs(std::log(farthest))) {
+      farthest = ratio;
+    }
+  }
+  return farthest;
+}
+
+std::vector<double> stretchRatios(const FrameState& frame) {
+  std::vector<double> ratios(frame.worlds.size(), 1.0);
+  std::transform(frame.stretch.begin(), frame.stretch.end(), ratios.begin(), stretchRatio);
+  return ratios;
 }
 
 } // namespace stretch::ui

@@ -32,4 +32,9 @@ void closeFile(Shell& shell);
 /// "punch.glb" with a dot in front of it while there is unsaved work.
 [[nodiscard]] std::string windowTitle(const Shell& shell);
 
+/// Writes the viewed clip's trails as a recipe.
+void saveRecipeFile(Shell& shell, const std::filesystem::path& path);
+/// Replays a recipe on this character, as one undo step.
+void loadRecipeFile(Shell& shell, const std::filesystem::path& path);
+
 } // namespace stretch::ui

@@ -1,7 +1,6 @@
 #include "ui/shell/pane_layout.h"
 
 #include <algorithm>
-#include <string>
 
 namespace stretch::ui {
 

@@ -1,13 +1,11 @@
 #include "ui/shell/sequence_work.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "app/commands/command_ids.h"
-#include "app/files/user_files.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::ui {

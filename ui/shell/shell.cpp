@@ -1,6 +1,6 @@
 #include "ui/shell/shell.h"
 
-#include "ui/panels/toasts.h"
+#include "ui/panels/panel_support.h"
 
 namespace stretch::ui {
 

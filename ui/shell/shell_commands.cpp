@@ -5,17 +5,18 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/tables.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
-#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 
 namespace {
 
 using ShellCommand = app::Command<Shell>;
+using app::doing;
 
 bool always(const Shell&) {
   return true;
@@ -43,51 +44,63 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           [command](Shell& shell) { return app::run(command, shell.open); }};
 }
 
-/// A switch of the view.
-ShellCommand switchCommand(const char* id, const char* label, const char* help, const char* key,
-                           bool ViewportOverlays::*overlay) {
-  std::vector<std::string> keys;
-  if (key[0] != '\0') {
-    keys.emplace_back(key);
-  }
-  return {id, label, help, std::move(keys), always, [overlay](Shell& shell) -> Status {
-            shell.ui.overlays.*overlay = !(shell.ui.overlays.*overlay);
-            return Success{};
-          }};
+/// What a command shows or hides; null for a command that does something else.
+template <typename AnyShell>
+auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked) {
+  auto& overlays = shell.ui.overlays;
+  auto& panes = shell.panes;
+  const std::pair<std::string_view, decltype(&shell.nameAsked)> switches[] = {
+      {command::viewGhosts, &overlays.ghosts},
+      {command::viewSkeleton, &overlays.skeleton},
+      {command::viewWire, &overlays.wire},
+      {command::viewJointNames, &overlays.jointNames},
+      {command::viewHeatMap, &overlays.heatMap},
+      {command::viewGrid, &overlays.grid},
+      {command::viewFrameNumbers, &overlays.trailFrameNumbers},
+      {command::viewSideBySide, &overlays.sideBySide},
+      {command::viewLeftPane, &panes.leftOpen},
+      {command::viewBottomPane, &panes.bottomOpen},
+      {command::viewRightPane, &panes.rightOpen},
+  };
+  const auto* const found = std::ranges::find(switches, id, [](const auto& entry) { return entry.first; });
+  return found == std::end(switches) ? nullptr : found->second;
 }
 
-ShellCommand paneCommand(const char* id, const char* label, const char* help, const char* key,
-                         bool PaneSizes::*open) {
-  return {id, label, help, {key}, always, [open](Shell& shell) -> Status {
-            shell.panes.*open = !(shell.panes.*open);
-            return Success{};
-          }};
+ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
+                   std::function<bool(const Shell&)> enabled, std::function<Status(Shell&)> run) {
+  return {std::move(id),   std::move(label),   std::move(help),
+          std::move(keys), std::move(enabled), std::move(run)};
+}
+
+ShellCommand switchCommand(const char* id, const char* label, const char* help,
+                           std::vector<std::string> keys) {
+  return entry(id, label, help, std::move(keys), always, doing([id](Shell& shell) {
+                 bool& shown = *switchOf(shell, id);
+                 shown = !shown;
+               }));
 }
 
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
-  return {id, label, help, {key}, hasPicture, [direction](Shell& shell) -> Status {
-            shell.viewport.camera =
-                lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
-            return Success{};
-          }};
+  return entry(id, label, help, {key}, hasPicture, doing([direction](Shell& shell) {
+                 shell.viewport.camera =
+                     lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
+               }));
 }
 
-Status toggleViewportOnly(Shell& shell) {
+void toggleViewportOnly(Shell& shell) {
   const bool anyOpen = shell.panes.leftOpen || shell.panes.rightOpen || shell.panes.bottomOpen;
   shell.panes.leftOpen = !anyOpen;
   shell.panes.rightOpen = !anyOpen;
   shell.panes.bottomOpen = !anyOpen;
-  return Success{};
 }
 
-Status togglePlay(Shell& shell) {
+void togglePlay(Shell& shell) {
   shell.ui.timeline.playing = !shell.ui.timeline.playing;
   shell.playRemainder = 0.0;
   if (!shell.ui.timeline.playing) {
     snapPlayhead(shell);
   }
-  return Success{};
 }
 
 Status runGrab(Shell& shell) {
@@ -105,17 +118,15 @@ bool hasLimb(const Shell& shell) {
   return hasFile(shell) && !shell.open.character()->view().selectedLimbs.empty();
 }
 
-Status showOriginal(Shell& shell) {
+void showOriginal(Shell& shell) {
   bool& shown = shell.open.character() != nullptr ? shell.open.character()->view().showOriginal
                                                   : shell.open.sequence()->view().showOriginal;
   shown = !shown;
-  return Success{};
 }
 
-Status pickChain(Shell& shell) {
+void pickChain(Shell& shell) {
   shell.ui.jointPick = {};
   shell.ui.jointPick.open = true;
-  return Success{};
 }
 
 Status exportKeys(Shell& shell) {
@@ -127,18 +138,16 @@ Status exportKeys(Shell& shell) {
   return done;
 }
 
-Status openPalette(Shell& shell) {
+void openPalette(Shell& shell) {
   shell.ui.palette = {};
   shell.ui.palette.open = true;
-  return Success{};
 }
 
-Status toggleNavigation(Shell& shell) {
+void toggleNavigation(Shell& shell) {
   const bool maya = shell.ui.navigation == NavigationStyle::maya;
   shell.ui.navigation = maya ? NavigationStyle::blender : NavigationStyle::maya;
   tell(shell, ToastKind::info,
        maya ? "Navigation as in Blender: middle button" : "Navigation as in Maya: Alt and mouse");
-  return Success{};
 }
 
 const ShellCommand* findCommandOf(const Shell& shell, std::string_view id) {
@@ -152,161 +161,74 @@ void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
 }
 
 auto askingFor(FilePurpose purpose) {
-  return [purpose](Shell& shell) -> Status {
-    askForFile(shell, purpose);
-    return Success{};
-  };
-}
-
-std::vector<ShellCommand> openingAndSavingCommands() {
-  return {
-      {command::fileOpen,
-       "Open",
-       "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
-       {"Ctrl+O"},
-       always,
-       askingFor(FilePurpose::openModel)},
-      {command::fileSave,
-       "Save",
-       "Saves the file with the work inside; the first time it asks for a name.",
-       {"Ctrl+S"},
-       canExport,
-       [](Shell& shell) -> Status {
-         saveFile(shell);
-         return Success{};
-       }},
-      {command::fileSaveAs,
-       "Save as",
-       "Saves under another name.",
-       {"Ctrl+Shift+S"},
-       canExport,
-       askingFor(FilePurpose::saveModel)},
-      {command::fileSaveIncremental,
-       "Save incremental",
-       "Saves under the next free number and leaves older files alone.",
-       {"Ctrl+Alt+S"},
-       hasFile,
-       [](Shell& shell) -> Status {
-         saveIncremental(shell);
-         return Success{};
-       }},
-  };
-}
-
-std::vector<ShellCommand> exportingAndQuittingCommands() {
-  return {
-      {command::fileExportClean,
-       "Export clean",
-       "Writes a copy without the work: only what players and engines need.",
-       {"Ctrl+E"},
-       canExport,
-       askingFor(FilePurpose::exportClean)},
-      {command::recipeSave,
-       "Save a recipe",
-       "Writes the clip's trails, to be replayed on another clip or character.",
-       {},
-       hasFile,
-       askingFor(FilePurpose::saveRecipe)},
-      {command::recipeLoad,
-       "Replay a recipe",
-       "Adds the trails of a recipe to this character.",
-       {},
-       hasFile,
-       askingFor(FilePurpose::openRecipe)},
-      {command::fileQuit,
-       "Quit",
-       "Leaves the program; asks first when there is unsaved work.",
-       {"Ctrl+Q"},
-       always,
-       [](Shell& shell) -> Status {
-         askToQuit(shell);
-         return Success{};
-       }},
-  };
+  return doing([purpose](Shell& shell) { askForFile(shell, purpose); });
 }
 
 } // namespace
 
 std::vector<ShellCommand> fileCommands() {
-  std::vector<ShellCommand> all = openingAndSavingCommands();
-  append(all, exportingAndQuittingCommands());
-  return all;
+  return {
+      entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
+            {"Ctrl+O"}, always, askingFor(FilePurpose::openModel)),
+      entry(command::fileSave, "Save",
+            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"}, canExport,
+            doing([](Shell& shell) { saveFile(shell); })),
+      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, canExport,
+            askingFor(FilePurpose::saveModel)),
+      entry(command::fileSaveIncremental, "Save incremental",
+            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, hasFile,
+            doing([](Shell& shell) { saveIncremental(shell); })),
+      entry(command::fileExportClean, "Export clean",
+            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, canExport,
+            askingFor(FilePurpose::exportClean)),
+      entry(command::recipeSave, "Save a recipe",
+            "Writes the clip's trails, to be replayed on another clip or character.", {}, hasFile,
+            askingFor(FilePurpose::saveRecipe)),
+      entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
+            hasFile, askingFor(FilePurpose::openRecipe)),
+      entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
+            {"Ctrl+Q"}, always, doing([](Shell& shell) { askToQuit(shell); })),
+  };
 }
 
 std::vector<ShellCommand> toolCommands() {
   return {
-      {command::trailExaggerate,
-       "Exaggerate",
-       "Makes the trail if there is none, exaggerates it and connects the limb; "
-       "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-       {"E"},
-       hasLimb,
-       [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }},
-      {command::sphereGrab,
-       "Grab",
-       "Moves the selected spheres with the mouse, an axis key or a typed number.",
-       {"G"},
-       hasSpheres,
-       runGrab},
-      {command::trailShowOriginal,
-       "Show the original",
-       "While the key is held the character moves as in the file.",
-       {"`", "O"},
-       hasPicture,
-       showOriginal},
-      {command::pickChain,
-       "Any chain",
-       "Makes a limb of any chain, by its two joints.",
-       {"J"},
-       hasFile,
-       pickChain},
-      {command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, togglePlay},
+      entry(command::trailExaggerate, "Exaggerate",
+            "Makes the trail if there is none, exaggerates it and connects the limb; "
+            "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
+            {"E"}, hasLimb,
+            [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }),
+      entry(command::sphereGrab, "Grab",
+            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"}, hasSpheres,
+            runGrab),
+      entry(command::trailShowOriginal, "Show the original",
+            "While the key is held the character moves as in the file.", {"`", "O"}, hasPicture,
+            doing(showOriginal)),
+      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, hasFile,
+            doing(pickChain)),
+      entry(command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, doing(togglePlay)),
   };
 }
 
-namespace {
-
-std::vector<ShellCommand> overlayCommands() {
+std::vector<ShellCommand> viewCommands() {
   return {
-      switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", "H",
-                    &ViewportOverlays::ghosts),
-      switchCommand(command::viewSkeleton, "Skeleton", "Shows the joints over the character.", "K",
-                    &ViewportOverlays::skeleton),
-      switchCommand(command::viewWire, "Wire", "Shows the edges of the mesh.", "W", &ViewportOverlays::wire),
-      switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", "",
-                    &ViewportOverlays::jointNames),
+      switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", {"H"}),
+      switchCommand(command::viewSkeleton, "Skeleton", "Shows the joints over the character.", {"K"}),
+      switchCommand(command::viewWire, "Wire", "Shows the edges of the mesh.", {"W"}),
+      switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),
       switchCommand(command::viewHeatMap, "Stretch colours", "Colours the mesh by how much it is stretched.",
-                    "", &ViewportOverlays::heatMap),
-      switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", "",
-                    &ViewportOverlays::grid),
+                    {}),
+      switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
-                    "Writes the frame beside every control sphere.", "",
-                    &ViewportOverlays::trailFrameNumbers),
+                    "Writes the frame beside every control sphere.", {}),
       switchCommand(command::viewSideBySide, "Side by side",
-                    "Shows the original beside the exaggerated motion.", "", &ViewportOverlays::sideBySide),
-  };
-}
-
-std::vector<ShellCommand> cameraAndPaneCommands() {
-  return {
-      {command::viewFrameSelection,
-       "Frame the selection",
-       "Moves the camera to the selected limb and trail.",
-       {"F"},
-       hasPicture,
-       [](Shell& shell) -> Status {
-         shell.viewport.frameSelectionPending = true;
-         return Success{};
-       }},
-      {command::viewFrameAll,
-       "Frame everything",
-       "Moves the camera so that the whole character is seen.",
-       {"A"},
-       hasPicture,
-       [](Shell& shell) -> Status {
-         shell.viewport.framePending = true;
-         return Success{};
-       }},
+                    "Shows the original beside the exaggerated motion.", {}),
+      entry(command::viewFrameSelection, "Frame the selection",
+            "Moves the camera to the selected limb and trail.", {"F"}, hasPicture,
+            doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),
+      entry(command::viewFrameAll, "Frame everything",
+            "Moves the camera so that the whole character is seen.", {"A"}, hasPicture,
+            doing([](Shell& shell) { shell.viewport.framePending = true; })),
       directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Numpad 1",
                        ViewDirection::front),
       directionCommand(command::viewSide, "Side view", "Looks at the character's side.", "Numpad 3",
@@ -316,77 +238,31 @@ std::vector<ShellCommand> cameraAndPaneCommands() {
       directionCommand(command::viewPerspective, "Perspective view",
                        "Looks with perspective, from the front and above.", "Numpad 5",
                        ViewDirection::threeQuarter),
-      paneCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", "Ctrl+1",
-                  &PaneSizes::leftOpen),
-      paneCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", "Ctrl+2",
-                  &PaneSizes::bottomOpen),
-      paneCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", "Ctrl+3",
-                  &PaneSizes::rightOpen),
-      {command::viewViewportOnly,
-       "Viewport only",
-       "Folds every pane, or brings them back.",
-       {"Ctrl+Space"},
-       always,
-       toggleViewportOnly},
-      {command::viewNavigation,
-       "Navigation of Maya or Blender",
-       "Changes how the mouse turns the view.",
-       {},
-       always,
-       toggleNavigation},
+      switchCommand(command::viewLeftPane, "Left pane", "Shows or folds rig and limbs.", {"Ctrl+1"}),
+      switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", {"Ctrl+2"}),
+      switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", {"Ctrl+3"}),
+      entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
+            {"Ctrl+Space"}, always, doing(toggleViewportOnly)),
+      entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
+            {}, always, doing(toggleNavigation)),
   };
-}
-
-} // namespace
-
-std::vector<ShellCommand> viewCommands() {
-  std::vector<ShellCommand> all = overlayCommands();
-  append(all, cameraAndPaneCommands());
-  return all;
 }
 
 std::vector<ShellCommand> helpCommands() {
   return {
-      {command::palette,
-       "Find a command",
-       "Lists every command with its key.",
-       {"Ctrl+P", "F3"},
-       always,
-       openPalette},
-      {command::keys,
-       "All keys",
-       "Shows every key and lets it be changed.",
-       {"?", "F1"},
-       always,
-       [](Shell& shell) -> Status {
-         shell.ui.keys = {};
-         shell.ui.keys.open = true;
-         return Success{};
-       }},
-      {command::settings,
-       "Settings",
-       "Theme, size, navigation and what is drawn.",
-       {},
-       always,
-       [](Shell& shell) -> Status {
-         shell.ui.settingsOpen = true;
-         return Success{};
-       }},
-      {command::about,
-       "About",
-       "What this program is.",
-       {},
-       always,
-       [](Shell& shell) -> Status {
-         shell.ui.aboutOpen = true;
-         return Success{};
-       }},
-      {command::keysExport,
-       "Export the keys",
-       "Writes every key to a file in your configuration folder.",
-       {},
-       always,
-       exportKeys},
+      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"}, always,
+            doing(openPalette)),
+      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, always,
+            doing([](Shell& shell) {
+              shell.ui.keys = {};
+              shell.ui.keys.open = true;
+            })),
+      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, always,
+            doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
+      entry(command::about, "About", "What this program is.", {}, always,
+            doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
+      entry(command::keysExport, "Export the keys",
+            "Writes every key to a file in your configuration folder.", {}, always, exportKeys),
   };
 }
 
@@ -403,29 +279,15 @@ std::vector<ShellCommand> editorCommands() {
 }
 
 bool isChecked(const Shell& shell, std::string_view id) {
-  const ViewportOverlays& overlays = shell.ui.overlays;
-  const bool shownOriginal = shell.open.character() != nullptr && shell.open.character()->view().showOriginal;
-  const std::pair<std::string_view, bool> switches[] = {
-      {command::viewGhosts, overlays.ghosts},
-      {command::viewSkeleton, overlays.skeleton},
-      {command::viewWire, overlays.wire},
-      {command::viewJointNames, overlays.jointNames},
-      {command::viewHeatMap, overlays.heatMap},
-      {command::viewGrid, overlays.grid},
-      {command::viewFrameNumbers, overlays.trailFrameNumbers},
-      {command::viewSideBySide, overlays.sideBySide},
-      {command::timePlay, shell.ui.timeline.playing},
-      {command::sequenceOriginal,
-       shell.open.sequence() != nullptr && shell.open.sequence()->view().showOriginal},
-      {command::sequenceSkinned,
-       shell.open.sequence() != nullptr && shell.open.sequence()->view().showSkinned},
-      {command::trailShowOriginal, shownOriginal},
-      {command::viewLeftPane, shell.panes.leftOpen},
-      {command::viewBottomPane, shell.panes.bottomOpen},
-      {command::viewRightPane, shell.panes.rightOpen},
-  };
-  return std::any_of(std::begin(switches), std::end(switches),
-                     [&](const auto& entry) { return entry.first == id && entry.second; });
+  if (const bool* const shown = switchOf(shell, id)) {
+    return *shown;
+  }
+  const app::Session* const character = shell.open.character();
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  return (id == command::timePlay && shell.ui.timeline.playing) ||
+         (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
+         (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
+         (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
 }
 
 bool hasCommand(const Shell& shell, std::string_view commandId) {

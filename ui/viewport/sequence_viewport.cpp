@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <imgui.h>
 
+#include "core/base/hash.h"
 #include "ui/render/sequence_scene.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/value_colors.h"
-#include "ui/viewport/content_key.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/color_legend.h"
 
@@ -89,13 +89,13 @@ Scene sceneOf(const app::SequenceSession& session) {
 
 /// What the scene was made from: it is made and uploaded again when this changes.
 std::uint64_t sceneKey(const app::SequenceSession& session) {
-  ContentKey key;
-  key.add(session.document().mesh.get());
-  key.add(session.document().result.get());
-  key.add(app::shownFrame(session));
-  key.add(session.view().showOriginal);
-  key.add(session.view().showSkinned);
-  key.add(session.view().colours);
+  Hash key;
+  key.mix(session.document().mesh.get());
+  key.mix(session.document().result.get());
+  key.mix(app::shownFrame(session));
+  key.mix(session.view().showOriginal);
+  key.mix(session.view().showSkinned);
+  key.mix(session.view().colours);
   return key.value();
 }
 

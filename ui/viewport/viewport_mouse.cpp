@@ -6,7 +6,7 @@
 #include <imgui.h>
 
 #include "app/commands/selection.h"
-#include "ui/panels/toasts.h"
+#include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/viewport_scene.h"
 

@@ -7,8 +7,8 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
-#include "ui/panels/toasts.h"
-#include "ui/viewport/content_key.h"
+#include "core/base/hash.h"
+#include "ui/panels/panel_support.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"
@@ -18,54 +18,54 @@ namespace stretch::ui {
 
 namespace {
 
-void addFrame(ContentKey& key, const FrameState& frame) {
-  key.addAll(frame.worlds);
-  key.addAll(frame.stretch);
+void addFrame(Hash& key, const FrameState& frame) {
+  key.mix(std::span(frame.worlds));
+  key.mix(std::span(frame.stretch));
   for (const std::vector<float>& weights : frame.pose.weights) {
-    key.addAll(weights);
+    key.mix(std::span(weights));
   }
 }
 
-void addOverlay(ContentKey& key, const Overlay& overlay) {
+void addOverlay(Hash& key, const Overlay& overlay) {
   for (const Polyline& line : overlay.lines) {
     for (const LinePoint& point : line.points) {
-      key.add(point.world);
-      key.add(point.color);
-      key.add(point.widthPoints);
+      key.mix(point.world);
+      key.mix(point.color);
+      key.mix(point.widthPoints);
     }
   }
   for (const Marker& marker : overlay.markers) {
-    key.add(marker.world);
-    key.add(marker.radiusPoints);
-    key.add(marker.fill);
-    key.add(marker.edge);
+    key.mix(marker.world);
+    key.mix(marker.radiusPoints);
+    key.mix(marker.fill);
+    key.mix(marker.edge);
   }
   for (const Arrow& arrow : overlay.arrows) {
-    key.add(arrow.from);
-    key.add(arrow.to);
-    key.add(arrow.color);
-    key.add(arrow.widthPoints);
+    key.mix(arrow.from);
+    key.mix(arrow.to);
+    key.mix(arrow.color);
+    key.mix(arrow.widthPoints);
   }
 }
 
 std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const Scene* scene, ThemeKind theme) {
-  ContentKey key;
-  key.add(scene);
-  key.add(theme);
-  key.add(view.view);
-  key.add(view.projection);
-  key.add(view.viewport);
+  Hash key;
+  key.mix(scene);
+  key.mix(theme);
+  key.mix(view.view);
+  key.mix(view.projection);
+  key.mix(view.viewport);
   addFrame(key, picture.frame);
   for (const Ghost& ghost : picture.ghosts) {
     addFrame(key, ghost.frame);
-    key.add(ghost.tint);
+    key.mix(ghost.tint);
   }
   addOverlay(key, picture.overlay);
-  key.add(picture.style.shading);
-  key.add(picture.style.wireframe);
-  key.add(picture.style.floor);
-  key.add(picture.style.quality);
-  key.addAll(picture.style.highlight);
+  key.mix(picture.style.shading);
+  key.mix(picture.style.wireframe);
+  key.mix(picture.style.floor);
+  key.mix(picture.style.quality);
+  key.mix(std::span(picture.style.highlight));
   return key.value();
 }
 

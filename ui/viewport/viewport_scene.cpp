@@ -7,7 +7,7 @@
 
 #include "app/commands/frames.h"
 #include "app/edits/mirror_edits.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 namespace stretch::ui {
 

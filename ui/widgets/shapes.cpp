@@ -40,11 +40,6 @@ void addDiamond(ImDrawList& list, const ImVec2& centre, float radius, ImU32 colo
                      {centre.x, centre.y + radius}, {centre.x - radius, centre.y}, colour);
 }
 
-void addDiamondOutline(ImDrawList& list, const ImVec2& centre, float radius, ImU32 colour, float thickness) {
-  list.AddQuad({centre.x, centre.y - radius}, {centre.x + radius, centre.y}, {centre.x, centre.y + radius},
-               {centre.x - radius, centre.y}, colour, thickness);
-}
-
 void addDashedPolyline(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, float thickness,
                        float dash, float gap) {
   float phase = 0.0F;

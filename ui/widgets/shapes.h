@@ -20,7 +20,6 @@ void addCapsule(ImDrawList& list, const TaperedCapsule& capsule, ImU32 colour);
 [[nodiscard]] bool isInside(const TaperedCapsule& capsule, const ImVec2& point, float margin);
 
 void addDiamond(ImDrawList& list, const ImVec2& centre, float radius, ImU32 colour);
-void addDiamondOutline(ImDrawList& list, const ImVec2& centre, float radius, ImU32 colour, float thickness);
 
 /// A polyline in dashes that go on over its corners.
 void addDashedPolyline(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, float thickness,

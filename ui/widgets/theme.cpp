@@ -17,68 +17,30 @@ constexpr ImU32 rgb(unsigned hex) {
   return IM_COL32((hex >> 16U) & 255U, (hex >> 8U) & 255U, hex & 255U, 255U);
 }
 
-ThemeColours darkColours() {
-  ThemeColours c;
-  c.background = rgb(0x151618);
-  c.panel = rgb(0x1E1F22);
-  c.raised = rgb(0x2A2C31);
-  c.hovered = rgb(0x34373D);
-  c.pressed = rgb(0x3E424A);
-  c.border = rgb(0x33363C);
-  c.sunken = rgb(0x17181B);
-  c.text = rgb(0xD8DADF);
-  c.quietText = rgb(0x8B9098);
-  c.accent = rgb(0xA594F9);
-  c.onAccent = rgb(0x16121F);
-  c.accentQuiet = rgb(0x3A3554);
-  c.success = rgb(0x5BBF96);
-  c.warning = rgb(0xE8B450);
-  c.error = rgb(0xE8773C);
-  c.shadow = IM_COL32(0, 0, 0, 110);
-  return c;
-}
+/// One role in each theme, in the order of ThemeKind.
+struct RoleColours {
+  ImU32 ThemeColours::*role;
+  std::array<ImU32, 3> byTheme;
+};
 
-ThemeColours lightColours() {
-  ThemeColours c;
-  c.background = rgb(0xC9CBD0);
-  c.panel = rgb(0xECEDEF);
-  c.raised = rgb(0xFBFBFC);
-  c.hovered = rgb(0xE1E2E6);
-  c.pressed = rgb(0xD3D5DA);
-  c.border = rgb(0xC6C8CE);
-  c.sunken = rgb(0xF7F7F8);
-  c.text = rgb(0x1F2126);
-  c.quietText = rgb(0x5C616B);
-  c.accent = rgb(0x5A45C6);
-  c.onAccent = rgb(0xFFFFFF);
-  c.accentQuiet = rgb(0xDAD4F7);
-  c.success = rgb(0x00714F);
-  c.warning = rgb(0x8A5A00);
-  c.error = rgb(0xB24700);
-  c.shadow = IM_COL32(0, 0, 0, 50);
-  return c;
-}
-
-ThemeColours highContrastColours() {
-  ThemeColours c;
-  c.background = rgb(0x000000);
-  c.panel = rgb(0x000000);
-  c.raised = rgb(0x1C1C1C);
-  c.hovered = rgb(0x3A3A3A);
-  c.pressed = rgb(0x505050);
-  c.border = rgb(0xA8A8A8);
-  c.sunken = rgb(0x0A0A0A);
-  c.text = rgb(0xFFFFFF);
-  c.quietText = rgb(0xD2D2D2);
-  c.accent = rgb(0xFFD84A);
-  c.onAccent = rgb(0x000000);
-  c.accentQuiet = rgb(0x5A4A00);
-  c.success = rgb(0x5CFFB8);
-  c.warning = rgb(0xFFC857);
-  c.error = rgb(0xFF8A4C);
-  c.shadow = IM_COL32(0, 0, 0, 180);
-  return c;
-}
+constexpr RoleColours roleColours[] = {
+    {&ThemeColours::background, {rgb(0x151618), rgb(0xC9CBD0), rgb(0x000000)}},
+    {&ThemeColours::panel, {rgb(0x1E1F22), rgb(0xECEDEF), rgb(0x000000)}},
+    {&ThemeColours::raised, {rgb(0x2A2C31), rgb(0xFBFBFC), rgb(0x1C1C1C)}},
+    {&ThemeColours::hovered, {rgb(0x34373D), rgb(0xE1E2E6), rgb(0x3A3A3A)}},
+    {&ThemeColours::pressed, {rgb(0x3E424A), rgb(0xD3D5DA), rgb(0x505050)}},
+    {&ThemeColours::border, {rgb(0x33363C), rgb(0xC6C8CE), rgb(0xA8A8A8)}},
+    {&ThemeColours::sunken, {rgb(0x17181B), rgb(0xF7F7F8), rgb(0x0A0A0A)}},
+    {&ThemeColours::text, {rgb(0xD8DADF), rgb(0x1F2126), rgb(0xFFFFFF)}},
+    {&ThemeColours::quietText, {rgb(0x8B9098), rgb(0x5C616B), rgb(0xD2D2D2)}},
+    {&ThemeColours::accent, {rgb(0xA594F9), rgb(0x5A45C6), rgb(0xFFD84A)}},
+    {&ThemeColours::onAccent, {rgb(0x16121F), rgb(0xFFFFFF), rgb(0x000000)}},
+    {&ThemeColours::accentQuiet, {rgb(0x3A3554), rgb(0xDAD4F7), rgb(0x5A4A00)}},
+    {&ThemeColours::success, {rgb(0x5BBF96), rgb(0x00714F), rgb(0x5CFFB8)}},
+    {&ThemeColours::warning, {rgb(0xE8B450), rgb(0x8A5A00), rgb(0xFFC857)}},
+    {&ThemeColours::error, {rgb(0xE8773C), rgb(0xB24700), rgb(0xFF8A4C)}},
+    {&ThemeColours::shadow, {IM_COL32(0, 0, 0, 110), IM_COL32(0, 0, 0, 50), IM_COL32(0, 0, 0, 180)}},
+};
 
 constexpr float lineHeightOfEm = 1.21F; ///< Of Inter: ascent and descent over the em.
 
@@ -149,71 +111,76 @@ ThemeFonts loadFonts(float scale) {
   return fonts;
 }
 
+/// What ImGui draws in the colour of a role.
+struct StyleRole {
+  ImGuiCol style;
+  ImU32 ThemeColours::*role;
+};
+
+constexpr StyleRole styleRoles[] = {
+    {ImGuiCol_Text, &ThemeColours::text},
+    {ImGuiCol_TextDisabled, &ThemeColours::quietText},
+    {ImGuiCol_WindowBg, &ThemeColours::panel},
+    {ImGuiCol_PopupBg, &ThemeColours::raised},
+    {ImGuiCol_Border, &ThemeColours::border},
+    {ImGuiCol_FrameBg, &ThemeColours::raised},
+    {ImGuiCol_FrameBgHovered, &ThemeColours::hovered},
+    {ImGuiCol_FrameBgActive, &ThemeColours::pressed},
+    {ImGuiCol_TitleBg, &ThemeColours::raised},
+    {ImGuiCol_TitleBgActive, &ThemeColours::raised},
+    {ImGuiCol_TitleBgCollapsed, &ThemeColours::raised},
+    {ImGuiCol_MenuBarBg, &ThemeColours::panel},
+    {ImGuiCol_ScrollbarGrab, &ThemeColours::hovered},
+    {ImGuiCol_ScrollbarGrabHovered, &ThemeColours::pressed},
+    {ImGuiCol_ScrollbarGrabActive, &ThemeColours::quietText},
+    {ImGuiCol_Separator, &ThemeColours::border},
+    {ImGuiCol_CheckMark, &ThemeColours::accent},
+    {ImGuiCol_SliderGrab, &ThemeColours::accent},
+    {ImGuiCol_SliderGrabActive, &ThemeColours::accent},
+    {ImGuiCol_Button, &ThemeColours::raised},
+    {ImGuiCol_ButtonHovered, &ThemeColours::hovered},
+    {ImGuiCol_ButtonActive, &ThemeColours::pressed},
+    {ImGuiCol_Header, &ThemeColours::accentQuiet},
+    {ImGuiCol_HeaderHovered, &ThemeColours::hovered},
+    {ImGuiCol_HeaderActive, &ThemeColours::pressed},
+    {ImGuiCol_SeparatorHovered, &ThemeColours::accent},
+    {ImGuiCol_SeparatorActive, &ThemeColours::accent},
+    {ImGuiCol_ResizeGripHovered, &ThemeColours::hovered},
+    {ImGuiCol_ResizeGripActive, &ThemeColours::accent},
+    {ImGuiCol_Tab, &ThemeColours::panel},
+    {ImGuiCol_TabHovered, &ThemeColours::hovered},
+    {ImGuiCol_TabActive, &ThemeColours::raised},
+    {ImGuiCol_TextSelectedBg, &ThemeColours::accentQuiet},
+    {ImGuiCol_DragDropTarget, &ThemeColours::accent},
+    {ImGuiCol_NavHighlight, &ThemeColours::accent},
+    {ImGuiCol_TableHeaderBg, &ThemeColours::raised},
+    {ImGuiCol_TableBorderStrong, &ThemeColours::border},
+    {ImGuiCol_TableBorderLight, &ThemeColours::border},
+};
+
 void setColour(ImGuiStyle& style, ImGuiCol role, ImU32 colour) {
   style.Colors[role] = ImGui::ColorConvertU32ToFloat4(colour);
 }
 
-void setSurfaceColours(ImGuiStyle& style, const ThemeColours& c) {
-  setColour(style, ImGuiCol_Text, c.text);
-  setColour(style, ImGuiCol_TextDisabled, c.quietText);
-  setColour(style, ImGuiCol_WindowBg, c.panel);
-  setColour(style, ImGuiCol_ChildBg, IM_COL32_BLACK_TRANS);
-  setColour(style, ImGuiCol_PopupBg, c.raised);
-  setColour(style, ImGuiCol_Border, c.border);
-  setColour(style, ImGuiCol_BorderShadow, IM_COL32_BLACK_TRANS);
-  setColour(style, ImGuiCol_FrameBg, c.raised);
-  setColour(style, ImGuiCol_FrameBgHovered, c.hovered);
-  setColour(style, ImGuiCol_FrameBgActive, c.pressed);
-  setColour(style, ImGuiCol_TitleBg, c.raised);
-  setColour(style, ImGuiCol_TitleBgActive, c.raised);
-  setColour(style, ImGuiCol_TitleBgCollapsed, c.raised);
-  setColour(style, ImGuiCol_MenuBarBg, c.panel);
-  setColour(style, ImGuiCol_ScrollbarBg, IM_COL32_BLACK_TRANS);
-  setColour(style, ImGuiCol_ScrollbarGrab, c.hovered);
-  setColour(style, ImGuiCol_ScrollbarGrabHovered, c.pressed);
-  setColour(style, ImGuiCol_ScrollbarGrabActive, c.quietText);
-  setColour(style, ImGuiCol_Separator, c.border);
+void setColours(ImGuiStyle& style, const ThemeColours& colours) {
+  for (const StyleRole& entry : styleRoles) {
+    setColour(style, entry.style, colours.*entry.role);
+  }
+  for (const ImGuiCol unseen :
+       {ImGuiCol_ChildBg, ImGuiCol_BorderShadow, ImGuiCol_ScrollbarBg, ImGuiCol_ResizeGrip}) {
+    setColour(style, unseen, IM_COL32_BLACK_TRANS);
+  }
   setColour(style, ImGuiCol_ModalWindowDimBg, IM_COL32(0, 0, 0, 120));
-}
-
-void setControlColours(ImGuiStyle& style, const ThemeColours& c) {
-  setColour(style, ImGuiCol_CheckMark, c.accent);
-  setColour(style, ImGuiCol_SliderGrab, c.accent);
-  setColour(style, ImGuiCol_SliderGrabActive, c.accent);
-  setColour(style, ImGuiCol_Button, c.raised);
-  setColour(style, ImGuiCol_ButtonHovered, c.hovered);
-  setColour(style, ImGuiCol_ButtonActive, c.pressed);
-  setColour(style, ImGuiCol_Header, c.accentQuiet);
-  setColour(style, ImGuiCol_HeaderHovered, c.hovered);
-  setColour(style, ImGuiCol_HeaderActive, c.pressed);
-  setColour(style, ImGuiCol_SeparatorHovered, c.accent);
-  setColour(style, ImGuiCol_SeparatorActive, c.accent);
-  setColour(style, ImGuiCol_ResizeGrip, IM_COL32_BLACK_TRANS);
-  setColour(style, ImGuiCol_ResizeGripHovered, c.hovered);
-  setColour(style, ImGuiCol_ResizeGripActive, c.accent);
-  setColour(style, ImGuiCol_Tab, c.panel);
-  setColour(style, ImGuiCol_TabHovered, c.hovered);
-  setColour(style, ImGuiCol_TabActive, c.raised);
-  setColour(style, ImGuiCol_TextSelectedBg, c.accentQuiet);
-  setColour(style, ImGuiCol_DragDropTarget, c.accent);
-  setColour(style, ImGuiCol_NavHighlight, c.accent);
-  setColour(style, ImGuiCol_TableHeaderBg, c.raised);
-  setColour(style, ImGuiCol_TableBorderStrong, c.border);
-  setColour(style, ImGuiCol_TableBorderLight, c.border);
 }
 
 } // namespace
 
 ThemeColours coloursOf(ThemeKind kind) {
-  switch (kind) {
-  case ThemeKind::light:
-    return lightColours();
-  case ThemeKind::highContrast:
-    return highContrastColours();
-  case ThemeKind::dark:
-    break;
+  ThemeColours colours;
+  for (const RoleColours& entry : roleColours) {
+    colours.*entry.role = entry.byTheme[static_cast<std::size_t>(kind)];
   }
-  return darkColours();
+  return colours;
 }
 
 Theme makeTheme(ThemeKind kind, float scale) {
@@ -249,8 +216,7 @@ void applyStyle(const Theme& theme) {
   style.DisabledAlpha = 0.45F;
   style.ScaleAllSizes(theme.scale);
   style.MouseCursorScale = 1.0F;
-  setSurfaceColours(style, theme.colours);
-  setControlColours(style, theme.colours);
+  setColours(style, theme.colours);
   ImGui::GetStyle() = style;
   ImGui::GetIO().FontDefault = theme.fonts.body;
 }
@@ -280,8 +246,7 @@ std::string findFont(const std::string& family, int weight) {
     return {};
   }
   const std::unique_ptr<FcPattern, decltype(&FcPatternDestroy)> pattern(FcPatternCreate(), &FcPatternDestroy);
-  const std::string& name = family;
-  FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(name.c_str()));
+  FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
   FcPatternAddInteger(pattern.get(), FC_WEIGHT, weight);
   FcPatternAddInteger(pattern.get(), FC_SLANT, FC_SLANT_ROMAN);
   FcConfigSubstitute(config.get(), pattern.get(), FcMatchPattern);

@@ -104,8 +104,8 @@ TEST_CASE("Axes toggle, and with Shift one is left alone") {
 
 TEST_CASE("Axes are read by what the layout prints, not by position") {
   ExaggerateModal modal = punch();
-  CHECK(pressKey(modal, KeyPress{{Key::z}, 'y'}) == ModalOutcome::running); // The key left of X on a German
-                                                                            // keyboard's bottom row.
+  CHECK(pressKey(modal, KeyPress{{Key{'Z'}}, 'y'}) == ModalOutcome::running); // The key left of X on a German
+                                                                              // keyboard's bottom row.
   CHECK(modal.settings.axes == std::array{true, false, true});
 }
 

@@ -6,7 +6,6 @@
 #include <tiny_gltf.h>
 
 #include "app/edits/trail_edits.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "tests/support/temporary_folder.h"

@@ -9,11 +9,10 @@
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/base/file.h"
 #include "core/scene/bind_chains.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;

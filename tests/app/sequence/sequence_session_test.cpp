@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/document_commands.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "app/open_document.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/skinning/bodies.h"

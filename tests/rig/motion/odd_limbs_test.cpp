@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
 using namespace stretch;

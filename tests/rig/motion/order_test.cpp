@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/motion/order.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/soft_limbs.h"

@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -72,7 +72,8 @@ TEST_CASE("the hand is at the drawn trail on every frame of the range") {
       trail.settings.bend = bend;
       trail.settings.easeIn = {0.4, 0.1};
       const MotionState motion = solved(moving, {trail});
-      const DrawnTrail drawn = drawnPaths(moving.scene, moving.clip, motion, 0, 2);
+      const DrawnTrail drawn =
+          pathsAt(moving.scene, moving.clip, motion, 0, drawnFrames(moving.clip, motion.trails[0], 2));
       for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
         CAPTURE(bend == Bend::keep, scale, drawn.frames[i]);
         const Vec3 hand = endPosition(arm, atFrame(moving, motion, drawn.frames[i]).worlds);
@@ -149,7 +150,7 @@ TEST_CASE("a lowered switch lets the hand fall short, pointing at the target") {
   trail.settings.stretchSwitch = 0.5;
   const MotionState motion = solved(moving, {trail});
   const std::vector<Vec3> points = limbPoints(arm, atFrame(moving, motion, 12).worlds);
-  const Vec3 target = drawnPaths(moving.scene, moving.clip, motion, 0, 1).exaggerated[12];
+  const Vec3 target = pathsAt(moving.scene, moving.clip, motion, 0, {12.0}).exaggerated[0];
   CHECK(glm::length(points.back() - points.front()) ==
         Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
   CHECK(angleBetween(points.back() - points.front(), target - points.front()) < 1e-5);

@@ -1,4 +1,4 @@
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "rig/motion/limb_weight.h"
 
 #include <cmath>

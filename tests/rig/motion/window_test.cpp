@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;

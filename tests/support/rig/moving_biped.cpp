@@ -1,5 +1,5 @@
 #include "tests/support/rig/moving_biped.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <algorithm>
 #include <cmath>

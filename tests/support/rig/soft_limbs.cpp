@@ -1,5 +1,5 @@
 #include "tests/support/rig/soft_limbs.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -10,7 +10,7 @@
 
 #include "app/document.h"
 #include "app/evaluate/evaluate.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "app/files/open.h"
+#include "app/files/save.h"
 
 namespace stretch::test {
 

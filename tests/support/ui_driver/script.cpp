@@ -12,7 +12,7 @@
 #include <GLFW/glfw3.h>
 
 #include "tests/support/ui_driver/script_state.h"
-#include "ui/render/png.h"
+#include "ui/render/image_edits.h"
 #include "ui/shell/shell_commands.h"
 
 namespace stretch::test {

@@ -15,7 +15,7 @@
 #include "app/commands/selection.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
-#include "rig/limb_points.h"
+#include "rig/limb.h"
 #include "skinning/linear_blend_skinning.h"
 #include "ui/shell/file_work.h"
 

@@ -10,8 +10,8 @@
 #include "ui/render/lighting.h"
 #include "ui/render/quality.h"
 #include "ui/render/skeleton_drawing.h"
-#include "ui/render/stretch_colors.h"
 #include "ui/render/trail_drawing.h"
+#include "ui/render/value_colors.h"
 
 using namespace stretch;
 using namespace stretch::ui;

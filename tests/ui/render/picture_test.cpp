@@ -5,11 +5,10 @@
 #include "../../support/ui/picture_baseline.h"
 #include "../../support/ui/render_scenes.h"
 #include "app/evaluate/evaluate.h"
-#include "ui/render/handle_drawing.h"
 #include "ui/render/image_edits.h"
 #include "ui/render/offscreen_context.h"
 #include "ui/render/picture.h"
-#include "ui/render/png.h"
+#include "ui/render/picture_content.h"
 #include "ui/render/skeleton_drawing.h"
 #include "ui/render/viewport_renderer.h"
 

@@ -6,6 +6,7 @@
 
 #include "app/commands/command_ids.h"
 #include "core/base/file.h"
+#include "tests/support/app/key_tables.h"
 #include "ui/shell/shell_commands.h"
 
 using namespace stretch;
@@ -37,8 +38,7 @@ std::set<std::string> listedIds() {
 TEST_CASE("No key of the editor is bound twice, and every command has a name, a sentence of help and an id "
           "of its own") {
   const std::vector<app::Command<Shell>> commands = editorCommands();
-  const app::Keymap keymap(app::keyedCommands(commands));
-  for (const std::string& problem : keymap.problems()) {
+  for (const std::string& problem : test::keyProblems(app::keyedCommands(commands))) {
     FAIL_CHECK(problem);
   }
   std::set<std::string> ids;

@@ -9,6 +9,7 @@
 #include "app/files/autosave.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/key_tables.h"
 #include "tests/support/app/other_value.h"
 #include "tests/support/ui_driver/script_state.h"
 #include "ui/panels/view_schema.h"
@@ -200,7 +201,7 @@ TEST_CASE("Numbers are compared as numbers, the rest as text") {
 }
 
 TEST_CASE("Every key of ours is one of the window's") {
-  for (const app::Key key : app::allKeys()) {
+  for (const app::Key key : test::allKeys()) {
     INFO(app::keyName(key));
     const auto code = toGlfwKey(key);
     REQUIRE(code);

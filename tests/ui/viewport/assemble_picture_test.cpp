@@ -4,8 +4,8 @@
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
-#include "ui/batch/character_pictures.h"
-#include "ui/render/png.h"
+#include "ui/batch/sequence_pictures.h"
+#include "ui/render/image_edits.h"
 #include "ui/viewport/viewport_scene.h"
 
 using namespace stretch;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/commands/key.h"
+#include "app/commands/keymap.h"
+
+namespace stretch::test {
+
+/// Every key that has a name.
+[[nodiscard]] std::vector<app::Key> allKeys();
+
+/// What is wrong with the default keys of a table: bound twice, or not to be read; one line each.
+[[nodiscard]] std::vector<std::string> keyProblems(const std::vector<app::KeyedCommand>& commands);
+
+} // namespace stretch::test
