@@ -2,7 +2,7 @@
 
 #include "core/math/finite.h"
 
-#include "core/scene/queries.h"
+#include "core/scene/scene.h"
 #include "rig/body/body_view.h"
 
 namespace stretch::rig::body {

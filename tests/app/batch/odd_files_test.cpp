@@ -4,7 +4,6 @@
 
 #include "app/batch/verb.h"
 #include "app/document.h"
-#include "app/files/open.h"
 #include "app/files/save.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/captured_errors.h"
