@@ -44,6 +44,7 @@ public:
   void preview(Document changed) {
     check(isDragging(), "a preview belongs to a drag that was begun");
     preview_ = std::move(changed);
+    documentChanged();
   }
   void commit() {
     check(isDragging(), "a commit ends a drag that was begun");

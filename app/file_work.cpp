@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/frames.h"
+#include "app/commands/selection.h"
+
 namespace stretch::app {
 
 namespace {
@@ -40,6 +43,28 @@ void tellDisconnected(FileUser& user, const Document& document) {
                     apart, one ? "trail is" : "trails are", one ? "it" : "them", one ? "it" : "them",
                     one ? "it" : "them"));
   }
+}
+
+WorkPlace placeOf(const ViewState& view) {
+  return {view.clip, view.frame, view.selectedLimbs, view.selectedTrail};
+}
+
+/// The clip that was worked on with its frame and selection; where nothing says so, the first with a trail.
+void showWhereWorkWas(Session& session, const std::optional<WorkPlace>& where) {
+  const Document& document = session.document();
+  ViewState& view = session.view();
+  const WorkPlace fallback{document.trails.empty() ? view.clip : document.trails.front().clip, 0.0, {}, 0};
+  const WorkPlace& place = where ? *where : fallback;
+  if (place.clip < 0 || place.clip >= static_cast<int>(document.clips->size())) {
+    return;
+  }
+  view.clip = place.clip;
+  view.frame = std::clamp(place.frame, 0.0, lastFrame(document, place.clip));
+  view.selectedLimbs = place.limbs;
+  std::erase_if(view.selectedLimbs,
+                [&](const std::string& limb) { return findLimb(document, limb) == nullptr; });
+  view.selectedSpheres.clear();
+  selectTrail(session, place.trail);
 }
 
 } // namespace
@@ -214,6 +239,7 @@ void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   }
   user.tell(Tone::success, "Saved " + path.filename().string());
   tellDisconnected(user, user.open().character()->document());
+  path_ = path; // What is open now: unsaved work from here on is kept aside for it.
   stamp(path);
   forgetKeptAside();
   user.saved(path);
@@ -312,9 +338,11 @@ void FileWork::answerOffer(FileUser& user, const OfferingAutosave& offered, File
 void FileWork::restore(FileUser& user, const fs::path& autosave) {
   Session& session = *user.open().character();
   Result<Document> restored = withAutosave(session.document(), autosave);
+  const std::optional<WorkPlace> where = placeOfAutosave(autosave);
   removeAutosave(autosave);
   if (restored) {
     session.edit(std::move(restored).value(), "Restore unsaved work");
+    showWhereWorkWas(session, where);
     user.tell(Tone::success, "The unsaved work is back");
   } else {
     user.tell(Tone::error, restored.error().line());
@@ -360,7 +388,7 @@ void FileWork::keepAside(FileUser& user, double nowSeconds) {
   }
   keptAsideSeconds_ = nowSeconds;
   const fs::path file = autosavePath(path_);
-  const Status written = writeText(file, autosaveText(document, path_));
+  const Status written = writeText(file, autosaveText(document, placeOf(session->view()), path_));
   if (!written && !keptAside_) {
     user.tell(Tone::warning, "Unsaved work is not kept aside: " + written.error().line());
   }

@@ -86,7 +86,9 @@ public:
   [[nodiscard]] bool isOpening() const { return opening_.has_value(); }
   [[nodiscard]] std::string openingName() const; ///< As people call it; empty while nothing is opened.
   [[nodiscard]] float openingShare() const;      ///< 0..1; < 0 unknown.
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; } ///< As opened; empty: none is.
+  [[nodiscard]] const std::filesystem::path& path() const {
+    return path_;
+  } ///< As opened or saved last; empty: none is.
   /// Whether an autosave holds this very state.
   [[nodiscard]] bool isKeptAside(const Document& document) const;
 

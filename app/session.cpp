@@ -1,5 +1,7 @@
 #include "app/session.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/files/save.h"
@@ -9,6 +11,9 @@ namespace stretch::app {
 Session::Session(Document document) : Editing(std::move(document)) {
   if (history().current().carriedWork) {
     savePath_ = history().current().source->path;
+  }
+  for (const rig::Trail& trail : history().current().trails) {
+    knownTrails_.push_back(trail.id);
   }
 }
 
@@ -64,14 +69,53 @@ Status Session::save(const std::filesystem::path& path, bool clean) {
   return saved;
 }
 
+const std::vector<rig::Stroke>& Session::strokesOf(const rig::Limb& limb) const {
+  const Document& shown = document();
+  auto found = std::find_if(strokes_.begin(), strokes_.end(),
+                            [&](const Strokes& known) { return known.limb.id == limb.id; });
+  const bool fits = found != strokes_.end() && found->clips == shown.clips && found->clip == view_.clip &&
+                    found->limb == limb;
+  if (!fits) {
+    if (found == strokes_.end()) {
+      strokes_.emplace_back();
+      found = std::prev(strokes_.end());
+    }
+    *found = {shown.clips, view_.clip, limb, rig::strokesOf(*shown.scene, clipOf(shown, view_.clip), limb)};
+  }
+  return found->strokes;
+}
+
+void Session::followSelection() {
+  const rig::Trail* const trail = findTrail(document(), view_.selectedTrail);
+  const Followed now = trail == nullptr
+                           ? Followed{}
+                           : Followed{trail->id, trail->settings.startFrame, trail->settings.endFrame};
+  if (trail != nullptr && !(now == followed_)) {
+    view_.rangeStart = now.startFrame;
+    view_.rangeEnd = now.endFrame;
+  }
+  followed_ = now;
+}
+
 void Session::documentChanged() {
   const Document& shown = document();
+  std::vector<int> appeared;
+  std::vector<int> trails;
+  for (const rig::Trail& trail : shown.trails) {
+    trails.push_back(trail.id);
+    if (trail.clip == view_.clip &&
+        std::find(knownTrails_.begin(), knownTrails_.end(), trail.id) == knownTrails_.end()) {
+      appeared.push_back(trail.id);
+    }
+  }
+  knownTrails_ = std::move(trails);
   if (findTrail(shown, view_.selectedTrail) == nullptr) {
-    view_.selectedTrail = 0;
+    view_.selectedTrail = appeared.size() == 1 ? appeared.front() : 0;
     view_.selectedSpheres.clear();
   }
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
+  followSelection();
 }
 
 } // namespace stretch::app

@@ -8,6 +8,7 @@
 
 #include "app/editing.h"
 #include "app/evaluate/cache.h"
+#include "rig/motion/stroke.h"
 
 namespace stretch::app {
 
@@ -20,7 +21,7 @@ struct ViewState {
   int selectedTrail = 0;                  ///< Trail id; 0 none.
   std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
   double rangeStart = 0.0;                ///< The working range, for new trails.
-  double rangeEnd = -1.0;                 ///< < rangeStart: the default range (docs/exaggeration.md, Words).
+  double rangeEnd = -1.0;                 ///< < rangeStart: the stroke around the playhead is proposed.
   bool showOriginal = false;              ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
@@ -58,11 +59,34 @@ public:
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);
 
+  /// The strokes of a limb in the viewed clip, which exists.
+  [[nodiscard]] const std::vector<rig::Stroke>& strokesOf(const rig::Limb& limb) const;
+
+  /// The working range follows the selected trail: whenever another one is selected, or its range changes.
+  void followSelection();
+
 private:
-  void documentChanged() override; ///< Drops what is selected and is not there any more.
+  /// Drops what is selected and is not there any more; selects the one trail that came back.
+  void documentChanged() override;
+
+  struct Strokes {
+    std::shared_ptr<const std::vector<Clip>> clips;
+    int clip = -1;
+    rig::Limb limb;
+    std::vector<rig::Stroke> strokes;
+  };
+  struct Followed {
+    int trail = 0;
+    double startFrame = 0.0;
+    double endFrame = 0.0;
+    friend bool operator==(const Followed&, const Followed&) = default;
+  };
 
   ViewState view_;
   EvaluationCache cache_;
+  mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
+  Followed followed_;
+  std::vector<int> knownTrails_; ///< Ids, as last shown.
   std::filesystem::path savePath_;
 };
 

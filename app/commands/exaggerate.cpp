@@ -3,37 +3,77 @@
 #include <algorithm>
 
 #include "app/commands/frames.h"
+#include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "rig/motion/floor.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
 
 namespace {
 
-rig::TrailSettings newSettings(const Session& session, const rig::Limb& limb, bool exaggerated) {
-  const Vec2 range = workingRange(session, limb);
-  rig::TrailSettings settings;
-  settings.startFrame = range.x;
-  settings.endFrame = range.y;
-  settings.viewAxes = session.view().cameraAxes;
-  settings.scale = exaggerated ? firstScale : 1.0;
+/// Where the feet stand lowest in the clip: a leg does not reach through it. Nothing where no foot stands.
+std::optional<rig::StopPlane> floorOf(const Session& session, const rig::Limb& leg) {
   const Document& document = session.document();
-  settings.space = rig::startingSpace(*document.scene, clipOf(document, session.view().clip), limb,
-                                      document.biped.hips, range);
-  return settings;
+  const Clip& clip = clipOf(document, session.view().clip);
+  std::optional<double> height = rig::standingHeight(*document.scene, clip, leg);
+  for (const rig::Limb& other : document.biped.limbs) {
+    const auto its = isLeg(other) ? rig::standingHeight(*document.scene, clip, other) : std::nullopt;
+    height = its ? std::optional(std::min(height.value_or(*its), *its)) : height;
+  }
+  return height ? std::optional(rig::StopPlane{{0.0, *height, 0.0}, {0.0, -1.0, 0.0}}) : std::nullopt;
 }
 
-/// Whether a range is set in which none of these trails lies: the user wants further ones there.
-bool wantsNewTrails(const Session& session, const std::vector<int>& present) {
+/// The trail of the limb that is meant without being selected: the one in the range that was set, else the
+/// one at the playhead. 0 for none.
+int meantTrail(const Session& session, const std::string& limbId) {
   const ViewState& view = session.view();
-  if (selectedTrail(session) != nullptr || view.rangeEnd <= view.rangeStart) {
-    return present.empty();
+  const bool isSet = isRangeSet(view);
+  const double start = isSet ? view.rangeStart : view.frame;
+  const double end = isSet ? view.rangeEnd : view.frame;
+  for (const rig::Trail& trail : session.document().trails) {
+    const bool shares = isSet ? trail.settings.startFrame < end && start < trail.settings.endFrame
+                              : trail.settings.startFrame <= start && end <= trail.settings.endFrame;
+    if (trail.limb == limbId && trail.clip == view.clip && shares) {
+      return trail.id;
+    }
   }
-  return std::none_of(present.begin(), present.end(), [&](int id) {
-    const rig::TrailSettings& settings = findTrail(session.document(), id)->settings;
-    return settings.startFrame < view.rangeEnd && view.rangeStart < settings.endFrame;
-  });
+  return 0;
+}
+
+/// One range for all limbs that are exaggerated at once: the working range of the first.
+Result<Vec2> commonRange(const Session& session) {
+  const rig::Limb* const leading = findLimb(session.document(), session.view().selectedLimbs.front());
+  if (leading == nullptr) {
+    return Error{"the character has no such limb", session.view().selectedLimbs.front(),
+                 "pick a limb that was found"};
+  }
+  return workingRange(session, *leading);
+}
+
+/// Adds a trail of the limb in what is free of the range.
+Status addTrail(const Session& session, const std::string& limbId, const Vec2& range, bool exaggerated,
+                ExaggerateTargets& targets) {
+  const rig::Limb* const limb = findLimb(targets.document, limbId);
+  if (limb == nullptr) {
+    return Error{"the character has no such limb", limbId, "pick a limb that was found"};
+  }
+  const ViewState& view = session.view();
+  const auto free = freeRange(targets.document, limbId, view.clip, range, view.frame);
+  if (!free) {
+    return Error{"a trail of this limb is there already", limbId, "select it, or set another range"};
+  }
+  rig::TrailSettings settings = newTrailSettings(session, *limb, *free);
+  settings.scale = exaggerated ? firstScale : 1.0;
+  Result<CreatedTrail> created =
+      createTrail(targets.document, {limbId, view.clip, settings, exaggerated, exaggerated});
+  if (!created) {
+    return created.error();
+  }
+  targets.trailIds.push_back(created->trailId);
+  targets.document = std::move(created->document);
+  return Success{};
 }
 
 /// Exaggerates and connects one trail; one at scale 1 that never was gets the first scale.
@@ -47,6 +87,20 @@ void exaggerate(rig::Trail& trail) {
 
 } // namespace
 
+rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb, const Vec2& range) {
+  rig::TrailSettings settings;
+  if (isLeg(limb)) {
+    settings.stopAt = floorOf(session, limb);
+  }
+  settings.startFrame = range.x;
+  settings.endFrame = range.y;
+  settings.viewAxes = session.view().cameraAxes;
+  const Document& document = session.document();
+  settings.space = rig::startingSpace(*document.scene, clipOf(document, session.view().clip), limb,
+                                      document.biped.hips, range);
+  return settings;
+}
+
 Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   const ViewState& view = session.view();
   if (view.selectedLimbs.empty()) {
@@ -55,31 +109,43 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   if (!hasClip(session.document(), view.clip)) {
     return Error{"the file has no animation", "", "open a file with a clip"};
   }
+  const Result<Vec2> range = commonRange(session);
+  if (!range) {
+    return range.error();
+  }
   ExaggerateTargets targets{session.document(), {}};
   for (const std::string& limbId : view.selectedLimbs) {
-    const rig::Limb* limb = findLimb(targets.document, limbId);
-    if (limb == nullptr) {
-      return Error{"the character has no such limb", limbId, "pick a limb that was found"};
+    if (const Status added = addTrail(session, limbId, *range, exaggerated, targets); !added) {
+      return added.error();
     }
-    Result<CreatedTrail> created =
-        createTrail(targets.document,
-                    {limbId, view.clip, newSettings(session, *limb, exaggerated), exaggerated, exaggerated});
-    if (!created) {
-      return created.error();
-    }
-    targets.trailIds.push_back(created->trailId);
-    targets.document = std::move(created->document);
   }
   return targets;
 }
 
-Result<ExaggerateTargets> exaggerateTargets(const Session& session) {
-  const std::vector<int> present = targetTrails(session);
-  if (wantsNewTrails(session, present)) {
-    return newTrails(session, true);
+Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoice choice) {
+  ExaggerateTargets targets{session.document(), {}};
+  if (selectedTrail(session) != nullptr) {
+    targets.trailIds = targetTrails(session);
+  } else {
+    if (session.view().selectedLimbs.empty() || choice == OverlapChoice::beside) {
+      return newTrails(session, true);
+    }
+    if (!hasClip(session.document(), session.view().clip)) {
+      return Error{"the file has no animation", "", "open a file with a clip"};
+    }
+    const Result<Vec2> range = commonRange(session);
+    if (!range) {
+      return range.error();
+    }
+    for (const std::string& limbId : session.view().selectedLimbs) {
+      if (const int meant = meantTrail(session, limbId); meant != 0) {
+        targets.trailIds.push_back(meant);
+      } else if (const Status added = addTrail(session, limbId, *range, true, targets); !added) {
+        return added.error();
+      }
+    }
   }
-  ExaggerateTargets targets{session.document(), present};
-  for (const int id : present) {
+  for (const int id : targets.trailIds) {
     exaggerate(*findTrail(targets.document, id));
   }
   return targets;

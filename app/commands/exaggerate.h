@@ -16,9 +16,17 @@ struct ExaggerateTargets {
 /// Scale of a trail that was not exaggerated before: the thesis's simple punch.
 inline constexpr double firstScale = 2.0;
 
-/// The trails that commands act on, or new ones for the selected limbs over the working range (else the
-/// default range): all exaggerated and connected. An error when no limb is selected, or a range overlaps.
-[[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session);
+/// What a range that was set is for where it shares time with a trail of the limb (rangeClash in ranges.h).
+enum class OverlapChoice {
+  edit,  ///< That trail is meant.
+  beside ///< Another one is, in what is free of the range.
+};
+
+/// The selected trail with those of the other selected limbs that share time with it. Without one, for each
+/// selected limb: its trail in the range that was set (else at the playhead), or a new one over the working
+/// range. All are exaggerated and connected. An error when no limb is selected, or no frame is free.
+[[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session,
+                                                          OverlapChoice choice = OverlapChoice::edit);
 
 /// The document with the modal's settings on every target.
 [[nodiscard]] Result<Document> exaggeratedWith(const ExaggerateTargets& targets,
@@ -26,5 +34,9 @@ inline constexpr double firstScale = 2.0;
 
 /// The new trails of the selected limbs over the working range, as plain original paths.
 [[nodiscard]] Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated);
+
+/// What a new trail of the limb over a range starts from.
+[[nodiscard]] rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb,
+                                                  const Vec2& range);
 
 } // namespace stretch::app

@@ -268,6 +268,8 @@ std::string modalText(const ExaggerateModal& modal, std::string_view limbTitle) 
   const rig::TrailSettings& settings = modal.settings;
   std::string text = fmt::format("{} x{:.2f}, {}", limbTitle, settings.scale, axesText(settings.axes));
   text += settings.pivot == rig::Pivot::end ? ", pivot at the end" : "";
+  text += settings.stopAt ? (settings.stopAt->normal.y < 0.0 ? ", stops at the floor" : ", stops at a plane")
+                          : "";
   text += easeText("ease-in", settings.easeIn, modal.field == ExaggerateField::easeIn);
   text += easeText("ease-out", settings.easeOut, modal.field == ExaggerateField::easeOut);
   if (settings.releaseFrames || modal.field == ExaggerateField::release) {
@@ -278,6 +280,9 @@ std::string modalText(const ExaggerateModal& modal, std::string_view limbTitle) 
   }
   if (settings.scale < rig::smallestScale) {
     text += fmt::format(" (taken as {:.2f})", rig::smallestScale);
+  }
+  if (modal.field == ExaggerateField::scale && modal.typed.value() > rig::largestScale) {
+    text += fmt::format(" ({:g} is the most)", rig::largestScale);
   }
   return text;
 }

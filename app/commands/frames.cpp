@@ -1,5 +1,4 @@
 #include "app/commands/frames.h"
-#include "rig/motion/solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,16 +62,6 @@ std::vector<double> shownKeyFrames(Session& session, const std::vector<std::stri
   return hasClip(session.document(), session.view().clip)
              ? keyFramesOf(session.document(), session.shownClip(), limbIds)
              : std::vector<double>{};
-}
-
-Vec2 workingRange(const Session& session, const rig::Limb& limb) {
-  const Document& document = session.document();
-  const ViewState& view = session.view();
-  if (view.rangeEnd < view.rangeStart) {
-    return rig::defaultRange(*document.scene, clipOf(document, view.clip), limb);
-  }
-  const double last = lastFrame(document, view.clip);
-  return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
 }
 
 } // namespace stretch::app

@@ -20,7 +20,4 @@ namespace stretch::app {
 /// Of the viewed clip as it is shown: with the keys of applied trails.
 [[nodiscard]] std::vector<double> shownKeyFrames(Session& session, const std::vector<std::string>& limbIds);
 
-/// The working range (x start, y end) within the clip, or the limb's default range when none is set.
-[[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
-
 } // namespace stretch::app

@@ -61,6 +61,7 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
   if (!add || view.selectedTrail == 0 || leavesTrail) {
     view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
   }
+  session.followSelection();
 }
 
 void selectTrail(Session& session, int trailId) {
@@ -70,6 +71,7 @@ void selectTrail(Session& session, int trailId) {
     view.selectedSpheres.clear();
   }
   view.selectedTrail = trail == nullptr ? 0 : trailId;
+  session.followSelection();
   if (trail == nullptr) {
     return;
   }

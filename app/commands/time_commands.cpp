@@ -4,6 +4,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/edits/trail_edits.h"
@@ -53,35 +54,26 @@ Status goToFrame(SequenceSession& session, double frame) {
   return Success{};
 }
 
-void setWorkingRange(Session& session, bool start) {
-  ViewState& view = session.view();
-  const double last = lastFrame(session.document(), view.clip);
-  const bool wasSet = view.rangeEnd >= view.rangeStart;
+Vec2 rangeFrom(const Session& session, bool start) {
+  const ViewState& view = session.view();
+  const bool wasSet = isRangeSet(view);
   if (start) {
-    view.rangeEnd = wasSet && view.rangeEnd > view.frame ? view.rangeEnd : last;
-    view.rangeStart = view.frame;
-  } else {
-    view.rangeStart = wasSet && view.rangeStart < view.frame ? view.rangeStart : 0.0;
-    view.rangeEnd = view.frame;
+    return {view.frame,
+            wasSet && view.rangeEnd > view.frame ? view.rangeEnd : lastFrame(session.document(), view.clip)};
   }
+  return {wasSet && view.rangeStart < view.frame ? view.rangeStart : 0.0, view.frame};
 }
 
-/// The working range, and the selected trail's with it.
+/// The selected trail's range, which the working range follows; without one the working range alone.
 Status setRange(Session& session, bool start) {
   const rig::Trail* trail = selectedTrail(session);
   if (trail == nullptr) {
-    setWorkingRange(session, start);
+    setRangeByHand(session, rangeFrom(session, start));
     return Success{};
   }
   rig::TrailSettings settings = trail->settings;
   (start ? settings.startFrame : settings.endFrame) = session.view().frame;
-  Status done =
-      finish(session, setTrailSettings(session.document(), trail->id, settings), "Change the range");
-  if (done) {
-    session.view().rangeStart = settings.startFrame;
-    session.view().rangeEnd = settings.endFrame;
-  }
-  return done;
+  return finish(session, setTrailSettings(session.document(), trail->id, settings), "Change the range");
 }
 
 Status toggleLoop(Session& session) {
@@ -103,7 +95,7 @@ std::vector<DocumentCommand> timeCommands() {
             "Ends the range at the playhead: of the selected trail, else of the next one.", {"]", "Alt+."},
             hasViewedClip, [](Session& session) { return setRange(session, false); }),
       entry(command::rangeDefault, "Forget the range",
-            "The next trail takes the limb's own range: up to where its end is farthest away.", {}, always,
+            "The next trail takes the stroke around the playhead again.", {}, always,
             doing([](Session& session) {
               session.view().rangeStart = 0.0;
               session.view().rangeEnd = -1.0;

@@ -54,8 +54,8 @@ Status finishNew(Session& session, Result<ExaggerateTargets> made, const char* l
     return made.error();
   }
   session.edit(made->document, label);
-  session.view().selectedTrail = made->trailIds.front();
   session.view().selectedSpheres.clear();
+  selectTrail(session, made->trailIds.front());
   return Success{};
 }
 
@@ -180,7 +180,7 @@ Status pasteOnLimbs(Session& session) {
     trailId = pasted->trailId;
   }
   session.edit(std::move(document), "Paste the trail");
-  session.view().selectedTrail = trailId;
+  selectTrail(session, trailId);
   return Success{};
 }
 

@@ -44,12 +44,26 @@ fs::path autosavePath(const fs::path& source) {
   return autosaveFolder() / (nameFor(source) + ".json");
 }
 
-std::string autosaveText(const Document& document, const fs::path& source) {
-  return Json{{"version", 1},
-              {"source", absoluteText(source)},
-              {"process", static_cast<long>(getpid())},
-              {"work", workOf(document)}}
+std::string autosaveText(const Document& document, const WorkPlace& place, const fs::path& source) {
+  return Json{
+      {"version", 1},
+      {"source", absoluteText(source)},
+      {"process", static_cast<long>(getpid())},
+      {"work", workOf(document)},
+      {"view",
+       {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::optional<WorkPlace> placeOfAutosave(const fs::path& autosave) {
+  const Json json = readAutosave(autosave);
+  try {
+    const Json& view = json.at("view");
+    return WorkPlace{view.at("clip").get<int>(), view.at("frame").get<double>(),
+                     view.at("limbs").get<std::vector<std::string>>(), view.at("trail").get<int>()};
+  } catch (const Json::exception&) {
+    return std::nullopt; // Of an earlier version, or damaged.
+  }
 }
 
 std::optional<Autosave> findAutosave(const fs::path& source) {

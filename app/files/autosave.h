@@ -18,8 +18,20 @@ struct Autosave {
 /// Where the unsaved work on a file is kept.
 [[nodiscard]] std::filesystem::path autosavePath(const std::filesystem::path& source);
 
-/// The autosave as text: what was edited, by which process, and the work.
-[[nodiscard]] std::string autosaveText(const Document& document, const std::filesystem::path& source);
+/// Where the artist was.
+struct WorkPlace {
+  int clip = 0;
+  double frame = 0.0;
+  std::vector<std::string> limbs; ///< Selected.
+  int trail = 0;                  ///< Selected; 0 none.
+};
+
+/// The autosave as text: what was edited, by which process, the work, and where it was worked.
+[[nodiscard]] std::string autosaveText(const Document& document, const WorkPlace& place,
+                                       const std::filesystem::path& source);
+
+/// Nothing where the autosave does not say.
+[[nodiscard]] std::optional<WorkPlace> placeOfAutosave(const std::filesystem::path& autosave);
 
 /// The newest autosave that no living process owns: of this file, or of any when `source` is empty.
 [[nodiscard]] std::optional<Autosave> findAutosave(const std::filesystem::path& source);

@@ -117,7 +117,7 @@ void main() {
     float tint = clamp(surfaceAttributes.y, 0.0, 1.0);
     float edge = 1.0 - clamp(dot(normal, toEye), 0.0, 1.0);
     vec3 accent = toLinear(highlightColor);
-    color = mix(color, accent * (0.25 + 0.75 * dot(color, vec3(0.35, 0.45, 0.2)) + 0.25), 0.38 * tint);
+    color = mix(color, accent * (0.25 + 0.75 * dot(color, vec3(0.35, 0.45, 0.2)) + 0.25), 0.55 * tint);
     color += accent * (0.45 * tint * edge * edge);
   }
   pixel = vec4(toSrgb(color), alphaMode == 2 ? material.a : 1.0);

@@ -24,6 +24,23 @@ double lengthOfLine(const std::vector<Vec3>& polyline) {
   return length;
 }
 
+/// A sphere that was pulled is there, whatever would be chosen now.
+void keepPulledSpheres(SolvedTrail& solved) {
+  constexpr double sameSphere = 1e-3; // frames
+  std::vector<double>& frames = solved.controlFrames;
+  for (const SphereOffset& sphere : solved.settings.spheres) {
+    const bool inRange =
+        sphere.frame >= solved.settings.startFrame && sphere.frame <= solved.settings.endFrame;
+    const bool known = std::any_of(frames.begin(), frames.end(), [&](double frame) {
+      return std::abs(frame - sphere.frame) <= sameSphere;
+    });
+    if (inRange && !known) {
+      frames.push_back(sphere.frame);
+    }
+  }
+  std::sort(frames.begin(), frames.end());
+}
+
 } // namespace
 
 void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes) {
@@ -70,6 +87,9 @@ void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::
   } else {
     solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
                                                controlTolerance * solved.limb.restLength);
+  }
+  if (solved.trail.controlFrames.empty()) {
+    keepPulledSpheres(solved);
   }
 }
 

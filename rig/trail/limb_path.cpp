@@ -274,13 +274,14 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
   const std::vector<LimbSample>& samples = path.samples;
   const double start = samples.front().timeSeconds;
   const double end = samples.back().timeSeconds;
+  constexpr std::size_t mostChosen = 10; // More hide the character; the hand adds what it needs.
   std::vector<double> times{start, end};
   if (!isDenselyKeyed(keyTimes, start, end, framesPerSecond)) {
     times.insert(times.end(), keyTimes.begin(), keyTimes.end());
   } else {
     std::vector<std::size_t> controls = extremes(samples);
-    for (auto worst = worstSample(samples, controls); worst.second > tolerance;
-         worst = worstSample(samples, controls)) {
+    for (auto worst = worstSample(samples, controls);
+         worst.second > tolerance && controls.size() < mostChosen; worst = worstSample(samples, controls)) {
       controls.insert(std::lower_bound(controls.begin(), controls.end(), worst.first), worst.first);
     }
     for (const std::size_t control : controls) {

@@ -75,7 +75,7 @@ struct LimbPath {
 
 /// Frames of the control spheres (docs/exaggeration.md, Control spheres): the keys of a sparsely keyed limb;
 /// else the ends, the extremes and as few in between as keep a cubic through them within `tolerance` (world
-/// units) of the path.
+/// units) of the path, about ten at most.
 [[nodiscard]] std::vector<double> chooseControlFrames(const LimbPath& path,
                                                       const std::vector<double>& keyTimes,
                                                       double framesPerSecond, double tolerance);

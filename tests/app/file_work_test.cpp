@@ -271,6 +271,27 @@ TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once
   }
 }
 
+TEST_CASE("After a save under another name unsaved work is kept for the file that was saved") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.saveAs(desk, desk.file("saved.glb"));
+  CHECK(work.path() == desk.file("saved.glb"));
+  desk.edit();
+  desk.document.character()->view().frame = 7.0;
+  desk.document.character()->view().selectedLimbs = {"left-arm"};
+  work.update(desk, desk.clock + 100.0);
+  CHECK_FALSE(findAutosave(desk.file("a.glb")));
+  FileWork next;
+  desk.document = OpenDocument();
+  desk.openNow(next, "saved.glb");
+  REQUIRE(next.question().kind == Kind::restore);
+  next.answer(desk, FileAnswer::restore);
+  CHECK(desk.document.character()->view().frame == 7.0);
+  CHECK(desk.document.character()->view().selectedLimbs == std::vector<std::string>{"left-arm"});
+}
+
 TEST_CASE("Save incremental takes the next free number") {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "punch.glb";

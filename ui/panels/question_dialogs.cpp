@@ -81,6 +81,43 @@ void drawAsked(PanelContext& context, const AskedDialog& asked) {
   endDialog();
 }
 
+std::string framesText(const Vec2& range) {
+  return shortNumber(range.x, 1) + " to " + shortNumber(range.y, 1);
+}
+
+/// The range that was set shares time with a trail: is that one meant, or another one beside it?
+void drawClash(PanelContext& context) {
+  UiState& ui = context.ui;
+  bool open = ui.rangeClash.has_value() && context.open.character() != nullptr;
+  if (!beginDialog(context, {.id = "clash", .icon = icon::bolt, .title = "Which trail?", .width = 500.0F},
+                   open)) {
+    return;
+  }
+  if (ui.rangeClash) {
+    const app::RangeClash clash = *ui.rangeClash;
+    const std::string limb = limbHeading(context.open.character()->document(), clash.limb);
+    paragraph(limb + " has a trail from frame " + framesText(clash.present) + ". The range that is set is " +
+              framesText(clash.wanted) + ".");
+    std::vector<ButtonSpec> buttons{{.id = "", .text = "Cancel"}};
+    if (clash.beside) {
+      paragraph("Another one would take frame " + framesText(*clash.beside) + ".");
+      buttons.push_back({.id = "", .text = "Another"});
+    }
+    buttons.push_back({.id = "", .text = "Edit"});
+    const int last = static_cast<int>(buttons.size()) - 1;
+    const int clicked = orEnter(dialogButtons(context, "clash", buttons), last);
+    if (clicked > 0) {
+      ui.answers.overlap = clicked == last ? app::OverlapChoice::edit : app::OverlapChoice::beside;
+    }
+    open = open && clicked < 0;
+  }
+  if (!open) {
+    ui.rangeClash.reset();
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
 /// A large button with a title and what it means; true when it was clicked.
 bool card(PanelContext& context, const std::string& id, const std::string& title,
           const std::vector<std::string>& lines, float width) {
@@ -165,6 +202,7 @@ void drawQuestions(PanelContext& context) {
   drawAsked(context, unsavedDialog());
   drawAsked(context, overwriteDialog(file));
   drawAsked(context, restoreDialog(file));
+  drawClash(context);
   drawNavigationQuestion(context);
   drawAbout(context);
 }

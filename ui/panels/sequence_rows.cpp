@@ -156,7 +156,7 @@ EditPhase modulusSlider(PanelContext& context, const std::string& id, double& yo
                   .hardMaximum = 1e15,
                   .showsFill = false,
                   .width = ImGui::GetContentRegionAvail().x - context.theme.px(34.0F)};
-  spec.help = {"Young's modulus", "Of these segments. Double click to type.", {}};
+  spec.help = {"Young's modulus", "Of these segments. Click to type.", {}};
   const EditPhase phase = slider(widgetsOf(context), spec, youngModulus);
   ImGui::SameLine(0.0F, context.theme.px(4.0F));
   return phase;

@@ -36,7 +36,7 @@ int decimalsOf(const app::SettingFacts& setting) {
   return isWhole ? 0 : setting.row.step >= 0.1 ? 1 : 2;
 }
 
-/// A slider of the setting's range; `standard` is what a right click gives.
+/// A slider of the setting's range; `standard` is what Reset gives.
 EditPhase numberSlider(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
                        const RowExtras& extras, const Json& standard, float width, double& value) {
   const std::string suffix = suffixOf(setting);
@@ -55,7 +55,13 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
   spec.hardMaximum = setting.maximum;
   spec.width = width;
   spec.help = dragHelp(settingHelp(setting));
-  return slider(widgetsOf(context), spec, value);
+  const EditPhase phase = slider(widgetsOf(context), spec, value);
+  if (phase.cut) {
+    tell(context.ui, ToastKind::info,
+         settingHelp(setting).title + " goes from " + sliderText(spec, setting.minimum) + " to " +
+             sliderText(spec, setting.maximum));
+  }
+  return phase;
 }
 
 RowEdit numberControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
@@ -145,7 +151,7 @@ RowEdit easeControl(PanelContext& context, const std::string& id, const app::Set
                      .defaultValue = 0.0,
                      .width = width};
   percent.help = {
-      label + ": part of the path", "0 % is off. Drag, double click to type, right click for 0.", {}};
+      label + ": part of the path", "0 % is off. Drag, click to type, right click for a menu.", {}};
   SliderSpec there{.id = id + "/value",
                    .minimum = isLow ? 0.0 : 0.5,
                    .maximum = isLow ? 0.5 : 1.0,
@@ -183,7 +189,7 @@ Help settingHelp(const app::SettingFacts& setting) {
 }
 
 Help dragHelp(Help help) {
-  help.text += " Drag (Shift: finer), double click to type, right click for the default.";
+  help.text += " Drag (Shift: finer), click to type, right click for a menu.";
   return help;
 }
 

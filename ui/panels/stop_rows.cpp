@@ -72,7 +72,7 @@ void stopRows(PanelContext& context, const rig::Trail& trail) {
                   .step = 0.001,
                   .suffix = " m",
                   .showsFill = false};
-  spec.help = {"Where the plane is", "Drag, or double click to type.", {}};
+  spec.help = {"Where the plane is", "Drag, or click and type.", {}};
   const EditPhase phase = slider(widgets, spec, at);
   setStop(context, phase,
           rig::StopPlane{plane->point + axis * (at - glm::dot(axis, plane->point)), plane->normal});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/frames.h"
+#include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
 

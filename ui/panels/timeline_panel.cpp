@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "ui/panels/panel_support.h"
@@ -18,8 +19,7 @@ constexpr float labelWidth = 112.0F;
 
 void applyRange(app::Session& session, const TimelineOutcome& outcome) {
   if (outcome.rangeChanged) {
-    session.view().rangeStart = outcome.range.start;
-    session.view().rangeEnd = outcome.range.end;
+    app::setRangeByHand(session, {outcome.range.start, outcome.range.end});
   }
   if (outcome.playheadMoved) {
     session.view().frame = outcome.playhead;

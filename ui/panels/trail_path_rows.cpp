@@ -49,7 +49,7 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
                     .width = width};
     spec.defaultValue = 0.0;
     spec.help = {
-        std::string("Offset along ") + names[axis], "Drag, double click to type, right click for 0.", {}};
+        std::string("Offset along ") + names[axis], "Drag, click to type, right click for a menu.", {}};
     const EditPhase phase = slider(widgets, spec, sphere.offset[axis]);
     editThrough(context, phase, "Move the sphere",
                 [&](const app::Document& start) { return app::setSphereOffset(start, trail.id, sphere); });

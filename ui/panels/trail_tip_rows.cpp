@@ -106,14 +106,14 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
                   .decimals = 0,
                   .showsFill = false,
                   .width = width};
-  spec.help = {"First frame", "Drag, or double click to type.", keyOf(context, command::rangeStart)};
+  spec.help = {"First frame", "Drag, or click and type.", keyOf(context, command::rangeStart)};
   double start = trail.settings.startFrame;
   EditPhase phase = slider(widgets, spec, start);
   editSettings(context, phase, "Change the range",
                [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
   ImGui::SameLine();
   spec.id = "trail/range-end";
-  spec.help = {"Last frame", "Drag, or double click to type.", keyOf(context, command::rangeEnd)};
+  spec.help = {"Last frame", "Drag, or click and type.", keyOf(context, command::rangeEnd)};
   double end = trail.settings.endFrame;
   phase = slider(widgets, spec, end);
   editSettings(context, phase, "Change the range",

@@ -57,7 +57,7 @@ void frameField(PanelContext& context, const ShownTime& time) {
                   .decimals = 0,
                   .showsFill = false,
                   .width = context.theme.px(56.0F)};
-  spec.help = {"Frame", "Drag, or double click to type the frame to go to.", {}};
+  spec.help = {"Frame", "Drag, or click and type the frame to go to.", {}};
   double frame = *time.frame;
   if (slider(widgetsOf(context), spec, frame).changed) {
     *time.frame = frame;
@@ -115,6 +115,14 @@ std::string clipName(const Clip& clip, std::size_t index) {
   return clip.name.empty() ? "Clip " + std::to_string(index) : clip.name;
 }
 
+/// ", 2 trails": the work in a clip; empty without any.
+std::string workText(const app::Document& document, int clip) {
+  const auto trails = std::count_if(document.trails.begin(), document.trails.end(),
+                                    [&](const rig::Trail& trail) { return trail.clip == clip; });
+  std::string text = trails == 0 ? "" : trails == 1 ? ", 1 trail" : ", " + std::to_string(trails) + " trails";
+  return text + (app::hasWeight(document, clip) ? ", weight" : "");
+}
+
 void chooseClip(PanelContext& context, int clip) {
   app::ViewState& view = context.character().view();
   view.clip = clip;
@@ -158,7 +166,11 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
   std::vector<Choice> choices;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const std::string seconds = shortNumber(clips[i].endSeconds) + " s";
-    choices.push_back({clipName(clips[i], i), {.title = clipName(clips[i], i), .text = seconds}});
+    const std::string work = workText(context.character().document(), static_cast<int>(i));
+    choices.push_back({clipName(clips[i], i),
+                       {.title = clipName(clips[i], i), .text = seconds + work},
+                       true,
+                       !work.empty()});
   }
   const Help help{.title = "Clip",
                   .text = "The animation to work on. Trails belong to the clip that they were made in."};

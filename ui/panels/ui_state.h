@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/exaggerate.h"
+#include "app/commands/ranges.h"
 #include "app/file_work.h"
 #include "rig/motion/motion.h"
 #include "ui/widgets/curve_view.h"
@@ -180,6 +182,7 @@ struct UiAnswers {
   std::optional<app::FileAnswer> question; ///< To EditorStatus::question.
   std::optional<NavigationStyle> navigation;
   std::optional<KeyChange> keyChange;
+  std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
 };
@@ -199,6 +202,7 @@ struct UiState {
   ThemeKind theme = ThemeKind::dark;
   float scale = 1.0F; ///< The user's factor on top of the screen's.
   NavigationStyle navigation = NavigationStyle::maya;
+  bool exaggerateAtTip = false; ///< E moves the playhead to the tip; else a ghost shows the pose there.
   ViewportOverlays overlays;
   TimelineState timeline;
   GraphState graph;
@@ -211,7 +215,8 @@ struct UiState {
   SequencePanelState sequencePanel;
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool navigationChoiceOpen = false; ///< The first start.
+  bool navigationChoiceOpen = false;         ///< The first start.
+  std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.

@@ -114,6 +114,11 @@ app::Schema<UiState> windowWays() {
                         .help = "How the mouse turns the view.",
                         .row = {.section = "settings"}},
                        &UiState::navigation),
+      setting<UiState>({.name = "exaggerate_at_tip",
+                        .help = "Exaggerating moves the playhead to the trail's tip; else a ghost shows the "
+                                "pose there.",
+                        .row = {.section = "settings", .label = "Go to the tip"}},
+                       &UiState::exaggerateAtTip),
       setting<UiState>(
           {.name = "loop", .help = "Playing begins again at the end."},
           [](auto& ui) -> auto& { return ui.timeline.loop; }),

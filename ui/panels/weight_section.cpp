@@ -154,7 +154,7 @@ void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   moduli.ranges = entry.settings.moduli;
   for (std::size_t bone = 0; bone < limb->joints.size(); ++bone) {
     const std::string name = nodeName(*document.scene, limb->joints[bone]);
-    const Help help{name, "Modulus of this bone alone; right click gives it the limb's own.", {}};
+    const Help help{name, "Modulus of this bone alone; reset in its menu gives it the limb's own.", {}};
     labelledRow(widgets, name, help);
     SliderSpec spec = modulusSlider("weight/bone-" + std::to_string(bone), used);
     spec.help = dragHelp(help);

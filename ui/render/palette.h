@@ -35,8 +35,8 @@ struct Palette {
   glm::vec4 boneSelected{};
   glm::vec4 outline{}; ///< Around lines and marks, so that they read on any ground.
   glm::vec4 label{};
-  glm::vec4 ghostBefore = rgba(okabe::skyBlue); ///< The character at frames before, and after.
-  glm::vec4 ghostAfter = rgba(okabe::orange);
+  glm::vec4 ghostBefore = rgba(0x7A6FD6); ///< The character at frames before, and after: no trail's colours.
+  glm::vec4 ghostAfter = rgba(0xD9D2B0);
 };
 
 [[nodiscard]] Palette darkPalette();

@@ -31,14 +31,48 @@ struct PathStyle {
   bool dashed = false;
 };
 
-Polyline pathLine(const TrailPicture& trail, const std::vector<Vec3>& path, const PathStyle& style) {
+/// A point between samples, on a curve through them (E. Catmull, R. Rom, "A class of local interpolating
+/// splines", 1974).
+Vec3 pointBetween(const std::vector<Vec3>& path, std::size_t segment, double t) {
+  const Vec3& from = path[segment];
+  const Vec3& to = path[segment + 1];
+  const Vec3& before = segment == 0 ? from : path[segment - 1];
+  const Vec3& after = segment + 2 < path.size() ? path[segment + 2] : to;
+  return from + 0.5 * t *
+                    ((to - before) + t * ((2.0 * before - 5.0 * from + 4.0 * to - after) +
+                                          t * (3.0 * (from - to) + after - before)));
+}
+
+/// Straight pieces that a segment is drawn with, so that no corner shows at any zoom.
+int piecesOf(const View& view, const Vec3& from, const Vec3& to) {
+  constexpr double longestPoints = 7.0;
+  constexpr int most = 24;
+  const std::optional<ScreenPoint> start = projectToPixels(view, from);
+  const std::optional<ScreenPoint> end = projectToPixels(view, to);
+  if (!start || !end) {
+    return 1;
+  }
+  const double points = glm::distance(start->pixels, end->pixels) / view.viewport.pixelsPerPoint;
+  return std::clamp(static_cast<int>(std::min(points / longestPoints, 1e3)), 1, most);
+}
+
+Polyline pathLine(const View& view, const TrailPicture& trail, const std::vector<Vec3>& path,
+                  const PathStyle& style) {
   const bool hasColors = !style.dashed && trail.exaggeratedColors.size() == path.size();
   Polyline line;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const glm::vec4 color = hasColors ? trail.exaggeratedColors[i] : style.color;
-    line.points.push_back(
-        {path[i], withAlpha(color, windowShare(trail, static_cast<double>(i))), style.widthPoints});
+  const auto add = [&](const Vec3& place, double sample) {
+    const glm::vec4 color =
+        hasColors ? trail.exaggeratedColors[static_cast<std::size_t>(std::round(sample))] : style.color;
+    line.points.push_back({place, withAlpha(color, windowShare(trail, sample)), style.widthPoints});
+  };
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const int pieces = piecesOf(view, path[i], path[i + 1]);
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double t = static_cast<double>(piece) / pieces;
+      add(piece == 0 ? path[i] : pointBetween(path, i, t), static_cast<double>(i) + t);
+    }
   }
+  add(path.back(), static_cast<double>(path.size() - 1));
   line.dashPoints = style.dashed ? 6.0F : 0.0F;
   line.gapPoints = style.dashed ? 5.0F : 0.0F;
   line.outlined = !style.dashed;
@@ -90,18 +124,43 @@ void addPath(Overlay& overlay, const View& view, const TrailPicture& trail, cons
   if (path.empty()) {
     return;
   }
-  overlay.lines.push_back(pathLine(trail, path, style));
+  overlay.lines.push_back(pathLine(view, trail, path, style));
   addTicks(overlay, view, trail, path, style);
 }
 
-Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style) {
-  const float growth = sphere.selected ? 1.25F : sphere.hovered ? 1.15F : 1.0F;
+/// How large spheres may be on the screen so that they keep apart: one for each, points.
+std::vector<float> roomForSpheres(const View& view, const std::vector<TrailSphere>& spheres) {
+  constexpr double shareOfGap = 0.45;
+  constexpr float least = 2.5F;
+  std::vector<std::optional<ScreenPoint>> places;
+  for (const TrailSphere& sphere : spheres) {
+    places.push_back(projectToPixels(view, sphere.world));
+  }
+  std::vector<float> room(spheres.size(), 1e3F);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; places[i] && k < places.size(); ++k) {
+      if (k != i && places[k]) {
+        const double gap = glm::distance(places[i]->pixels, places[k]->pixels) / view.viewport.pixelsPerPoint;
+        room[i] = std::min(room[i], std::max(least, static_cast<float>(shareOfGap * gap)));
+      }
+    }
+  }
+  return room;
+}
+
+Marker sphereMark(const TrailSphere& sphere, const TrailStyle& style, float roomPoints) {
+  constexpr float farShare = 0.6F;
+  constexpr float seeThrough = 0.62F;
+  const bool picked = sphere.selected || sphere.hovered;
+  const float growth = sphere.selected ? 1.25F : sphere.hovered ? 1.15F : sphere.nearby ? 1.0F : farShare;
+  const float wanted = growth * style.sphereRadiusPoints;
   Marker mark;
   mark.world = sphere.world;
   mark.shape = MarkerShape::sphere;
-  mark.radiusPoints = growth * style.sphereRadiusPoints;
+  mark.radiusPoints = picked ? wanted : std::min(wanted, std::max(roomPoints, 0.35F * wanted));
   mark.fill = sphere.hovered && !sphere.selected ? glm::mix(style.exaggeratedColor, glm::vec4(1.0F), 0.35F)
                                                  : style.exaggeratedColor;
+  mark.fill = picked ? mark.fill : withAlpha(mark.fill, seeThrough);
   mark.edge = sphere.selected ? style.currentColor : darkEdge;
   mark.edgePoints = sphere.selected ? 2.5F : 1.5F;
   mark.depth = OverlayDepth::onTop;
@@ -162,8 +221,9 @@ Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle&
   addPath(overlay, view, trail, trail.original, {style.originalColor, style.originalWidthPoints, true});
   addPath(overlay, view, trail, trail.exaggerated,
           {style.exaggeratedColor, style.exaggeratedWidthPoints, false});
-  for (const TrailSphere& sphere : trail.spheres) {
-    overlay.markers.push_back(sphereMark(sphere, style));
+  const std::vector<float> room = roomForSpheres(view, trail.spheres);
+  for (std::size_t i = 0; i < trail.spheres.size(); ++i) {
+    overlay.markers.push_back(sphereMark(trail.spheres[i], style, room[i]));
   }
   addEnds(overlay, trail, style);
   addCurrent(overlay, trail, style);

@@ -15,6 +15,7 @@ struct TrailSphere {
   Vec3 world{0.0};
   bool selected = false;
   bool hovered = false;
+  bool nearby = true; ///< Near the playhead; others are drawn smaller.
 };
 
 /// What a trail shows at one moment. Paths have one point for each sample, evenly in time; world space.
@@ -45,8 +46,9 @@ struct TrailStyle {
 
 /// The trail as overlay: original thin and dashed, exaggerated thick; ticks across the original and dots on
 /// the exaggerated path at every frame, so that their spacing shows the speed; the current frame marked on
-/// both; spheres larger, the selected and hovered ones larger still. Paths of fewer than two points are drawn
-/// as a dot.
+/// both; spheres larger, the selected and hovered ones larger still, those far from the playhead or close
+/// together on the screen smaller; through those that nobody picked the character shows. Paths of fewer than
+/// two points are drawn as a dot.
 [[nodiscard]] Overlay drawTrail(const View& view, const TrailPicture& trail, const TrailStyle& wanted = {});
 
 /// Point of a path at a fractional sample, clamped to its ends; the path must not be empty.

@@ -102,6 +102,9 @@ void takeAnswers(Editor& editor) {
   Shell& shell = editor.shell;
   takeKeyAnswers(shell);
   UiAnswers& answers = shell.ui.answers;
+  if (answers.overlap && shell.open.character() != nullptr) {
+    tellProblem(shell, startExaggerating(shell, *std::exchange(answers.overlap, std::nullopt)));
+  }
   bool changed = std::exchange(answers.themeChanged, false);
   if (answers.navigation) {
     shell.ui.navigation = *std::exchange(answers.navigation, std::nullopt);

@@ -24,6 +24,7 @@ void showCharacter(Shell& shell) {
   viewport.framePending = true;
   if (const auto text = readText(viewPath(shell.files.path()))) {
     readView(*text, session.document(), session.view(), viewport.camera);
+    session.followSelection();
     viewport.framePending = false;
   }
 }

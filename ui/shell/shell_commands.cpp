@@ -1,7 +1,11 @@
 #include "ui/shell/shell_commands.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
@@ -110,6 +114,27 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
+} // namespace
+
+Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
+  app::Session& session = *shell.open.character();
+  const Status started = startExaggerate(session, shell.tool, choice);
+  if (const std::optional<double> tip = tipFrame(session, shell.tool);
+      started && tip && shell.ui.exaggerateAtTip) {
+    session.view().frame = *tip;
+  }
+  return started;
+}
+
+namespace {
+
+/// Asks first when it is not plain which trail is meant.
+Status beginExaggerating(Shell& shell) {
+  app::Session& session = *shell.open.character();
+  shell.ui.rangeClash = app::rangeClash(session);
+  return shell.ui.rangeClash ? Status(Success{}) : startExaggerating(shell, app::OverlapChoice::edit);
+}
+
 bool hasSpheres(const Shell& shell) {
   return hasFile(shell) && !shell.open.character()->view().selectedSpheres.empty();
 }
@@ -196,8 +221,7 @@ std::vector<ShellCommand> toolCommands() {
       entry(command::trailExaggerate, "Exaggerate",
             "Makes the trail if there is none, exaggerates it and connects the limb; "
             "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-            {"E"}, hasLimb,
-            [](Shell& shell) { return startExaggerate(*shell.open.character(), shell.tool); }),
+            {"E"}, hasLimb, beginExaggerating),
       entry(command::sphereGrab, "Grab",
             "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"}, hasSpheres,
             runGrab),
@@ -294,14 +318,41 @@ bool hasCommand(const Shell& shell, std::string_view commandId) {
   return findCommandOf(shell, commandId) != nullptr;
 }
 
+namespace {
+
+/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
+void finishWhatIsDragged(Shell& shell) {
+  if (isRunning(shell.tool)) {
+    finishTool(*shell.open.character(), shell.tool, true);
+    shell.viewport.gesture = ViewportGesture::none;
+  }
+  if (std::exchange(shell.ui.panelDrag, false)) {
+    shell.ui.panelDrag = shell.open.with(false, [](auto& session) {
+      if (session.isDragging()) {
+        session.commit();
+      }
+      return false;
+    });
+    ImGui::ClearActiveID();
+  }
+}
+
+/// What answers in the middle of a tool or a drag too.
+bool answersAlways(std::string_view id) {
+  constexpr std::array<std::string_view, 6> always{
+      command::fileSave, command::fileSaveAs, command::fileSaveIncremental,
+      command::undo,     command::redo,       command::fileQuit};
+  return std::find(always.begin(), always.end(), id) != always.end();
+}
+
+} // namespace
+
 void runCommand(Shell& shell, std::string_view commandId) {
   const ShellCommand* command = findCommandOf(shell, commandId);
   if (command == nullptr) {
     return;
   }
-  if (isRunning(shell.tool)) {
-    finishTool(*shell.open.character(), shell.tool, true);
-  }
+  finishWhatIsDragged(shell);
   if (!command->enabled(shell)) {
     tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
     return;
@@ -322,7 +373,7 @@ void describeCommands(Shell& shell) {
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.jointPick.open || ui.navigationChoiceOpen ||
+         ui.jointPick.open || ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
          shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
@@ -335,7 +386,7 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
     }
     return;
   }
-  if (isRunning(shell.tool)) {
+  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
     tellProblem(shell, pressToolKey(*shell.open.character(), shell.tool, input.press));
     return;
   }

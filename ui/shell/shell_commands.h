@@ -36,4 +36,7 @@ void dispatchKey(Shell& shell, const KeyInput& input);
 /// Whether a dialog or text field takes the keys.
 [[nodiscard]] bool widgetsOwnKeys(const Shell& shell);
 
+/// Begins E, where the settings say at the trail's tip. A character is open.
+Status startExaggerating(Shell& shell, app::OverlapChoice choice);
+
 } // namespace stretch::ui

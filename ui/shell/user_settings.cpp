@@ -165,6 +165,11 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
   take(json, "clip", view.clip, 0.0, std::max(0.0, clips - 1.0));
   take(json, "frame", view.frame, 0.0, app::lastFrame(document, view.clip));
   take(json, "trail", view.selectedTrail, 0.0, 1e9);
+  if (json.contains("range") && json["range"].is_array() && json["range"].size() == 2) {
+    const Json range{{"start", json["range"][0]}, {"end", json["range"][1]}};
+    take(range, "start", view.rangeStart, 0.0, app::lastFrame(document, view.clip));
+    take(range, "end", view.rangeEnd, -1.0, app::lastFrame(document, view.clip));
+  }
   if (app::findTrail(document, view.selectedTrail) == nullptr) {
     view.selectedTrail = 0;
   }

@@ -4,26 +4,38 @@
 #include <cmath>
 
 #include "app/evaluate/evaluate.h"
+#include "rig/limb_nodes.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {
 
 namespace {
 
-constexpr float hoveredHighlight = 0.45F;
+constexpr float hoveredHighlight = 0.7F;
 constexpr float nearestGhostOpacity = 0.34F;
+constexpr float tipGhostOpacity = 0.45F;
 
-/// 1 for the joints of selected limbs, less for the hovered limb; one for each node.
+/// Of every node: 1 where it carries flesh of a selected limb, less on the hovered one.
 std::vector<float> highlightOf(const app::Document& document, const PictureSelection& selection) {
   std::vector<float> highlight(document.scene->nodes.size(), 0.0F);
   const auto mark = [&](const std::string& limbId, float amount) {
-    const rig::Limb* limb = app::findLimb(document, limbId);
-    for (const NodeIndex joint : limb == nullptr ? std::vector<NodeIndex>{} : limb->joints) {
-      float& value = highlight[at(joint)];
-      value = std::max(value, amount);
+    const rig::Limb* const wanted = app::findLimb(document, limbId);
+    if (wanted == nullptr) {
+      return;
+    }
+    std::vector<rig::Limb> limbs{*wanted}; // Before all others: a chain of one's own may lie on a limb.
+    for (rig::Limb& limb : app::allLimbs(document)) {
+      limbs.push_back(std::move(limb));
+    }
+    const std::vector<int> owners = rig::limbOfNodes(*document.scene, limbs, document.biped.hips);
+    for (std::size_t node = 0; node < owners.size(); ++node) {
+      const bool isIts = owners[node] >= 0 && limbs[static_cast<std::size_t>(owners[node])].id == limbId;
+      highlight[node] = isIts ? std::max(highlight[node], amount) : highlight[node];
     }
   };
-  mark(selection.hoveredLimb, hoveredHighlight);
+  if (!selection.hoveredLimb.empty()) {
+    mark(selection.hoveredLimb, hoveredHighlight);
+  }
   for (const std::string& limbId : selection.limbs) {
     mark(limbId, 1.0F);
   }
@@ -46,13 +58,18 @@ bool isPickedOut(const PictureSelection& selection, int trailId) {
   return selection.everyTrail || selection.trail == trailId;
 }
 
-std::vector<TrailSphere> spheresOf(const ShownTrail& trail, const PictureSelection& selection) {
+/// Spheres within this many frames of the playhead are drawn in full size, the others smaller.
+constexpr double nearSphereFrames = 2.5;
+
+std::vector<TrailSphere> spheresOf(const ShownTrail& trail, double playhead,
+                                   const PictureSelection& selection) {
   std::vector<TrailSphere> spheres;
   for (const app::PlacedSphere& sphere : trail.spheres) {
     const auto isIt = [&](double frame) { return app::sameFrame(frame, sphere.frame); };
     const bool chosen = std::any_of(selection.spheres.begin(), selection.spheres.end(), isIt);
-    spheres.push_back(
-        {sphere.positionWorld, chosen, selection.hoveredSphere && isIt(*selection.hoveredSphere)});
+    spheres.push_back({sphere.positionWorld, chosen,
+                       selection.hoveredSphere && isIt(*selection.hoveredSphere),
+                       std::abs(sphere.frame - playhead) <= nearSphereFrames});
   }
   return spheres;
 }
@@ -97,7 +114,7 @@ TrailPicture pathOf(const ShownTrail& trail, double frame, const PictureSelectio
         static_cast<double>(overlays.trailWindowFrames) * samples / static_cast<double>(stride);
   }
   if (isPickedOut(selection, trail.id)) {
-    picture.spheres = spheresOf(trail, selection);
+    picture.spheres = spheresOf(trail, frame, selection);
   }
   if (trail.exaggerated) {
     const bool fromStart = trail.pivot == rig::Pivot::start;
@@ -188,6 +205,10 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
                                const ViewportOverlays& overlays, const Palette& palette) {
   PictureContent content = assembleBare(subject, selection, overlays, palette);
   content.ghosts = ghostsOf(subject, overlays, palette);
+  if (selection.tipFrame && subject.motion.clip >= 0) {
+    addGhost(subject, *selection.tipFrame, glm::vec4(glm::vec3(palette.highlight), tipGhostOpacity),
+             content.ghosts);
+  }
   content.skeleton = overlays.skeleton;
   for (const ShownTrail& trail : subject.trails.trails) {
     const rig::Trail* source = app::findTrail(subject.document, trail.id);

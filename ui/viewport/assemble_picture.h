@@ -32,6 +32,7 @@ struct PictureSelection {
   int hoveredTrail = 0;
   std::optional<double> hoveredSphere = std::nullopt;
   std::optional<std::size_t> hoveredAxis = std::nullopt;
+  std::optional<double> tipFrame = std::nullopt; ///< Where a trail's tip is: the pose there is a ghost.
 };
 
 [[nodiscard]] PictureContent assemblePicture(const PictureSubject& subject, const PictureSelection& selection,

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/hold.h"
 #include "app/commands/selection.h"
+#include "app/edits/trail_edits.h"
 
 namespace stretch::ui {
 
@@ -29,12 +31,12 @@ Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
 Status previewGrab(app::Session& session, const GrabTool& tool) {
   const Vec3 delta = app::grabDelta(tool.modal);
   if (delta == Vec3(0.0)) {
-    session.preview(session.atBegin());
+    session.preview(tool.base);
     return Success{};
   }
   const std::vector<app::SphereMove> moves =
       app::softMoves(tool.settings, tool.spheres, tool.selected, delta, tool.falloffRadius);
-  Result<app::Document> changed = app::moveSpheres(session.atBegin(), tool.trailId, moves);
+  Result<app::Document> changed = app::moveSpheres(tool.base, tool.trailId, moves);
   if (!changed) {
     return changed.error();
   }
@@ -68,10 +70,33 @@ std::optional<Vec3> positionOfSphere(const std::vector<app::PlacedSphere>& spher
   return found == spheres.end() ? std::nullopt : std::optional(found->positionWorld);
 }
 
+/// A pull of the selected spheres of the trail, from the document as it is shown.
+Result<GrabTool> grabOf(app::Session& session, const rig::Trail& trail, const GrabStart& start) {
+  const std::vector<double>& selected = session.view().selectedSpheres;
+  GrabTool started;
+  started.trailId = trail.id;
+  started.base = session.document();
+  started.settings = trail.settings;
+  started.selected = selected;
+  started.spheres = app::placedSpheres(session, trail.id);
+  const std::optional<Vec3> held =
+      positionOfSphere(started.spheres, start.heldFrame.value_or(selected.back()));
+  if (!held) {
+    return Error{"the sphere is not on this trail", "", "select it again"};
+  }
+  started.anchor = *held;
+  started.startPixels = start.startPixels;
+  started.byDrag = start.byDrag;
+  started.falloffRadius = start.falloffRadius;
+  started.modal = app::beginGrab(session.view().cameraAxes, app::nudgeUnits(session.document()));
+  started.modal.axis = start.axis;
+  return started;
+}
+
 } // namespace
 
-Status startExaggerate(app::Session& session, Tool& tool) {
-  Result<app::ExaggerateTargets> targets = app::exaggerateTargets(session);
+Status startExaggerate(app::Session& session, Tool& tool, app::OverlapChoice choice) {
+  Result<app::ExaggerateTargets> targets = app::exaggerateTargets(session, choice);
   if (!targets) {
     return targets.error();
   }
@@ -82,7 +107,7 @@ Status startExaggerate(app::Session& session, Tool& tool) {
                                                     : fmt::format("{} limbs", targets->trailIds.size());
   session.begin("Exaggerate");
   session.preview(targets->document);
-  session.view().selectedTrail = leading;
+  app::selectTrail(session, leading);
   session.view().selectedSpheres.clear();
   started.modal = app::beginExaggerate(trail.settings, defaultRelease(session, leading));
   started.targets = std::move(targets).value();
@@ -96,24 +121,38 @@ Status startGrab(app::Session& session, Tool& tool, const GrabStart& start) {
   if (trail == nullptr || selected.empty()) {
     return Error{"no control sphere is selected", "", "press Tab to select one, or click it"};
   }
-  GrabTool started;
-  started.trailId = trail->id;
-  started.settings = trail->settings;
-  started.selected = selected;
-  started.spheres = app::placedSpheres(session, trail->id);
-  const std::optional<Vec3> held =
-      positionOfSphere(started.spheres, start.heldFrame.value_or(selected.back()));
-  if (!held) {
-    return Error{"the sphere is not on this trail", "", "select it again"};
+  Result<GrabTool> started = grabOf(session, *trail, start);
+  if (!started) {
+    return started.error();
   }
-  started.anchor = *held;
-  started.startPixels = start.startPixels;
-  started.byDrag = start.byDrag;
-  started.falloffRadius = start.falloffRadius;
-  started.modal = app::beginGrab(session.view().cameraAxes, app::nudgeUnits(session.document()));
-  started.modal.axis = start.axis;
   session.begin(selected.size() == 1 ? "Move the sphere" : "Move the spheres");
-  tool = std::move(started);
+  tool = std::move(started).value();
+  return Success{};
+}
+
+Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbId, const GrabStart& start) {
+  const Result<app::HeldLimb> held = app::holdLimb(session, limbId);
+  if (!held) {
+    return held.error();
+  }
+  session.begin("Pull the " + app::limbTitle(session.document(), limbId));
+  session.preview(held->document);
+  app::selectTrail(session, held->trailId);
+  double frame = session.view().frame;
+  const Result<app::Document> withSphere = app::withSphereAt(session, held->trailId, frame);
+  if (withSphere) {
+    session.preview(*withSphere);
+    session.view().selectedSpheres = {frame};
+  }
+  const rig::Trail* const trail = app::selectedTrail(session);
+  Result<GrabTool> started = !withSphere        ? Result<GrabTool>(withSphere.error())
+                             : trail == nullptr ? Result<GrabTool>(app::missingTrail(held->trailId))
+                                                : grabOf(session, *trail, start);
+  if (!started) {
+    session.cancel();
+    return started.error();
+  }
+  tool = std::move(started).value();
   return Success{};
 }
 
@@ -161,6 +200,15 @@ Status turnFalloff(app::Session& session, Tool& tool, double steps) {
   const double radius = std::max(grab->falloffRadius, smallest) * std::pow(1.2, steps);
   grab->falloffRadius = radius < smallest ? 0.0 : std::min(radius, 10.0 * session.document().biped.height);
   return previewGrab(session, *grab);
+}
+
+std::optional<double> tipFrame(const app::Session& session, const Tool& tool) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  if (!std::holds_alternative<ExaggerateTool>(tool) || trail == nullptr) {
+    return std::nullopt;
+  }
+  const rig::TrailSettings& settings = trail->settings;
+  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
 }
 
 void finishTool(app::Session& session, Tool& tool, bool keep) {

@@ -25,6 +25,7 @@ struct ExaggerateTool {
 struct GrabTool {
   app::GrabModal modal;
   int trailId = 0;
+  app::Document base;                     ///< What the pull starts from.
   rig::TrailSettings settings;            ///< Of the trail at the beginning.
   std::vector<app::PlacedSphere> spheres; ///< Where they stood.
   std::vector<double> selected;           ///< Frames of those that are pulled in full.
@@ -43,7 +44,8 @@ using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool>;
 }
 
 /// Begins E: trails are made where there are none, and everything previews.
-Status startExaggerate(app::Session& session, Tool& tool);
+Status startExaggerate(app::Session& session, Tool& tool,
+                       app::OverlapChoice choice = app::OverlapChoice::edit);
 
 /// Begins pulling the selected spheres. `startPixels` and `anchor` say what the mouse holds.
 struct GrabStart {
@@ -55,12 +57,19 @@ struct GrabStart {
 };
 Status startGrab(app::Session& session, Tool& tool, const GrabStart& start);
 
+/// Begins pulling a limb by its end: the sphere of its trail at the playhead, both made where they are not
+/// there.
+Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbId, const GrabStart& start);
+
 /// A key for the running tool. An error tells why the preview could not follow.
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press);
 /// The mouse for a running grab; nothing for other tools.
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels);
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);
+
+/// The frame of the tip of the trail that E works on; nothing outside of E.
+[[nodiscard]] std::optional<double> tipFrame(const app::Session& session, const Tool& tool);
 
 /// Ends the tool: kept as one undo step, or restored.
 void finishTool(app::Session& session, Tool& tool, bool keep);

@@ -8,7 +8,6 @@
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
-#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 
@@ -99,6 +98,7 @@ void pressLeft(ViewportContext& context) {
     app::selectTrail(session, viewport.hoveredTrail);
   } else if (!viewport.hoveredLimb.empty()) {
     app::selectLimb(session, viewport.hoveredLimb, add);
+    viewport.gesture = viewport.hoveredEnd && !add ? ViewportGesture::pressEnd : ViewportGesture::none;
   } else {
     viewport.gesture = ViewportGesture::boxSelect;
   }
@@ -147,16 +147,22 @@ void selectInBox(ViewportContext& context) {
   }
 }
 
+/// A press that moves becomes a drag: of the spheres, or of a hand, foot or head.
 void continueGesture(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   navigate(viewport);
-  if (viewport.gesture == ViewportGesture::pressSphere && !isRunning(context.tool)) {
-    const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
-    if (glm::distance(viewport.mousePixels, viewport.pressPixels) > far &&
-        !context.open.character()->view().selectedSpheres.empty()) {
-      grabFromPress(
-          context, {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
-    }
+  const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
+  if (isRunning(context.tool) || glm::distance(viewport.mousePixels, viewport.pressPixels) <= far) {
+    return;
+  }
+  app::Session& session = *context.open.character();
+  if (viewport.gesture == ViewportGesture::pressSphere && !session.view().selectedSpheres.empty()) {
+    grabFromPress(context,
+                  {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
+  } else if (viewport.gesture == ViewportGesture::pressEnd) {
+    viewport.gesture = ViewportGesture::none;
+    tellProblem(context.ui, startLimbGrab(session, context.tool, viewport.hoveredLimb,
+                                          {viewport.pressPixels, std::nullopt, std::nullopt, true, 0.0}));
   }
 }
 
@@ -224,12 +230,10 @@ void hoverTrails(ViewportContext& context) {
 
 void hoverLimbs(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
-  const LimbBones bones =
-      limbBones(context.open.character()->document(),
-                context.open.character()->frameAt(context.open.character()->view().frame));
-  if (const auto hit = pickBone(viewport.view, bones.bones, viewport.mousePixels, 18.0)) {
-    viewport.hoveredLimb = bones.limbOf[*hit];
-  }
+  const LimbUnderMouse found =
+      limbUnderMouse(*context.open.character(), viewport.view, viewport.mousePixels, viewport.limbs);
+  viewport.hoveredLimb = found.limb;
+  viewport.hoveredEnd = found.atEnd;
 }
 
 /// On a mesh sequence nothing can be picked: the left button alone turns the view as well.
@@ -259,6 +263,7 @@ void updateHover(ViewportContext& context) {
   viewport.hoveredAxis.reset();
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
+  viewport.hoveredEnd = false;
   if (!viewport.hovered || context.open.character() == nullptr) {
     return;
   }

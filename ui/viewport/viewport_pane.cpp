@@ -158,6 +158,9 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   handleViewportMouse(context, hovered, held);
   updateView(context);
   updateShownTrails(*context.open.character(), viewport.shown);
+  const std::optional<double> tip = tipFrame(*context.open.character(), context.tool);
+  const bool elsewhere = tip && std::abs(*tip - context.open.character()->view().frame) > 0.5;
+  viewport.tipFrame = elsewhere ? tip : std::nullopt;
   drawScene(context, gpu, picture);
 }
 

@@ -20,6 +20,7 @@ PictureSelection selectionOf(const app::Session& session, const ViewportState& v
   selection.hoveredTrail = viewport.hoveredTrail;
   selection.hoveredSphere = viewport.hoveredSphere;
   selection.hoveredAxis = viewport.hoveredAxis;
+  selection.tipFrame = viewport.tipFrame;
   return selection;
 }
 

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "ui/render/camera.h"
+#include "ui/viewport/limb_hover.h"
 #include "ui/viewport/shown_trails.h"
 #include "ui/widgets/control.h"
 
 namespace stretch::ui {
 
 /// What the mouse does in the viewport from press to release.
-enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, boxSelect };
+enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, pressEnd, boxSelect };
 
 /// What the viewport remembers between frames.
 struct ViewportState {
@@ -37,6 +38,9 @@ struct ViewportState {
   std::optional<std::size_t> hoveredAxis;
   int hoveredTrail = 0;
   std::string hoveredLimb;
+  bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
+  LimbHover limbs;
+  std::optional<double> tipFrame; ///< Of the trail that E works on, when the playhead is elsewhere.
 };
 
 } // namespace stretch::ui

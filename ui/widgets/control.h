@@ -21,6 +21,7 @@ struct WidgetContext {
 struct EditPhase {
   bool changed = false; ///< The value is new.
   bool ended = false;   ///< The gesture is over.
+  bool cut = false;     ///< A limit stands for what was typed.
 };
 
 /// What the tooltip of a widget says.

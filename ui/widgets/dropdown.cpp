@@ -47,6 +47,10 @@ int choiceList(const WidgetContext& context, const std::string& id, const std::v
                            : choice.enabled ? colours.text
                                             : faded(colours.text, 0.4F);
       drawText(context, theme.fonts.body, text, colour, choice.text);
+      if (choice.marked) {
+        ImGui::GetWindowDrawList()->AddCircleFilled({text.max.x - theme.px(4.0F), row.box.centre().y},
+                                                    theme.px(3.5F), colours.accent);
+      }
     }
     if (isSelected && ImGui::IsWindowAppearing()) {
       ImGui::SetScrollHereY(0.5F);

@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include <imgui_internal.h>
 
-#include "core/base/number.h"
+#include "ui/widgets/arithmetic.h"
 
 namespace stretch::ui {
 
@@ -75,44 +76,83 @@ EditPhase dragged(const SliderSpec& spec, const Control& control, double& value)
   return phase;
 }
 
-EditPhase typed(const SliderSpec& spec, const Control& control, double& value) {
+/// Takes what was written, within the hard limits.
+EditPhase takeWritten(const SliderSpec& spec, std::string_view text, double before, double& value) {
   EditPhase phase;
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", spec.decimals, value * spec.displayFactor);
-  const ImRect box(control.box.min, control.box.max);
-  if (ImGui::TempInputText(box, control.id, hiddenLabel(spec.id).c_str(), buffer.data(),
-                           static_cast<int>(buffer.size()), ImGuiInputTextFlags_AutoSelectAll)) {
-    if (const std::optional<double> number = parseNumber(buffer.data())) {
-      const double next = hardClamped(spec, *number / spec.displayFactor);
-      phase.changed = next != value;
-      value = next;
-    }
+  if (const std::optional<double> number = typedNumber(text, before * spec.displayFactor)) {
+    const double wanted = *number / spec.displayFactor;
+    const double next = hardClamped(spec, wanted);
+    phase.cut = std::abs(next - wanted) > 1e-9 * std::max(1.0, std::abs(wanted));
+    phase.changed = next != value;
+    value = next;
   }
   return phase;
 }
 
-bool wantsTyping(const Control& control) {
-  if (!control.hovered) {
-    return false;
+/// While a field is typed in, the value that it had: sums go on from it.
+EditPhase typed(const SliderSpec& spec, const Control& control, double& value, bool begins) {
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  if (begins) {
+    storage->SetFloat(control.id, static_cast<float>(value));
   }
-  const ImGuiIO& io = ImGui::GetIO();
-  return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
-         (io.KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", spec.decimals, value * spec.displayFactor);
+  const ImRect box(control.box.min, control.box.max);
+  // A click that is over begins it: Dear ImGui's own field begins at a press.
+  bool& pressed = ImGui::GetIO().MouseClicked[ImGuiMouseButton_Left];
+  const bool pressedBefore = std::exchange(pressed, pressed || begins);
+  const bool written =
+      ImGui::TempInputText(box, control.id, hiddenLabel(spec.id).c_str(), buffer.data(),
+                           static_cast<int>(buffer.size()), ImGuiInputTextFlags_AutoSelectAll);
+  pressed = pressedBefore;
+  return written ? takeWritten(spec, buffer.data(), static_cast<double>(storage->GetFloat(control.id)), value)
+                 : EditPhase{};
+}
+
+/// A click without a drag; Ctrl+click and a double click come to the same.
+bool wantsTyping(const Control& control) {
+  constexpr float slack = 3.0F; // Pixels that a hand moves in a click.
+  return control.clicked && ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack;
+}
+
+/// One entry of a field's menu.
+bool menuEntry(const WidgetContext& context, const SliderSpec& spec, const char* text, bool enabled) {
+  const bool chosen = ImGui::MenuItem(text, nullptr, false, enabled);
+  context.items.add(spec.id + "/" + text, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
+  return chosen;
+}
+
+EditPhase fieldMenu(const WidgetContext& context, const SliderSpec& spec, const Control& control,
+                    double& value) {
+  const std::string name = hiddenLabel(spec.id) + "/menu";
+  EditPhase phase;
+  if (spec.enabled && control.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+    ImGui::OpenPopup(name.c_str());
+  }
+  if (!ImGui::BeginPopup(name.c_str())) {
+    return phase;
+  }
+  if (menuEntry(context, spec, "Reset", spec.defaultValue.has_value())) {
+    phase.changed = value != *spec.defaultValue;
+    value = *spec.defaultValue;
+    phase.ended = true;
+  }
+  if (menuEntry(context, spec, "Copy", true)) {
+    std::array<char, 64> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.9g", value * spec.displayFactor);
+    ImGui::SetClipboardText(buffer.data());
+  }
+  const char* const copied = ImGui::GetClipboardText();
+  const bool usable = copied != nullptr && typedNumber(copied, 0.0).has_value();
+  if (menuEntry(context, spec, "Paste", usable)) {
+    phase = takeWritten(spec, copied, value, value);
+    phase.ended = true;
+  }
+  ImGui::EndPopup();
+  return phase;
 }
 
 } // namespace
-
-std::optional<double> parseNumber(std::string_view text) {
-  std::string cleaned;
-  for (const char c : text) {
-    if (c == ',') {
-      cleaned += '.';
-    } else if (c != ' ' && c != '%' && c != 'x' && c != '+') {
-      cleaned += c;
-    }
-  }
-  return stretch::parseNumber(cleaned);
-}
 
 std::string sliderText(const SliderSpec& spec, double value) {
   std::array<char, 64> buffer{};
@@ -128,18 +168,14 @@ EditPhase slider(const WidgetContext& context, const SliderSpec& spec, double& v
       ImGui::TempInputIsActive(ImGui::GetCurrentWindow()->GetID(hiddenLabel(spec.id).c_str()));
   const Control control = takePlace(context, spec.id, {width, theme.rowHeight()}, spec.enabled && !typing);
   EditPhase phase;
-  if (typing || (spec.enabled && wantsTyping(control))) {
-    phase = typed(spec, control, value);
+  const bool begins = !typing && spec.enabled && wantsTyping(control);
+  if (typing || begins) {
+    phase = typed(spec, control, value, begins);
     phase.ended = ImGui::IsItemDeactivated();
     return phase;
   }
   phase = dragged(spec, control, value);
   phase.ended = ImGui::IsItemDeactivated();
-  if (spec.enabled && spec.defaultValue && control.hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    phase.changed = value != *spec.defaultValue;
-    phase.ended = true;
-    value = *spec.defaultValue;
-  }
   if (control.visible) {
     drawField(context, spec, control, value);
   }
@@ -147,7 +183,8 @@ EditPhase slider(const WidgetContext& context, const SliderSpec& spec, double& v
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   tooltip(context, spec.help);
-  return phase;
+  const EditPhase menu = fieldMenu(context, spec, control, value);
+  return menu.changed || menu.ended ? menu : phase;
 }
 
 } // namespace stretch::ui

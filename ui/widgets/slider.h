@@ -8,9 +8,9 @@
 
 namespace stretch::ui {
 
-/// A number with a range: dragged sideways (Shift: a tenth as fast), typed after a double click or
-/// Ctrl+click, reset by a right click. What is typed may lie outside the dragged range, up to the hard
-/// limits.
+/// A number with a range: dragged sideways (Shift: a tenth as fast), typed after a click, sums included
+/// (typedNumber), reset, copied and pasted from the menu that a right click opens. What is typed may lie
+/// outside the dragged range, up to the hard limits.
 struct SliderSpec {
   std::string id;
   double minimum = 0.0;
@@ -30,10 +30,6 @@ struct SliderSpec {
 };
 
 EditPhase slider(const WidgetContext& context, const SliderSpec& spec, double& value);
-
-/// A number as people type it: "2.5", "2,5", "x2.5", "250 %" (as 250: the unit is the caller's). Empty when
-/// it is none.
-[[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 
 /// The value as the slider shows it.
 [[nodiscard]] std::string sliderText(const SliderSpec& spec, double value);

@@ -119,7 +119,7 @@ TEST_CASE("The refined punch by keys: range, exaggerate, apply, and everything u
   CHECK(session.document().trails.front().applied);
 }
 
-TEST_CASE("Without a range the limb's own is taken: up to where its end is farthest away") {
+TEST_CASE("Without a range the stroke around the playhead is taken") {
   Keyboard keyboard(test::boxer());
   keyboard.press("1");
   REQUIRE(keyboard.press("T"));

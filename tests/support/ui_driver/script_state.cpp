@@ -231,6 +231,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-unsaved", yesNo(asked == Kind::unsaved)},
       {"asks-overwrite", yesNo(asked == Kind::overwrite)},
       {"offers-restore", yesNo(asked == Kind::restore)},
+      {"asks-clash", yesNo(shell.ui.rangeClash.has_value())},
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},

@@ -76,8 +76,8 @@ TEST_CASE("Outside its window a trail fades out") {
   trail.currentSample = 0.0;
   trail.windowSamples = 2.0;
   const Overlay overlay = drawTrail(someView, trail);
-  CHECK(overlay.lines[1].points[2].color.a == 1.0F);
-  CHECK(overlay.lines[1].points[8].color.a == 0.0F);
+  CHECK(overlay.lines[1].points.front().color.a == 1.0F);
+  CHECK(overlay.lines[1].points.back().color.a == 0.0F);
 }
 
 TEST_CASE("A trail of one point or none is drawn without harm") {

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "ui/widgets/arithmetic.h"
 #include "ui/widgets/axis.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/fuzzy.h"
@@ -78,14 +79,14 @@ TEST_CASE("Commands are found by a few of their letters, the best match first") 
 }
 
 TEST_CASE("Numbers are read as people type them") {
-  CHECK(parseNumber("2.5") == 2.5);
-  CHECK(parseNumber("2,5") == 2.5);
-  CHECK(parseNumber(" x3 ") == 3.0);
-  CHECK(parseNumber("-12 %") == -12.0);
-  CHECK_FALSE(parseNumber(""));
-  CHECK_FALSE(parseNumber("two"));
-  CHECK_FALSE(parseNumber("1e999"));
-  CHECK_FALSE(parseNumber("nan"));
+  CHECK(typedNumber("2.5", 0.0) == 2.5);
+  CHECK(typedNumber("2,5", 0.0) == 2.5);
+  CHECK(typedNumber(" x3 ", 0.0) == 3.0);
+  CHECK(typedNumber("-12 %", 0.0) == -12.0);
+  CHECK_FALSE(typedNumber("", 0.0));
+  CHECK_FALSE(typedNumber("two", 0.0));
+  CHECK_FALSE(typedNumber("1e999", 0.0));
+  CHECK_FALSE(typedNumber("nan", 0.0));
 }
 
 TEST_CASE("Marks of an axis are round numbers, far enough apart") {

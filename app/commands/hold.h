@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "app/session.h"
+
+namespace stretch::app {
+
+/// A limb's end taken in the hand at the playhead.
+struct HeldLimb {
+  Document document; ///< With the trail there, exaggerated and connected.
+  int trailId = 0;
+};
+
+/// The limb's trail at the playhead, or a new one around it that changes nothing yet: pulling a sphere of it
+/// at the playhead carries the hand, foot or head along. No history step.
+[[nodiscard]] Result<HeldLimb> holdLimb(const Session& session, const std::string& limbId);
+
+/// The document with a control sphere of the trail at the frame, where the session shows that trail; `frame`
+/// becomes that of the sphere which is there already.
+[[nodiscard]] Result<Document> withSphereAt(Session& session, int trailId, double& frame);
+
+} // namespace stretch::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/session.h"
+
+namespace stretch::app {
+
+// Which frames the next trail takes. One rule: selecting a trail makes its range the working range; a range
+// that is set by hand deselects a trail that does not lie in it; without either the limb's stroke around the
+// playhead is proposed.
+
+/// The range that is proposed for a limb: its stroke around the playhead (rig/motion/stroke.h), or half a
+/// second about the playhead where the limb makes none. At least one frame long where the clip is.
+[[nodiscard]] Vec2 proposedRange(const Session& session, const rig::Limb& limb);
+
+/// Whether the working range was set, by hand or by selecting a trail.
+[[nodiscard]] bool isRangeSet(const ViewState& view);
+
+/// The working range (x start, y end) within the clip, or the proposed one when none is set.
+[[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
+
+/// Sets the working range by hand: a selected trail that does not lie in it is selected no longer.
+void setRangeByHand(Session& session, const Vec2& range);
+
+/// The part of the range in which the limb has no trail yet: the one that holds `frame`, else the longest.
+/// Nothing when less than a frame is free.
+[[nodiscard]] std::optional<Vec2> freeRange(const Document& document, const std::string& limbId, int clip,
+                                            const Vec2& range, double frame);
+
+/// A range that was set for new trails, and a trail that is there already and shares only a part of it.
+struct RangeClash {
+  std::string limb; ///< Limb id.
+  Vec2 present{0.0};
+  Vec2 wanted{0.0};
+  std::optional<Vec2> beside; ///< Where there is room for another one.
+};
+/// Nothing when exaggerating the selection leaves no doubt about what is meant.
+[[nodiscard]] std::optional<RangeClash> rangeClash(const Session& session);
+
+} // namespace stretch::app

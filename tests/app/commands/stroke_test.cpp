@@ -1,0 +1,40 @@
+#include <catch2/catch.hpp>
+
+#include "app/files/save.h"
+#include "rig/motion/stroke.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+Vec2 strokeOf(const Document& document, const char* limb, double frame) {
+  const auto strokes = rig::strokesOf(*document.scene, clipOf(document, 0), *findLimb(document, limb));
+  const rig::Stroke* const stroke = rig::strokeAt(strokes, frame);
+  REQUIRE(stroke != nullptr);
+  return {stroke->startFrame, stroke->endFrame};
+}
+
+} // namespace
+
+TEST_CASE("The stroke of a punch goes from where the arm is wound up to where it is out") {
+  const Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  CHECK(strokeOf(*opened, "left-arm", 24.0) == Vec2(21.0, 27.0));
+  CHECK(strokeOf(*opened, "right-arm", 41.0).x >= 37.0);
+  CHECK(strokeOf(*opened, "right-arm", 41.0).y == 43.0);
+  // Back again is another stroke.
+  CHECK(strokeOf(*opened, "left-arm", 31.0).x >= 27.0);
+}
+
+TEST_CASE("A stroke is the same at any frame rate, and a limb that rests makes none") {
+  Document document = test::boxer();
+  const Vec2 at30 = strokeOf(document, "left-arm", 8.0);
+  CHECK(at30 == Vec2(0.0, 10.0));
+  setFramesPerSecond(document, 120.0);
+  const Vec2 at120 = strokeOf(document, "left-arm", 32.0);
+  CHECK(at120.x == Approx(4.0 * at30.x).margin(2.0));
+  CHECK(at120.y == Approx(4.0 * at30.y).margin(2.0));
+  CHECK(rig::strokesOf(*document.scene, clipOf(document, 0), *findLimb(document, "right-arm")).empty());
+}

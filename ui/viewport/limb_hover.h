@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+#include "ui/render/surface_picking.h"
+
+namespace stretch::ui {
+
+/// What of the character lies under the mouse.
+struct LimbUnderMouse {
+  std::string limb;   ///< Limb id; empty for none.
+  bool atEnd = false; ///< On its hand, foot or head, which can be pulled.
+
+  friend bool operator==(const LimbUnderMouse&, const LimbUnderMouse&) = default;
+};
+
+/// The surface that is picked from, kept while pose and view stay.
+struct LimbHover {
+  std::shared_ptr<const rig::MotionState> motion; ///< What the surface is posed by.
+  double frame = 0.0;
+  bool original = false;
+  PosedSurface surface;
+  std::vector<int> limbOfNode;  ///< Index into allLimbs.
+  std::vector<rig::Limb> limbs; ///< That limbOfNode was made for.
+};
+
+/// The limb whose flesh is in front under the mouse, by its skin weights; beside the character the nearest
+/// bone on the screen, if one is near.
+[[nodiscard]] LimbUnderMouse limbUnderMouse(app::Session& session, const View& view, const Vec2& mousePixels,
+                                            LimbHover& hover);
+
+} // namespace stretch::ui
