@@ -62,6 +62,9 @@ Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text, con
     return *limb;
   }
   const std::size_t dots = text.find("..");
+  if (dots == std::string::npos && document.biped.limbs.empty() && !document.biped.warnings.empty()) {
+    return Error{"there is no limb '" + text + "'", where, document.biped.warnings.back()};
+  }
   if (dots == std::string::npos) {
     return Error{"there is no limb '" + text + "'", where,
                  "limbs of this character: " + limbList(document) + "; any chain: JOINT_A..JOINT_B"};

@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include "app/batch/options.h"
+#include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "core/gltf/json.h"
+#include "core/scene/mesh_sequence.h"
 
 namespace stretch::app {
 
@@ -112,7 +114,7 @@ void printInfo(const Json& info) {
   }
   for (const Json& clip : info["clips"]) {
     fmt::print("clip   {}: {:.3f} s, {} frames at {:g} fps, {} keys\n", clip["name"].get<std::string>(),
-               clip["seconds"].get<double>(), clip["frames"].get<int>(), clip["fps"].get<double>(),
+               clip["seconds"].get<double>(), clip["frames"].get<std::int64_t>(), clip["fps"].get<double>(),
                clip["keys"].get<int>());
   }
   for (const Json& limb : info["limbs"]) {
@@ -124,7 +126,37 @@ void printInfo(const Json& info) {
   }
 }
 
+// A folder of frames and the like: no joints, no limbs.
+Status runSequenceInfo(const InfoArguments& arguments) {
+  const Result<MeshSequence> sequence = readSequenceWords({arguments.input.file});
+  if (!sequence) {
+    return sequence.error();
+  }
+  Json info;
+  info["sequence"] = {{"name", sequence->name},
+                      {"frames", sequence->frameCount()},
+                      {"vertices", sequence->vertexCount},
+                      {"triangles", sequence->triangles.size()},
+                      {"fps", sequence->framesPerSecond}};
+  info["warnings"] = sequence->warnings;
+  info["warnings"].push_back("a sequence of meshes has no joints: make a skinned clip of it by compress");
+  if (arguments.json) {
+    std::cout << info.dump(1) << '\n';
+    return Success{};
+  }
+  fmt::print("sequence {}: {} frames at {:g} fps, {} vertices, {} triangles\n", sequence->name,
+             sequence->frameCount(), sequence->framesPerSecond, sequence->vertexCount,
+             sequence->triangles.size());
+  for (const Json& warning : info["warnings"]) {
+    fmt::print("warning: {}\n", warning.get<std::string>());
+  }
+  return Success{};
+}
+
 Status runInfo(const InfoArguments& arguments) {
+  if (isSequence(arguments.input.file)) {
+    return runSequenceInfo(arguments);
+  }
   const Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();

@@ -3,6 +3,7 @@
 #include "app/files/save.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
+#include "app/sequence/open_any.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
 
@@ -32,7 +33,17 @@ void addJson(CommandLine& line, bool& json) {
   line.flag("--json", json, "Print one JSON document");
 }
 
+bool isSequence(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path path(file);
+  return std::filesystem::is_directory(path, ignored) ? holdsSequence(path) : namesSequence({path});
+}
+
 Result<Document> openDocument(const FileArguments& arguments) {
+  if (isSequence(arguments.file)) {
+    return Error{"is a sequence of meshes, no character with joints", arguments.file,
+                 "make a skinned clip of it by compress, and give that"};
+  }
   Result<Document> document =
       openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
   if (document && arguments.framesPerSecond > 0.0) {

@@ -44,6 +44,9 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 /// Declares --json.
 void addJson(CommandLine& line, bool& json);
 
+/// Whether the path names a sequence of meshes: a folder of frames, a mesh, a cache.
+[[nodiscard]] bool isSequence(const std::string& file);
+
 [[nodiscard]] Result<Document> openDocument(const FileArguments& arguments);
 
 /// Index of the clip that --clip names.

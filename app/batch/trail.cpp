@@ -44,7 +44,7 @@ Json trailJson(const rig::MotionState& motion) {
 // A path that is only looked at may be a single point, as in a clip of one key, which no trail could
 // exaggerate.
 bool isOneFrame(const Vec2& range, const Clip& clip) {
-  return range.x == range.y && range.x >= 0.0 && range.x < frameCount(clip);
+  return range.x == range.y && range.x >= 0.0 && range.x < static_cast<double>(frameCount(clip));
 }
 
 Status runTrail(const TrailArguments& arguments) {

@@ -46,6 +46,8 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   trail.clip = clip;
   trail.settings.startFrame = range->x;
   trail.settings.endFrame = range->y;
+  trail.settings.space =
+      rig::startingSpace(*document.scene, clipOf(document, clip), *limb, document.biped.hips, *range);
   const Status set = setSettings(request, trail.settings);
   return set ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(set.error());
 }

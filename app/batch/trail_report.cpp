@@ -17,6 +17,20 @@ namespace {
 
 using gltf::Json;
 
+const char* spaceName(rig::TrailSpace space) {
+  switch (space) {
+  case rig::TrailSpace::root:
+    return "root";
+  case rig::TrailSpace::base:
+    return "base";
+  case rig::TrailSpace::view:
+    return "view";
+  case rig::TrailSpace::world:
+    break;
+  }
+  return "world";
+}
+
 Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
   const double tipSeconds = solved.tipSeconds;
   Json warnings = solved.warnings;
@@ -31,6 +45,7 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
   constexpr double tolerance = 1e-4;
   return {{"limb", solved.limb.id},
           {"range", {solved.settings.startFrame, solved.settings.endFrame}},
+          {"space", spaceName(solved.settings.space)},
           {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
                                                        ? solved.path.samples.back()
                                                        : solved.path.samples.front(),
@@ -70,10 +85,11 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
 
 void printExaggeration(const Json& report) {
   for (const Json& trail : report["trails"]) {
-    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}\n", trail["limb"].get<std::string>(),
+    const auto space = trail["space"].get<std::string>();
+    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}\n", trail["limb"].get<std::string>(),
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
-               trail["pulled"].get<bool>() ? " (pulled)" : "");
+               trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "");
     for (const Json& warning : trail["warnings"]) {
       fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     }

@@ -1,6 +1,7 @@
 #include "app/batch/verb.h"
 
 #include <cstdio>
+#include <new>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -15,6 +16,14 @@ constexpr int wrongArguments = 2;
 int report(const Error& error) {
   fmt::print(stderr, "stretch-engine: {}\n", error.line());
   return couldNotBeDone;
+}
+
+Status runWithinMemory(const std::function<Status()>& verb) {
+  try {
+    return verb();
+  } catch (const std::bad_alloc&) {
+    return Error{"there is not enough memory for this", "", "shorten the range, or use a smaller file"};
+  }
 }
 
 } // namespace
@@ -44,7 +53,7 @@ int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* cons
     program.exit(problem);
     return helpAsked ? 0 : wrongArguments;
   }
-  const Status done = chosen();
+  const Status done = runWithinMemory(chosen);
   return done ? 0 : report(done.error());
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "rig/motion/floor.h"
+#include "rig/motion/solve.h"
 
 namespace stretch::app {
 
@@ -94,6 +95,9 @@ rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& lim
   settings.startFrame = range.x;
   settings.endFrame = range.y;
   settings.viewAxes = session.view().cameraAxes;
+  const Document& document = session.document();
+  settings.space = rig::startingSpace(*document.scene, clipOf(document, session.view().clip), limb,
+                                      document.biped.hips, range);
   return settings;
 }
 

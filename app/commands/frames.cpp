@@ -27,7 +27,9 @@ bool hasClip(const Document& document, int clip) {
 }
 
 double lastFrame(const Document& document, int clip) {
-  return hasClip(document, clip) ? std::max(0, frameCount(clipOf(document, clip)) - 1) : 0.0;
+  return hasClip(document, clip)
+             ? static_cast<double>(std::max<std::int64_t>(0, frameCount(clipOf(document, clip)) - 1))
+             : 0.0;
 }
 
 namespace {

@@ -33,6 +33,15 @@ std::set<int> clipsToKey(const Document& document) {
   return clips;
 }
 
+// Frames count in the rate of the clip as it was, also where the keys in the file tell another.
+void noteRates(const Document& document, gltf::Edits& edits) {
+  for (gltf::ClipTracks& clip : edits.clips) {
+    const Clip& source = clipOf(document, clip.clip);
+    const double told = guessFramesPerSecond(rig::withTracks(source, clip.tracks).tracks);
+    clip.framesPerSecond = told == source.framesPerSecond ? 0.0 : source.framesPerSecond;
+  }
+}
+
 } // namespace
 
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
@@ -50,6 +59,7 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   if (!options.keepSkeleton) {
     rig::addBindLeaves(*seen.scene, stretches, edits);
   }
+  noteRates(document, edits);
   if (!options.clean) {
     edits.work = workOf(document);
   }

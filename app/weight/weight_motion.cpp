@@ -148,6 +148,12 @@ void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::
   }
   rig::LimbWeight weight{entry.limb, {}, 0.0, 0.0, 0.0, 0.0};
   setRange(*input.weight.clip, entry, weight);
+  if (input.sampled.seconds.back() + 1.0 < input.weight.clip->endSeconds) {
+    weight.endSeconds = std::min(weight.endSeconds, input.sampled.seconds.back());
+    report.warnings.push_back(entry.limb + ": gives way in the first " +
+                              std::to_string(std::lround(weight.endSeconds)) +
+                              " seconds only: the clip is longer than " + "is looked at");
+  }
   const skinning::LimbMotion physical =
       limbMotion(input.sampled, one, input.standing, settings.density * input.bodyVolume, input.room);
   const auto stretches =

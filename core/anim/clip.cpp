@@ -90,8 +90,9 @@ double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks) {
   return rate > 0.0 ? rate : fallback;
 }
 
-int frameCount(const Clip& clip) {
-  return static_cast<int>(std::lround(clip.endSeconds * clip.framesPerSecond)) + 1;
+std::int64_t frameCount(const Clip& clip) {
+  constexpr double most = 1e15;
+  return static_cast<std::int64_t>(std::llround(std::min(most, clip.endSeconds * clip.framesPerSecond))) + 1;
 }
 
 } // namespace stretch

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,6 @@ struct Clip {
 [[nodiscard]] double guessFramesPerSecond(const std::vector<CopyOnWrite<Track>>& tracks);
 
 /// Number of frames of a clip: the last key's time in frames, rounded, plus 1.
-[[nodiscard]] int frameCount(const Clip& clip);
+[[nodiscard]] std::int64_t frameCount(const Clip& clip);
 
 } // namespace stretch

@@ -101,6 +101,13 @@ std::size_t elementSize(const AccessorShape& shape) {
   return static_cast<std::size_t>(type->columns) * columnStride(*type, shape.component);
 }
 
+std::size_t lastElementSize(const AccessorShape& shape) {
+  const ElementType* type = elementType(shape.type);
+  check(type != nullptr, "a shape has a known type");
+  const std::size_t column = static_cast<std::size_t>(type->rows) * componentSize(shape.component);
+  return elementSize(shape) - columnStride(*type, shape.component) + column;
+}
+
 std::optional<ElementRun> denseRun(const Source& source, int accessor, const AccessorShape& shape) {
   const Json& json = element(source.json, "accessors", static_cast<std::size_t>(accessor));
   if (find(json, "bufferView") == nullptr) {

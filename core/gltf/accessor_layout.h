@@ -28,6 +28,8 @@ struct SparseRuns {
 
 /// Bytes of one element, the padding of matrix columns included.
 [[nodiscard]] std::size_t elementSize(const AccessorShape& shape);
+/// What the last element of a run needs: the padding after its last column may be missing.
+[[nodiscard]] std::size_t lastElementSize(const AccessorShape& shape);
 
 /// Nothing for an accessor without a buffer view or bytes: all zeros. The accessor has to be validated.
 [[nodiscard]] std::optional<ElementRun> denseRun(const Source& source, int accessor,

@@ -93,8 +93,9 @@ private:
     const std::size_t size = elementSize(shape);
     const std::uint64_t stride = mayBeStrided ? wholeOr(view, "byteStride", size) : size;
     const std::uint64_t start = wholeOr(json, "byteOffset", 0);
-    const std::uint64_t end = start + stride * (count - 1) + size; // count is below 2^32, stride below 2^8:
-                                                                   // no overflow
+    const std::uint64_t end = start + stride * (count - 1) + lastElementSize(shape); // count is below 2^32,
+                                                                                     // stride below 2^8: no
+                                                                                     // overflow
     if (stride < size) {
       error(place, "has elements longer than their stride");
     } else if (end > wholeOr(view, "byteLength", 0)) {

@@ -33,6 +33,8 @@ struct SkinSlot {
 struct ClipTracks {
   int clip = -1; ///< Index into the file's animations.
   std::vector<Track> tracks;
+  /// Noted in the clip's extras, where the key times alone would tell another rate. 0: not noted.
+  double framesPerSecond = 0.0;
 };
 
 /// Everything that saving may change. Nothing is renumbered: nodes, accessors, samplers are appended,

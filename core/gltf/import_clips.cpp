@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/accessor.h"
+#include "core/gltf/animation_target.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
@@ -49,10 +50,18 @@ public:
       }
     }
     measure(clip);
+    clip.framesPerSecond = notedRate().value_or(clip.framesPerSecond);
     return clip;
   }
 
 private:
+  // What this program noted where re-keyed clips tell another rate than they had.
+  [[nodiscard]] std::optional<double> notedRate() const {
+    const Json* noted = findPath(json_, {"extras", "stretch_engine", "frames_per_second"});
+    const double rate = noted != nullptr && noted->is_number() ? noted->get<double>() : 0.0;
+    return rate >= 1.0 && rate <= 1000.0 ? std::optional(rate) : std::nullopt;
+  }
+
   static void measure(Clip& clip) {
     if (!clip.tracks.empty()) {
       clip.startSeconds = std::numeric_limits<double>::max();
@@ -85,14 +94,15 @@ private:
 
   // False for a channel that drives nothing we know (or repeats another, which is an error).
   bool readTarget(const Json& target, std::size_t index, Track& track) {
-    const std::string path = textOr(target, "path");
+    const AnimationTarget driven = animationTarget(target);
+    const std::string& path = driven.path;
     const std::optional<Channel> channel = channelOf(path);
-    track.node = NodeIndex(indexOr(target, "node"));
-    if (!channel || !track.node.exists()) {
-      if (path != "pointer") {
-        problems_.warning(channelPlace(index),
-                          fmt::format("drives '{}' of no node and is not shown", path.substr(0, 100)));
-      }
+    track.node = driven.node;
+    if (!channel || !track.node.exists() || at(track.node) >= scene_.nodes.size()) {
+      problems_.warning(channelPlace(index),
+                        driven.isPointer
+                            ? fmt::format("drives '{}', which is not shown", path.substr(0, 100))
+                            : fmt::format("drives '{}' of no node and is not shown", path.substr(0, 100)));
       return false;
     }
     track.channel = *channel;
@@ -146,7 +156,7 @@ private:
       return false;
     }
     warnOfStride(sampler, place);
-    return repairTimes(track.times, place);
+    return repairTimes(track.times, input, place);
   }
 
   bool isInput(int accessor, const std::string& place) {
@@ -199,8 +209,13 @@ private:
     }
   }
 
+  [[nodiscard]] bool hasData(int accessor) const {
+    const Json& json = element(source_.json, "accessors", static_cast<std::size_t>(accessor));
+    return find(json, "bufferView") != nullptr || find(json, "sparse") != nullptr;
+  }
+
   // Keys at one time are moved apart by the smallest step, so that the value still jumps there.
-  bool repairTimes(std::vector<float>& times, const std::string& place) {
+  bool repairTimes(std::vector<float>& times, int input, const std::string& place) {
     const bool isFinite =
         std::all_of(times.begin(), times.end(), [](float time) { return std::isfinite(time); });
     if (!isFinite || !std::is_sorted(times.begin(), times.end())) {
@@ -213,7 +228,12 @@ private:
     if (std::adjacent_find(times.begin(), times.end()) == times.end()) {
       return true;
     }
-    problems_.violation(place + ".input", "has several keys at the same time", "they are moved apart");
+    // An accessor without data is all zeros, which glTF does not forbid here.
+    if (hasData(input)) {
+      problems_.violation(place + ".input", "has several keys at the same time", "they are moved apart");
+    } else {
+      problems_.warning(place + ".input", "has no data: all its keys are at 0");
+    }
     for (std::size_t i = 1; i < times.size(); ++i) {
       times[i] = std::max(times[i], std::nextafter(times[i - 1], std::numeric_limits<float>::max()));
     }

@@ -104,6 +104,13 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
     problems.error(where, "is no accessor of one float MAT4 for each joint");
     return {};
   }
+  const Json& json = element(source.json, "accessors", static_cast<std::size_t>(accessor));
+  if (find(json, "bufferView") == nullptr && find(json, "sparse") == nullptr) {
+    problems.warning(where, "has no data: all its matrices are zero, and what they move is a point");
+    Mat4 point(0.0);
+    point[3][3] = 1.0;
+    return std::vector<Mat4>(joints, point);
+  }
   const std::vector<float> numbers = readFloats(source, accessor);
   std::vector<Mat4> matrices(joints);
   bool isSound = true;

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/gltf/animation_target.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
@@ -94,8 +95,9 @@ private:
     const std::size_t channels = sizeOf(journal_.json().at(animation), "channels");
     bool isFound = false;
     for (std::size_t i = 0; i < channels; ++i) {
-      const Json& target = *find(element(journal_.json().at(animation), "channels", i), "target");
-      if (NodeIndex(indexOr(target, "node")) == track.node && textOr(target, "path") == path) {
+      const AnimationTarget driven =
+          animationTarget(*find(element(journal_.json().at(animation), "channels", i), "target"));
+      if (driven.node == track.node && driven.path == path) {
         journal_.set(animation / "channels" / i / "sampler", sampler);
         isFound = true;
       }
@@ -111,6 +113,19 @@ private:
   std::map<std::vector<float>, std::size_t> inputs_;
 };
 
+// Extras that are no object are someone else's: they stay as they are.
+void noteRate(const ClipTracks& clip, Journal& journal) {
+  const Pointer extras = Pointer("/animations") / static_cast<std::size_t>(clip.clip) / "extras";
+  const bool has = journal.json().contains(extras);
+  if (!(clip.framesPerSecond > 0.0) || (has && !journal.json().at(extras).is_object())) {
+    return;
+  }
+  if (!has) {
+    journal.set(extras, Json::object());
+  }
+  journal.set(extras / "stretch_engine", {{"frames_per_second", clip.framesPerSecond}});
+}
+
 } // namespace
 
 void patchClips(const std::vector<ClipTracks>& clips, Journal& journal, AppendedData& data) {
@@ -119,6 +134,7 @@ void patchClips(const std::vector<ClipTracks>& clips, Journal& journal, Appended
     for (const Track& track : clip.tracks) {
       patch.add(clip.clip, track);
     }
+    noteRate(clip, journal);
   }
 }
 

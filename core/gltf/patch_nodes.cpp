@@ -1,3 +1,4 @@
+#include "core/gltf/animation_target.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
@@ -35,9 +36,16 @@ void moveWeightChannels(std::size_t from, std::size_t to, Journal& journal) {
   for (std::size_t clip = 0; clip < sizeOf(journal.json(), "animations"); ++clip) {
     const Json& animation = element(journal.json(), "animations", clip);
     for (std::size_t i = 0; i < sizeOf(animation, "channels"); ++i) {
-      const Json& target = *find(element(animation, "channels", i), "target");
-      if (textOr(target, "path") == "weights" && indexOr(target, "node") == static_cast<int>(from)) {
-        journal.set(Pointer("/animations") / clip / "channels" / i / "target" / "node", to);
+      const AnimationTarget driven = animationTarget(*find(element(animation, "channels", i), "target"));
+      if (driven.path != "weights" || driven.node != NodeIndex(from)) {
+        continue;
+      }
+      const Pointer target = Pointer("/animations") / clip / "channels" / i / "target";
+      if (driven.isPointer) {
+        journal.set(target / "extensions" / "KHR_animation_pointer" / "pointer",
+                    "/nodes/" + std::to_string(to) + "/weights");
+      } else {
+        journal.set(target / "node", to);
       }
     }
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -15,9 +16,9 @@ bool isNormal(const glm::vec3& normal) {
   return std::isfinite(length) && length > 1e-6F;
 }
 
-bool isUnitLength(const glm::vec3& normal) {
-  constexpr float tolerance = 2e-2F; // of normals stored in bytes
-  return std::abs(glm::length(normal) - 1.0F) < tolerance;
+float lengthError(const glm::vec3& normal) {
+  const float error = std::abs(glm::length(normal) - 1.0F);
+  return std::isfinite(error) ? error : std::numeric_limits<float>::max();
 }
 
 // Sum of the faces' cross products, whose lengths are twice their areas.
@@ -42,9 +43,17 @@ void PrimitiveParts::completeNormals(Primitive& made) {
       !made.normals.empty() && std::all_of(made.normals.begin(), made.normals.end(), isNormal);
   const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
   const bool hasOwn = !made.normals.empty();
-  if (hasOwn && !std::all_of(made.normals.begin(), made.normals.end(), isUnitLength)) {
+  float worst = 0.0F;
+  for (const glm::vec3& normal : made.normals) {
+    worst = std::max(worst, lengthError(normal));
+  }
+  constexpr float rounding = 2e-2F; // of normals stored in bytes
+  constexpr float little = 0.1F;
+  if (worst >= little) {
     problems_.violation(where_ + ".attributes.NORMAL", "holds normals that are not of unit length",
                         "they are repaired");
+  } else if (worst >= rounding) {
+    problems_.warning(where_ + ".attributes.NORMAL", "holds normals a little off unit length");
   }
   made.normals.resize(made.positions.size());
   for (std::size_t i = 0; i < made.normals.size(); ++i) {

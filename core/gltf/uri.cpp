@@ -97,7 +97,8 @@ std::optional<DataUri> decodeDataUri(std::string_view uri) {
   }
   std::string_view header = uri.substr(dataScheme.size(), comma - dataScheme.size());
   if (!header.ends_with(base64Mark)) {
-    return std::nullopt;
+    const std::string text = percentDecoded(uri.substr(comma + 1));
+    return DataUri{std::string(header), Bytes(text.begin(), text.end())};
   }
   header.remove_suffix(base64Mark.size());
   std::optional<Bytes> bytes = decodeBase64(uri.substr(comma + 1));

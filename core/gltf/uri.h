@@ -17,7 +17,7 @@ struct DataUri {
   Bytes bytes;
 };
 
-/// Nothing for a URI that is malformed or not in base64.
+/// In base64 or written out. Nothing for a URI that is malformed.
 [[nodiscard]] std::optional<DataUri> decodeDataUri(std::string_view uri);
 
 [[nodiscard]] std::string encodeBase64(const Bytes& bytes);

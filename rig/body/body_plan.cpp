@@ -53,10 +53,15 @@ std::size_t jointsBetween(const BodyView& view, int from, int to) {
   return from < 0 || to < 0 ? 0 : view.path(from, to).size();
 }
 
-bool sameStructure(const BodyView& view, const LimbGuess& a, const LimbGuess& b) {
-  return jointsBetween(view, a.base, a.middle) == jointsBetween(view, b.base, b.middle) &&
-         (a.end < 0) == (b.end < 0) &&
-         jointsBetween(view, a.middle, a.end) == jointsBetween(view, b.middle, b.end);
+// 0 where both have the same joints; a missing end is worth less than a missing bone.
+double structurePenalty(const BodyView& view, const LimbGuess& a, const LimbGuess& b) {
+  if (jointsBetween(view, a.base, a.middle) != jointsBetween(view, b.base, b.middle)) {
+    return 0.5;
+  }
+  if ((a.end < 0) != (b.end < 0)) {
+    return 0.1;
+  }
+  return jointsBetween(view, a.middle, a.end) == jointsBetween(view, b.middle, b.end) ? 0.0 : 0.5;
 }
 
 LimbPair makePair(const BodyView& view, const MirrorPlane& plane, const LimbGuess& negative,
@@ -66,8 +71,8 @@ LimbPair makePair(const BodyView& view, const MirrorPlane& plane, const LimbGues
   const Side first = namedSide(view, negative);
   const Side second = namedSide(view, positive);
   const double sides = first == Side::none || second == Side::none ? 0.0 : first == second ? -0.5 : 0.3;
-  const double shapes = sameStructure(view, negative, positive) ? 0.0 : -0.5;
-  pair.score = negative.score() + positive.score() - std::min(2.0, 4.0 * pair.mirrorError) + sides + shapes;
+  pair.score = negative.score() + positive.score() - std::min(2.0, 4.0 * pair.mirrorError) + sides -
+               structurePenalty(view, negative, positive);
   return pair;
 }
 
@@ -158,7 +163,11 @@ double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& 
   const Vec3 up = trunk / trunkLength;
   const Vec3 legDirection = meanEnd(legs) - legBase;
   const double ratio = meanLength(arms) / std::max(1e-12, meanLength(legs));
-  double score = 0.6 * cosine(-legDirection, trunk) + 0.5 * up.y + 0.5 * endsLowest(view, legs, up);
+  // Of a body that lies along its trunk the feet are still what stands on the ground.
+  constexpr double flat = 0.5;
+  const Vec3 above = std::abs(up.y) < flat ? Vec3(0, 1, 0) : up;
+  double score = 0.6 * cosine(-legDirection, trunk) + 0.5 * up.y + 0.5 * endsLowest(view, legs, above);
+  score -= std::abs(up.y) < flat ? 0.5 * endsLowest(view, arms, above) : 0.0;
   score -= std::clamp(std::abs(std::log(std::max(ratio, 1e-6))) - std::log(2.0), 0.0, 1.0);
   return score + (headBeyond(view, plane, meanBase(view, arms), up, trunkLength) ? 0.3 : 0.0);
 }
@@ -203,7 +212,9 @@ BodyPlan planBody(const BodyView& view, const MirrorPlane& plane) {
     keepBetter(best, nullptr, &leg, leg.score + missingPair, 0.0);
   }
   for (const LimbPair& arm : arms) {
-    keepBetter(best, &arm, nullptr, arm.score + missingPair, 0.0);
+    // What stands on the ground alone is no arm.
+    const double standing = endsLowest(view, arm, Vec3(0, 1, 0));
+    keepBetter(best, &arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0);
     for (const LimbPair& leg : legs) {
       if (!overlap(view, arm, leg)) {
         const double related = relation(view, plane, arm, leg);

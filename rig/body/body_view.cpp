@@ -59,7 +59,9 @@ class ViewBuilder {
 public:
   ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates)
       : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)),
-        clouds_(vertexClouds(scene, bindPose, candidates != Candidates::skinJoints)),
+        clouds_(
+            vertexClouds(scene, bindPose,
+                         candidates == Candidates::skinJoints ? RigidMeshes::bodyParts : RigidMeshes::all)),
         below_(countBelow(scene, order_, clouds_)), possible_(possibleNodes(scene, bindPose, candidates)) {}
 
   BodyView build() {
@@ -127,9 +129,14 @@ private:
   void hangFromStandIns() {
     for (int candidate = 0; candidate < view_.count(); ++candidate) {
       auto& parent = view_.parent[static_cast<std::size_t>(candidate)];
+      const bool isRoot = parent < 0;
       NodeIndex above = scene_.nodes[at(view_.nodes[static_cast<std::size_t>(candidate)])].parent;
-      for (int steps = 0; parent < 0 && above.exists() && steps < 8; ++steps) {
-        parent = standIn(above, candidate);
+      for (int steps = 0; above.exists() && view_.candidateOfNode[at(above)] < 0 && steps < 8; ++steps) {
+        const int instead = possible_[at(above)] || !isRoot ? standIn(above, candidate) : -1;
+        if (instead >= 0) {
+          parent = instead;
+          break;
+        }
         above = scene_.nodes[at(above)].parent;
       }
     }
@@ -138,7 +145,7 @@ private:
   [[nodiscard]] int standIn(NodeIndex node, int forCandidate) const {
     const Vec3 place = positionOf(bindPose_.worlds[at(node)]);
     const double near = 1e-3 * view_.size;
-    if (!possible_[at(node)] || glm::distance(place, view_.at(forCandidate)) < near) {
+    if (!isFinite(place) || glm::distance(place, view_.at(forCandidate)) < near) {
       return -1;
     }
     for (int other = 0; other < view_.count(); ++other) {

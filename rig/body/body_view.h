@@ -60,9 +60,13 @@ struct BodyView {
 [[nodiscard]] BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates);
 
 /// Vertices of every node in the bind pose, world units, each at the node that moves it most: the joint of
-/// greatest weight, or the node that carries a rigid mesh. With skins, rigid meshes are props and counted
-/// only when asked for.
+/// greatest weight, or the node that carries a rigid mesh.
+enum class RigidMeshes {
+  none,
+  bodyParts, ///< Those on joints in a row that move no vertices of a skin; the others are held or worn.
+  all
+};
 [[nodiscard]] std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& bindPose,
-                                                          bool rigidMeshes);
+                                                          RigidMeshes rigid);
 
 } // namespace stretch::rig::body

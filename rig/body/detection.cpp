@@ -24,7 +24,7 @@ constexpr double doubtful = 0.3;         // most that a limb of something else g
 // What one way of choosing candidates found.
 struct Finding {
   Biped result;
-  int legs = 2; // that it stands on
+  int legs = 0; // that it stands on
   Vec3 bodyUp{0.0};
 
   [[nodiscard]] double weight() const {
@@ -79,16 +79,34 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
-  // Limbs without an upright body between them are no biped's.
+  // Limbs without an upright body between them are no biped's, unless it stands on two of them.
   constexpr double leastRelation = 0.6;
-  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation;
   finding.legs = standingLegs(view, plane, plan);
-  result.isBiped = finding.legs == 2 && upright && makesBiped(result.limbs);
-  if (finding.legs == 2) {
+  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation ||
+                       (finding.legs == 2 && plan.relation >= 0.0);
+  result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  if (finding.legs <= 2) {
     result.warnings = sides.warnings;
   }
   finding.bodyUp = bodyUpOf(view, plan, trunk);
   return finding;
+}
+
+bool hasRigidParts(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin < 0; });
+}
+
+// Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
+bool mayMissParts(const Scene& scene, const Biped& found) {
+  return hasRigidParts(scene) && (findLimb(found.limbs, LimbKind::leftArm) == nullptr ||
+                                  findLimb(found.limbs, LimbKind::rightArm) == nullptr);
+}
+
+bool isBetter(const Finding& finding, const Finding& than) {
+  if (finding.result.isBiped != than.result.isBiped) {
+    return finding.result.isBiped;
+  }
+  return finding.weight() > than.weight() + 1e-9;
 }
 
 Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
@@ -99,11 +117,13 @@ Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
       continue;
     }
     Finding finding = findWith(scene, bindPose, candidates);
-    if (finding.result.isBiped || finding.legs > 2) {
-      return finding;
-    }
-    if (!best || finding.weight() > best->weight() + 1e-9) {
+    const bool isWhole = finding.result.isBiped && !mayMissParts(scene, finding.result);
+    const bool isFirst = !best;
+    if (isFirst || isBetter(finding, *best)) {
       best = std::move(finding);
+    }
+    if (isWhole || (isFirst && best->legs > 2)) {
+      break;
     }
   }
   return *std::move(best);
@@ -160,7 +180,12 @@ std::string legCount(int legs) {
                      : std::to_string(legs) + " legs";
 }
 
-void warn(Finding& finding) {
+bool movesMorphTargets(const Scene& scene) {
+  return scene.skins.empty() &&
+         std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.morphWeights.empty(); });
+}
+
+void warn(const Scene& scene, Finding& finding) {
   Biped& result = finding.result;
   if (result.isBiped) {
     for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
@@ -173,10 +198,13 @@ void warn(Finding& finding) {
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
-  result.warnings.push_back(finding.legs > 2 ? "this is no biped: it stands on " + legCount(finding.legs) +
-                                                   "; its limbs are only a guess"
-                            : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
-                                                   : "no complete biped found: check the limbs by hand");
+  result.warnings.push_back(
+      finding.legs > 2
+          ? "this is no biped: it stands on " + legCount(finding.legs) + "; its limbs are only a guess"
+      : result.limbs.empty() && movesMorphTargets(scene)
+          ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
+      : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
+                             : "no complete biped found: check the limbs by hand");
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -194,7 +222,7 @@ Biped detectBiped(const Scene& scene) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
-  body::warn(finding);
+  body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);

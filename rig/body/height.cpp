@@ -19,7 +19,8 @@ bool hasSkinnedMesh(const Scene& scene) {
 
 Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex root) {
   const bool skinned = hasSkinnedMesh(scene);
-  const std::vector<std::vector<Vec3>> clouds = vertexClouds(scene, bindPose, !skinned);
+  const std::vector<std::vector<Vec3>> clouds =
+      vertexClouds(scene, bindPose, skinned ? RigidMeshes::none : RigidMeshes::all);
   Bounds bounds;
   for (std::size_t node = 0; node < clouds.size(); ++node) {
     if (clouds[node].empty() ||

@@ -128,11 +128,17 @@ private:
     }
   }
 
+  // A posed limb may reach across the body: where its base stands beside the middle, that tells.
+  [[nodiscard]] double sideOf(const Vec3& base, const Vec3& middle) const {
+    const double atBase = plane_.lateral(base);
+    return std::abs(atBase) > 0.02 * view_.size ? atBase : plane_.lateral(middle);
+  }
+
   void keep(LimbGuess guess) {
     const Vec3 base = view_.at(guess.base);
     const Vec3 middle = guess.middle >= 0 ? view_.at(guess.middle) : guess.endPosition;
     guess.length = glm::distance(base, middle) + glm::distance(middle, guess.endPosition);
-    guess.lateral = plane_.lateral(guess.middle >= 0 ? middle : base);
+    guess.lateral = sideOf(base, middle);
     if (guess.length <= 0.0 || std::abs(guess.lateral) < 0.005 * view_.size) {
       return;
     }

@@ -21,7 +21,8 @@ struct LimbGuess {
   double nameFit = 0.0; ///< Sum over the three joints of how well names fit, up to 3; negative where they
                         ///< speak against.
   double shapePenalty = 0.0; ///< 0 where proportions are those of a limb.
-  double lateral = 0.0;      ///< Side of the mirror plane that the middle of the limb is on.
+  double lateral = 0.0;      ///< Side of the mirror plane that the limb begins on; where it begins in the
+                             ///< middle of the body, that its middle is on.
 
   [[nodiscard]] double score() const { return nameFit - shapePenalty; }
 };

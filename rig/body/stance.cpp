@@ -52,7 +52,7 @@ public:
         ++(plane_.lateral(view_.at(joint)) > 0.0 ? left : right);
       }
     }
-    return std::max(2, 2 * std::min(left, right));
+    return 2 * std::min(left, right);
   }
 
 private:

@@ -59,21 +59,30 @@ void addPair(std::vector<Pair>& pairs, const Vec3& a, const Vec3& b, double weig
   }
 }
 
-// Whether the plane between two subtrees mirrors the one's first joint onto the other's: a neck may be as
-// long as a foreleg, and no image of it.
-bool mirrorBases(const BodyView& view, const std::vector<Subtree>& trees, int a, int b) {
+// Siblings that mirror each other stand equally far from what carries them: a neck may be as long as a
+// foreleg, and no image of it.
+bool equallyFar(const BodyView& view, int a, int b) {
+  const int parent = view.parentOf(a);
+  if (parent < 0 || parent != view.parentOf(b)) {
+    return true;
+  }
+  const double toA = glm::distance(view.at(parent), view.at(a));
+  const double toB = glm::distance(view.at(parent), view.at(b));
+  return std::abs(toA - toB) <= 0.1 * std::max(toA, toB) + 2e-3 * view.size;
+}
+
+// Where limbs are posed out of symmetry, only their first joints tell of the body's.
+void addSiblings(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees, int a,
+                 int b) {
   const Subtree& ofA = trees[static_cast<std::size_t>(a)];
   const Subtree& ofB = trees[static_cast<std::size_t>(b)];
-  const Vec3 between = ofB.centre() - ofA.centre();
-  const double distance = glm::length(between);
-  if (distance <= 0.0) {
-    return false;
+  const double weight = ofA.length + ofB.length + 1e-2 * view.size;
+  const double apart = glm::distance(view.at(a), view.at(b));
+  if (apart > 0.02 * view.size) {
+    addPair(pairs, view.at(a), view.at(b), weight, view.size);
+  } else {
+    addPair(pairs, ofA.centre(), ofB.centre(), weight, view.size);
   }
-  const Vec3 normal = between / distance;
-  const Vec3 middle = 0.5 * (ofA.centre() + ofB.centre());
-  const Vec3 image = view.at(a) - 2.0 * glm::dot(view.at(a) - middle, normal) * normal;
-  constexpr double most = 0.12; // of the subtrees' length
-  return glm::distance(image, view.at(b)) <= most * std::max(ofA.length, ofB.length) + 1e-3 * view.size;
 }
 
 void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees,
@@ -87,8 +96,8 @@ void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::
       const Subtree& a = trees[static_cast<std::size_t>(siblings[i])];
       const Subtree& b = trees[static_cast<std::size_t>(siblings[j])];
       if (likeness(a.joints, b.joints) >= 0.7 && likeness(a.length, b.length) >= 0.75 &&
-          mirrorBases(view, trees, siblings[i], siblings[j])) {
-        addPair(pairs, a.centre(), b.centre(), a.length + b.length + 1e-2 * view.size, view.size);
+          equallyFar(view, siblings[i], siblings[j])) {
+        addSiblings(pairs, view, trees, siblings[i], siblings[j]);
       }
     }
   }
@@ -104,7 +113,9 @@ void addNamedPairs(std::vector<Pair>& pairs, const BodyView& view) {
   for (int i = 0; i < view.count(); ++i) {
     const auto found = view.name(i).side == Side::right ? left.find(view.name(i).key) : left.end();
     if (found != left.end() && found->second.size() == 1) {
-      addPair(pairs, view.at(i), view.at(found->second.front()), 0.3 * view.size, view.size);
+      const int other = found->second.front();
+      const bool siblings = view.parentOf(i) == view.parentOf(other); // farther out a pose moves them
+      addPair(pairs, view.at(i), view.at(other), (siblings ? 0.3 : 0.06) * view.size, view.size);
     }
   }
 }

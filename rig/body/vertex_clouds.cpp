@@ -2,6 +2,7 @@
 
 #include "core/math/finite.h"
 
+#include "core/scene/scene.h"
 #include "rig/body/body_view.h"
 
 namespace stretch::rig::body {
@@ -47,19 +48,76 @@ bool isIndex(int index, std::size_t size) {
 
 } // namespace
 
-std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& bindPose, bool rigidMeshes) {
-  std::vector<std::vector<Vec3>> clouds(scene.nodes.size());
-  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-    const int mesh = scene.nodes[node].mesh;
-    const int skin = scene.nodes[node].skin;
-    if (!isIndex(mesh, scene.meshes.size())) {
+namespace {
+
+void addSkinnedMeshes(const Scene& scene, const BindPose& bindPose, std::vector<std::vector<Vec3>>& clouds) {
+  for (const Node& node : scene.nodes) {
+    if (!isIndex(node.mesh, scene.meshes.size()) || !isIndex(node.skin, scene.skins.size())) {
       continue;
     }
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
-      if (isIndex(skin, scene.skins.size()) && !primitive.influences.empty()) {
-        const auto index = static_cast<std::size_t>(skin);
-        addSkinned(clouds, primitive, scene.skins[index], bindPose.placements[index]);
-      } else if (rigidMeshes) {
+    const auto skin = static_cast<std::size_t>(node.skin);
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (!primitive.influences.empty()) {
+        addSkinned(clouds, primitive, scene.skins[skin], bindPose.placements[skin]);
+      }
+    }
+  }
+}
+
+NodeIndex jointAbove(const Scene& scene, const std::set<NodeIndex>& joints, NodeIndex node) {
+  while (node.exists() && joints.count(node) == 0) {
+    node = scene.nodes[at(node)].parent;
+  }
+  return node;
+}
+
+// Rigid meshes of the body in a scene with skins: on at least two joints in a row that move no vertices. One
+// alone is the slot of a prop.
+std::vector<bool> bodyParts(const Scene& scene, const std::vector<std::vector<Vec3>>& skinned) {
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  std::vector<NodeIndex> jointOf(scene.nodes.size());
+  std::set<NodeIndex> carriers;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const NodeIndex joint = jointAbove(scene, joints, NodeIndex(node));
+    if (scene.nodes[node].mesh >= 0 && scene.nodes[node].skin < 0 && joint.exists() &&
+        skinned[at(joint)].empty()) {
+      jointOf[node] = joint;
+      carriers.insert(joint);
+    }
+  }
+  std::set<NodeIndex> inRow;
+  for (const NodeIndex joint : carriers) {
+    const NodeIndex above = jointAbove(scene, joints, scene.nodes[at(joint)].parent);
+    if (above.exists() && carriers.count(above) != 0) {
+      inRow.insert({joint, above});
+    }
+  }
+  std::vector<bool> parts;
+  for (const NodeIndex joint : jointOf) {
+    parts.push_back(joint.exists() && inRow.count(joint) != 0);
+  }
+  return parts;
+}
+
+} // namespace
+
+std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& bindPose, RigidMeshes rigid) {
+  std::vector<std::vector<Vec3>> clouds(scene.nodes.size());
+  addSkinnedMeshes(scene, bindPose, clouds);
+  if (rigid == RigidMeshes::none) {
+    return clouds;
+  }
+  const std::vector<bool> parts = rigid == RigidMeshes::bodyParts
+                                      ? bodyParts(scene, clouds)
+                                      : std::vector<bool>(scene.nodes.size(), true);
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const Node& holder = scene.nodes[node];
+    if (!isIndex(holder.mesh, scene.meshes.size()) || !parts[node]) {
+      continue;
+    }
+    const bool isSkinned = isIndex(holder.skin, scene.skins.size());
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(holder.mesh)].primitives) {
+      if (!isSkinned || primitive.influences.empty()) {
         addRigid(clouds, primitive, NodeIndex(node), bindPose.worlds[node]);
       }
     }

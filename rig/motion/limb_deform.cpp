@@ -159,6 +159,23 @@ void moveCompanions(PoseWriter& writer, const Scene& scene, const Limb& limb, co
   }
 }
 
+// Whether a joint of the limb hangs from elsewhere than from the one before: deforming joints under masters.
+bool isDetached(const LimbTopology& topology, std::size_t bone) {
+  return bone > 0 && topology.bones[bone - 1].pathNodes.empty();
+}
+
+// What hangs on the limb, wherever its joints hang.
+void refreshLimb(PoseWriter& writer, const Limb& limb, const LimbTopology& topology) {
+  for (std::size_t i = 0; i < topology.bones.size(); ++i) {
+    if (i == 0 || isDetached(topology, i)) {
+      writer.refreshSubtree(topology.bones[i].joint);
+    }
+  }
+  if (!topology.endIsDescendant) {
+    writer.refreshSubtree(limb.endNode);
+  }
+}
+
 bool sameTurn(const Quat& a, const Quat& b) {
   return a == b;
 }
@@ -182,8 +199,13 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   for (std::size_t i = 0; i < topology.bones.size(); ++i) {
     const BoneTopology& bone = topology.bones[i];
     // A joint that turns exactly as its parent bone does keeps its local rotation.
-    if (i == 0 || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
+    if (i == 0 || isDetached(topology, i) || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
       writer.turnInWorld(bone.joint, shape.turns[i]);
+    }
+    if (isDetached(topology, i)) {
+      const Vec3 start = positionOf(writer.world(topology.bones[i - 1].joint));
+      writer.setWorldPosition(bone.joint,
+                              start + shape.stretch * (shape.turns[i - 1] * (points[i] - points[i - 1])));
     }
     writer.refresh(bone.joint);
     const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
@@ -207,10 +229,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     writer.turnInWorld(keep.node, still);
     writer.setWorldPosition(keep.node, positionOf(keep.world));
   }
-  writer.refreshSubtree(limb.joints.front());
-  if (!topology.endIsDescendant) {
-    writer.refreshSubtree(limb.endNode);
-  }
+  refreshLimb(writer, limb, topology);
   moveCompanions(writer, scene, limb, topology);
 }
 
@@ -218,8 +237,17 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
                  const std::vector<Mat3>& stretches, FrameState& frame) {
   PoseWriter writer(scene, frame);
   const Vec3 end = endPosition(limb, frame);
+  // Where a point that hangs elsewhere comes to with the bone before it.
+  const auto carried = [&](std::size_t bone, const Vec3& point) {
+    const NodeIndex joint = topology.bones[bone].joint;
+    const Vec3 offset = transformPoint(inverseOf(writer.worldBefore(joint)), point);
+    return transformPoint(writer.world(joint), stretches[bone] * offset);
+  };
   for (std::size_t i = 0; i < topology.bones.size(); ++i) {
     const BoneTopology& bone = topology.bones[i];
+    if (isDetached(topology, i)) {
+      writer.setWorldPosition(bone.joint, carried(i - 1, positionOf(writer.worldBefore(bone.joint))));
+    }
     writer.refresh(bone.joint);
     stretchBone(writer, scene, bone, stretches[i]);
     for (const NodeIndex node : bone.pathNodes) {
@@ -227,13 +255,9 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
     }
   }
   if (!topology.endIsDescendant) {
-    const NodeIndex last = limb.joints.back();
-    const Vec3 offset = transformPoint(inverseOf(writer.worldBefore(last)), end);
-    moveDetachedEnd(writer, scene, limb, topology,
-                    transformPoint(frame.worlds[at(last)], stretches.back() * offset));
-    writer.refreshSubtree(limb.endNode);
+    moveDetachedEnd(writer, scene, limb, topology, carried(topology.bones.size() - 1, end));
   }
-  writer.refreshSubtree(limb.joints.front());
+  refreshLimb(writer, limb, topology);
   moveCompanions(writer, scene, limb, topology);
 }
 

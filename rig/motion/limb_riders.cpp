@@ -97,6 +97,9 @@ public:
 
   [[nodiscard]] std::vector<NodeIndex> all() const {
     std::vector<NodeIndex> found;
+    if (const NodeIndex master = masterOfEnd(); master.exists()) {
+      found.push_back(master);
+    }
     for (const NodeIndex node : parentsFirst(scene_)) {
       const bool below = std::any_of(found.begin(), found.end(),
                                      [&](NodeIndex above) { return isAncestorOrSelf(scene_, above, node); });
@@ -108,6 +111,20 @@ public:
   }
 
 private:
+  // What stands where a detached end stands and carries it, as the master of a deforming joint does; fingers
+  // hang from it.
+  [[nodiscard]] NodeIndex masterOfEnd() const {
+    const NodeIndex above = scene_.nodes[at(limb_.endNode)].parent;
+    if (isAncestorOrSelf(scene_, limb_.joints.back(), limb_.endNode) || !above.exists()) {
+      return NodeIndex::none;
+    }
+    constexpr double same = 0.02; // of the limb
+    const bool stands = glm::distance(positionOf(places_.worlds[at(above)]), end_) < same * limb_.restLength;
+    const bool carriesBody = std::any_of(
+        body_.begin(), body_.end(), [&](NodeIndex joint) { return isAncestorOrSelf(scene_, above, joint); });
+    return stands && !carriesBody ? above : NodeIndex::none;
+  }
+
   // Neither on the trunk, nor on a limb, nor carrying one, nor moved by the end joint.
   [[nodiscard]] bool isApart(NodeIndex node) const {
     if (node == limb_.endNode || isAncestorOrSelf(scene_, limb_.endNode, node)) {

@@ -33,4 +33,9 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
 /// end, seen from the base, is farthest from where it began. Frames.
 [[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
 
+/// The space that a new trail over these frames starts in (docs/exaggeration.md, Spaces): root where the hips
+/// move by more than half of what the limb's end moves seen from its base, else world.
+[[nodiscard]] TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb, NodeIndex hips,
+                                       const Vec2& rangeFrames);
+
 } // namespace stretch::rig

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -115,6 +116,30 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
     }
   }
   return {0.0, std::min(farthestFrame, last)};
+}
+
+TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb, NodeIndex hips,
+                         const Vec2& rangeFrames) {
+  if (!hips.exists()) {
+    return TrailSpace::world;
+  }
+  std::vector<NodeIndex> nodes = limb.joints;
+  nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+  nodes.push_back(hips);
+  const NodeSampler sampler(scene, clip, nodes);
+  FrameState sampled;
+  double hipsWay = 0.0;
+  double endWay = 0.0;
+  std::optional<LimbSample> first;
+  const double last = std::min(rangeFrames.y, rangeFrames.x + longestFrames);
+  for (double frame = rangeFrames.x; frame <= last; frame += 1.0) {
+    sampler.sample(frame / clip.framesPerSecond, sampled);
+    const LimbSample here = limbSample(limb, TrailSpace::root, hips, sampled);
+    first = first ? first : here;
+    hipsWay = std::max(hipsWay, glm::length(here.reference - first->reference));
+    endWay = std::max(endWay, glm::length((here.end - here.base) - (first->end - first->base)));
+  }
+  return hipsWay > 0.5 * endWay ? TrailSpace::root : TrailSpace::world;
 }
 
 } // namespace stretch::rig

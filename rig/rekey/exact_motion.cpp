@@ -1,24 +1,27 @@
 #include "rig/rekey/exact_motion.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "core/base/check.h"
 
 namespace stretch::rig {
 
+std::size_t ExactMotion::capacity(const Scene& scene) {
+  constexpr std::size_t bytes = std::size_t{1} << 26U;
+  constexpr std::size_t bytesOfNode =
+      sizeof(Transform) + sizeof(Mat4) + sizeof(Mat3) + sizeof(std::vector<float>);
+  constexpr std::size_t fewest = 120;
+  return std::max(fewest, bytes / (bytesOfNode * std::max<std::size_t>(1, scene.nodes.size())));
+}
+
 const FrameState& ExactMotion::at(double timeSeconds) {
-  const auto found = frames_.find(timeSeconds);
-  return found != frames_.end()
-             ? found->second
-             : frames_.emplace(timeSeconds, evaluateMotion(scene_, clip_, motion_, timeSeconds))
-                   .first->second;
+  return frames_.of(timeSeconds, [&] { return evaluateMotion(scene_, clip_, motion_, timeSeconds); });
 }
 
 const Pose& ExactMotion::sourceAt(double timeSeconds) {
-  const auto found = sources_.find(timeSeconds);
-  return found != sources_.end()
-             ? found->second
-             : sources_.emplace(timeSeconds, samplePose(scene_, clip_, timeSeconds)).first->second;
+  return sources_.of(timeSeconds, [&] { return samplePose(scene_, clip_, timeSeconds); });
 }
 
 Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel) {

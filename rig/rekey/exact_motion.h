@@ -11,11 +11,41 @@
 
 namespace stretch::rig {
 
-/// The motion that keys are made to follow, remembered per time.
+/// What was asked for last, remembered per time: at most two generations of `capacity` entries, so that a
+/// long clip costs no more memory than a short one. A reference stays good until `capacity` other times were
+/// asked for.
+template <typename Value>
+class RecentTimes {
+public:
+  explicit RecentTimes(std::size_t capacity) : capacity_(capacity) {}
+
+  template <typename Make>
+  const Value& of(double timeSeconds, Make&& make) {
+    if (const auto found = now_.find(timeSeconds); found != now_.end()) {
+      return found->second;
+    }
+    if (now_.size() >= capacity_) {
+      before_ = std::move(now_);
+      now_.clear();
+    }
+    if (auto found = before_.extract(timeSeconds); !found.empty()) {
+      return now_.insert(std::move(found)).position->second;
+    }
+    return now_.emplace(timeSeconds, make()).first->second;
+  }
+
+private:
+  std::size_t capacity_;
+  std::map<double, Value> now_;
+  std::map<double, Value> before_;
+};
+
+/// The motion that keys are made to follow. References are good for the frames around them.
 class ExactMotion {
 public:
   ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion)
-      : scene_(scene), clip_(clip), motion_(motion), reach_(meshReach(scene)) {}
+      : scene_(scene), clip_(clip), motion_(motion), reach_(meshReach(scene)), frames_(capacity(scene)),
+        sources_(capacity(scene)) {}
 
   [[nodiscard]] const FrameState& at(double timeSeconds);
   [[nodiscard]] const Pose& sourceAt(double timeSeconds);
@@ -25,12 +55,15 @@ public:
   [[nodiscard]] double reachOf(std::size_t node) const { return reach_[node]; } ///< See meshReach.
 
 private:
+  // Frames of about 64 MB, and no fewer than a second of them.
+  static std::size_t capacity(const Scene& scene);
+
   const Scene& scene_;
   const Clip& clip_;
   const MotionState& motion_;
   std::vector<double> reach_;
-  std::map<double, FrameState> frames_;
-  std::map<double, Pose> sources_;
+  RecentTimes<FrameState> frames_;
+  RecentTimes<Pose> sources_;
 };
 
 /// A node's animated property as numbers: translation and scale in x, y, z, rotation as (x, y, z, w).

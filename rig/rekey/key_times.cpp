@@ -1,6 +1,7 @@
 #include "rig/rekey/key_times.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -38,38 +39,61 @@ bool differs(const Vec4& a, const Vec4& b, Channel channel) {
   return glm::length(a - b) > negligible * (glm::length(a) + glm::length(b));
 }
 
-bool isChanged(ExactMotion& exact, const std::vector<double>& times, NodeIndex node, Channel channel) {
-  return std::any_of(times.begin(), times.end(), [&](double time) {
-    return differs(channelValue(exact.at(time).pose, node, channel),
-                   channelValue(exact.sourceAt(time), node, channel), channel);
-  });
-}
-
-bool isStretched(ExactMotion& exact, const std::vector<double>& times, NodeIndex node) {
+bool isStretch(const Mat3& stretch) {
   constexpr double negligible = 1e-9;
-  return std::any_of(times.begin(), times.end(), [&](double time) {
-    const FrameState& frame = exact.at(time);
-    if (frame.stretch.empty()) {
-      return false;
-    }
-    const Mat3 difference = frame.stretch[at(node)] - Mat3(1.0);
-    return glm::length(difference[0]) + glm::length(difference[1]) + glm::length(difference[2]) > negligible;
-  });
+  const Mat3 difference = stretch - Mat3(1.0);
+  return glm::length(difference[0]) + glm::length(difference[1]) + glm::length(difference[2]) > negligible;
 }
 
 bool isCubicSource(const ChangedChannel& channel) {
   return channel.source != nullptr && channel.source->interpolation == Interpolation::cubicSpline;
 }
 
+// What of a node a part changes.
+struct NodeChanges {
+  std::array<bool, 3> channels{}; // translation, rotation, scale
+  bool stretches = false;
+
+  [[nodiscard]] bool all() const { return channels[0] && channels[1] && channels[2] && stretches; }
+};
+
+constexpr std::array transformChannels{Channel::translation, Channel::rotation, Channel::scale};
+
+void compare(const FrameState& frame, const Pose& source, NodeIndex node, NodeChanges& changes) {
+  for (std::size_t i = 0; i < transformChannels.size(); ++i) {
+    const Channel channel = transformChannels[i];
+    changes.channels[i] = changes.channels[i] || differs(channelValue(frame.pose, node, channel),
+                                                         channelValue(source, node, channel), channel);
+  }
+  changes.stretches = changes.stretches || (!frame.stretch.empty() && isStretch(frame.stretch[at(node)]));
+}
+
+// One walk through the times for all nodes: a long clip is not remembered as a whole.
+std::vector<NodeChanges> changesOf(ExactMotion& exact, const KeyedPart& part) {
+  std::vector<NodeChanges> changes(part.nodes.size());
+  for (const double time : allTimes(exact, part.windows)) {
+    const FrameState& frame = exact.at(time);
+    const Pose& source = exact.sourceAt(time);
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      if (!changes[i].all()) {
+        compare(frame, source, part.nodes[i], changes[i]);
+      }
+    }
+  }
+  return changes;
+}
+
 void findChanges(ExactMotion& exact, PartKeys& keys) {
-  const std::vector<double> times = allTimes(exact, keys.part->windows);
-  for (const NodeIndex node : keys.part->nodes) {
-    for (const Channel channel : {Channel::translation, Channel::rotation, Channel::scale}) {
-      if (isChanged(exact, times, node, channel)) {
+  const std::vector<NodeChanges> changes = changesOf(exact, *keys.part);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const NodeIndex node = keys.part->nodes[i];
+    for (std::size_t c = 0; c < transformChannels.size(); ++c) {
+      const Channel channel = transformChannels[c];
+      if (changes[i].channels[c]) {
         keys.channels.push_back({node, channel, trackOf(exact.clip(), node, channel), false});
       }
     }
-    if (isStretched(exact, times, node)) {
+    if (changes[i].stretches) {
       keys.stretchedNodes.push_back(node);
     }
   }
@@ -224,6 +248,29 @@ std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double
   return times;
 }
 
+// The stretches of a node at its times, gathered on one walk through the times of all nodes.
+struct SeenStretches {
+  std::vector<double> times;
+  std::vector<Mat3> stretches; // empty as long as there is none
+  std::size_t next = 0;
+  bool any = false;
+
+  void look(const FrameState& frame, NodeIndex node, double time) {
+    if (next >= times.size() || times[next] != time) {
+      return;
+    }
+    ++next;
+    const Mat3 stretch = frame.stretch.empty() ? Mat3(1.0) : frame.stretch[at(node)];
+    if (!any && isStretch(stretch)) {
+      any = true;
+      stretches.assign(next - 1, Mat3(1.0));
+    }
+    if (any) {
+      stretches.push_back(stretch);
+    }
+  }
+};
+
 } // namespace
 
 FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& parts) {
@@ -237,12 +284,26 @@ FramesOfNodes framesOfNodes(ExactMotion& exact, const std::vector<KeyedPart>& pa
       ofNode.insert(ofNode.end(), brought.begin(), brought.end());
     }
   }
-  FramesOfNodes frames;
+  std::map<NodeIndex, SeenStretches> seen;
+  std::vector<double> walk;
   for (auto& [node, times] : timesOfNodes) {
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
-    if (isStretched(exact, times, node)) {
-      frames.emplace(node, StretchFrames(exact, node, times));
+    std::vector<double> both;
+    std::set_union(walk.begin(), walk.end(), times.begin(), times.end(), std::back_inserter(both));
+    walk = std::move(both);
+    seen[node].times = std::move(times);
+  }
+  for (const double time : walk) {
+    const FrameState& frame = exact.at(time);
+    for (auto& [node, stretches] : seen) {
+      stretches.look(frame, node, time);
+    }
+  }
+  FramesOfNodes frames;
+  for (auto& [node, stretches] : seen) {
+    if (stretches.any) {
+      frames.emplace(node, StretchFrames(node, std::move(stretches.times), stretches.stretches));
     }
   }
   return frames;

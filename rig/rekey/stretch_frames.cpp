@@ -87,26 +87,23 @@ Mat3 between(const StretchFrame& a, const StretchFrame& b, double t) {
   return StretchFrame{glm::slerp(a.axes, b.axes, t), a.factors + (b.factors - a.factors) * t}.matrix();
 }
 
-StretchFrames::StretchFrames(ExactMotion& exact, NodeIndex node, std::vector<double> times)
+StretchFrames::StretchFrames(NodeIndex node, std::vector<double> times, const std::vector<Mat3>& stretches)
     : node_(node), times_(std::move(times)), axes_(times_.size()) {
   std::size_t strongest = 0;
   for (std::size_t i = 1; i < times_.size(); ++i) {
-    if (strength(stretchAt(exact, node, times_[i])) > strength(stretchAt(exact, node, times_[strongest]))) {
-      strongest = i;
-    }
+    strongest = strength(stretches[i]) > strength(stretches[strongest]) ? i : strongest;
   }
-  axes_[strongest] = mainFrame(stretchAt(exact, node, times_[strongest])).axes;
+  axes_[strongest] = mainFrame(stretches[strongest]).axes;
   for (std::size_t i = strongest + 1; i < times_.size(); ++i) {
-    axes_[i] = frameNear(stretchAt(exact, node, times_[i]), axes_[i - 1]).axes;
+    axes_[i] = frameNear(stretches[i], axes_[i - 1]).axes;
   }
   for (std::size_t i = strongest; i > 0; --i) {
-    axes_[i - 1] = frameNear(stretchAt(exact, node, times_[i - 1]), axes_[i]).axes;
+    axes_[i - 1] = frameNear(stretches[i - 1], axes_[i]).axes;
   }
   constexpr double unseen = 1e-5;
   const Quat main = axes_[strongest];
-  if (std::all_of(times_.begin(), times_.end(), [&](double time) {
-        return offDiagonal(seenFrom(main, stretchAt(exact, node, time))) < unseen;
-      })) {
+  if (std::all_of(stretches.begin(), stretches.end(),
+                  [&](const Mat3& stretch) { return offDiagonal(seenFrom(main, stretch)) < unseen; })) {
     axes_ = {main};
   }
 }

@@ -29,8 +29,8 @@ struct StretchFrame {
 /// the bone is off by more than 1e-5 of it), there is only that one.
 class StretchFrames {
 public:
-  /// `times` ascending, at least one.
-  StretchFrames(ExactMotion& exact, NodeIndex node, std::vector<double> times);
+  /// `times` ascending, at least one; the stretch K of the node at each.
+  StretchFrames(NodeIndex node, std::vector<double> times, const std::vector<Mat3>& stretches);
 
   [[nodiscard]] StretchFrame at(ExactMotion& exact, double timeSeconds) const;
   [[nodiscard]] bool axesAreFixed() const { return axes_.size() == 1; }

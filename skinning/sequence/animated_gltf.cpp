@@ -60,23 +60,23 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   if (sequence.triangles.empty()) {
     return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
   }
-  const int last = std::max(frameCount(*clip), 1);
-  const int first =
-      std::clamp(static_cast<int>(std::lround(clip->startSeconds * clip->framesPerSecond)), 0, last - 1);
+  const std::int64_t last = std::max<std::int64_t>(frameCount(*clip), 1);
+  const std::int64_t first =
+      std::clamp<std::int64_t>(std::llround(clip->startSeconds * clip->framesPerSecond), 0, last - 1);
   constexpr std::size_t mostPositions = 400'000'000; // Some 5 GB.
   if (sequence.vertexCount > mostPositions / static_cast<std::size_t>(last - first)) {
     return Error{fmt::format("{} vertices in {} frames are too many", sequence.vertexCount, last - first),
                  path.string(), "give a shorter clip"};
   }
   sequence.positions.resize(sequence.vertexCount * static_cast<std::size_t>(last - first));
-  for (int frame = first; frame < last; ++frame) {
-    const double seconds = frame / clip->framesPerSecond;
+  for (std::int64_t frame = first; frame < last; ++frame) {
+    const double seconds = static_cast<double>(frame) / clip->framesPerSecond;
     const FrameState state = frameOf(scene, samplePose(scene, *clip, seconds), seconds);
     const std::vector<Vec3> posed = skinnedPositions(scene, state);
     std::copy(posed.begin(), posed.end(), sequence.frame(static_cast<std::size_t>(frame - first)).begin());
     sequence.frameNames.push_back(fmt::format("frame {}", frame));
     if (progress) {
-      progress(static_cast<double>(frame - first + 1) / (last - first));
+      progress(static_cast<double>(frame - first + 1) / static_cast<double>(last - first));
     }
   }
   for (const glm::vec3& p : sequence.positions) {

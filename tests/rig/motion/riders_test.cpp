@@ -174,3 +174,52 @@ TEST_CASE("a skirt beside the hand stays on the body") {
   CHECK(glm::distance(positionOf(atFrame(moving, motion, 12).worlds[skirt]),
                       positionOf(sourceAtFrame(moving, 12).worlds[skirt])) < 1e-12);
 }
+
+TEST_CASE(
+    "deforming joints under masters, as whole rigs are exported, stretch as one limb, fingers included") {
+  SyntheticBiped body = namedBody();
+  std::string above = "clavicle.l";
+  for (const std::string key : {"upperArm.l", "foreArm.l", "hand.l"}) {
+    SyntheticJoint& joint = *std::ranges::find(body.joints, key, &SyntheticJoint::key);
+    const std::string master = "org." + key;
+    joint.parent = master;
+    const Vec3 place = joint.position;
+    body.joints.push_back({master, above, place, false, false});
+    body.names[master] = "ORG-" + key;
+    above = master;
+  }
+  for (SyntheticJoint& joint : body.joints) {
+    joint.parent = joint.parent == "hand.l" ? "org.hand.l" : joint.parent;
+  }
+  MovingBiped moving = still(body);
+  const Limb& arm = moving.limb("left-arm");
+  REQUIRE(arm.joints == std::vector{moving.node.at("upperArm.l"), moving.node.at("foreArm.l")});
+  REQUIRE(arm.endNode == moving.node.at("hand.l"));
+  for (const auto& [key, degrees] : {std::pair("org.upperArm.l", 70.0), std::pair("org.foreArm.l", 50.0)}) {
+    const RotationKeys keys{{0.0, axisAngle(Vec3(0, 1, 0), degrees * pi / 180.0)},
+                            {0.5, axisAngle(Vec3(0, 1, 0), -degrees * pi / 180.0)},
+                            {1.0, axisAngle(Vec3(0, 1, 0), 0.0)}};
+    moving.clip.tracks.emplace_back(rotationTrack(moving.node.at(key), Interpolation::linear, keys));
+  }
+  moving.clip.endSeconds = 1.0;
+  const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};
+  const MotionState motion = solved(moving, trails);
+  for (const double frame : {6.0, 12.0, 15.0}) {
+    CAPTURE(frame);
+    const FrameState before = sourceAtFrame(moving, frame);
+    const FrameState after = atFrame(moving, motion, frame);
+    const auto bone = [&](const FrameState& state, const std::string& from, const std::string& to) {
+      return glm::distance(positionOf(state.worlds[at(moving.node.at(from))]),
+                           positionOf(state.worlds[at(moving.node.at(to))]));
+    };
+    const double s = lengthOf(arm, after) / lengthOf(arm, before);
+    CHECK(bone(after, "upperArm.l", "foreArm.l") ==
+          Approx(s * bone(before, "upperArm.l", "foreArm.l")).epsilon(1e-6));
+    CHECK(bone(after, "foreArm.l", "hand.l") ==
+          Approx(s * bone(before, "foreArm.l", "hand.l")).epsilon(1e-6));
+  }
+  CHECK(lengthOf(arm, atFrame(moving, motion, 12)) ==
+        Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
+  checkGoesWithEnd(moving, motion, "finger1a.l", arm.endNode);
+  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.biped.height);
+}

@@ -180,3 +180,19 @@ TEST_CASE("the hand and the foot keep their orientation, or turn with the limb w
   trail.settings.turnEnd = true;
   CHECK(turnOfHand() > 1e-3);
 }
+
+TEST_CASE("a new trail starts at the hips where the body travels, else in the world") {
+  MovingBiped moving = punchingBiped();
+  const NodeIndex hips = moving.biped.hips;
+  const Limb& arm = moving.limb("left-arm");
+  const auto space = [&] { return startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 12)); };
+  CHECK(space() == TrailSpace::world);
+  const int track = findTrack(moving.clip, hips, Channel::translation);
+  moving.clip.tracks[static_cast<std::size_t>(track)].edit([](Track& travel) {
+    for (float& number : travel.values) {
+      number *= 10.0F;
+    }
+  });
+  CHECK(space() == TrailSpace::root);
+  CHECK(startingSpace(moving.scene, moving.clip, arm, NodeIndex::none, Vec2(0, 12)) == TrailSpace::world);
+}

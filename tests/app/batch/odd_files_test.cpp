@@ -1,0 +1,147 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "app/batch/verb.h"
+#include "app/document.h"
+#include "app/files/save.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/captured_errors.h"
+#include "tests/support/nodes.h"
+#include "tests/support/rig/character_file.h"
+#include "tests/support/rig/moving_biped.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+
+namespace {
+
+struct Outcome {
+  int exitCode = 0;
+  std::string told; ///< On standard error.
+};
+
+Outcome runVerb(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments{"stretch-engine"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  const CapturedErrors errors;
+  const int exitCode = runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+  return {exitCode, errors.text()};
+}
+
+// A punch of one second keyed at 120 frames per second, few keys of it on frames of a lower rate.
+MovingBiped fastPunch() {
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+    leaf.edit([](Track& track) {
+      track.times = {0.0F, 31.0F / 120.0F, 61.0F / 120.0F, 91.0F / 120.0F, 1.0F};
+    });
+  }
+  return moving;
+}
+
+} // namespace
+
+TEST_CASE("A rigid part of a limb is stretched in the saved file, and the file opens as it was saved") {
+  MovingBiped moving = still(namedBody());
+  const NodeIndex joint = moving.node.at("foreArm.l");
+  const NodeIndex part = addNode(moving.scene, "part", joint, Vec3(0.125, 0.0, 0.0));
+  Primitive box;
+  box.positions = {{-0.12F, 0, 0}, {0.12F, 0.04F, 0}, {0.12F, -0.04F, 0.04F}};
+  moving.scene.nodes[at(part)].mesh = static_cast<int>(moving.scene.meshes.size());
+  moving.scene.meshes.push_back({"part", {box}, {}});
+  addPunch(moving, Interpolation::linear);
+  const TemporaryFolder folder;
+  characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
+  const std::string output = (folder / "out.glb").string();
+  REQUIRE(runVerb({"exaggerate", (folder / "in.glb").string(), "-o", output, "--clean", "--limb", "left-arm",
+                   "--range", "0:12", "--scale", "2"})
+              .exitCode == 0);
+  const Result<Document> before = openDocument(folder / "in.glb");
+  const Result<Document> after = openDocument(output);
+  REQUIRE(before);
+  REQUIRE(after);
+  const auto span = [&](const Document& document) {
+    const Clip& clip = clipOf(document, 0);
+    const FrameState frame = frameOf(*document.scene, samplePose(*document.scene, clip, 0.5), 0.5);
+    const Mat4 world = meshMatrix(frame, part);
+    return glm::distance(transformPoint(world, Vec3(box.positions[0])),
+                         transformPoint(world, Vec3(0.12, 0, 0)));
+  };
+  CHECK(span(*after) == Approx(2.0 * span(*before)).epsilon(1e-3));
+}
+
+TEST_CASE("A clean file keeps the frame rate, whatever its keys tell") {
+  const TemporaryFolder folder;
+  const MovingBiped moving = fastPunch();
+  characterFile(moving.scene, {moving.clip}).write(folder / "in.glb");
+  const Result<Document> source = openDocument(folder / "in.glb");
+  REQUIRE(source);
+  REQUIRE(clipOf(*source, 0).framesPerSecond == 120.0);
+  const std::string output = (folder / "out.glb").string();
+  for (const std::string clean : {"--clean", "--key-every-frame"}) {
+    REQUIRE(runVerb({"exaggerate", (folder / "in.glb").string(), "-o", output, clean, "--limb", "left-arm",
+                     "--range", "0:61", "--scale", "2"})
+                .exitCode == 0);
+    const Result<Document> saved = openDocument(output);
+    REQUIRE(saved);
+    CHECK(clipOf(*saved, 0).framesPerSecond == 120.0);
+  }
+}
+
+TEST_CASE("A clip that lasts for decades has a number of frames, and a limb of it is exaggerated") {
+  const TemporaryFolder folder;
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& leaf : moving.clip.tracks) {
+    leaf.edit([](Track& track) {
+      const std::vector<float> last(track.values.end() - track.width, track.values.end());
+      track.times.push_back(1e9F);
+      track.values.insert(track.values.end(), last.begin(), last.end());
+    });
+  }
+  characterFile(moving.scene, {moving.clip}).write(folder / "eon.glb");
+  const Result<Document> document = openDocument(folder / "eon.glb");
+  REQUIRE(document);
+  CHECK(frameCount(clipOf(*document, 0)) > 1000000000);
+  CHECK(runVerb({"exaggerate", (folder / "eon.glb").string(), "-o", (folder / "o.glb").string(), "--limb",
+                 "left-arm", "--range", "0:12", "--scale", "2"})
+            .exitCode == 0);
+}
+
+TEST_CASE("What has no memory ends in one line") {
+  Verb hungry{"hungry", "Asks for too much.", [](CommandLine&) {
+                return [] {
+                  throw std::bad_alloc();
+                  return Status(Success{});
+                };
+              }};
+  const std::vector<const char*> arguments{"stretch-engine", "hungry"};
+  const CapturedErrors errors;
+  CHECK(runVerbs({hungry}, 2, arguments.data()) == 1);
+  CHECK_THAT(errors.text(), Catch::Contains("not enough memory"));
+}
+
+TEST_CASE("A folder of meshes and a file that moves morph targets alone point to compress") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a1.obj", "a2.obj"}) {
+    folder.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  }
+  const std::string path = (folder / "").string();
+  CHECK(runVerb({"info", path}).exitCode == 0);
+  const Outcome asCharacter =
+      runVerb({"exaggerate", path, "-o", (folder / "o.glb").string(), "--limb", "left-arm", "--scale", "2"});
+  CHECK(asCharacter.exitCode == 1);
+  CHECK_THAT(asCharacter.told, Catch::Contains("compress"));
+
+  Scene scene;
+  const NodeIndex node = addNode(scene, "blob", NodeIndex::none, Vec3(0.0));
+  scene.nodes[at(node)].mesh = 0;
+  scene.meshes.push_back({"blob", {}, {0.0F}});
+  const rig::Biped biped = rig::detectBiped(scene);
+  REQUIRE(biped.warnings.size() == 1);
+  CHECK_THAT(biped.warnings.front(), Catch::Contains("compress"));
+}

@@ -1,0 +1,116 @@
+#include <catch2/catch.hpp>
+
+#include "core/anim/sampling.h"
+#include "core/gltf/edits.h"
+#include "core/gltf/source.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using namespace stretch::test;
+using gltf::Json;
+
+namespace {
+
+bool warnsOf(const gltf::Loaded& loaded, const std::string& words) {
+  const std::vector<std::string>& lines = loaded.warnings;
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+Json& channelOf(GlbBuilder& file, std::size_t clip, std::size_t channel) {
+  return file.json["animations"][clip]["channels"][channel];
+}
+
+// Drives what a channel drives through a pointer.
+void pointAt(GlbBuilder& file, std::size_t channel, const std::string& pointer) {
+  channelOf(file, 0, channel)["target"] = {
+      {"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+  file.json["extensionsUsed"].push_back("KHR_animation_pointer");
+}
+
+} // namespace
+
+TEST_CASE("A channel that points to a property of a node plays as one that names the node") {
+  GlbBuilder file = armBuilder();
+  const Result<gltf::Loaded> plain = loadBytes(file.bytes());
+  REQUIRE(plain);
+  const Track track = *plain->clips[0].tracks[0];
+  const std::string path = channelOf(file, 0, 0)["target"]["path"];
+  pointAt(file, 0, "/nodes/" + std::to_string(track.node.value) + "/" + path);
+  const Result<gltf::Loaded> pointed = loadBytes(file.bytes());
+  REQUIRE(pointed);
+  REQUIRE(pointed->clips[0].tracks.size() == plain->clips[0].tracks.size());
+  CHECK(*pointed->clips[0].tracks[0] == track);
+
+  // What is keyed anew takes the place of what the pointer drove.
+  gltf::Edits edits;
+  edits.clips.push_back({0, {track}});
+  const Result<gltf::Source> saved = gltf::patched(*pointed->source, edits);
+  REQUIRE(saved);
+  CHECK((*saved->json)["animations"][0]["channels"].size() == file.json["animations"][0]["channels"].size());
+}
+
+TEST_CASE("A channel that points to something that is not shown is told") {
+  GlbBuilder file = armBuilder();
+  pointAt(file, 0, "/materials/0/pbrMetallicRoughness/baseColorFactor");
+  const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+  REQUIRE(loaded);
+  CHECK(warnsOf(*loaded, "drives '/materials/0/pbrMetallicRoughness/baseColorFactor', which is not shown"));
+}
+
+TEST_CASE("Data that glTF allows are read: data written out, zeros without data, columns without padding") {
+  GlbBuilder file = armBuilder();
+  SECTION("a buffer as text that is not base64") {
+    file.json["buffers"] = Json::array();
+    std::string uri = "data:application/octet-stream,";
+    for (const std::uint8_t byte : file.binary) {
+      constexpr const char* digits = "0123456789abcdef";
+      uri += {'%', digits[byte >> 4U], digits[byte & 15U]};
+    }
+    Json document = file.json;
+    document["buffers"] = {{{"byteLength", file.binary.size()}, {"uri", uri}}};
+    const TemporaryFolder folder;
+    const Result<gltf::Loaded> loaded = gltf::load(folder.write("model.gltf", document.dump()));
+    REQUIRE(loaded);
+    CHECK(loaded->scene->meshes.size() == 2);
+  }
+  SECTION("key times without data") {
+    file.json["accessors"].push_back(
+        {{"componentType", 5126}, {"count", 2}, {"type", "SCALAR"}, {"min", {0}}, {"max", {0}}});
+    Json& sampler = file.json["animations"][0]["samplers"][0];
+    const std::size_t output = sampler["output"];
+    const std::size_t keys = file.json["accessors"][output]["count"];
+    file.json["accessors"].back()["count"] = keys;
+    sampler["input"] = file.json["accessors"].size() - 1;
+    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+    REQUIRE(loaded);
+    CHECK(warnsOf(*loaded, "all its keys are at 0"));
+  }
+  SECTION("inverse bind matrices without data") {
+    file.json["accessors"].push_back({{"componentType", 5126}, {"count", 3}, {"type", "MAT4"}});
+    file.json["skins"][0]["inverseBindMatrices"] = file.json["accessors"].size() - 1;
+    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+    REQUIRE(loaded);
+    CHECK(warnsOf(*loaded, "all its matrices are zero"));
+  }
+  SECTION("the padding of a matrix's last column is missing at the end of the data") {
+    file.accessor(std::vector<std::uint8_t>{1, 2, 0, 0, 3, 4}, 5121, "SCALAR", 1);
+    Json& accessor = file.json["accessors"].back();
+    accessor["type"] = "MAT2";
+    accessor["count"] = 1;
+    CHECK(loadBytes(file.bytes()).ok());
+  }
+  SECTION("normals a little off unit length") {
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    const std::size_t position = attributes["POSITION"];
+    const std::size_t count = file.json["accessors"][position]["count"];
+    std::vector<float> normals;
+    for (std::size_t i = 0; i < count; ++i) {
+      normals.insert(normals.end(), {0.0F, 0.0F, 1.05F});
+    }
+    attributes["NORMAL"] = file.floats(normals, "VEC3", 3);
+    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+    REQUIRE(loaded);
+    CHECK(warnsOf(*loaded, "normals a little off unit length"));
+  }
+}
