@@ -139,7 +139,7 @@ std::string playsAsDrawn(app::Session& session) {
     const std::vector<Vec3> seen = skinning::skinnedPositions(
         *saved->scene, frameOf(*saved->scene, samplePose(*saved->scene, played, seconds), seconds));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (i >= seen.size() || glm::length(drawn[i] - seen[i]) > 1e-3 * session.document().biped.height) {
+      if (i >= seen.size() || !(glm::length(drawn[i] - seen[i]) <= 1e-3 * session.document().biped.height)) {
         return fmt::format("not at frame {}", frame);
       }
     }
