@@ -21,7 +21,7 @@ constexpr double metres = 1.0;
 const std::vector<std::string>& keysBesideSettings() {
   static const std::vector<std::string> keys{"id",        "limb",           "clip",   "exaggerated",
                                              "connected", "applied",        "colour", "visible",
-                                             "pinned",    "control_frames", "follow"};
+                                             "pinned",    "control_frames", "follow", "group"};
   return keys;
 }
 
@@ -38,6 +38,9 @@ Json savedTrail(const rig::Trail& trail) {
   json["pinned"] = trail.pinned;
   json["control_frames"] = trail.controlFrames;
   json["follow"] = trail.follow;
+  if (trail.group > 0) {
+    json["group"] = trail.group;
+  }
   return json;
 }
 
@@ -106,6 +109,7 @@ Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   trail.pinned = json.at("pinned").get<bool>();
   trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
   trail.follow = json.at("follow").get<bool>();
+  trail.group = std::clamp(json.value("group", 0), 0, 1000000);
   if (const Status read = readApplied(json.at("applied"), trail); !read) {
     return read.error();
   }

@@ -139,7 +139,7 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
                         " %. Click selects the limb.",
                     {}});
   if (row.clicked) {
-    app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift);
+    app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
   }
   ImGui::SameLine(0.0F, 0.0F);
   const bool expanded = context.ui.expandedLimb == limb.id;

@@ -13,6 +13,8 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "app/commands/spheres.h"
+#include "app/edits/group_edits.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
@@ -147,6 +149,34 @@ std::string playsAsDrawn(app::Session& session) {
   return "yes";
 }
 
+/// Limbs of the selected trail's group: "left-arm spine"; empty where it stands alone.
+std::string groupLimbs(const app::Session& session) {
+  std::vector<std::string> limbs;
+  for (const int id : app::groupMembers(session.document(), session.view().selectedTrail)) {
+    limbs.push_back(app::findTrail(session.document(), id)->limb);
+  }
+  return joined(limbs);
+}
+
+/// Of all trails of the viewed clip, in their order: "3 3 2".
+std::string scalesOf(const app::Session& session) {
+  std::vector<std::string> scales;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == session.view().clip) {
+      scales.push_back(number(trail.settings.scale));
+    }
+  }
+  return joined(scales);
+}
+
+std::string tangentCount(const app::Session& session) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  return trail == nullptr ? "none"
+                          : std::to_string(std::count_if(
+                                trail->settings.spheres.begin(), trail->settings.spheres.end(),
+                                [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -166,6 +196,10 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
       {"shown-keys", [&] { return std::to_string(app::shownKeyFrames(session, view.selectedLimbs).size()); }},
+      {"group", [&] { return groupLimbs(session); }},
+      {"scales", [&] { return scalesOf(session); }},
+      {"tangents", [&] { return tangentCount(session); }},
+      {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
       {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session.document())); }},
