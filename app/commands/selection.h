@@ -17,8 +17,8 @@ void selectLimb(Session& session, const std::string& limbId, bool add);
 /// Selects a trail with its limb; 0 deselects.
 void selectTrail(Session& session, int trailId);
 
-/// Selects a trail as a list does: it alone with its limb, or (`add`) its limb beside those that are selected;
-/// again takes it away.
+/// Selects a trail as a list does: it alone with its limb, or (`add`) its limb beside those that are
+/// selected; again takes it away.
 void selectTrailInList(Session& session, int trailId, bool add);
 
 /// Selects a trail with all others of its group and their limbs; a trail that stands alone as selectTrail().

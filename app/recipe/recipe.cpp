@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/group_edits.h"
 #include "app/named.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -208,7 +207,7 @@ Json recipeToJson(const Document& document, int clip) {
       Json entry = trailToJson(trail.settings, limb->restLength);
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
-      if (!groupMembers(document, trail.id).empty()) {
+      if (trail.group > 0) {
         entry["group"] = trail.group;
       }
       json["trails"].push_back(std::move(entry));

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 
 #include "app/sequence/open_any.h"
 #include "ui/panels/dialog_frame.h"
+#include "ui/panels/file_facts_pane.h"
 #include "ui/panels/file_listing.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/fuzzy.h"
 #include "ui/widgets/icons.h"
@@ -15,11 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr float factsWidth = 228.0F;
+
+/// Without regard to case.
+bool beginsWith(const std::string& name, const std::string& start) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return name.size() >= start.size() && std::equal(start.begin(), start.end(), name.begin(), same);
+}
+
 void goTo(FileDialogState& dialog, const fs::path& folder) {
   dialog.folder = folder;
   dialog.highlighted = -1;
   dialog.message.clear();
   dialog.confirmOverwrite = false;
+  dialog.newFolder.reset();
   if (!isSaving(dialog.purpose)) {
     dialog.typed.clear();
   }
@@ -43,9 +55,14 @@ void refresh(FileDialogState& dialog) {
 /// Rows that answer what is typed: all of them while saving, or while a path is being typed.
 std::vector<const FileEntry*> shownEntries(const FileDialogState& dialog) {
   const bool filters = !isSaving(dialog.purpose) && dialog.typed.find('/') == std::string::npos;
+  const std::vector<FileType> types = fileTypesOf(dialog.purpose);
+  const auto isType = [&](const FileEntry& entry) {
+    return entry.isFolder || types.empty() ||
+           hasExtension(entry.name, types[static_cast<std::size_t>(dialog.type)].extensions);
+  };
   std::vector<const FileEntry*> shown;
   for (const FileEntry& entry : dialog.entries) {
-    if (!filters || fuzzyScore(dialog.typed, entry.name)) {
+    if (isType(entry) && (!filters || fuzzyScore(dialog.typed, entry.name))) {
       shown.push_back(&entry);
     }
   }
@@ -77,6 +94,38 @@ void enter(PanelContext& context, const FileEntry& entry) {
   }
 }
 
+/// What is typed jumps to the first row that begins with it, else to the first that fits.
+void jumpToTyped(FileDialogState& dialog) {
+  dialog.highlighted = -1;
+  dialog.confirmOverwrite = false;
+  dialog.message.clear();
+  if (isSaving(dialog.purpose) || dialog.typed.empty() || dialog.typed.find('/') != std::string::npos) {
+    return;
+  }
+  const std::vector<const FileEntry*> shown = shownEntries(dialog);
+  const auto first = std::find_if(shown.begin(), shown.end(), [&](const FileEntry* entry) {
+    return beginsWith(entry->name, dialog.typed);
+  });
+  dialog.highlighted = shown.empty()          ? -1
+                       : first == shown.end() ? 0
+                                              : static_cast<int>(first - shown.begin());
+}
+
+/// Makes the folder whose name was typed, and goes there.
+void makeFolder(FileDialogState& dialog) {
+  const std::string name = *dialog.newFolder;
+  const fs::path path = typedPath(dialog.folder, name);
+  std::error_code problem;
+  if (name.empty()) {
+    dialog.message = "Type a name for the folder.";
+  } else if (fs::create_directories(path, problem)) {
+    goTo(dialog, path);
+  } else {
+    dialog.message =
+        problem ? "The folder cannot be made: " + problem.message() : "There is one of this name already.";
+  }
+}
+
 /// What Enter and the primary button do with the typed text.
 void acceptTyped(PanelContext& context) {
   FileDialogState& dialog = context.ui.fileDialog;
@@ -99,6 +148,14 @@ void acceptTyped(PanelContext& context) {
   }
 }
 
+/// The file that the keys are on; empty for none and for a folder.
+fs::path highlightedPath(const FileDialogState& dialog) {
+  const std::vector<const FileEntry*> shown = shownEntries(dialog);
+  const bool valid = dialog.highlighted >= 0 && dialog.highlighted < static_cast<int>(shown.size());
+  const FileEntry* const entry = valid ? shown[static_cast<std::size_t>(dialog.highlighted)] : nullptr;
+  return entry == nullptr || entry->isFolder ? fs::path() : dialog.folder / entry->name;
+}
+
 void acceptHighlightedOrTyped(PanelContext& context) {
   const FileDialogState& dialog = context.ui.fileDialog;
   const std::vector<const FileEntry*> shown = shownEntries(dialog);
@@ -114,7 +171,7 @@ void acceptHighlightedOrTyped(PanelContext& context) {
 
 /// A row with an icon, a name and a quiet detail at the right; true when clicked.
 bool fileRow(PanelContext& context, const std::string& id, const char* iconText, const std::string& name,
-             const std::string& detail, bool highlighted) {
+             const std::string& detail, bool highlighted, const std::string& help = {}) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const Control row = takePlace(widgets, id, {ImGui::GetContentRegionAvail().x, theme.rowHeight()});
@@ -138,8 +195,32 @@ bool fileRow(PanelContext& context, const std::string& id, const char* iconText,
              {{row.box.max.x - detailWidth, row.box.min.y}, {row.box.max.x - theme.unit(), row.box.max.y}},
              colours.quietText, detail, 1.0F);
   }
-  tooltip(widgets, {name, "", {}});
+  tooltip(widgets, {name, help, {}});
   return row.clicked;
+}
+
+struct Place {
+  std::string id;
+  const char* icon;
+  std::string title;
+  fs::path path;
+};
+
+/// Where people keep things: those that there are.
+std::vector<Place> placesOf(const PanelContext& context) {
+  std::vector<Place> places{{"home", icon::home, "Home", homeFolder()}};
+  std::error_code ignored;
+  if (const fs::path desktop = homeFolder() / "Desktop"; fs::is_directory(desktop, ignored)) {
+    places.push_back({"desktop", icon::columns, "Desktop", desktop});
+  }
+  const app::Session* const character = context.open.character();
+  if (character != nullptr && character->document().source->path.has_parent_path()) {
+    places.push_back(
+        {"project", icon::cube, "Folder of this file",
+         fs::absolute(character->document().source->path, ignored).parent_path().lexically_normal()});
+  }
+  places.push_back({"computer", icon::grid, "Computer", homeFolder().root_path()});
+  return places;
 }
 
 void places(PanelContext& context) {
@@ -147,22 +228,68 @@ void places(PanelContext& context) {
   ImGui::BeginChild("files/places",
                     {context.theme.px(176.0F), ImGui::GetContentRegionAvail().y - context.theme.px(80.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
-  if (fileRow(context, "files/home", icon::home, "Home", "", false)) {
-    goTo(dialog, homeFolder());
+  for (const Place& place : placesOf(context)) {
+    if (fileRow(context, "files/" + place.id, place.icon, place.title, "", false, place.path.string())) {
+      goTo(dialog, place.path);
+    }
+  }
+  const std::vector<fs::path> folders = recentFolders(context.ui.recentFiles, 4);
+  if (!folders.empty()) {
+    verticalSpace(widgetsOf(context), 8.0F);
+    note(widgetsOf(context), "Recent folders");
+  }
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    if (fileRow(context, "files/recent-folder-" + std::to_string(i), icon::folder,
+                folders[i].filename().empty() ? folders[i].string() : folders[i].filename().string(), "",
+                false, folders[i].string())) {
+      goTo(dialog, folders[i]);
+    }
   }
   if (dialog.purpose == FilePurpose::openModel && !context.ui.recentFiles.empty()) {
-    verticalSpace(widgetsOf(context), 12.0F);
-    note(widgetsOf(context), "Recent");
+    verticalSpace(widgetsOf(context), 8.0F);
+    note(widgetsOf(context), "Recent files");
     const std::vector<fs::path> recent = context.ui.recentFiles;
     for (const fs::path& path : recent) {
-      if (fileRow(context, "files/recent/" + path.string(), icon::file, path.filename().string(), "",
-                  false)) {
+      if (fileRow(context, "files/recent/" + path.string(), icon::file, path.filename().string(), "", false,
+                  path.parent_path().string())) {
         accept(context, path);
       }
     }
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
+}
+
+/// A click chooses the row and tells of it; a double click opens it.
+void clickEntry(PanelContext& context, const FileEntry& entry, int row) {
+  FileDialogState& dialog = context.ui.fileDialog;
+  const bool again = dialog.highlighted == row && ImGui::GetIO().MouseClickedLastCount[0] >= 2;
+  dialog.highlighted = row;
+  dialog.confirmOverwrite = false;
+  dialog.message.clear();
+  if (again) {
+    enter(context, entry);
+  } else if (isSaving(dialog.purpose) && !entry.isFolder) {
+    dialog.typed = entry.name;
+  }
+}
+
+/// The field in which a new folder gets its name.
+void newFolderRow(PanelContext& context) {
+  FileDialogState& dialog = context.ui.fileDialog;
+  if (!dialog.newFolder) {
+    return;
+  }
+  const float width = context.theme.px(88.0F);
+  textField(widgetsOf(context), "files/new-folder-name", "Name of the new folder", *dialog.newFolder,
+            ImGui::GetContentRegionAvail().x - width - context.theme.unit(), dialog.newFolder->empty());
+  ImGui::SameLine();
+  ButtonSpec make{.id = "files/make-folder", .icon = "", .text = "Make"};
+  make.width = width;
+  make.help = {"Make the folder", "Enter does it as well.", {}};
+  if (button(widgetsOf(context), make)) {
+    makeFolder(dialog);
+  }
 }
 
 void entryList(PanelContext& context) {
@@ -174,7 +301,10 @@ void entryList(PanelContext& context) {
     }
     return copies;
   }();
-  ImGui::BeginChild("files/list", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(80.0F)});
+  const float facts = isSaving(dialog.purpose) ? 0.0F : context.theme.px(factsWidth);
+  ImGui::BeginChild("files/list", {ImGui::GetContentRegionAvail().x - facts,
+                                   ImGui::GetContentRegionAvail().y - context.theme.px(80.0F)});
+  newFolderRow(context);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
   if (dialog.folder.has_parent_path() && dialog.folder != dialog.folder.root_path() &&
       fileRow(context, "files/up", icon::up, "Up one folder", "", false)) {
@@ -189,7 +319,7 @@ void entryList(PanelContext& context) {
     const bool highlighted = static_cast<int>(i) == dialog.highlighted;
     if (fileRow(context, "files/entry/" + entry.name, entry.isFolder ? icon::folder : icon::cube, entry.name,
                 entry.isFolder ? std::string() : sizeText(entry.bytes), highlighted)) {
-      enter(context, entry);
+      clickEntry(context, entry, static_cast<int>(i));
     }
   }
   if (entries.empty() && dialog.message.empty()) {
@@ -201,16 +331,47 @@ void entryList(PanelContext& context) {
   ImGui::EndChild();
 }
 
+/// Characters that no text field takes are typed all the same.
+void typeAhead(FileDialogState& dialog) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || isSaving(dialog.purpose)) {
+    return;
+  }
+  const std::size_t before = dialog.typed.size();
+  if (keyPressed(ImGuiKey_Backspace) && !dialog.typed.empty()) {
+    dialog.typed.pop_back();
+    jumpToTyped(dialog);
+    return;
+  }
+  for (const ImWchar c : io.InputQueueCharacters) {
+    if (c >= ' ' && c < 127) {
+      dialog.typed.push_back(static_cast<char>(c));
+    }
+  }
+  if (dialog.typed.size() != before) {
+    jumpToTyped(dialog);
+  }
+}
+
 void keyboard(PanelContext& context) {
   FileDialogState& dialog = context.ui.fileDialog;
+  if (dialog.newFolder) {
+    if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) {
+      makeFolder(dialog);
+    }
+    return;
+  }
+  if (keyPressed(ImGuiKey_Backspace) && dialog.typed.empty() && dialog.folder.has_parent_path()) {
+    goTo(dialog, dialog.folder.parent_path());
+    return;
+  }
+  typeAhead(dialog);
   const int count = static_cast<int>(shownEntries(dialog).size());
   if (keyPressed(ImGuiKey_DownArrow, true) || keyPressed(ImGuiKey_UpArrow, true)) {
     moveHighlight(dialog.highlighted, count);
   }
   if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) {
     acceptHighlightedOrTyped(context);
-  } else if (keyPressed(ImGuiKey_Backspace) && dialog.typed.empty() && dialog.folder.has_parent_path()) {
-    goTo(dialog, dialog.folder.parent_path());
   }
 }
 
@@ -218,9 +379,37 @@ void typedField(PanelContext& context, bool focus) {
   FileDialogState& dialog = context.ui.fileDialog;
   const char* hint = isSaving(dialog.purpose) ? "Name of the file" : "Type a name or a path";
   if (textField(widgetsOf(context), "files/typed", hint, dialog.typed, 0.0F, focus)) {
-    dialog.highlighted = -1;
-    dialog.confirmOverwrite = false;
-    dialog.message.clear();
+    jumpToTyped(dialog);
+  }
+}
+
+/// Which kinds of files are listed, and the button for a new folder.
+void typesRow(PanelContext& context) {
+  FileDialogState& dialog = context.ui.fileDialog;
+  const float side = context.theme.px(116.0F);
+  const std::vector<FileType> types = fileTypesOf(dialog.purpose);
+  if (!types.empty()) {
+    std::vector<Choice> choices;
+    for (const FileType& type : types) {
+      std::string extensions;
+      for (const std::string& extension : type.extensions) {
+        extensions += (extensions.empty() ? "" : " ") + extension;
+      }
+      choices.push_back({type.title, {type.title, "Lists " + extensions + ".", {}}});
+    }
+    ImGui::BeginChild("files/types", {ImGui::GetContentRegionAvail().x - side - context.theme.unit(),
+                                      context.theme.rowHeight()});
+    const int chosen = segmented(widgetsOf(context), "files/type", choices, dialog.type);
+    ImGui::EndChild();
+    dialog.highlighted = chosen >= 0 && chosen != dialog.type ? -1 : dialog.highlighted;
+    dialog.type = chosen >= 0 ? chosen : dialog.type;
+    ImGui::SameLine();
+  }
+  ButtonSpec make{.id = "files/new-folder", .icon = icon::plus, .text = "New folder"};
+  make.width = side;
+  make.help = {"New folder", "Makes a folder in the one that is shown.", {}};
+  if (button(widgetsOf(context), make)) {
+    dialog.newFolder = std::string();
   }
 }
 
@@ -238,7 +427,7 @@ void drawFileDialog(PanelContext& context) {
                    {.id = "files",
                     .icon = icon::folderOpen,
                     .title = titleOf(dialog.purpose),
-                    .width = 760.0F,
+                    .width = isSaving(dialog.purpose) ? 760.0F : 900.0F,
                     .height = 520.0F},
                    dialog.open)) {
     return;
@@ -246,9 +435,14 @@ void drawFileDialog(PanelContext& context) {
   refresh(dialog);
   keyboard(context);
   note(widgetsOf(context), dialog.folder.string());
+  typesRow(context);
   places(context);
   ImGui::SameLine();
   entryList(context);
+  if (!isSaving(dialog.purpose)) {
+    ImGui::SameLine();
+    fileFacts(context, highlightedPath(dialog));
+  }
   typedField(context, ImGui::IsWindowAppearing());
   const char* accepts = dialog.confirmOverwrite ? "Replace" : isSaving(dialog.purpose) ? "Save" : "Open";
   if (!dialog.message.empty()) {

@@ -19,16 +19,37 @@ std::string lowered(std::string text) {
   return text;
 }
 
-bool hasExtension(const fs::path& path, const std::vector<std::string>& extensions) {
-  const std::string extension = lowered(path.extension().string());
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
-}
-
 bool comesBefore(const FileEntry& a, const FileEntry& b) {
   return a.isFolder != b.isFolder ? a.isFolder : lowered(a.name) < lowered(b.name);
 }
 
 } // namespace
+
+bool hasExtension(const fs::path& path, const std::vector<std::string>& extensions) {
+  const std::string extension = lowered(path.extension().string());
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+std::vector<FileType> fileTypesOf(FilePurpose purpose) {
+  if (purpose != FilePurpose::openModel) {
+    return {};
+  }
+  return {{"All", extensionsOf(purpose)},
+          {"Characters", {".glb", ".gltf", ".vrm"}},
+          {"Sequences", {".obj", ".ply", ".pc2"}}};
+}
+
+std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, std::size_t most) {
+  std::vector<fs::path> folders;
+  for (const fs::path& file : recentFiles) {
+    const fs::path folder = file.parent_path();
+    const bool isNew = std::find(folders.begin(), folders.end(), folder) == folders.end();
+    if (isNew && !folder.empty() && folders.size() < most) {
+      folders.push_back(folder);
+    }
+  }
+  return folders;
+}
 
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {

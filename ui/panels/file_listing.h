@@ -11,6 +11,16 @@ namespace stretch::ui {
 
 /// Extensions (lower case, with the dot) that a purpose shows; empty: folders only.
 [[nodiscard]] std::vector<std::string> extensionsOf(FilePurpose purpose);
+/// Kinds of files that a purpose lets one choose from, the first of them everything that it shows; empty
+/// where there is nothing to choose.
+struct FileType {
+  const char* title;
+  std::vector<std::string> extensions;
+};
+[[nodiscard]] std::vector<FileType> fileTypesOf(FilePurpose purpose);
+/// Whether a file has one of these extensions, in whatever case.
+[[nodiscard]] bool hasExtension(const std::filesystem::path& path,
+                                const std::vector<std::string>& extensions);
 [[nodiscard]] bool isSaving(FilePurpose purpose);
 /// "Open a character", "Save as" ...
 [[nodiscard]] const char* titleOf(FilePurpose purpose);
@@ -26,6 +36,10 @@ namespace stretch::ui {
 
 /// The user's home folder, or the root where there is none.
 [[nodiscard]] std::filesystem::path homeFolder();
+
+/// Folders of files that were open lately, the last one first, each once, at most `most`.
+[[nodiscard]] std::vector<std::filesystem::path>
+recentFolders(const std::vector<std::filesystem::path>& recentFiles, std::size_t most);
 
 /// "1.4 MB".
 [[nodiscard]] std::string sizeText(std::uintmax_t bytes);

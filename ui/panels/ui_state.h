@@ -11,6 +11,7 @@
 #include "app/commands/exaggerate.h"
 #include "app/commands/ranges.h"
 #include "app/file_work.h"
+#include "app/files/file_facts.h"
 #include "rig/motion/motion.h"
 #include "ui/widgets/curve_view.h"
 #include "ui/widgets/theme.h"
@@ -128,8 +129,12 @@ struct FileDialogState {
   bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
   std::filesystem::path listedFolder; ///< What `entries` lists.
   std::vector<FileEntry> entries;
-  bool listsSequence = false; ///< The listed folder can be opened as a mesh sequence.
-  bool wasOpen = false;       ///< In the frame before.
+  bool listsSequence = false;           ///< The listed folder can be opened as a mesh sequence.
+  int type = 0;                         ///< Of files that are shown: index into fileTypesOf().
+  std::optional<std::string> newFolder; ///< Name of a folder to be made, while it is typed.
+  std::filesystem::path factsPath;      ///< What `facts` tells of.
+  app::FileFacts facts;
+  bool wasOpen = false; ///< In the frame before.
 };
 
 struct PaletteState {

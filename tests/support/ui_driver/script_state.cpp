@@ -243,6 +243,11 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
   return found == states.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// The file that the dialog's list stands on, as its facts tell of it.
+std::string dialogRow(const FileDialogState& dialog) {
+  return dialog.factsPath.filename().string();
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -258,6 +263,11 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"ghosts", yesNo(shell.ui.overlays.ghosts)},
       {"navigation", shell.ui.navigation == NavigationStyle::maya ? "maya" : "blender"},
       {"dialog", yesNo(shell.ui.fileDialog.open)},
+      {"dialog.folder", shell.ui.fileDialog.folder.filename().string()},
+      {"dialog.row", dialogRow(shell.ui.fileDialog)},
+      {"dialog.asks", yesNo(shell.ui.fileDialog.confirmOverwrite)},
+      {"dialog.joints", std::to_string(shell.ui.fileDialog.facts.joints)},
+      {"dialog.clips", std::to_string(shell.ui.fileDialog.facts.clips.size())},
       {"palette", yesNo(shell.ui.palette.open)},
       {"keys", yesNo(shell.ui.keys.open)},
       {"settings", yesNo(shell.ui.settingsOpen)},

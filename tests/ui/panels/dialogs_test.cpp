@@ -56,19 +56,22 @@ TEST_CASE("A folder lists folders first, then the files that can be opened") {
   CHECK_FALSE(ui::listFolder(folder.path / "missing", ui::FilePurpose::openModel).ok());
 }
 
-TEST_CASE("A file is chosen by click, by folder, and by its typed name") {
+TEST_CASE("A file is opened by a double click, in a folder, and by its typed name") {
   const Folder folder;
   PanelDriver driver(std::nullopt);
   openFiles(driver, folder, ui::FilePurpose::openModel);
   SECTION("click") {
     driver.click("files/entry/Punch.glb");
+    CHECK(driver.ui.fileDialog.open);
+    CHECK(driver.ui.fileDialog.facts.kind == "Binary glTF");
+    driver.doubleClick("files/entry/Punch.glb");
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
     CHECK_FALSE(driver.ui.fileDialog.open);
   }
   SECTION("folder, then click") {
-    driver.click("files/entry/clips");
-    driver.click("files/entry/run.glb");
+    driver.doubleClick("files/entry/clips");
+    driver.doubleClick("files/entry/run.glb");
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "clips" / "run.glb");
   }
@@ -78,12 +81,54 @@ TEST_CASE("A file is chosen by click, by folder, and by its typed name") {
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
   }
+  SECTION("typed after a click elsewhere") {
+    driver.click("files/entry/walk.gltf");
+    driver.type("pun");
+    CHECK(driver.ui.fileDialog.factsPath.filename() == "Punch.glb");
+    driver.pressKey(ImGuiKey_Enter);
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
+  }
+  SECTION("only the kind that was asked for is listed") {
+    CHECK(driver.find("files/entry/avatar.vrm") != nullptr);
+    driver.click("files/type/Sequences");
+    CHECK(driver.find("files/entry/avatar.vrm") == nullptr);
+    CHECK(driver.find("files/entry/clips") != nullptr);
+  }
+  SECTION("Backspace goes up a folder") {
+    driver.doubleClick("files/entry/clips");
+    driver.pressKey(ImGuiKey_Backspace);
+    driver.frames(2);
+    CHECK(driver.ui.fileDialog.folder == folder.path);
+  }
   SECTION("Esc closes without an answer") {
     driver.pressKey(ImGuiKey_Escape);
     driver.frames(2);
     CHECK_FALSE(driver.ui.fileDialog.open);
     CHECK_FALSE(driver.ui.answers.file);
   }
+}
+
+TEST_CASE("A new folder is made and shown, one that is there already is not") {
+  const Folder folder;
+  PanelDriver driver(std::nullopt);
+  openFiles(driver, folder, ui::FilePurpose::saveModel);
+  driver.click("files/new-folder");
+  driver.frames(2);
+  driver.type("clips");
+  driver.pressKey(ImGuiKey_Enter);
+  CHECK(driver.ui.fileDialog.folder == folder.path);
+  CHECK_FALSE(driver.ui.fileDialog.message.empty());
+  driver.type("2");
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(2);
+  CHECK(driver.ui.fileDialog.folder == folder.path / "clips2");
+  CHECK(fs::is_directory(folder.path / "clips2"));
+}
+
+TEST_CASE("Folders of recent files are places, each once") {
+  const std::vector<fs::path> files{"/a/x.glb", "/b/y.glb", "/a/z.glb", "/c/w.glb"};
+  CHECK(ui::recentFolders(files, 2) == std::vector<fs::path>{"/a", "/b"});
 }
 
 TEST_CASE("Saving over a file asks first, and a missing extension is added") {

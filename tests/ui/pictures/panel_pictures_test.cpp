@@ -128,6 +128,7 @@ const Dialog dialogs[] = {
     {"files", 720.0F, 560.0F,
      [](UiState& ui) {
        FileDialogState& files = ui.fileDialog;
+       setenv("HOME", "/characters", 1); // Whose folders are listed as places.
        files.open = true;
        files.wasOpen = true; // as listed below
        files.folder = files.listedFolder = "/characters";

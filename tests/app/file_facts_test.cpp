@@ -1,0 +1,44 @@
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "app/files/file_facts.h"
+#include "app/files/save.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+TEST_CASE("A file tells its joints and clips before it is opened") {
+  const FileFacts facts = factsOf(std::filesystem::path(STRETCH_SOURCE_DIR) / "assets/dummy.glb");
+  CHECK(facts.kind == "Binary glTF");
+  REQUIRE(facts.isScene);
+  CHECK(facts.joints == 26);
+  CHECK(facts.meshes >= 1);
+  REQUIRE_FALSE(facts.clips.empty());
+  CHECK(facts.clips.front().name == "One-two punch");
+  CHECK(facts.clips.front().seconds == Approx(2.5));
+  CHECK_FALSE(facts.carriesWork);
+  CHECK(facts.problem.empty());
+}
+
+TEST_CASE("What is no glTF behind its name is said, and odd JSON is no trouble") {
+  const test::TemporaryFolder folder;
+  const auto facts = [&](const char* name, const std::string& text) {
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+    return factsOf(folder.path() / name);
+  };
+  CHECK(facts("text.glb", "no scene at all").problem == "is no glTF");
+  CHECK(facts("short.glb", "glTF").problem == "cannot be read");
+  CHECK(facts("lies.glb", std::string("glTF\2\0\0\0\xff\0\0\0\xff\0\0\0JSON", 20)).problem ==
+        "is shorter than it says");
+  CHECK(facts("mesh.obj", "v 0 0 0").kind == "OBJ mesh");
+  const FileFacts odd =
+      facts("odd.gltf", R"({"skins": {"joints": 3}, "animations": [7, {"samplers": [{"input": 9},
+      {"input": -1}, 4]}], "meshes": "x", "accessors": [{"max": ["late"]}], "extras": 1})");
+  CHECK(odd.isScene);
+  CHECK(odd.joints == 0);
+  CHECK(odd.clips.size() == 2);
+  CHECK(factsOf(folder.path() / "missing.glb").kind.empty());
+}
