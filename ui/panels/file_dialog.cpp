@@ -281,8 +281,11 @@ void newFolderRow(PanelContext& context) {
     return;
   }
   const float width = context.theme.px(88.0F);
-  textField(widgetsOf(context), "files/new-folder-name", "Name of the new folder", *dialog.newFolder,
-            ImGui::GetContentRegionAvail().x - width - context.theme.unit(), dialog.newFolder->empty());
+  const bool again = dialog.newFolder->empty() || !dialog.message.empty(); // Refused: it is typed anew.
+  if (textField(widgetsOf(context), "files/new-folder-name", "Name of the new folder", *dialog.newFolder,
+                ImGui::GetContentRegionAvail().x - width - context.theme.unit(), again)) {
+    dialog.message.clear();
+  }
   ImGui::SameLine();
   ButtonSpec make{.id = "files/make-folder", .icon = "", .text = "Make"};
   make.width = width;

@@ -62,7 +62,8 @@ void fileFacts(PanelContext& context, const std::filesystem::path& path) {
                ImGui::GetCursorScreenPos().y + context.theme.rowHeight()}},
              context.theme.colours.text, path.filename().string());
     verticalSpace(widgets, context.theme.rowHeight() / context.theme.scale);
-    note(widgets, dialog.facts.kind + ", " + sizeText(dialog.facts.bytes));
+    note(widgets, dialog.facts.kind.empty() ? "It is not there any more."
+                                            : dialog.facts.kind + ", " + sizeText(dialog.facts.bytes));
     if (!dialog.facts.problem.empty()) {
       note(widgets, "It " + dialog.facts.problem + ".");
     } else if (dialog.facts.isScene) {

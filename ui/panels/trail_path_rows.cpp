@@ -93,10 +93,11 @@ void sphereRows(PanelContext& context, const rig::Trail& trail) {
   ImGui::SameLine();
   commandButton(context,
                 {.command = command::sphereNext, .icon = icon::stepForward, .text = "Next", .width = width});
+  labelledRow(widgets, "");
   commandButton(context, {.command = command::sphereAdd, .icon = icon::plus, .text = "Add", .width = width});
   ImGui::SameLine();
   commandButton(context,
-                {.command = command::sphereReset, .icon = icon::undo, .text = "Put back", .width = width});
+                {.command = command::sphereReset, .icon = icon::undo, .text = "Reset", .width = width});
   const std::vector<double>& selected = session.view().selectedSpheres;
   const std::string state = selected.empty() ? std::to_string(trail.settings.spheres.size()) + " pulled"
                                              : std::to_string(selected.size()) + " selected";

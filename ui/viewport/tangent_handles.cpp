@@ -28,9 +28,10 @@ Vec3 shownTip(const View& view, const app::TangentHandle& handle) {
   const double unitsWanted = wanted * unitsPerPixel(view, handle.sphereWorld);
   // One that points at the viewer keeps short on the screen: growing without end would help nobody.
   const bool pointsAway = pixels > 0.2 * length / unitsPerPixel(view, handle.sphereWorld);
-  const Vec3 direction = length > 1e-9 * unitsWanted ? arm / length : handle.towardsNeighbour;
-  return handle.sphereWorld +
-         (pointsAway && pixels > 1.0 ? length * wanted / pixels : unitsWanted) * direction;
+  // Where the path all but stands still it has no direction to show.
+  const Vec3 direction = length > 0.15 * unitsWanted ? arm / length : handle.towardsNeighbour;
+  const bool grows = pointsAway && length > 0.15 * unitsWanted;
+  return handle.sphereWorld + (grows ? length * wanted / pixels : unitsWanted) * direction;
 }
 
 } // namespace
