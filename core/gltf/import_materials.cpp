@@ -47,6 +47,20 @@ bool readTextureTransform(const Json& info, Material& material) {
   return std::abs(numberOr(*transform, "rotation", 0.0)) < 1e-6;
 }
 
+// Readers of EXT_texture_webp prefer its picture; the other one is for those that are none.
+int imageOf(const Json& json, const Json& texture) {
+  const Json* webp = findPath(texture, {"extensions", "EXT_texture_webp"});
+  const int image = webp == nullptr ? -1 : indexOr(*webp, "source");
+  return image >= 0 && static_cast<std::size_t>(image) < sizeOf(json, "images") ? image
+                                                                                : indexOr(texture, "source");
+}
+
+std::string complaintAboutTexture(const Json& texture) {
+  return findPath(texture, {"extensions", "KHR_texture_basisu"}) != nullptr
+             ? "has a KTX2 image, which is not shown; its material keeps its plain colour"
+             : "has no PNG, JPEG or WebP image; it is not shown";
+}
+
 void readBaseColorTexture(const Json& json, const Json& info, const std::string& where, Material& material,
                           Problems& problems) {
   constexpr int nearest = 9728;
@@ -55,10 +69,9 @@ void readBaseColorTexture(const Json& json, const Json& info, const std::string&
     return;
   }
   const Json& textureJson = element(json, "textures", static_cast<std::size_t>(texture));
-  material.baseColorImage = indexOr(textureJson, "source");
+  material.baseColorImage = imageOf(json, textureJson);
   if (material.baseColorImage < 0) {
-    problems.warning(at("textures", static_cast<std::size_t>(texture)),
-                     "has no PNG or JPEG image; it is not shown");
+    problems.warning(at("textures", static_cast<std::size_t>(texture)), complaintAboutTexture(textureJson));
   }
   if (const int sampler = indexOr(textureJson, "sampler"); sampler >= 0) {
     const Json& samplerJson = element(json, "samplers", static_cast<std::size_t>(sampler));

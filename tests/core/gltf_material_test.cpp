@@ -1,6 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include <webp/encode.h>
+
 #include "core/gltf/json.h"
+#include "core/gltf/uri.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;
@@ -31,6 +34,14 @@ GlbBuilder texturedArm(const char* uri) {
   const int coordinates = glb.floats({0, 0, 1, 0, 0, 1, 1, 1, 0, 2, 1, 2}, "VEC2", 2);
   glb.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = coordinates;
   return glb;
+}
+
+std::string webpUri(const std::vector<std::uint8_t>& rgba, int width, int height) {
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), width, height, width * 4, &encoded);
+  const gltf::Bytes bytes(encoded, encoded + size);
+  WebPFree(encoded);
+  return "data:image/webp;base64," + gltf::encodeBase64(bytes);
 }
 
 gltf::Loaded loaded(const GlbBuilder& glb) {
@@ -76,10 +87,40 @@ TEST_CASE("A texture that cannot be shown is a warning, the model opens") {
   CHECK(file.scene->images[0].rgba.empty());
 }
 
-TEST_CASE("A texture in a format of an extension is a warning") {
+TEST_CASE("A KTX2 texture is told once and its material shown plain") {
   GlbBuilder glb = texturedArm(picture);
   glb.json["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
+  glb.json["extensionsUsed"].push_back("KHR_texture_basisu");
+  glb.json["extensionsRequired"] = {"KHR_texture_basisu"};
+  glb.json["materials"].push_back(glb.json["materials"][0]);
   const gltf::Loaded file = loaded(glb);
   REQUIRE(file.warnings.size() == 1);
+  CHECK_THAT(file.warnings[0], Catch::Contains("KTX2"));
   CHECK(file.scene->materials[0].baseColorImage == -1);
+  CHECK(file.scene->materials[0].baseColor == glm::vec4(0.5F, 0.25F, 1.0F, 0.75F));
+}
+
+TEST_CASE("A WebP texture is decoded and goes before the one for other readers") {
+  GlbBuilder glb = texturedArm(picture);
+  const std::vector<std::uint8_t> pixels{255, 0, 0, 255, 0, 255, 0, 255, 9, 8, 7, 255};
+  glb.json["images"].push_back({{"uri", webpUri(pixels, 3, 1)}});
+  glb.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
+  const gltf::Loaded file = loaded(glb);
+  CHECK(file.warnings.empty());
+  CHECK(file.scene->materials[0].baseColorImage == 1);
+  CHECK(file.scene->images[1].width == 3);
+  CHECK(file.scene->images[1].rgba == pixels);
+
+  glb.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 44;
+  CHECK(loaded(glb).scene->materials[0].baseColorImage == 0);
+}
+
+TEST_CASE("A WebP texture that is cut short is a warning, the model opens") {
+  GlbBuilder glb = texturedArm(picture);
+  const std::string whole = webpUri(std::vector<std::uint8_t>(64 * 64 * 4, 77), 64, 64);
+  glb.json["images"].push_back({{"uri", whole.substr(0, whole.size() / 8 * 4)}});
+  glb.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
+  const gltf::Loaded file = loaded(glb);
+  REQUIRE(file.warnings.size() == 1);
+  CHECK_THAT(file.warnings[0], Catch::StartsWith("images[1]: "));
 }
