@@ -22,6 +22,7 @@ constexpr auto knownExtensions = std::to_array<KnownExtension>({
     {"KHR_animation_pointer"},
     {"KHR_texture_transform"},
     {"KHR_materials_unlit"},
+    {"KHR_materials_emissive_strength"},
     {"KHR_materials_pbrSpecularGlossiness"},
     {"EXT_texture_webp"},
     {"VRMC_vrm"},

@@ -95,8 +95,10 @@ Image decode(const Encoded& encoded) {
 std::vector<bool> shownImages(std::size_t count, const std::vector<Material>& materials) {
   std::vector<bool> shown(count, false);
   for (const Material& material : materials) {
-    if (material.baseColorImage >= 0) {
-      shown[static_cast<std::size_t>(material.baseColorImage)] = true;
+    for (const int image : {material.baseColorTexture.image, material.emissiveTexture.image}) {
+      if (image >= 0) {
+        shown[static_cast<std::size_t>(image)] = true;
+      }
     }
   }
   return shown;
