@@ -148,6 +148,16 @@ TEST_CASE("A mesh packed by Draco opens within its quantisation, vertices in wha
   checkSameMotion(found, expected);
 }
 
+TEST_CASE("Of a mesh with plain data for other readers the packed ones are read") {
+  const GlbBuilder plain = tubeBuilder();
+  GlbBuilder glb = packedByDraco(plain, DracoMethod::edgebreaker);
+  glb.json["accessors"] = plain.json["accessors"];
+  glb.json["extensionsRequired"] = plain.json["extensionsRequired"];
+  const gltf::Loaded both = opened(glb);
+  CHECK(tubeOf(both).positions == tubeOf(opened(packedByDraco(plain, DracoMethod::edgebreaker))).positions);
+  CHECK(tubeOf(both).positions != tubeOf(opened(plain)).positions);
+}
+
 TEST_CASE("Edits go beside packed data, which stay as they are") {
   const auto pack = GENERATE(0, 1, 2);
   const GlbBuilder plain = tubeBuilder();
