@@ -30,6 +30,7 @@ struct SettingRow {
   std::optional<double> maximum = {};
   double step = 0.01;
   bool percent = false; ///< A fraction that is shown in per cent.
+  double percentPerUnit = 100.0;
   std::string prefix = {};
 };
 

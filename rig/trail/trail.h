@@ -93,6 +93,7 @@ struct Trail {
   /// Control spheres).
   std::vector<double> controlFrames;
   bool follow = true; ///< The character follows while a sphere is dragged.
+  std::string name;   ///< The user's own; empty: the limb's.
 
   friend bool operator==(const Trail&, const Trail&) = default;
 };

@@ -47,7 +47,7 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
                   .decimals = decimalsOf(setting),
                   .prefix = setting.row.prefix.c_str(),
                   .suffix = suffix.c_str(),
-                  .displayFactor = setting.row.percent ? 100.0 : 1.0};
+                  .displayFactor = setting.row.percent ? setting.row.percentPerUnit : 1.0};
   if (standard.is_number()) {
     spec.defaultValue = standard.get<double>();
   }
