@@ -58,7 +58,7 @@ Schema<TrailSettings> limbSettings() {
       setting<TrailSettings>({.name = "blend",
                               .maximum = 2.0,
                               .help = "0 original, 1 half-way, 2 exaggerated.",
-                              .row = {.section = "limb", .percent = true, .percentPerUnit = 50.0}},
+                              .row = {.section = "limb", .percent = true, .shownFactor = 0.5}},
                              &TrailSettings::blend),
       setting<TrailSettings>({.name = "switch",
                               .maximum = 1.0,
