@@ -18,7 +18,8 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 
 void addClipArguments(CommandLine& line, FileArguments& arguments) {
   line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
-  line.option("--fps", arguments.framesPerSecond, "Frames per second to count in; default: as the file was worked on, else guessed from the keys")
+  line.option("--fps", arguments.framesPerSecond,
+              "Frames per second to count in; default: as the file was worked on, else guessed from the keys")
       .positive();
 }
 

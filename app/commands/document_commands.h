@@ -17,6 +17,7 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> timeCommands();
 [[nodiscard]] std::vector<DocumentCommand> clipCommands();
 [[nodiscard]] std::vector<DocumentCommand> trailCommands();
+[[nodiscard]] std::vector<DocumentCommand> groupCommands();
 [[nodiscard]] std::vector<DocumentCommand> sphereCommands();
 [[nodiscard]] std::vector<DocumentCommand> weightCommands();
 [[nodiscard]] std::vector<DocumentCommand> sequenceCommands();

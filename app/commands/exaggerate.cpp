@@ -5,6 +5,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
+#include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
 #include "rig/motion/floor.h"
 #include "rig/motion/solve.h"
@@ -76,6 +77,25 @@ Status addTrail(const Session& session, const std::string& limbId, const Vec2& r
   return Success{};
 }
 
+/// New trails that were made at once are one group.
+Status groupNew(const Document& before, ExaggerateTargets& targets) {
+  std::vector<int> made;
+  for (const int id : targets.trailIds) {
+    if (findTrail(before, id) == nullptr) {
+      made.push_back(id);
+    }
+  }
+  if (made.size() < 2) {
+    return Success{};
+  }
+  Result<Document> grouped = groupTrails(targets.document, made);
+  if (!grouped) {
+    return grouped.error();
+  }
+  targets.document = std::move(grouped).value();
+  return Success{};
+}
+
 /// Exaggerates and connects one trail; one at scale 1 that never was gets the first scale.
 void exaggerate(rig::Trail& trail) {
   if (!trail.exaggerated && trail.settings.scale == 1.0) {
@@ -119,6 +139,9 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
       return added.error();
     }
   }
+  if (const Status grouped = groupNew(session.document(), targets); !grouped) {
+    return grouped.error();
+  }
   return targets;
 }
 
@@ -147,6 +170,9 @@ Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoic
   }
   for (const int id : targets.trailIds) {
     exaggerate(*findTrail(targets.document, id));
+  }
+  if (const Status grouped = groupNew(session.document(), targets); !grouped) {
+    return grouped.error();
   }
   return targets;
 }

@@ -24,7 +24,8 @@ enum class OverlapChoice {
 
 /// The selected trail with those of the other selected limbs that share time with it. Without one, for each
 /// selected limb: its trail in the range that was set (else at the playhead), or a new one over the working
-/// range. All are exaggerated and connected. An error when no limb is selected, or no frame is free.
+/// range. All are exaggerated and connected; new ones that
+/// are made at once become a group. An error when no limb is selected, or no frame is free.
 [[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session,
                                                           OverlapChoice choice = OverlapChoice::edit);
 

@@ -93,7 +93,9 @@ Vec3 grabDelta(const GrabModal& modal) {
 }
 
 std::string modalText(const GrabModal& modal, std::size_t sphereCount) {
-  const std::string what = sphereCount == 1 ? "sphere" : fmt::format("{} spheres", sphereCount);
+  const std::string what = sphereCount == 0   ? "tangent"
+                           : sphereCount == 1 ? "sphere"
+                                              : fmt::format("{} spheres", sphereCount);
   if (modal.axis && !modal.plane) {
     const auto axis = static_cast<std::size_t>(*modal.axis);
     return fmt::format("{} along {} {:.3f}", what, axisNames[axis], grabDelta(modal)[axis]);

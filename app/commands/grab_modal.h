@@ -31,7 +31,7 @@ struct GrabModal {
 /// How far the spheres are pulled, world units.
 [[nodiscard]] Vec3 grabDelta(const GrabModal& modal);
 
-/// "2 spheres along X 0.200".
+/// "2 spheres along X 0.200"; for no sphere it is a tangent that is pulled.
 [[nodiscard]] std::string modalText(const GrabModal& modal, std::size_t sphereCount);
 [[nodiscard]] std::vector<ModalHint> modalHints(const GrabModal& modal);
 

@@ -49,6 +49,17 @@ Status selectNone(Session& session) {
   return Success{};
 }
 
+/// The first limb that is selected already leads, and its trail stays.
+Status selectAllLimbs(Session& session) {
+  std::vector<std::string>& selected = session.view().selectedLimbs;
+  for (const rig::Limb& limb : allLimbs(session.document())) {
+    if (!isSelected(session, limb.id)) {
+      selected.push_back(limb.id);
+    }
+  }
+  return Success{};
+}
+
 Status detectAgain(Session& session) {
   Document changed = session.document();
   changed.biped = rig::detectBiped(*changed.scene);
@@ -71,6 +82,10 @@ std::vector<DocumentCommand> limbCommands() {
   commands.push_back(entry(command::selectNone, "Select nothing",
                            "Takes limbs, trail and spheres out of the selection.", {"0"}, always,
                            selectNone));
+  commands.push_back(entry(
+      command::selectAllLimbs, "Select every limb", "Selects all limbs, so that E exaggerates them as one.",
+      {"Ctrl+Shift+A"}, [](const Session& session) { return !allLimbs(session.document()).empty(); },
+      selectAllLimbs));
   commands.push_back(entry(command::detectAgain, "Find the limbs again",
                            "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
                            {}, always, detectAgain));

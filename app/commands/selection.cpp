@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/frames.h"
+#include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
 
 namespace stretch::app {
@@ -40,6 +41,18 @@ int nearestTrail(const Session& session, const std::string& limbId) {
   }
   const std::vector<const rig::Trail*> trails = trailsOfLimb(session, limbId);
   return trails.size() == 1 ? trails.front()->id : 0;
+}
+
+/// Of another limb: the one that was made with this trail, else one that shares time with it.
+const rig::Trail* trailBeside(const Session& session, const rig::Trail& selected, const std::string& limbId) {
+  for (const int id : groupMembers(session.document(), selected.id)) {
+    const rig::Trail* const member = findTrail(session.document(), id);
+    if (member->limb == limbId) {
+      return member;
+    }
+  }
+  return overlappingTrail(session.document(), limbId, selected.clip, selected.settings.startFrame,
+                          selected.settings.endFrame);
 }
 
 } // namespace
@@ -81,6 +94,34 @@ void selectTrail(Session& session, int trailId) {
   }
 }
 
+void selectTrailInList(Session& session, int trailId, bool add) {
+  const rig::Trail* const trail = findTrail(session.document(), trailId);
+  const rig::Trail* const leading = selectedTrail(session);
+  if (trail == nullptr) {
+    return;
+  }
+  std::vector<std::string>& limbs = session.view().selectedLimbs;
+  if (!add || leading == nullptr) {
+    limbs = {trail->limb};
+    selectTrail(session, trailId);
+  } else if (trail->id != leading->id && isSelected(session, trail->limb)) {
+    std::erase(limbs, trail->limb);
+  } else if (trail->id != leading->id) {
+    limbs.push_back(trail->limb);
+  }
+}
+
+void selectGroup(Session& session, int trailId) {
+  const std::vector<int> members = groupMembers(session.document(), trailId);
+  if (!members.empty()) {
+    session.view().selectedLimbs.clear();
+  }
+  for (const int id : members) {
+    session.view().selectedLimbs.push_back(findTrail(session.document(), id)->limb);
+  }
+  selectTrail(session, trailId);
+}
+
 std::vector<int> targetTrails(const Session& session) {
   const rig::Trail* selected = selectedTrail(session);
   std::vector<int> targets;
@@ -91,10 +132,7 @@ std::vector<int> targetTrails(const Session& session) {
     if (selected != nullptr && limbId == selected->limb) {
       continue;
     }
-    const rig::Trail* beside =
-        selected == nullptr ? nullptr
-                            : overlappingTrail(session.document(), limbId, selected->clip,
-                                               selected->settings.startFrame, selected->settings.endFrame);
+    const rig::Trail* beside = selected == nullptr ? nullptr : trailBeside(session, *selected, limbId);
     const int id = selected != nullptr ? (beside == nullptr ? 0 : beside->id) : nearestTrail(session, limbId);
     if (id != 0) {
       targets.push_back(id);

@@ -8,6 +8,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/grab_modal.h"
 #include "app/commands/selection.h"
+#include "app/commands/spheres.h"
 #include "app/commands/tables.h"
 #include "app/edits/sphere_edits.h"
 
@@ -23,14 +24,8 @@ Error noSphere() {
   return {"no control sphere is selected", "", "press Tab to select one, or click it"};
 }
 
-std::vector<double> controlFrames(Session& session) {
-  const rig::Trail* trail = selectedTrail(session);
-  const rig::SolvedTrail* solved = trail == nullptr ? nullptr : solvedTrail(session, trail->id);
-  return solved == nullptr ? std::vector<double>{} : solved->controlFrames;
-}
-
 Status stepSphere(Session& session, bool forward) {
-  const std::vector<double> frames = controlFrames(session);
+  const std::vector<double> frames = sphereFrames(session);
   if (frames.empty()) {
     return Error{"no trail with control spheres is selected", "", "select a limb and press T or E"};
   }
@@ -58,8 +53,38 @@ Status stepSphere(Session& session, bool forward) {
 }
 
 Status selectAll(Session& session) {
-  session.view().selectedSpheres = controlFrames(session);
+  session.view().selectedSpheres = sphereFrames(session);
   return session.view().selectedSpheres.empty() ? Status(noSphere()) : Status(Success{});
+}
+
+Status putBack(Session& session) {
+  return finish(
+      session, clearSpheres(session.document(), session.view().selectedTrail, session.view().selectedSpheres),
+      "Put the spheres back");
+}
+
+bool hasTangents(const Session& session) {
+  const rig::Trail* const trail = selectedTrail(session);
+  if (trail == nullptr) {
+    return false;
+  }
+  const std::vector<double>& selected = session.view().selectedSpheres;
+  return std::any_of(trail->settings.spheres.begin(), trail->settings.spheres.end(), [&](const auto& sphere) {
+    return sphere.tangent && std::any_of(selected.begin(), selected.end(),
+                                         [&](double frame) { return sameFrame(frame, sphere.frame); });
+  });
+}
+
+Status resetTangents(Session& session) {
+  Document document = session.document();
+  for (const double frame : session.view().selectedSpheres) {
+    Result<Document> changed = setSphereTangent(document, session.view().selectedTrail, frame, std::nullopt);
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(changed).value();
+  }
+  return finish(session, std::move(document), "Reset the tangents");
 }
 
 Status pull(Session& session, const std::vector<SphereMove>& moves, const char* label) {
@@ -157,6 +182,20 @@ std::vector<DocumentCommand> sphereCommands() {
             [](Session& session) { return stepSphere(session, false); }),
       entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
             hasSelectedTrail, selectAll),
+      entry(
+          command::sphereAdd, "Add a sphere",
+          "Adds a control sphere to the selected trail at the playhead; a double click on the trail adds one "
+          "there.",
+          {"Insert"}, hasSelectedTrail,
+          [](Session& session) { return addSphere(session, session.view().frame); }),
+      entry(command::sphereReset, "Put the spheres back",
+            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"}, hasSpheres,
+            putBack),
+      entry(command::sphereSmooth, "Reset the tangents",
+            "Lets the path run through the selected spheres as their neighbours say, without a tangent of "
+            "their "
+            "own.",
+            {}, hasTangents, resetTangents),
       entry(command::sphereAlongBack, "Slide back along the path",
             "Moves the selected spheres back along the path: closer spacing "
             "before, wider after.",

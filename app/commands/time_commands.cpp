@@ -77,9 +77,17 @@ Status setRange(Session& session, bool start) {
     setRangeByHand(session, rangeFrom(session, start));
     return Success{};
   }
-  rig::TrailSettings settings = trail->settings;
-  (start ? settings.startFrame : settings.endFrame) = session.view().frame;
-  return finish(session, setTrailSettings(session.document(), trail->id, settings), "Change the range");
+  Document document = session.document();
+  for (const int id : targetTrails(session)) {
+    rig::TrailSettings settings = findTrail(document, id)->settings;
+    (start ? settings.startFrame : settings.endFrame) = session.view().frame;
+    Result<Document> changed = setTrailSettings(document, id, settings);
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(changed).value();
+  }
+  return finish(session, std::move(document), "Change the range");
 }
 
 Status toggleLoop(Session& session) {

@@ -5,6 +5,7 @@
 #include "app/commands/exaggerate.h"
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "app/commands/spheres.h"
 #include "app/commands/tables.h"
 #include "app/edits/mirror_edits.h"
 #include "app/edits/sphere_edits.h"
@@ -152,11 +153,10 @@ Status deleteTargets(Session& session) {
 
 Status deleteSelection(Session& session) {
   const rig::Trail* trail = selectedTrail(session);
-  const std::vector<double>& spheres = session.view().selectedSpheres;
-  if (trail == nullptr || spheres.empty()) {
+  if (trail == nullptr || session.view().selectedSpheres.empty()) {
     return deleteTargets(session);
   }
-  return finish(session, clearSpheres(session.document(), trail->id, spheres), "Put the spheres back");
+  return removeSelectedSpheres(session);
 }
 
 Status deleteAllOfLimbs(Session& session) {
@@ -250,9 +250,11 @@ std::vector<DocumentCommand> trailCommands() {
           [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
       entry(command::trailNextColour, "Next colour", "Gives the trail the next colour of the palette.", {},
             hasTarget, nextColour),
-      entry(command::editDelete, "Delete",
-            "Puts the selected spheres back; with none selected deletes the trail.", {"Delete"}, canDelete,
-            deleteSelection),
+      entry(
+          command::editDelete, "Delete",
+          "Takes the selected spheres away (the first and the last are put back); with none selected deletes "
+          "the trail.",
+          {"Delete"}, canDelete, deleteSelection),
       entry(command::trailDelete, "Delete trail",
             "Deletes the trail and gives its range back as the file had it.", {}, hasTarget, deleteTargets),
       entry(command::trailDeleteAll, "Delete all trails of the limb",

@@ -102,9 +102,10 @@ rig::TrailSettings mirroredSettings(const rig::TrailSettings& settings, const Ve
   // again.
   mirrored.viewAxes = Mat3(-reflected(settings.viewAxes[0], normal), reflected(settings.viewAxes[1], normal),
                            reflected(settings.viewAxes[2], normal));
+  const auto mirror = [&](const Vec3& v) { return inView ? Vec3(-v.x, v.y, v.z) : reflected(v, normal); };
   for (rig::SphereOffset& sphere : mirrored.spheres) {
-    sphere.offset =
-        inView ? Vec3(-sphere.offset.x, sphere.offset.y, sphere.offset.z) : reflected(sphere.offset, normal);
+    sphere.offset = mirror(sphere.offset);
+    sphere.tangent = sphere.tangent ? std::optional(mirror(*sphere.tangent)) : std::nullopt;
   }
   if (mirrored.stopAt) {
     mirrored.stopAt->point = planePoint + reflected(mirrored.stopAt->point - planePoint, normal);

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/group_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
@@ -25,7 +26,8 @@ bool hasFiniteShapes(const rig::TrailSettings& settings) {
   const auto isFinite = [](const Vec3& v) { return std::isfinite(v.x + v.y + v.z); };
   const bool spheres =
       std::all_of(settings.spheres.begin(), settings.spheres.end(), [&](const rig::SphereOffset& sphere) {
-        return std::isfinite(sphere.frame) && isFinite(sphere.offset);
+        return std::isfinite(sphere.frame) && isFinite(sphere.offset) &&
+               (!sphere.tangent || isFinite(*sphere.tangent));
       });
   return spheres && std::isfinite(settings.startFrame) && std::isfinite(settings.endFrame) &&
          (!settings.stopAt || (isFinite(settings.stopAt->point) && isFinite(settings.stopAt->normal)));
@@ -133,7 +135,9 @@ Result<PlacedTrails> placeTrails(const Document& document, std::span<const rig::
 
 Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
   std::vector<rig::Trail> trails = recipe.trails;
+  const int othersGroups = freeGroup(document) - 1;
   for (rig::Trail& trail : trails) {
+    trail.group += trail.group > 0 ? othersGroups : 0;
     trail.exaggerated = true;
     trail.connected = true;
   }

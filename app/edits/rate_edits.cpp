@@ -36,6 +36,9 @@ rig::Trail recounted(rig::Trail trail, double factor) {
   }
   for (rig::SphereOffset& sphere : settings.spheres) {
     sphere.frame = recounted(sphere.frame, factor);
+    if (sphere.tangent) {
+      *sphere.tangent /= factor; // A slope for each frame.
+    }
   }
   for (double& frame : trail.controlFrames) {
     frame = recounted(frame, factor);

@@ -21,7 +21,12 @@ Spheres::iterator findSphere(Spheres& spheres, double frame) {
 }
 
 void dropUnmoved(Spheres& spheres) {
-  std::erase_if(spheres, [](const rig::SphereOffset& sphere) { return sphere.offset == Vec3(0.0); });
+  std::erase_if(
+      spheres, [](const rig::SphereOffset& sphere) { return sphere.offset == Vec3(0.0) && !sphere.tangent; });
+}
+
+bool namesOneOf(std::span<const double> frames, double frame) {
+  return std::any_of(frames.begin(), frames.end(), [&](double other) { return sameFrame(other, frame); });
 }
 
 /// Adds to the sphere's offset, keeping the list ordered by frame.
@@ -33,7 +38,7 @@ void addOffset(Spheres& spheres, double frame, const Vec3& delta) {
   }
   const auto after = std::find_if(spheres.begin(), spheres.end(),
                                   [&](const rig::SphereOffset& sphere) { return sphere.frame > frame; });
-  spheres.insert(after, {frame, delta});
+  spheres.insert(after, {frame, delta, std::nullopt});
 }
 
 Result<Document> changeSpheres(const Document& document, int trailId, Spheres spheres) {
@@ -58,9 +63,7 @@ double nearestSelected(const PlacedSphere& sphere, std::span<const PlacedSphere>
                        std::span<const double> selectedFrames) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const PlacedSphere& other : spheres) {
-    const bool selected = std::any_of(selectedFrames.begin(), selectedFrames.end(),
-                                      [&](double frame) { return sameFrame(frame, other.frame); });
-    if (selected) {
+    if (namesOneOf(selectedFrames, other.frame)) {
       nearest = std::min(nearest, glm::distance(sphere.positionWorld, other.positionWorld));
     }
   }
@@ -102,10 +105,8 @@ Result<Document> clearSpheres(const Document& document, int trailId, std::span<c
     return missingTrail(trailId);
   }
   rig::TrailSettings settings = trail->settings;
-  std::erase_if(settings.spheres, [&](const rig::SphereOffset& sphere) {
-    return std::any_of(frames.begin(), frames.end(),
-                       [&](double frame) { return sameFrame(frame, sphere.frame); });
-  });
+  std::erase_if(settings.spheres,
+                [&](const rig::SphereOffset& sphere) { return namesOneOf(frames, sphere.frame); });
   return setTrailSettings(document, trailId, settings);
 }
 
@@ -118,7 +119,33 @@ Result<Document> setSphereOffset(const Document& document, int trailId, const ri
   std::erase_if(spheres,
                 [&](const rig::SphereOffset& sphere) { return sameFrame(sphere.frame, offset.frame); });
   addOffset(spheres, offset.frame, offset.offset);
+  findSphere(spheres, offset.frame)->tangent = offset.tangent;
   return changeSpheres(document, trailId, std::move(spheres));
+}
+
+Result<Document> setSphereTangent(const Document& document, int trailId, double frame,
+                                  const std::optional<Vec3>& tangent) {
+  const rig::Trail* trail = findTrail(document, trailId);
+  if (trail == nullptr) {
+    return missingTrail(trailId);
+  }
+  Spheres spheres = trail->settings.spheres;
+  addOffset(spheres, frame, Vec3(0.0));
+  findSphere(spheres, frame)->tangent = tangent;
+  return changeSpheres(document, trailId, std::move(spheres));
+}
+
+Result<Document> removeSpheres(const Document& document, int trailId, std::span<const double> present,
+                               std::span<const double> frames) {
+  std::vector<double> left;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (i == 0 || i + 1 == present.size() || !namesOneOf(frames, present[i])) {
+      left.push_back(present[i]);
+    }
+  }
+  Result<Document> cleared = clearSpheres(document, trailId, frames);
+  return cleared && left.size() < present.size() ? setControlFrames(*cleared, trailId, std::move(left))
+                                                 : cleared;
 }
 
 Result<Document> setControlFrames(const Document& document, int trailId, std::vector<double> frames) {
@@ -133,6 +160,7 @@ Result<Document> setControlFrames(const Document& document, int trailId, std::ve
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end(), sameFrame), frames.end());
   trail->controlFrames = std::move(frames);
+  trail->applied = trail->applied && trail->settings.spheres.empty(); // What was pulled bends anew.
   return changed;
 }
 
@@ -147,8 +175,7 @@ std::vector<SphereMove> softMoves(const rig::TrailSettings& settings, std::span<
   const Vec3 delta = toTrailAxes(settings, deltaWorld);
   std::vector<SphereMove> moves;
   for (const PlacedSphere& sphere : spheres) {
-    const bool selected = std::any_of(selectedFrames.begin(), selectedFrames.end(),
-                                      [&](double frame) { return sameFrame(frame, sphere.frame); });
+    const bool selected = namesOneOf(selectedFrames, sphere.frame);
     const double share =
         selected ? 1.0 : falloff(nearestSelected(sphere, spheres, selectedFrames), radiusWorld);
     if (share > 0.0) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,13 +21,23 @@ struct SphereMove {
 [[nodiscard]] Result<Document> moveSpheres(const Document& document, int trailId,
                                            std::span<const SphereMove> moves);
 
-/// Takes the offsets at these frames back.
+/// Takes the offsets and tangents at these frames back.
 [[nodiscard]] Result<Document> clearSpheres(const Document& document, int trailId,
                                             std::span<const double> frames);
 
 /// Sets one sphere's offset outright.
 [[nodiscard]] Result<Document> setSphereOffset(const Document& document, int trailId,
                                                const rig::SphereOffset& offset);
+
+/// Gives a sphere the slope of its offset, world units for each frame along the axes of the trail's space;
+/// nothing: from its neighbours again. As with a move the character follows.
+[[nodiscard]] Result<Document> setSphereTangent(const Document& document, int trailId, double frame,
+                                                const std::optional<Vec3>& tangent);
+
+/// Takes spheres away, offsets and all. `present` are the trail's spheres as they are shown; the first and
+/// the last of them stay and are put back instead.
+[[nodiscard]] Result<Document> removeSpheres(const Document& document, int trailId,
+                                             std::span<const double> present, std::span<const double> frames);
 
 /// The control spheres that the user chose by hand; empty: chosen from the keys again. Sorted, doubles
 /// dropped.

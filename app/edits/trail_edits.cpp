@@ -1,6 +1,7 @@
 #include "app/edits/trail_edits.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/edits/place_trails.h"
 
@@ -17,6 +18,16 @@ Result<Document> changeTrail(const Document& document, int trailId, Change&& cha
   }
   change(*trail);
   return changed;
+}
+
+/// Spheres that were set by hand go along when the whole range moves.
+void moveSetSpheres(rig::Trail& trail, const rig::TrailSettings& settings) {
+  const double shift = settings.startFrame - trail.settings.startFrame;
+  if (std::abs(settings.endFrame - trail.settings.endFrame - shift) < 1e-9) {
+    for (double& frame : trail.controlFrames) {
+      frame += shift;
+    }
+  }
 }
 
 /// `settings` moved onto another trail's range.
@@ -66,6 +77,7 @@ Result<Document> setTrailSettings(const Document& document, int trailId, const r
   }
   return changeTrail(document, trailId, [&](rig::Trail& changed) {
     changed.applied = changed.applied && changed.settings == settings;
+    moveSetSpheres(changed, settings);
     changed.settings = settings;
   });
 }

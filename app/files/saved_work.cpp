@@ -22,9 +22,9 @@ constexpr double metres = 1.0;
 constexpr double fastestRate = 1e6; ///< Frames per second.
 
 const std::vector<std::string>& keysBesideSettings() {
-  static const std::vector<std::string> keys{"id",        "limb",           "clip",   "exaggerated",
-                                             "connected", "applied",        "colour", "visible",
-                                             "pinned",    "control_frames", "follow", "name"};
+  static const std::vector<std::string> keys{"id",      "limb",   "clip",    "exaggerated", "connected",
+                                             "applied", "colour", "visible", "pinned",      "control_frames",
+                                             "follow",  "group",  "name"};
   return keys;
 }
 
@@ -43,6 +43,9 @@ Json savedTrail(const rig::Trail& trail) {
   json["follow"] = trail.follow;
   if (!trail.name.empty()) {
     json["name"] = trail.name;
+  }
+  if (trail.group > 0) {
+    json["group"] = trail.group;
   }
   return json;
 }
@@ -122,6 +125,7 @@ Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
   trail.follow = json.at("follow").get<bool>();
   trail.name = json.value("name", std::string());
+  trail.group = std::clamp(json.value("group", 0), 0, 1000000);
   if (const Status read = readApplied(json.at("applied"), trail); !read) {
     return read.error();
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/group_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/named.h"
 #include "app/schema/trail_schema.h"
@@ -20,6 +21,7 @@ namespace {
 using gltf::Json;
 
 constexpr int recipeVersion = 1;
+constexpr int mostGroups = 1000000;
 
 // The error with the entry of the recipe that it is in.
 Error inEntry(const std::string& entry, const Error& error) {
@@ -88,6 +90,15 @@ Status readColour(const Json& json, rig::Trail& trail) {
   return Success{};
 }
 
+Status readGroup(const Json& json, rig::Trail& trail) {
+  if (!json.is_number_integer() || json.get<int>() < 0 || json.get<int>() > mostGroups) {
+    return Error{json.dump() + " is not a group", "group",
+                 "give the same number, above 0, to trails of one group"};
+  }
+  trail.group = json.get<int>();
+  return Success{};
+}
+
 Status readTrailRange(const Json& json, const rig::Limb& limb, const Document& document, rig::Trail& trail) {
   if (json.contains("range_of_clip")) {
     return readFractions(json["range_of_clip"], clipOf(document, trail.clip), trail.settings);
@@ -109,9 +120,12 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   trail.limb = limb->id;
   trail.clip = clip;
   const double lengthUnit = inMetres ? 1.0 : limb->restLength;
-  Status read = trailFromJson(json, lengthUnit, {"limb", "range_of_clip", "colour"}, trail.settings);
+  Status read = trailFromJson(json, lengthUnit, {"limb", "range_of_clip", "colour", "group"}, trail.settings);
   if (read && json.contains("colour")) {
     read = readColour(json["colour"], trail);
+  }
+  if (read && json.contains("group")) {
+    read = readGroup(json["group"], trail);
   }
   if (read) {
     read = readTrailRange(json, *limb, document, trail);
@@ -216,6 +230,9 @@ Json recipeToJson(const Document& document, int clip) {
       Json entry = trailToJson(trail.settings, limb->restLength);
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
+      if (!groupMembers(document, trail.id).empty()) {
+        entry["group"] = trail.group;
+      }
       json["trails"].push_back(std::move(entry));
     }
   }

@@ -13,7 +13,11 @@ using rig::TrailSettings;
 Json spheresToJson(const std::vector<rig::SphereOffset>& spheres, double lengthUnit) {
   Json list = Json::array();
   for (const rig::SphereOffset& sphere : spheres) {
-    list.push_back({{"frame", sphere.frame}, {"offset", vectorToJson(sphere.offset / lengthUnit)}});
+    Json entry{{"frame", sphere.frame}, {"offset", vectorToJson(sphere.offset / lengthUnit)}};
+    if (sphere.tangent) {
+      entry["tangent"] = vectorToJson(*sphere.tangent / lengthUnit);
+    }
+    list.push_back(std::move(entry));
   }
   return list;
 }
@@ -29,22 +33,38 @@ Status readRange(const Json& json, TrailSettings& settings) {
   return Success{};
 }
 
+Result<rig::SphereOffset> readSphere(const Json& entry, double lengthUnit) {
+  if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() ||
+      !entry.contains("offset")) {
+    return Error{entry.dump() + " is not a sphere", "spheres",
+                 R"(give {"frame": number, "offset": [x, y, z]})"};
+  }
+  const Result<Vec3> offset = vectorFromJson(entry["offset"], "spheres");
+  if (!offset) {
+    return offset.error();
+  }
+  rig::SphereOffset sphere{entry["frame"].get<double>(), *offset * lengthUnit, {}};
+  if (entry.contains("tangent")) {
+    const Result<Vec3> tangent = vectorFromJson(entry["tangent"], "spheres.tangent");
+    if (!tangent) {
+      return tangent.error();
+    }
+    sphere.tangent = *tangent * lengthUnit;
+  }
+  return sphere;
+}
+
 Status readSpheres(const Json& json, double lengthUnit, TrailSettings& settings) {
   if (!json.is_array()) {
     return Error{"is not a list", "spheres", R"(give a list of {"frame", "offset"})"};
   }
   std::vector<rig::SphereOffset> spheres;
   for (const Json& entry : json) {
-    if (!entry.is_object() || !entry.contains("frame") || !entry["frame"].is_number() ||
-        !entry.contains("offset")) {
-      return Error{entry.dump() + " is not a sphere", "spheres",
-                   R"(give {"frame": number, "offset": [x, y, z]})"};
+    const Result<rig::SphereOffset> sphere = readSphere(entry, lengthUnit);
+    if (!sphere) {
+      return sphere.error();
     }
-    const Result<Vec3> offset = vectorFromJson(entry["offset"], "spheres");
-    if (!offset) {
-      return offset.error();
-    }
-    spheres.push_back({entry["frame"].get<double>(), *offset * lengthUnit});
+    spheres.push_back(*sphere);
   }
   std::sort(spheres.begin(), spheres.end(), [](const auto& a, const auto& b) { return a.frame < b.frame; });
   settings.spheres = std::move(spheres);

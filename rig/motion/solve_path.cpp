@@ -12,6 +12,8 @@ namespace stretch::rig {
 
 namespace {
 
+constexpr double sameSphere = 1e-3; // frames
+
 Mat3 axesOf(const TrailSettings& settings) {
   return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
 }
@@ -24,9 +26,22 @@ double lengthOfLine(const std::vector<Vec3>& polyline) {
   return length;
 }
 
+/// The spheres that the user set, and the two ends of the range, which always have one.
+void setByHand(SolvedTrail& solved) {
+  const double start = solved.settings.startFrame;
+  const double end = solved.settings.endFrame;
+  std::vector<double>& frames = solved.controlFrames;
+  frames = {start, end};
+  for (const double frame : solved.trail.controlFrames) {
+    if (frame > start + sameSphere && frame < end - sameSphere) {
+      frames.push_back(frame);
+    }
+  }
+  std::sort(frames.begin(), frames.end());
+}
+
 /// A sphere that was pulled is there, whatever would be chosen now.
 void keepPulledSpheres(SolvedTrail& solved) {
-  constexpr double sameSphere = 1e-3; // frames
   std::vector<double>& frames = solved.controlFrames;
   for (const SphereOffset& sphere : solved.settings.spheres) {
     const bool inRange =
@@ -80,17 +95,14 @@ void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::
                       const SolvedTrail* samePathBefore) {
   constexpr double controlTolerance = 0.01; // of the limb's rest length
   if (!solved.trail.controlFrames.empty()) {
-    solved.controlFrames = solved.trail.controlFrames;
-    std::sort(solved.controlFrames.begin(), solved.controlFrames.end());
+    setByHand(solved);
   } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
     solved.controlFrames = samePathBefore->controlFrames;
   } else {
     solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
                                                controlTolerance * solved.limb.restLength);
   }
-  if (solved.trail.controlFrames.empty()) {
-    keepPulledSpheres(solved);
-  }
+  keepPulledSpheres(solved);
 }
 
 Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {

@@ -7,10 +7,10 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr double sameFrame = 1e-6;
+constexpr double sameFrame = 1e-3; // As everywhere that a sphere is told by its frame.
 
 // Slope of the parabola through three neighbours; one-sided at the ends.
-Vec3 slopeAt(const std::vector<double>& x, const std::vector<Vec3>& y, std::size_t i) {
+Vec3 neighbourSlope(const std::vector<double>& x, const std::vector<Vec3>& y, std::size_t i) {
   const std::size_t last = x.size() - 1;
   if (i == 0) {
     return (y[1] - y[0]) / (x[1] - x[0]);
@@ -54,7 +54,13 @@ SphereOffsets::SphereOffsets(const std::vector<double>& controlFrames,
   }
   slopes_.assign(frames_.size(), Vec3(0.0));
   for (std::size_t i = 0; i < frames_.size() && frames_.size() > 1; ++i) {
-    slopes_[i] = slopeAt(frames_, values_, i);
+    slopes_[i] = neighbourSlope(frames_, values_, i);
+  }
+  for (const SphereOffset& sphere : pulled) {
+    if (sphere.tangent) {
+      const auto place = std::lower_bound(frames_.begin(), frames_.end(), sphere.frame - sameFrame);
+      slopes_[static_cast<std::size_t>(place - frames_.begin())] = *sphere.tangent;
+    }
   }
 }
 
@@ -76,6 +82,21 @@ Vec3 SphereOffsets::at(double frame) const {
   const double t3 = t2 * t;
   return values_[i] * (2 * t3 - 3 * t2 + 1) + slopes_[i] * (h * (t3 - 2 * t2 + t)) +
          values_[i + 1] * (3 * t2 - 2 * t3) + slopes_[i + 1] * (h * (t3 - t2));
+}
+
+Vec3 SphereOffsets::slopeAt(double frame) const {
+  if (frames_.empty() || frame < frames_.front() - sameFrame || frame > frames_.back() + sameFrame) {
+    return Vec3(0.0);
+  }
+  const auto next = std::upper_bound(frames_.begin(), frames_.end(), frame + sameFrame);
+  const auto i = static_cast<std::size_t>(next - frames_.begin()) - 1;
+  if (next == frames_.end()) {
+    return slopes_.back();
+  }
+  const double h = frames_[i + 1] - frames_[i];
+  const double t = std::max(0.0, (frame - frames_[i]) / h);
+  return (values_[i + 1] - values_[i]) * (6.0 * t * (1.0 - t) / h) +
+         slopes_[i] * ((1.0 - t) * (1.0 - 3.0 * t)) + slopes_[i + 1] * (t * (3.0 * t - 2.0));
 }
 
 } // namespace stretch::rig

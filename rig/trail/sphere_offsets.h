@@ -7,8 +7,8 @@
 namespace stretch::rig {
 
 /// The offset o(t) that pulled control spheres add to a path (docs/exaggeration.md, Control spheres): cubic
-/// Hermite in time through one offset a control sphere, with three-point tangents: C1, equal steps give a
-/// straight ramp, nothing moves beyond the second neighbours.
+/// Hermite in time through one offset for each control sphere, with three-point tangents where a sphere has
+/// none of its own: C1, equal steps give a straight ramp, nothing moves beyond the second neighbours.
 class SphereOffsets {
 public:
   SphereOffsets() = default;
@@ -18,6 +18,8 @@ public:
 
   /// Held before the first and after the last sphere.
   [[nodiscard]] Vec3 at(double frame) const;
+  /// The slope at a sphere's frame, for each frame of time; between spheres that of the curve. 0 outside.
+  [[nodiscard]] Vec3 slopeAt(double frame) const;
   [[nodiscard]] bool empty() const { return frames_.empty(); }
 
 private:

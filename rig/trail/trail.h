@@ -27,10 +27,13 @@ struct Ease {
   friend bool operator==(const Ease&, const Ease&) = default;
 };
 
-/// A control sphere that was pulled: the path's offset at that frame (docs/exaggeration.md, Control spheres).
+/// A control sphere that was pulled or turned: the path's offset at that frame (docs/exaggeration.md, Control
+/// spheres).
 struct SphereOffset {
   double frame = 0.0;
-  Vec3 offset{0.0}; ///< World units, along the axes of the trail's space.
+  Vec3 offset{0.0};                 ///< World units, along the axes of the trail's space.
+  std::optional<Vec3> tangent = {}; ///< Slope of the offset there, the same units for each frame; empty: from
+                                    ///< the neighbours.
 
   friend bool operator==(const SphereOffset&, const SphereOffset&) = default;
 };
@@ -94,6 +97,7 @@ struct Trail {
   std::vector<double> controlFrames;
   bool follow = true; ///< The character follows while a sphere is dragged.
   std::string name;   ///< The user's own; empty: the limb's.
+  int group = 0;      ///< Trails of one number (above 0) were made as one; 0: stands alone.
 
   friend bool operator==(const Trail&, const Trail&) = default;
 };

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/edits/group_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
@@ -65,7 +66,7 @@ Document randomEdit(const Document& document, Dice& dice) {
   const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.trails.size())));
   const rig::Trail& trail = document.trails[index];
   rig::TrailSettings settings = trail.settings;
-  switch (dice.below(10)) {
+  switch (dice.below(12)) {
   case 0:
     settings.scale = 0.1 * dice.below(40);
     settings.axes[1] = dice.below(2) == 0;
@@ -92,6 +93,11 @@ Document randomEdit(const Document& document, Dice& dice) {
     settings.space = dice.below(2) == 0 ? rig::TrailSpace::world : rig::TrailSpace::base;
     settings.releaseFrames = dice.below(5);
     return orUnchanged(document, setTrailSettings(document, trail.id, settings));
+  case 9:
+    return orUnchanged(document, setSphereTangent(document, trail.id, settings.endFrame,
+                                                  Vec3(0.0, 0.01 * dice.below(9), 0.0)));
+  case 10:
+    return takeApart(document, std::vector<int>{trail.id});
   default:
     return orUnchanged(document, deleteTrail(document, trail.id));
   }

@@ -37,6 +37,10 @@ while [ -n "$script" ] && [ $status -eq 0 ]; do
   next=$(setting then "$script")
   script=${next:+$(dirname "$script")/$next}
 done
+if [ $status -ne 0 ] && [ -e "$work/monkey.script" ]; then
+  echo "What the monkey did, as a script that does it again:" >&2
+  cat "$work/monkey.script" >&2
+fi
 if [ -n "${STRETCH_UI_PICTURES:-}" ]; then
   mkdir -p "$STRETCH_UI_PICTURES" && cp "$work"/*.png "$STRETCH_UI_PICTURES/" 2>/dev/null
 fi

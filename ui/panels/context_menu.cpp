@@ -19,12 +19,27 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
                                    copyTrail,       pasteTrail,         mirrorTrail,  "",
                                    trailDeleteAll,  viewFrameSelection, selectNone};
-  static constexpr CommandIds trail{
-      trailExaggerate, trailConnect, trailApply, trailFollow, trailBlend,         "", trailRename,
-      trailNextColour, "",           copyTrail,  mirrorTrail, viewFrameSelection, "", trailDelete};
-  static constexpr CommandIds sphere{sphereGrab,     sphereAlongBack, sphereAlongForward, "",
-                                     spherePrevious, sphereNext,      sphereAll,          "",
-                                     editDelete};
+  static constexpr CommandIds trail{trailExaggerate,
+                                    trailConnect,
+                                    trailApply,
+                                    trailFollow,
+                                    trailBlend,
+                                    "",
+                                    trailRename,
+                                    trailNextColour,
+                                    "",
+                                    trailSelectGroup,
+                                    trailGroup,
+                                    trailTakeApart,
+                                    "",
+                                    copyTrail,
+                                    mirrorTrail,
+                                    viewFrameSelection,
+                                    "",
+                                    trailDelete};
+  static constexpr CommandIds sphere{
+      sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
+      "",         sphereSmooth,    sphereReset,        "", editDelete};
   static constexpr CommandIds key{rangeStart,  rangeEnd, rangeDefault,    "",         timePreviousKey,
                                   timeNextKey, "",       trailExaggerate, trailToggle};
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,

@@ -85,7 +85,7 @@ void chainChips(PanelContext& context) {
     chip.width = ImGui::GetContentRegionAvail().x;
     chip.help = {chain.id, "A chain of your own. Click selects it, Shift+click adds it.", {}};
     if (button(widgets, chip)) {
-      app::selectLimb(session, chain.id, ImGui::GetIO().KeyShift);
+      app::selectLimb(session, chain.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     }
     if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
       selectForMenu(context, chain.id);
@@ -133,7 +133,7 @@ void drawLimbPanel(PanelContext& context) {
   if (const std::optional<BodyPart> clicked = limbDiagram(widgets, "limb", parts, height)) {
     const auto part = static_cast<std::size_t>(*clicked);
     if (parts[part].found) {
-      app::selectLimb(session, limbIds[part], ImGui::GetIO().KeyShift);
+      app::selectLimb(session, limbIds[part], ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     } else {
       context.ui.jointPick = {};
       context.ui.jointPick.open = true;

@@ -149,7 +149,7 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
                         " %. Click selects the limb.",
                     {}});
   if (row.clicked) {
-    app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift);
+    app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
   }
   if (row.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
     if (!selected) {

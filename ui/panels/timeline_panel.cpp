@@ -4,6 +4,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
+#include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
@@ -41,29 +42,52 @@ void moveRange(rig::TrailSettings& settings, const Span& span) {
   settings.endFrame = span.end;
 }
 
+/// What the bar that is dragged says of a trail.
+Result<app::Document> withBar(const app::Document& document, int id, const TimelineOutcome& outcome) {
+  const rig::Trail* const trail = app::findTrail(document, id);
+  if (trail == nullptr) {
+    return app::missingTrail(id);
+  }
+  rig::TrailSettings settings = trail->settings;
+  if (outcome.barChanged) {
+    moveRange(settings, outcome.barSpan);
+  } else {
+    const double frames = settings.pivot == rig::Pivot::start ? outcome.releaseEdge - settings.endFrame
+                                                              : settings.startFrame - outcome.releaseEdge;
+    settings.releaseFrames = std::max(0.0, frames);
+  }
+  return app::setTrailSettings(document, id, settings);
+}
+
+/// The trail of the bar that is dragged; with it those of its group that are selected too and have its range.
+std::vector<int> editedWith(const app::Session& session, int id) {
+  std::vector<int> edited{id};
+  const rig::Trail* const dragged = app::findTrail(session.atBegin(), id);
+  for (const int member : app::groupMembers(session.atBegin(), id)) {
+    const rig::Trail& other = *app::findTrail(session.atBegin(), member);
+    if (member != id && app::isSelected(session, other.limb) && app::isSelected(session, dragged->limb) &&
+        other.settings.startFrame == dragged->settings.startFrame &&
+        other.settings.endFrame == dragged->settings.endFrame) {
+      edited.push_back(member);
+    }
+  }
+  return edited;
+}
+
 void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.clickedBar != 0) {
     app::selectTrail(session, outcome.clickedBar);
   }
   const EditPhase phase{outcome.barChanged || outcome.releaseChanged, outcome.gestureEnded};
-  const int id = outcome.editedBar;
+  const std::vector<int> edited = editedWith(session, outcome.editedBar);
   editThrough(context, phase, outcome.releaseChanged ? "Change the release" : "Change the range",
               [&](const app::Document& start) -> Result<app::Document> {
-                const rig::Trail* trail = app::findTrail(start, id);
-                if (trail == nullptr) {
-                  return app::missingTrail(id);
+                Result<app::Document> changed = start;
+                for (const int id : edited) {
+                  changed = changed ? withBar(*changed, id, outcome) : changed;
                 }
-                rig::TrailSettings settings = trail->settings;
-                if (outcome.barChanged) {
-                  moveRange(settings, outcome.barSpan);
-                } else {
-                  const double frames = settings.pivot == rig::Pivot::start
-                                            ? outcome.releaseEdge - settings.endFrame
-                                            : settings.startFrame - outcome.releaseEdge;
-                  settings.releaseFrames = std::max(0.0, frames);
-                }
-                return app::setTrailSettings(start, id, settings);
+                return changed;
               });
 }
 

@@ -57,6 +57,19 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
   ImGui::PopStyleVar();
 }
 
+void tangentRow(PanelContext& context) {
+  labelledRow(
+      widgetsOf(context), "Tangent",
+      {"Tangent",
+       "The squares beside the sphere in the viewport: drag one and the path bends through the sphere. "
+       "Off here means that it runs as its neighbours say.",
+       {}});
+  commandButton(context, {.command = command::sphereSmooth,
+                          .icon = icon::undo,
+                          .text = "Reset",
+                          .width = ImGui::GetContentRegionAvail().x});
+}
+
 } // namespace
 
 void releaseRows(PanelContext& context, const rig::Trail& trail) {
@@ -80,12 +93,17 @@ void sphereRows(PanelContext& context, const rig::Trail& trail) {
   ImGui::SameLine();
   commandButton(context,
                 {.command = command::sphereNext, .icon = icon::stepForward, .text = "Next", .width = width});
+  commandButton(context, {.command = command::sphereAdd, .icon = icon::plus, .text = "Add", .width = width});
+  ImGui::SameLine();
+  commandButton(context,
+                {.command = command::sphereReset, .icon = icon::undo, .text = "Put back", .width = width});
   const std::vector<double>& selected = session.view().selectedSpheres;
   const std::string state = selected.empty() ? std::to_string(trail.settings.spheres.size()) + " pulled"
                                              : std::to_string(selected.size()) + " selected";
   valueRow(widgets, "", std::to_string(count) + " spheres, " + state);
   if (selected.size() == 1) {
     sphereOffsetRow(context, trail, selected.front());
+    tangentRow(context);
   }
   labelledRow(
       widgets, "Follow",

@@ -2,11 +2,13 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/trail_colours.h"
+#include "ui/panels/trail_group_row.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
@@ -117,12 +119,16 @@ void trailText(PanelContext& context, const rig::Trail& trail, float width, floa
            {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
            theme.colours.quietText, detailText(trail));
   const std::string limb = trail.name.empty() ? "" : limbHeading(session.document(), trail.limb) + ", ";
-  tooltip(widgets, {.title = trailHeading(session.document(), trail),
-                    .text = limb + detailText(trail) +
-                            ". Click selects this trail, a double click renames it, a right click opens "
-                            "its menu."});
+  tooltip(
+      widgets,
+      {.title = trailHeading(session.document(), trail),
+       .text =
+           limb + detailText(trail) +
+           ". Click selects this trail, Ctrl+click adds it, a double click renames it, a right click opens "
+           "its menu."});
   if (row.clicked) {
-    app::selectTrail(session, trail.id);
+    const ImGuiIO& io = ImGui::GetIO();
+    app::selectTrailInList(session, trail.id, io.KeyShift || io.KeyCtrl);
   }
   if (row.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     request(context, command::trailRename);
@@ -194,6 +200,29 @@ void trailRow(PanelContext& context, const rig::Trail& trail) {
   ImGui::SetCursorScreenPos({corner.x, corner.y + height});
 }
 
+/// A trail by itself, or with the whole group that it belongs to where that is not listed yet.
+void listTrail(PanelContext& context, const std::vector<rig::Trail>& trails, const rig::Trail& trail,
+               std::vector<int>& listed) {
+  const std::vector<int> members = app::groupMembers(context.character().document(), trail.id);
+  const auto isListed = [&](int id) { return std::find(listed.begin(), listed.end(), id) != listed.end(); };
+  if (members.empty() || isListed(trail.id)) {
+    if (!isListed(trail.id)) {
+      trailRow(context, trail);
+    }
+    return;
+  }
+  const bool open = trailGroupRow(context, members);
+  const float indent = context.theme.px(16.0F);
+  ImGui::Indent(indent);
+  for (const rig::Trail& member : trails) {
+    if (open && std::find(members.begin(), members.end(), member.id) != members.end()) {
+      trailRow(context, member);
+    }
+  }
+  ImGui::Unindent(indent);
+  listed.insert(listed.end(), members.begin(), members.end());
+}
+
 /// Copy, paste and mirror at the right end of the title's row.
 void clipboardButtons(PanelContext& context) {
   const float side = context.theme.px(28.0F);
@@ -231,9 +260,10 @@ void drawTrailsPanel(PanelContext& context) {
   const std::vector<rig::Trail> trails = session.document().trails; // a copy: rows may edit the document
   bool any = false;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+  std::vector<int> listed;
   for (const rig::Trail& trail : trails) {
     if (trail.clip == session.view().clip) {
-      trailRow(context, trail);
+      listTrail(context, trails, trail, listed);
       any = true;
     }
   }

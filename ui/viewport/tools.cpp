@@ -28,15 +28,23 @@ Status previewExaggerate(app::Session& session, const ExaggerateTool& tool) {
   return Success{};
 }
 
+Result<app::Document> pulled(const GrabTool& tool, const Vec3& delta) {
+  if (tool.tangent) {
+    const Vec3 turn = app::toTrailAxes(tool.settings, delta) / tool.tangent->frames;
+    return app::setSphereTangent(tool.base, tool.trailId, tool.tangent->sphereFrame, tool.slope + turn);
+  }
+  return app::moveSpheres(
+      tool.base, tool.trailId,
+      app::softMoves(tool.settings, tool.spheres, tool.selected, delta, tool.falloffRadius));
+}
+
 Status previewGrab(app::Session& session, const GrabTool& tool) {
   const Vec3 delta = app::grabDelta(tool.modal);
   if (delta == Vec3(0.0)) {
     session.preview(tool.base);
     return Success{};
   }
-  const std::vector<app::SphereMove> moves =
-      app::softMoves(tool.settings, tool.spheres, tool.selected, delta, tool.falloffRadius);
-  Result<app::Document> changed = app::moveSpheres(tool.base, tool.trailId, moves);
+  Result<app::Document> changed = pulled(tool, delta);
   if (!changed) {
     return changed.error();
   }
@@ -130,6 +138,27 @@ Status startGrab(app::Session& session, Tool& tool, const GrabStart& start) {
   return Success{};
 }
 
+Status startTangentGrab(app::Session& session, Tool& tool, const app::TangentHandle& handle,
+                        const Vec3& tipWorld, const GrabStart& start) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  const rig::SolvedTrail* const solved = trail == nullptr ? nullptr : app::solvedTrail(session, trail->id);
+  if (solved == nullptr) {
+    return app::missingTrail(session.view().selectedTrail);
+  }
+  GrabStart fromSphere = start;
+  fromSphere.heldFrame = handle.sphereFrame;
+  Result<GrabTool> started = grabOf(session, *trail, fromSphere);
+  if (!started) {
+    return started.error();
+  }
+  started->tangent = handle;
+  started->slope = solved->offsets.slopeAt(handle.sphereFrame);
+  started->anchor = tipWorld;
+  session.begin("Bend the path");
+  tool = std::move(started).value();
+  return Success{};
+}
+
 Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbId, const GrabStart& start) {
   const Result<app::HeldLimb> held = app::holdLimb(session, limbId);
   if (!held) {
@@ -193,7 +222,7 @@ Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const 
 
 Status turnFalloff(app::Session& session, Tool& tool, double steps) {
   auto* grab = std::get_if<GrabTool>(&tool);
-  if (grab == nullptr) {
+  if (grab == nullptr || grab->tangent) {
     return Success{};
   }
   const double smallest = 0.02 * session.document().biped.height;
@@ -232,8 +261,9 @@ void describeTool(const Tool& tool, EditorStatus& status) {
     status.modalText = app::modalText(exaggerate->modal, exaggerate->limbTitle);
     hints = app::modalHints(exaggerate->modal);
   } else if (const auto* grab = std::get_if<GrabTool>(&tool)) {
-    status.modalText = app::modalText(grab->modal, grab->selected.size());
-    status.modalText += grab->falloffRadius > 0.0 ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
+    const bool soft = grab->falloffRadius > 0.0 && !grab->tangent;
+    status.modalText = app::modalText(grab->modal, grab->tangent ? 0 : grab->selected.size());
+    status.modalText += soft ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
   }
   for (app::ModalHint& hint : hints) {

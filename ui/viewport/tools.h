@@ -7,6 +7,7 @@
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/grab_modal.h"
+#include "app/commands/spheres.h"
 #include "app/edits/sphere_edits.h"
 #include "app/session.h"
 #include "ui/panels/ui_state.h"
@@ -25,15 +26,17 @@ struct ExaggerateTool {
 struct GrabTool {
   app::GrabModal modal;
   int trailId = 0;
-  app::Document base;                     ///< What the pull starts from.
-  rig::TrailSettings settings;            ///< Of the trail at the beginning.
-  std::vector<app::PlacedSphere> spheres; ///< Where they stood.
-  std::vector<double> selected;           ///< Frames of those that are pulled in full.
-  double falloffRadius = 0.0;             ///< World units; 0: only the selected.
-  bool byDrag = false;                    ///< Letting the mouse button go keeps it.
-  Vec3 anchor{0.0};                       ///< The point that is held, world.
-  Vec2 startPixels{0.0};                  ///< Of the mouse, in the viewport.
-  bool moved = false;                     ///< The mouse left its place: a click is no drag.
+  app::Document base;                        ///< What the pull starts from.
+  rig::TrailSettings settings;               ///< Of the trail at the beginning.
+  std::vector<app::PlacedSphere> spheres;    ///< Where they stood.
+  std::vector<double> selected;              ///< Frames of those that are pulled in full.
+  double falloffRadius = 0.0;                ///< World units; 0: only the selected.
+  bool byDrag = false;                       ///< Letting the mouse button go keeps it.
+  Vec3 anchor{0.0};                          ///< The point that is held, world.
+  Vec2 startPixels{0.0};                     ///< Of the mouse, in the viewport.
+  bool moved = false;                        ///< The mouse left its place: a click is no drag.
+  std::optional<app::TangentHandle> tangent; ///< This handle is pulled, and no sphere.
+  Vec3 slope{0.0}; ///< Of the sphere's offset at the beginning, along the trail's axes.
 };
 
 /// What takes all keys until it ends; none most of the time.
@@ -56,6 +59,10 @@ struct GrabStart {
   double falloffRadius = 0.0;
 };
 Status startGrab(app::Session& session, Tool& tool, const GrabStart& start);
+
+/// Begins pulling a tangent handle, which is shown at `tipWorld`.
+Status startTangentGrab(app::Session& session, Tool& tool, const app::TangentHandle& handle,
+                        const Vec3& tipWorld, const GrabStart& start);
 
 /// Begins pulling a limb by its end: the sphere of its trail at the playhead, both made where they are not
 /// there.

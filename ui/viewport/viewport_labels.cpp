@@ -56,6 +56,11 @@ void recordSpheres(ViewportContext& context) {
                         {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
     }
   }
+  const double frame = context.open.character()->view().frame;
+  if (const auto place = placeOf(context.viewport, pointOnTrail(*trail, frame, trail->exaggerated))) {
+    context.items.add("viewport/trail", {place->x - reach, place->y - reach},
+                      {place->x + reach, place->y + reach});
+  }
 }
 
 void recordHandles(ViewportContext& context) {
@@ -168,10 +173,44 @@ void drawSelectionBox(ViewportContext& context) {
   draw->AddRect(low, high, context.theme.colours.accent);
 }
 
+/// Where the tip of a handle is: under the mouse while it is pulled.
+Vec3 tangentTip(const ViewportContext& context, const ShownTangent& tangent) {
+  const auto* const grab = std::get_if<GrabTool>(&context.tool);
+  const bool held =
+      grab != nullptr && grab->tangent && (grab->tangent->frames < 0.0) == (tangent.handle.frames < 0.0);
+  return held ? grab->anchor + app::grabDelta(grab->modal) : tangent.tipWorld;
+}
+
+/// The tangent handles of the selected sphere: a thin line and a small square at its end.
+void drawTangents(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  const Theme& theme = context.theme;
+  ImDrawList* const draw = ImGui::GetWindowDrawList();
+  const float reach = theme.px(6.0F);
+  for (std::size_t i = 0; i < viewport.tangents.handles.size(); ++i) {
+    const ShownTangent& tangent = viewport.tangents.handles[i];
+    const auto from = placeOf(viewport, tangent.handle.sphereWorld);
+    const auto to = placeOf(viewport, tangentTip(context, tangent));
+    if (!from || !to) {
+      continue;
+    }
+    const bool hovered = viewport.hoveredTangent == i;
+    const float half = theme.px(hovered ? 5.5F : 4.0F);
+    draw->AddLine(*from, *to, faded(theme.colours.background, 0.8F), theme.px(3.5F));
+    draw->AddLine(*from, *to, theme.colours.text, theme.px(1.5F));
+    draw->AddRectFilled({to->x - half, to->y - half}, {to->x + half, to->y + half},
+                        hovered ? theme.colours.accent : theme.colours.text);
+    draw->AddRect({to->x - half, to->y - half}, {to->x + half, to->y + half}, theme.colours.background, 0.0F,
+                  0, theme.px(1.0F));
+    context.items.add(tangent.handle.frames < 0.0 ? "viewport/tangent/before" : "viewport/tangent/after",
+                      {to->x - reach, to->y - reach}, {to->x + reach, to->y + reach});
+  }
+}
+
 /// The circle within which neighbours follow a pulled sphere.
 void drawFalloff(ViewportContext& context) {
   const auto* grab = std::get_if<GrabTool>(&context.tool);
-  if (grab == nullptr || grab->falloffRadius <= 0.0) {
+  if (grab == nullptr || grab->falloffRadius <= 0.0 || grab->tangent) {
     return;
   }
   const Vec3 centre = grab->anchor + app::grabDelta(grab->modal);
@@ -251,6 +290,7 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawFrameNumbers(context);
   drawHoverLabel(context);
   drawLimbName(context);
+  drawTangents(context);
   drawFalloff(context);
   drawEaseCurve(context);
   drawSelectionBox(context);

@@ -83,12 +83,42 @@ void grabFromPress(ViewportContext& context, const GrabStart& start) {
   tellProblem(context.ui, startGrab(*context.open.character(), context.tool, start));
 }
 
-/// A press with the left button: axis handle, sphere, trail, limb, or the beginning of a box.
+/// The frame at which the selected trail is drawn nearest to the mouse; a whole one where frames snap.
+std::optional<double> frameUnderMouse(const ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  const ShownTrail* const trail = findShown(viewport.shown, context.open.character()->view().selectedTrail);
+  if (trail == nullptr) {
+    return std::nullopt;
+  }
+  const auto& points = trail->exaggerated ? trail->drawn.exaggerated : trail->drawn.original;
+  const auto hit = pickPolyline(viewport.view, points, viewport.mousePixels);
+  if (!hit) {
+    return std::nullopt;
+  }
+  const double from = trail->drawn.frames[hit->segment];
+  const double frame = from + hit->fraction * (trail->drawn.frames[hit->segment + 1] - from);
+  return context.ui.timeline.snapToFrames ? std::round(frame) : frame;
+}
+
+void addSphereUnderMouse(ViewportContext& context) {
+  if (const std::optional<double> frame = frameUnderMouse(context)) {
+    tellProblem(context.ui, app::addSphere(*context.open.character(), *frame));
+  }
+}
+
+/// A press with the left button: tangent handle, axis handle, sphere, trail, limb, or the beginning of a box.
 void pressLeft(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();
-  const bool add = ImGui::GetIO().KeyShift;
-  if (viewport.hoveredAxis) {
+  const bool add = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+  if (viewport.hoveredTangent) {
+    const ShownTangent& held = viewport.tangents.handles[*viewport.hoveredTangent];
+    GrabStart start;
+    start.startPixels = viewport.pressPixels;
+    start.byDrag = true;
+    start.falloffRadius = viewport.falloffRadius;
+    tellProblem(context.ui, startTangentGrab(session, context.tool, held.handle, held.tipWorld, start));
+  } else if (viewport.hoveredAxis) {
     grabFromPress(context, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
                             viewport.falloffRadius});
   } else if (viewport.hoveredSphere) {
@@ -97,6 +127,9 @@ void pressLeft(ViewportContext& context) {
     selectSphere(session, *viewport.hoveredSphere, add);
   } else if (viewport.hoveredTrail != 0) {
     app::selectTrail(session, viewport.hoveredTrail);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      addSphereUnderMouse(context);
+    }
   } else if (!viewport.hoveredLimb.empty()) {
     app::selectLimb(session, viewport.hoveredLimb, add);
     viewport.gesture = viewport.hoveredEnd && !add ? ViewportGesture::pressEnd : ViewportGesture::none;
@@ -290,6 +323,7 @@ void updateHover(ViewportContext& context) {
   }
   viewport.hoveredSphere.reset();
   viewport.hoveredAxis.reset();
+  viewport.hoveredTangent.reset();
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
   viewport.hoveredEnd = false;
@@ -302,6 +336,10 @@ void updateHover(ViewportContext& context) {
     return; // The surface is another in each frame: it is looked at when it is asked for.
   }
   const app::ViewState& view = context.open.character()->view();
+  viewport.hoveredTangent = pickTangent(viewport.view, viewport.tangents, viewport.mousePixels);
+  if (viewport.hoveredTangent) {
+    return;
+  }
   if (const auto handles = handlesOf(viewport.shown, view.selectedTrail, view.selectedSpheres)) {
     viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
   }

@@ -154,10 +154,14 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
     viewport.framePending = false;
     viewport.frameSelectionPending = false;
   }
-  updateShownTrails(*context.open.character(), viewport.shown);
+  const auto updateShown = [&] {
+    updateShownTrails(*context.open.character(), viewport.shown);
+    updateTangents(*context.open.character(), viewport.view, viewport.tangents);
+  };
+  updateShown();
   handleViewportMouse(context, hovered, held);
   updateView(context);
-  updateShownTrails(*context.open.character(), viewport.shown);
+  updateShown();
   const std::optional<double> tip = tipFrame(*context.open.character(), context.tool);
   const bool elsewhere = tip && std::abs(*tip - context.open.character()->view().frame) > 0.5;
   viewport.tipFrame = elsewhere ? tip : std::nullopt;

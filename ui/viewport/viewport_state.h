@@ -6,6 +6,7 @@
 #include "ui/render/camera.h"
 #include "ui/viewport/limb_hover.h"
 #include "ui/viewport/shown_trails.h"
+#include "ui/viewport/tangent_handles.h"
 #include "ui/widgets/control.h"
 
 namespace stretch::ui {
@@ -25,6 +26,7 @@ struct ViewportState {
   double facingYawRadians = 0.0; ///< The quarter turn nearest to where the character faces at the clip's
                                  ///< start.
   ShownTrails shown;
+  ShownTangents tangents;
 
   ViewportGesture gesture = ViewportGesture::none;
   Vec2 pressPixels{0.0};
@@ -36,6 +38,7 @@ struct ViewportState {
   // Under the mouse.
   std::optional<double> hoveredSphere; ///< Frame, of the selected trail.
   std::optional<std::size_t> hoveredAxis;
+  std::optional<std::size_t> hoveredTangent; ///< Place in `tangents`.
   int hoveredTrail = 0;
   std::string hoveredLimb;
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.

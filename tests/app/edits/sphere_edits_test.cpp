@@ -149,3 +149,44 @@ TEST_CASE("A chain is added once") {
   CHECK(findLimb(*once, chain.id) != nullptr);
   CHECK_FALSE(addChain(*once, chain));
 }
+
+TEST_CASE("A tangent stays on a sphere that is not pulled, and goes when it is taken back") {
+  const Document start = withTrail();
+  const Result<Document> bent = setSphereTangent(start, trailId, 5.0, Vec3(0.0, 0.2, 0.0));
+  REQUIRE(bent);
+  REQUIRE(settingsOf(*bent).spheres.size() == 1);
+  CHECK(settingsOf(*bent).spheres[0].offset == Vec3(0.0));
+  CHECK(settingsOf(*bent).spheres[0].tangent == Vec3(0.0, 0.2, 0.0));
+  const Document pulled = moved(*bent, {{5.0, Vec3(1.0)}});
+  CHECK(settingsOf(pulled).spheres[0].tangent == Vec3(0.0, 0.2, 0.0));
+  const Result<Document> back = setSphereTangent(*bent, trailId, 5.0, std::nullopt);
+  REQUIRE(back);
+  CHECK(settingsOf(*back) == settingsOf(start));
+}
+
+TEST_CASE("Spheres are removed with what they were pulled by; those at the ends are put back instead") {
+  const Document pulled = moved(withTrail(), {{0.0, Vec3(0.5)}, {5.0, Vec3(1.0)}});
+  const std::vector<double> present{0.0, 5.0, 10.0};
+  const Result<Document> removed = removeSpheres(pulled, trailId, present, std::vector<double>{0.0, 5.0});
+  REQUIRE(removed);
+  CHECK(settingsOf(*removed).spheres.empty());
+  CHECK(findTrail(*removed, trailId)->controlFrames == std::vector<double>{0.0, 10.0});
+  const Result<Document> end = removeSpheres(pulled, trailId, present, std::vector<double>{0.0});
+  REQUIRE(end);
+  CHECK(findTrail(*end, trailId)->controlFrames.empty());
+  CHECK(settingsOf(*end).spheres.size() == 1);
+}
+
+TEST_CASE("Spheres that were set by hand go along when the whole range moves") {
+  const Result<Document> set = setControlFrames(withTrail(), trailId, {0.0, 4.0, 10.0});
+  REQUIRE(set);
+  rig::TrailSettings settings = settingsOf(*set);
+  settings.startFrame += 3.0;
+  settings.endFrame += 3.0;
+  CHECK(findTrail(*setTrailSettings(*set, trailId, settings), trailId)->controlFrames ==
+        std::vector<double>{3.0, 7.0, 13.0});
+  settings = settingsOf(*set);
+  settings.endFrame += 3.0;
+  CHECK(findTrail(*setTrailSettings(*set, trailId, settings), trailId)->controlFrames ==
+        std::vector<double>{0.0, 4.0, 10.0});
+}

@@ -115,3 +115,10 @@ TEST_CASE("the default range ends where the hand is farthest from where it began
   CHECK(range.x == 0.0);
   CHECK(range.y == 12.0);
 }
+
+TEST_CASE("spheres set by hand stay within the range, whose ends always have one") {
+  const MovingBiped moving = punchingBiped();
+  Trail trail = connectedTrail("left-arm", 0, 24, 2.0);
+  trail.controlFrames = {-2.0, 7.5, 90.0};
+  CHECK(solved(moving, {trail}).trails.front().controlFrames == std::vector<double>{0.0, 7.5, 24.0});
+}

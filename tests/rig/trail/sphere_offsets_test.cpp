@@ -86,3 +86,35 @@ TEST_CASE("one sphere alone moves the whole path") {
   CHECK(offsets.at(0.0) == Vec3(1, 0, 0));
   CHECK(offsets.at(9.0) == Vec3(1, 0, 0));
 }
+
+TEST_CASE(
+    "a sphere with a tangent of its own has that slope on both sides, and its neighbours keep their place") {
+  const Vec3 tangent(0.0, 0.4, -0.1);
+  const SphereOffsets offsets(controls, {{12.0, Vec3(0.3, -0.1, 0.2), tangent}});
+  CHECK(offsets.at(12.0) == Vec3(0.3, -0.1, 0.2));
+  CHECK(glm::length(slopeAt(offsets, 12.0, 1e-5) - tangent) < 1e-3);
+  CHECK(glm::length(slopeAt(offsets, 12.0, -1e-5) - tangent) < 1e-3);
+  CHECK(glm::length(offsets.slopeAt(12.0) - tangent) < 1e-12);
+  for (const double frame : controls) {
+    CHECK(glm::length(offsets.at(frame)) == Approx(frame == 12.0 ? glm::length(Vec3(0.3, -0.1, 0.2)) : 0.0));
+  }
+}
+
+TEST_CASE("a tangent bends the path between the neighbours of its sphere and nowhere else") {
+  const SphereOffsets offsets(controls, {{12.0, Vec3(0.0), Vec3(0.0, 0.4, 0.0)}});
+  CHECK(offsets.at(13.0).y > 0.05);
+  CHECK(offsets.at(10.0).y < -0.05);
+  for (const double frame : {5.0, 7.0, 14.0, 15.0}) {
+    CHECK(offsets.at(frame).y == 0.0);
+  }
+}
+
+TEST_CASE("the slope between spheres is that of the curve") {
+  const SphereOffsets offsets(controls, {{12.0, Vec3(0.3, -0.1, 0.2), Vec3(0.1, 0.0, 0.0)}});
+  for (const double frame : {5.0, 7.0, 9.3, 12.0, 13.1, 20.0}) {
+    CAPTURE(frame);
+    CHECK(glm::length(offsets.slopeAt(frame) - slopeAt(offsets, frame, 1e-6)) < 1e-4);
+  }
+  CHECK(offsets.slopeAt(-1.0) == Vec3(0.0));
+  CHECK(offsets.slopeAt(30.0) == Vec3(0.0));
+}

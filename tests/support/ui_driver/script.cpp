@@ -48,6 +48,11 @@ int buttonOf(const std::string& name) {
   return name == "right" ? 1 : name == "middle" ? 2 : 0;
 }
 
+/// "left", "shift": no share of a widget's box.
+bool isNumber(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789.-") == std::string::npos;
+}
+
 std::string joined(const std::vector<std::string>& words, std::size_t from) {
   std::string text;
   for (std::size_t i = from; i < words.size(); ++i) {
@@ -98,19 +103,24 @@ Result<Script> Script::read(const std::filesystem::path& path) {
   script.folder_ = path.parent_path();
   int number = 0;
   for (std::string line; std::getline(file, line);) {
-    ++number;
-    std::istringstream text(line.substr(0, line.find('#')));
-    Step step;
-    step.line = number;
-    if (!(text >> step.verb)) {
-      continue;
+    if (std::optional<Step> step = stepOf(line, ++number)) {
+      script.steps_.push_back(std::move(*step));
     }
-    for (std::string word; text >> word;) {
-      step.words.push_back(word);
-    }
-    script.steps_.push_back(std::move(step));
   }
   return script;
+}
+
+std::optional<Script::Step> Script::stepOf(const std::string& line, int number) {
+  std::istringstream text(line.substr(0, line.find('#')));
+  Step step;
+  step.line = number;
+  if (!(text >> step.verb)) {
+    return std::nullopt;
+  }
+  for (std::string word; text >> word;) {
+    step.words.push_back(word);
+  }
+  return step;
 }
 
 void Script::fail(const std::string& why) {
@@ -135,8 +145,9 @@ std::optional<ImVec2> Script::placeOf(const Shell& shell, const std::string& id,
 
 void Script::beginMouse(const Step& step, const Shell& shell) {
   const bool moves = step.verb == "move";
+  const bool placed = step.words.size() > 2 && isNumber(step.words[1]);
   const auto place = placeOf(shell, step.words.empty() ? "" : step.words.front(),
-                             moves ? shareOf(step.words, 1) : 0.5F, moves ? shareOf(step.words, 2) : 0.5F);
+                             placed ? shareOf(step.words, 1) : 0.5F, placed ? shareOf(step.words, 2) : 0.5F);
   if (!place) {
     return;
   }
@@ -204,6 +215,52 @@ void Script::requestCommand(const std::string& id, ui::Shell& shell) {
   shell.requested.push_back(id);
 }
 
+void Script::calm(const Step& step, Shell& shell) {
+  constexpr int mostKeys = 12;
+  const int pressed = step.words.empty() ? 0 : std::atoi(step.words.front().c_str());
+  for (int button = 0; button < 3; ++button) {
+    if (mouse_.buttons[button]) {
+      actions_.push_back({Action::Kind::releaseButton, 0.0F, 0.0F, button, 0});
+    }
+  }
+  const std::string what = actions_.empty() ? openThing(shell) : "a button held";
+  if (what.empty()) {
+    return;
+  }
+  if (pressed == mostKeys) {
+    fail("Escape does not end " + what);
+    return;
+  }
+  actions_.push_back({Action::Kind::keyDown, 0.0F, 0.0F, *toGlfwKey(app::Key::escape), 0});
+  actions_.push_back({Action::Kind::keyUp, 0.0F, 0.0F, *toGlfwKey(app::Key::escape), 0});
+  steps_.push_front({step.line, "calm", {std::to_string(pressed + 1)}});
+}
+
+void Script::beginCheck(const Step& step, Shell& shell) {
+  if (step.verb == "monkey") {
+    monkey_.emplace(static_cast<unsigned>(shareOf(step.words, 0)), static_cast<int>(shareOf(step.words, 1)));
+  } else if (step.verb == "calm") {
+    calm(step, shell);
+  } else if (const std::string wrong =
+                 step.verb == "undo-all" ? watch_.undoAll(shell) : watch_.redoAll(shell);
+             !wrong.empty()) {
+    fail(wrong);
+  }
+}
+
+std::optional<Script::Step> Script::nextStep(Shell& shell) {
+  if (!steps_.empty()) {
+    Step step = std::move(steps_.front());
+    steps_.pop_front();
+    return step;
+  }
+  const std::optional<std::string> line = monkey_ ? monkey_->next(shell) : std::nullopt;
+  if (!line) {
+    return std::nullopt;
+  }
+  return stepOf(*line, line_);
+}
+
 void Script::begin(const Step& step, Shell& shell) {
   const std::string& verb = step.verb;
   if (verb == "key" || verb == "tap" || verb == "hold" || verb == "release") {
@@ -212,6 +269,10 @@ void Script::begin(const Step& step, Shell& shell) {
     beginMouse(step, shell);
   } else if (verb == "drag") {
     beginDrag(step, shell);
+  } else if (verb == "press" || verb == "lift") {
+    const int button = buttonOf(step.words.empty() ? "" : step.words.front());
+    const auto kind = verb == "press" ? Action::Kind::press : Action::Kind::releaseButton;
+    actions_.push_back({kind, 0.0F, 0.0F, button, modsOf(step.words)});
   } else if (verb == "type") {
     for (const char c : joined(step.words, 0)) {
       actions_.push_back({Action::Kind::character, 0.0F, 0.0F, static_cast<unsigned char>(c), 0});
@@ -227,6 +288,8 @@ void Script::begin(const Step& step, Shell& shell) {
     untilSeconds_ = clockSeconds() + untilSeconds;
   } else if (verb == "expect" || verb == "picture") {
     check_ = step;
+  } else if (verb == "calm" || verb == "undo-all" || verb == "redo-all" || verb == "monkey") {
+    beginCheck(step, shell);
   } else if (verb == "quit" || verb == "abandon") {
     over_ = true;
     abandoned_ = verb == "abandon";
@@ -301,14 +364,14 @@ bool Script::beforeFrame(Shell& shell, Window& window) {
     const Action action = actions_.front();
     actions_.pop_front();
     act(action, window);
-    settleFrames_ = std::max(settleFrames_, actions_.empty() ? 3 : 0);
+    settleFrames_ = std::max(settleFrames_, actions_.empty() ? (monkey_ ? 1 : 3) : 0);
     return true;
   }
-  if (steps_.empty()) {
+  const std::optional<Step> next = nextStep(shell);
+  if (!next) {
     return false;
   }
-  const Step step = steps_.front();
-  steps_.pop_front();
+  const Step& step = *next;
   line_ = step.line;
   begin(step, shell);
   if (step.verb == "drop") {
@@ -319,6 +382,8 @@ bool Script::beforeFrame(Shell& shell, Window& window) {
 }
 
 void Script::afterFrame(Shell& shell, const WindowSize& size) {
+  watch_.look(shell);
+  shell.quit = shell.quit && !monkey_; // Which leaves now and then, and is not let go.
   if (until_) {
     const std::string wanted = joined(until_->words, 1);
     const auto state = stateOf(shell, until_->words.empty() ? "" : until_->words.front());

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "tests/support/ui_driver/document_watch.h"
+#include "tests/support/ui_driver/monkey.h"
 #include "ui/shell/editor.h"
 #include "ui/shell/gui.h"
 
@@ -19,8 +21,9 @@ namespace stretch::test {
 ///   tap KEY                     press and release it within one frame, as a quick hand on a slow screen
 ///   hold KEY, release KEY       of a key that acts while it is held
 ///   type TEXT                   characters into a text field
-///   click ID [shift|ctrl|alt]   left button on a widget's centre; rightclick, doubleclick likewise
+///   click ID [X Y] [shift|ctrl|alt]  left button on a widget's centre; rightclick, doubleclick likewise
 ///   move ID [X Y]               the mouse to a share of the widget's box, the centre if not given
+///   press [BUTTON], lift        a mouse button where the mouse is: what comes between happens in a drag
 ///   drag ID X Y ID X Y [BUTTON] from a place to a place, each a share of a widget's box
 ///   wheel STEPS
 ///   drop FILE                   as if the file was dropped on the window
@@ -30,6 +33,9 @@ namespace stretch::test {
 ///   expect NAME VALUE           fails unless the state is so; numbers agree within a thousandth
 ///   picture FILE.png            what the window shows; fails when that is one colour
 ///   touch FILE                  as another program would change it
+///   calm                        Escape, until nothing is open and no tool runs; fails when that does not
+///   help undo-all, redo-all          fails unless the file is as it was opened, and then as it was before
+///   monkey SEED STEPS           that many steps at random (monkey.h), kept in the file monkey.script
 ///   quit                        ends the program without questions
 ///   abandon                     ends it as a crash would: nothing is closed
 /// A relative FILE is taken from the script's folder for drop, from the working folder for picture. States:
@@ -74,11 +80,17 @@ private:
     int mods = 0;
   };
 
+  /// Nothing for an empty line.
+  [[nodiscard]] static std::optional<Step> stepOf(const std::string& line, int number);
   void fail(const std::string& why);
   void begin(const Step& step, ui::Shell& shell);
   void beginMouse(const Step& step, const ui::Shell& shell);
   void beginDrag(const Step& step, const ui::Shell& shell);
   void beginKey(const Step& step);
+  void beginCheck(const Step& step, ui::Shell& shell);
+  void calm(const Step& step, ui::Shell& shell);
+  /// The next step of the file, else of the monkey.
+  std::optional<Step> nextStep(ui::Shell& shell);
   void requestCommand(const std::string& id, ui::Shell& shell);
   void act(const Action& action, ui::Window& window);
   void moveTo(float x, float y);
@@ -96,6 +108,8 @@ private:
   bool abandoned_ = false;
   ui::DrivenMouse mouse_;
   std::string failure_;
+  std::optional<Monkey> monkey_;
+  DocumentWatch watch_;
 };
 
 } // namespace stretch::test

@@ -13,6 +13,8 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
+#include "app/commands/spheres.h"
+#include "app/edits/group_edits.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
@@ -141,12 +143,40 @@ std::string playsAsDrawn(app::Session& session) {
     const std::vector<Vec3> seen = skinning::skinnedPositions(
         *saved->scene, frameOf(*saved->scene, samplePose(*saved->scene, played, seconds), seconds));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (i >= seen.size() || glm::length(drawn[i] - seen[i]) > 1e-3 * session.document().biped.height) {
+      if (i >= seen.size() || !(glm::length(drawn[i] - seen[i]) <= 1e-3 * session.document().biped.height)) {
         return fmt::format("not at frame {}", frame);
       }
     }
   }
   return "yes";
+}
+
+/// Limbs of the selected trail's group: "left-arm spine"; empty where it stands alone.
+std::string groupLimbs(const app::Session& session) {
+  std::vector<std::string> limbs;
+  for (const int id : app::groupMembers(session.document(), session.view().selectedTrail)) {
+    limbs.push_back(app::findTrail(session.document(), id)->limb);
+  }
+  return joined(limbs);
+}
+
+/// Of all trails of the viewed clip, in their order: "3 3 2".
+std::string scalesOf(const app::Session& session) {
+  std::vector<std::string> scales;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == session.view().clip) {
+      scales.push_back(number(trail.settings.scale));
+    }
+  }
+  return joined(scales);
+}
+
+std::string tangentCount(const app::Session& session) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  return trail == nullptr ? "none"
+                          : std::to_string(std::count_if(
+                                trail->settings.spheres.begin(), trail->settings.spheres.end(),
+                                [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
 }
 
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
@@ -170,6 +200,10 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"shown-keys", [&] { return std::to_string(app::shownKeyFrames(session, view.selectedLimbs).size()); }},
       {"fps", [&] { return number(app::clipOf(session.document(), view.clip).framesPerSecond); }},
       {"history", [&] { return std::to_string(session.history().position()); }},
+      {"group", [&] { return groupLimbs(session); }},
+      {"scales", [&] { return scalesOf(session); }},
+      {"tangents", [&] { return tangentCount(session); }},
+      {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
       {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session.document())); }},

@@ -1,0 +1,51 @@
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/group_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool canGroup(const Session& session) {
+  return targetTrails(session).size() > 1;
+}
+
+bool isInGroup(const Session& session) {
+  const rig::Trail* const trail = selectedTrail(session);
+  return trail != nullptr && !groupMembers(session.document(), trail->id).empty();
+}
+
+Status group(Session& session) {
+  return finish(session, groupTrails(session.document(), targetTrails(session)), "Group the trails");
+}
+
+Status takeGroupApart(Session& session) {
+  session.edit(takeApart(session.document(), targetTrails(session)), "Take the group apart");
+  return Success{};
+}
+
+Status selectWholeGroup(Session& session) {
+  selectGroup(session, session.view().selectedTrail);
+  return Success{};
+}
+
+} // namespace
+
+std::vector<DocumentCommand> groupCommands() {
+  return {
+      entry(command::trailGroup, "Group the trails",
+            "Makes one group of the trails of the selected limbs: they are listed, chosen and changed "
+            "together.",
+            {"Ctrl+G"}, canGroup, group),
+      entry(command::trailTakeApart, "Take the group apart",
+            "Lets every trail of the group stand alone again; the trails stay as they are.", {"Ctrl+Shift+G"},
+            isInGroup, takeGroupApart),
+      entry(command::trailSelectGroup, "Select the whole group",
+            "Selects the trail with all others of its group, so that what is set is set for all of them.",
+            {"Shift+G"}, isInGroup, selectWholeGroup),
+  };
+}
+
+} // namespace stretch::app

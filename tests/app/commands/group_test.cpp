@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/exaggerate.h"
+#include "app/commands/selection.h"
+#include "app/edits/group_edits.h"
+#include "app/edits/place_trails.h"
+#include "app/files/saved_work.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+/// Both arms exaggerated at once.
+Session withBothArms() {
+  Session session(test::boxer());
+  session.view().selectedLimbs = {"left-arm", "right-arm"};
+  Result<ExaggerateTargets> made = exaggerateTargets(session);
+  REQUIRE(made);
+  session.edit(made->document, "Exaggerate");
+  selectTrail(session, made->trailIds.front());
+  return session;
+}
+
+} // namespace
+
+TEST_CASE("Limbs exaggerated at once are one group over one range, in one undo step") {
+  Session session = withBothArms();
+  const std::vector<rig::Trail>& trails = session.document().trails;
+  REQUIRE(trails.size() == 2);
+  CHECK(trails[0].settings.startFrame == trails[1].settings.startFrame);
+  CHECK(trails[0].settings.endFrame == trails[1].settings.endFrame);
+  CHECK(groupMembers(session.document(), trails[0].id) == std::vector<int>{trails[0].id, trails[1].id});
+  REQUIRE(session.undo());
+  CHECK(session.document().trails.empty());
+}
+
+TEST_CASE("One limb alone makes no group") {
+  Session session(test::boxer());
+  session.view().selectedLimbs = {"left-arm"};
+  const Result<ExaggerateTargets> made = exaggerateTargets(session);
+  REQUIRE(made);
+  CHECK(groupMembers(made->document, made->trailIds.front()).empty());
+}
+
+TEST_CASE("A group is chosen as a whole, a member of it alone") {
+  Session session = withBothArms();
+  const int second = session.document().trails[1].id;
+  selectTrailInList(session, second, false);
+  CHECK(session.view().selectedLimbs == std::vector<std::string>{"right-arm"});
+  CHECK(targetTrails(session) == std::vector<int>{second});
+  selectGroup(session, second);
+  CHECK(targetTrails(session).size() == 2);
+}
+
+TEST_CASE("A group is taken apart, and put together from trails of different limbs") {
+  Session session = withBothArms();
+  const std::vector<int> ids = targetTrails(session);
+  const Document apart = takeApart(session.document(), ids);
+  CHECK(groupMembers(apart, ids.front()).empty());
+  const Result<Document> together = groupTrails(apart, ids);
+  REQUIRE(together);
+  CHECK(groupMembers(*together, ids.front()) == ids);
+  CHECK_FALSE(groupTrails(apart, std::vector<int>{ids.front()}));
+  CHECK_FALSE(groupTrails(apart, std::vector<int>{ids.front(), ids.front()}));
+}
+
+TEST_CASE("Groups and tangents are kept with the work and in recipes") {
+  Document document = withBothArms().document();
+  document.trails[0].settings.spheres = {{5.0, Vec3(0.1, 0.0, 0.0), Vec3(0.0, 0.03, 0.0)}};
+  Document restored = test::boxer();
+  REQUIRE(restoreWork(workOf(document), restored));
+  CHECK(restored.trails == document.trails);
+
+  Document other = test::boxer();
+  const Result<Recipe> recipe = recipeFromJson(recipeToJson(document, 0), other);
+  REQUIRE(recipe);
+  const Result<PlacedTrails> placed = withRecipe(other, *recipe);
+  REQUIRE(placed);
+  CHECK(groupMembers(placed->document, placed->trailIds.front()) == placed->trailIds);
+  const rig::SphereOffset& sphere = placed->document.trails[0].settings.spheres.front();
+  REQUIRE(sphere.tangent);
+  CHECK(sphere.tangent->y == Approx(0.03));
+}

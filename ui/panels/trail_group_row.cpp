@@ -1,0 +1,184 @@
+#include "ui/panels/trail_group_row.h"
+
+#include <algorithm>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/selection.h"
+#include "app/edits/group_edits.h"
+#include "app/edits/trail_edits.h"
+#include "ui/panels/panel_support.h"
+#include "ui/widgets/icons.h"
+
+namespace stretch::ui {
+
+namespace {
+
+constexpr float groupRowHeight = 42.0F;
+
+const rig::Trail& trailOf(const PanelContext& context, int id) {
+  return *app::findTrail(context.open.character()->document(), id);
+}
+
+/// "Left arm, right arm and spine".
+std::string groupTitle(const PanelContext& context, const std::vector<int>& members) {
+  const app::Document& document = context.open.character()->document();
+  std::string title;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    title += i == 0 ? "" : i + 1 == members.size() ? " and " : ", ";
+    title += app::limbTitle(document, trailOf(context, members[i]).limb);
+  }
+  return capitalised(title);
+}
+
+/// "3 trails, 21-27, x3": range and scale where all of them share it.
+std::string groupDetail(const PanelContext& context, const std::vector<int>& members) {
+  const rig::TrailSettings& first = trailOf(context, members.front()).settings;
+  const auto shared = [&](auto&& same) {
+    return std::all_of(members.begin(), members.end(),
+                       [&](int id) { return same(trailOf(context, id).settings); });
+  };
+  std::string text = std::to_string(members.size()) + " trails";
+  if (shared([&](const rig::TrailSettings& s) {
+        return s.startFrame == first.startFrame && s.endFrame == first.endFrame;
+      })) {
+    text += ", " + shortNumber(first.startFrame, 1) + "\xE2\x80\x93" + shortNumber(first.endFrame, 1);
+  }
+  if (shared([&](const rig::TrailSettings& s) { return s.scale == first.scale; })) {
+    text += ", \xC3\x97" + shortNumber(first.scale);
+  }
+  return text;
+}
+
+/// One edit of all members, one undo step.
+template <typename Edit>
+void editMembers(PanelContext& context, const std::vector<int>& members, const char* label, Edit&& edit) {
+  Result<app::Document> document = context.character().document();
+  for (const int id : members) {
+    document = document ? edit(*document, id) : document;
+  }
+  editOnce(context, label, document);
+}
+
+bool groupButton(PanelContext& context, const std::string& id, const char* iconText, const char* fallback,
+                 const Help& help) {
+  ButtonSpec spec;
+  spec.id = id;
+  spec.icon = iconText;
+  spec.fallback = fallback;
+  spec.emphasis = Emphasis::quiet;
+  spec.help = help;
+  spec.width = context.theme.px(26.0F);
+  const bool clicked = button(widgetsOf(context), spec);
+  ImGui::SameLine(0.0F, 0.0F);
+  return clicked;
+}
+
+void groupButtons(PanelContext& context, const std::string& id, const std::vector<int>& members) {
+  const bool visible = std::all_of(members.begin(), members.end(),
+                                   [&](int member) { return trailOf(context, member).visible; });
+  if (groupButton(context, id + "/visible", visible ? icon::visible : icon::hidden, visible ? "o" : "-",
+                  {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
+    editMembers(context, members, visible ? "Hide the trails" : "Show the trails",
+                [&](const app::Document& document, int member) {
+                  const rig::Trail& trail = *app::findTrail(document, member);
+                  return app::setTrailDisplay(document, member, {trail.colour, !visible, trail.pinned});
+                });
+  }
+  if (groupButton(context, id + "/apart", icon::unlink, "/",
+                  {"Take the group apart", "The trails stay as they are, each by itself.",
+                   keyOf(context, command::trailTakeApart)})) {
+    editOnce(context, "Take the group apart", app::takeApart(context.character().document(), members));
+  }
+  if (groupButton(context, id + "/delete", icon::trash, "x",
+                  {"Delete the trails of this group", "Gives their range back exactly as the source has it.",
+                   keyOf(context, command::trailDelete)})) {
+    editMembers(context, members, "Delete the trails", app::deleteTrail);
+  }
+}
+
+/// The arrow in front; a click folds the members away, or brings them back.
+bool foldArrow(PanelContext& context, const std::string& id, float height) {
+  std::vector<std::string>& closed = context.ui.closedSections;
+  const auto found = std::find(closed.begin(), closed.end(), id);
+  bool open = found == closed.end();
+  const Control arrow = takePlace(widgetsOf(context), id + "/fold", {context.theme.px(24.0F), height});
+  tooltip(widgetsOf(context), {"Trails of the group", open ? "Folds them away." : "Lists them.", {}});
+  if (arrow.clicked && open) {
+    closed.push_back(id);
+  } else if (arrow.clicked) {
+    closed.erase(found);
+  }
+  open = open != arrow.clicked;
+  // A drawn triangle needs no font of icons.
+  const ImVec2 middle = arrow.box.centre();
+  const float r = context.theme.px(4.0F);
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const ImU32 colour = arrow.hovered ? context.theme.colours.text : context.theme.colours.quietText;
+  if (open) {
+    list->AddTriangleFilled({middle.x - r, middle.y - 0.6F * r}, {middle.x + r, middle.y - 0.6F * r},
+                            {middle.x, middle.y + 0.8F * r}, colour);
+  } else {
+    list->AddTriangleFilled({middle.x - 0.6F * r, middle.y - r}, {middle.x + 0.8F * r, middle.y},
+                            {middle.x - 0.6F * r, middle.y + r}, colour);
+  }
+  return open;
+}
+
+void groupText(PanelContext& context, const std::string& id, const std::vector<int>& members, bool selected,
+               const ImVec2& size) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Theme& theme = context.theme;
+  const Control row = takePlace(widgets, id, size);
+  const float middle = row.box.centre().y + theme.px(1.0F);
+  const std::string title = groupTitle(context, members);
+  const std::string detail = groupDetail(context, members);
+  drawText(widgets, theme.fonts.body,
+           {{row.box.min.x, row.box.min.y + theme.px(4.0F)}, {row.box.max.x, middle}},
+           selected ? theme.colours.accent : theme.colours.text, title);
+  drawText(widgets, theme.fonts.label,
+           {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
+           theme.colours.quietText, detail);
+  tooltip(widgets, {title, detail + ". Click selects all of them: what is set then is set for each.",
+                    keyOf(context, command::trailSelectGroup)});
+  if (row.clicked) {
+    app::selectGroup(context.character(), members.front());
+  }
+}
+
+bool isWholeGroupSelected(const PanelContext& context, const std::vector<int>& members) {
+  const app::Session& session = *context.open.character();
+  return std::find(members.begin(), members.end(), session.view().selectedTrail) != members.end() &&
+         std::all_of(members.begin(), members.end(),
+                     [&](int id) { return app::isSelected(session, trailOf(context, id).limb); });
+}
+
+} // namespace
+
+bool trailGroupRow(PanelContext& context, const std::vector<int>& members) {
+  const Theme& theme = context.theme;
+  const std::string id = "trails/group-" + std::to_string(trailOf(context, members.front()).group);
+  const float height = theme.px(groupRowHeight);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool selected = isWholeGroupSelected(context, members);
+  const bool hovered =
+      ImGui::IsMouseHoveringRect(corner, {corner.x + width, corner.y + height}) && ImGui::IsWindowHovered();
+  if (selected || hovered) {
+    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height}, fill,
+                                              theme.corner());
+  }
+  ImGui::BeginGroup();
+  const bool open = foldArrow(context, id, height);
+  ImGui::SameLine(0.0F, theme.px(4.0F));
+  const float buttons = theme.px(26.0F) * 3.0F + theme.px(4.0F);
+  groupText(context, id, members, selected, {width - theme.px(28.0F) - buttons, height});
+  ImGui::SameLine(0.0F, theme.px(2.0F));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (height - theme.rowHeight()) * 0.5F);
+  groupButtons(context, id, members);
+  ImGui::EndGroup();
+  ImGui::SetCursorScreenPos({corner.x, corner.y + height});
+  return open;
+}
+
+} // namespace stretch::ui
