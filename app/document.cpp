@@ -20,7 +20,8 @@ auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
          a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains &&
-         a.trails == b.trails && a.weights == b.weights && a.loopingClips == b.loopingClips;
+         a.trails == b.trails && a.weights == b.weights && a.loopingClips == b.loopingClips &&
+         a.rates == b.rates;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {
@@ -51,14 +52,6 @@ const Clip& clipOf(const Document& document, int clip) {
   check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(),
         "the clip is one of the document's");
   return (*document.clips)[static_cast<std::size_t>(clip)];
-}
-
-void setFramesPerSecond(Document& document, double framesPerSecond) {
-  std::vector<Clip> clips = *document.clips;
-  for (Clip& clip : clips) {
-    clip.framesPerSecond = framesPerSecond;
-  }
-  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
 }
 
 const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip) {

@@ -14,6 +14,15 @@
 
 namespace stretch::app {
 
+/// The rate that the user chose for a clip.
+struct ClipRate {
+  int clip = 0;
+  double framesPerSecond = 0.0;
+  double own = 0.0; ///< What its keys suggest.
+
+  friend bool operator==(const ClipRate&, const ClipRate&) = default;
+};
+
 /// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
 /// shared and never change. Nothing derived is kept here. Clips are the source's: what the trails make of
 /// them is evaluated, so deleting a trail gives the source back by construction.
@@ -30,6 +39,7 @@ struct Document {
   std::vector<rig::Trail> trails;
   std::vector<WeightedLimb> weights; ///< Limbs with weight, by clip.
   std::vector<int> loopingClips;     ///< Clips that the user marked as loops: releases wrap.
+  std::vector<ClipRate> rates;       ///< Clips that are worked on at another rate than their own.
   int nextTrailId = 1;
 };
 
@@ -45,9 +55,6 @@ struct Document {
 [[nodiscard]] rig::Trail* findTrail(Document& document, int trailId);
 
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
-
-/// Reads all clips at another frame rate: frames, ranges and ticks count in it.
-void setFramesPerSecond(Document& document, double framesPerSecond);
 
 /// Exaggerated trails that the character does not follow: saving keeps them in the work and does not key
 /// them.

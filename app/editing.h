@@ -71,6 +71,12 @@ public:
     return done;
   }
 
+  void goTo(std::size_t position) { ///< Of the history. Cancels a drag first.
+    cancel();
+    history_.goTo(position);
+    documentChanged();
+  }
+
 protected:
   /// Another state is shown: what is selected may be gone.
   virtual void documentChanged() {}

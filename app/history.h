@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,19 @@ public:
     index_ += possible ? 1 : 0;
     return possible;
   }
+
+  /// What was done, the first first; entry 0 is the beginning and has no label.
+  [[nodiscard]] std::vector<std::string> labels() const {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries_) {
+      all.push_back(entry.label);
+    }
+    return all;
+  }
+  /// Index into labels() of what is shown.
+  [[nodiscard]] std::size_t position() const { return index_; }
+  /// Undoes or redoes as far as there, at most to the last one.
+  void goTo(std::size_t position) { index_ = std::min(position, entries_.size() - 1); }
 
   /// Remembers the current state as the saved one.
   void markSaved() { savedIndex_ = index_; }

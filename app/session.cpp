@@ -1,9 +1,11 @@
 #include "app/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "app/edits/rate_edits.h"
 #include "app/files/save.h"
 
 namespace stretch::app {
@@ -15,6 +17,7 @@ Session::Session(Document document) : Editing(std::move(document)) {
   for (const rig::Trail& trail : history().current().trails) {
     knownTrails_.push_back(trail.id);
   }
+  followRate();
 }
 
 const FrameState& Session::frameAt(double frame) {
@@ -97,7 +100,49 @@ void Session::followSelection() {
   followed_ = now;
 }
 
+void Session::followRate() {
+  const Document& shown = document();
+  const bool exists = view_.clip >= 0 && static_cast<std::size_t>(view_.clip) < shown.clips->size();
+  const double now = exists ? clipOf(shown, view_.clip).framesPerSecond : 0.0;
+  if (exists && ratedClip_ == view_.clip && rate_ > 0.0 && now != rate_) {
+    const double factor = now / rate_;
+    view_.frame = std::round(view_.frame * factor);
+    if (view_.rangeEnd >= view_.rangeStart) {
+      view_.rangeStart = std::round(view_.rangeStart * factor);
+      view_.rangeEnd = std::max(view_.rangeStart + 1.0, std::round(view_.rangeEnd * factor));
+    }
+    for (double& frame : view_.selectedSpheres) {
+      frame *= factor;
+    }
+    if (view_.copiedTrail && view_.copiedTrail->clip == view_.clip) {
+      view_.copiedTrail = recounted(*view_.copiedTrail, factor);
+    }
+  }
+  ratedClip_ = view_.clip;
+  rate_ = now;
+}
+
+void Session::keepSelectedTrail(const std::vector<int>& appeared) {
+  const Document& shown = document();
+  if (view_.selectedTrail != 0 && findTrail(shown, view_.selectedTrail) == nullptr) {
+    lost_ = {view_.selectedTrail, 0.0, 0.0};
+    lostSpheres_ = std::exchange(view_.selectedSpheres, {});
+    view_.selectedTrail = 0;
+  }
+  if (view_.selectedTrail != 0 || appeared.empty()) {
+    return;
+  }
+  if (std::find(appeared.begin(), appeared.end(), lost_.trail) != appeared.end()) {
+    view_.selectedTrail = lost_.trail;
+    view_.selectedSpheres = std::exchange(lostSpheres_, {});
+  } else if (appeared.size() == 1) {
+    view_.selectedTrail = appeared.front();
+    view_.selectedSpheres.clear();
+  }
+}
+
 void Session::documentChanged() {
+  followRate();
   const Document& shown = document();
   std::vector<int> appeared;
   std::vector<int> trails;
@@ -109,10 +154,7 @@ void Session::documentChanged() {
     }
   }
   knownTrails_ = std::move(trails);
-  if (findTrail(shown, view_.selectedTrail) == nullptr) {
-    view_.selectedTrail = appeared.size() == 1 ? appeared.front() : 0;
-    view_.selectedSpheres.clear();
-  }
+  keepSelectedTrail(appeared);
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
   followSelection();

@@ -85,7 +85,14 @@ private:
   ViewState view_;
   EvaluationCache cache_;
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
+  void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
+  void keepSelectedTrail(const std::vector<int>& appeared);
+
   Followed followed_;
+  Followed lost_; ///< What was selected when undo took it away: redo selects it again.
+  std::vector<double> lostSpheres_;
+  int ratedClip_ = -1; ///< Whose rate was this:
+  double rate_ = 0.0;
   std::vector<int> knownTrails_; ///< Ids, as last shown.
   std::filesystem::path savePath_;
 };

@@ -1,5 +1,6 @@
 #include "app/batch/options.h"
 
+#include "app/edits/rate_edits.h"
 #include "app/files/save.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
@@ -17,7 +18,8 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 
 void addClipArguments(CommandLine& line, FileArguments& arguments) {
   line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
-  line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys")
+  line.option("--fps", arguments.framesPerSecond,
+              "Frames per second to count in; default: as the file was worked on, else guessed from the keys")
       .positive();
 }
 

@@ -15,6 +15,7 @@ inline constexpr const char* recipeLoad = "recipe.load";
 
 inline constexpr const char* undo = "edit.undo";
 inline constexpr const char* redo = "edit.redo";
+inline constexpr const char* history = "edit.history";
 inline constexpr const char* copyTrail = "trail.copy";
 inline constexpr const char* pasteTrail = "trail.paste";
 inline constexpr const char* mirrorTrail = "trail.mirror";
@@ -39,6 +40,8 @@ inline constexpr const char* trailApply = "trail.apply";
 inline constexpr const char* trailApplyAll = "trail.apply-all";
 inline constexpr const char* trailDelete = "trail.delete";
 inline constexpr const char* trailDeleteAll = "trail.delete-all";
+inline constexpr const char* trailRename = "trail.rename";
+inline constexpr const char* trailNextColour = "trail.colour";
 inline constexpr const char* trailBlend = "trail.blend";
 inline constexpr const char* trailShowOriginal = "trail.show-original";
 inline constexpr const char* weightToggle = "weight.toggle";
@@ -54,6 +57,15 @@ inline constexpr const char* timePreviousKey = "time.previous-key";
 inline constexpr const char* timeNextKey = "time.next-key";
 inline constexpr const char* timeStart = "time.start";
 inline constexpr const char* timeEnd = "time.end";
+
+inline constexpr const char* timeEveryFrame = "play.every-frame";
+inline constexpr const char* timeOnTwos = "play.on-twos";
+inline constexpr const char* clipNext = "clip.next";
+inline constexpr const char* clipPrevious = "clip.previous";
+inline constexpr const char* clipRate24 = "clip.rate-24";
+inline constexpr const char* clipRate25 = "clip.rate-25";
+inline constexpr const char* clipRate30 = "clip.rate-30";
+inline constexpr const char* clipRateOwn = "clip.rate-own";
 
 inline constexpr const char* viewGhosts = "view.ghosts";
 inline constexpr const char* viewSkeleton = "view.skeleton";

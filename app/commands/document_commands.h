@@ -15,6 +15,7 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> historyCommands();
 [[nodiscard]] std::vector<DocumentCommand> limbCommands();
 [[nodiscard]] std::vector<DocumentCommand> timeCommands();
+[[nodiscard]] std::vector<DocumentCommand> clipCommands();
 [[nodiscard]] std::vector<DocumentCommand> trailCommands();
 [[nodiscard]] std::vector<DocumentCommand> groupCommands();
 [[nodiscard]] std::vector<DocumentCommand> sphereCommands();

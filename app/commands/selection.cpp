@@ -192,6 +192,10 @@ std::string limbTitle(const Document& document, const std::string& limbId) {
   return title;
 }
 
+std::string trailTitle(const Document& document, const rig::Trail& trail) {
+  return trail.name.empty() ? limbTitle(document, trail.limb) : trail.name;
+}
+
 double nudgeUnits(const Document& document) {
   return document.biped.height / 200.0;
 }

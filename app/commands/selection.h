@@ -47,6 +47,9 @@ void selectGroup(Session& session, int trailId);
 /// How people call a limb: "left arm", or the chain's id.
 [[nodiscard]] std::string limbTitle(const Document& document, const std::string& limbId);
 
+/// What a trail is called: its own name, else that of its limb.
+[[nodiscard]] std::string trailTitle(const Document& document, const rig::Trail& trail);
+
 /// World units that one arrow key nudges a sphere: a two-hundredth of the character's height.
 [[nodiscard]] double nudgeUnits(const Document& document);
 

@@ -7,6 +7,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {
@@ -34,7 +35,12 @@ Status stepForward(Session& session) {
 
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  const std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
+  std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
+  if (ownRate(session.document(), view.clip) != clipOf(session.document(), view.clip).framesPerSecond) {
+    // Keys lie between the frames of a rate of the user's choice: the frame nearest to each counts.
+    std::transform(frames.begin(), frames.end(), frames.begin(),
+                   [](double frame) { return std::round(frame); });
+  }
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });

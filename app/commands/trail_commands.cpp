@@ -132,6 +132,19 @@ Status applyAll(Session& session) {
   return finish(session, std::move(document), "Apply all trails");
 }
 
+/// The next colour of the palette for the first trail, the same for all.
+Status nextColour(Session& session) {
+  const std::vector<int> targets = targetTrails(session);
+  if (targets.empty()) {
+    return noTrail();
+  }
+  const int colour = (findTrail(session.document(), targets.front())->colour + 1) % dealtColours;
+  return editTargets(session, "Change the trail's colour",
+                     [&](const Document& document, const rig::Trail& trail) {
+                       return setTrailDisplay(document, trail.id, {colour, trail.visible, trail.pinned});
+                     });
+}
+
 Status deleteTargets(Session& session) {
   return editTargets(session, "Delete the trail", [](const Document& document, const rig::Trail& trail) {
     return deleteTrail(document, trail.id);
@@ -235,6 +248,8 @@ std::vector<DocumentCommand> trailCommands() {
           "Applies every connected trail of the clip; disconnected ones stay as they are.",
           {"Ctrl+Enter", "Ctrl+Numpad Enter"},
           [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
+      entry(command::trailNextColour, "Next colour", "Gives the trail the next colour of the palette.", {},
+            hasTarget, nextColour),
       entry(
           command::editDelete, "Delete",
           "Takes the selected spheres away (the first and the last are put back); with none selected deletes "

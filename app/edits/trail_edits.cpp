@@ -9,8 +9,6 @@ namespace stretch::app {
 
 namespace {
 
-constexpr int paletteSize = 5; ///< Colours that are dealt to new trails in turn.
-
 template <typename Change>
 Result<Document> changeTrail(const Document& document, int trailId, Change&& change) {
   Document changed = document;
@@ -61,7 +59,7 @@ Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wante
   trail.settings = wanted.settings;
   trail.exaggerated = wanted.exaggerated || wanted.connected;
   trail.connected = wanted.connected;
-  trail.colour = (document.nextTrailId - 1) % paletteSize;
+  trail.colour = (document.nextTrailId - 1) % dealtColours;
   Result<PlacedTrails> placed = placeTrails(document, {&trail, 1}, Entry::hand);
   return placed ? Result<CreatedTrail>(CreatedTrail{std::move(placed->document), placed->trailIds.front()})
                 : Result<CreatedTrail>(placed.error());

@@ -25,6 +25,8 @@ struct CreatedTrail {
   int trailId = 0;
 };
 
+inline constexpr int dealtColours = 5;
+
 /// Colours are dealt in turn, so that trails beside each other stay apart.
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 

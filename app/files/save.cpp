@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "app/edits/rate_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
@@ -33,12 +34,13 @@ std::set<int> clipsToKey(const Document& document) {
   return clips;
 }
 
-// Frames count in the rate of the clip as it was, also where the keys in the file tell another.
+// Frames count in the own rate of the clip, also where the keys in the file tell another.
 void noteRates(const Document& document, gltf::Edits& edits) {
   for (gltf::ClipTracks& clip : edits.clips) {
-    const Clip& source = clipOf(document, clip.clip);
-    const double told = guessFramesPerSecond(rig::withTracks(source, clip.tracks).tracks);
-    clip.framesPerSecond = told == source.framesPerSecond ? 0.0 : source.framesPerSecond;
+    const double own = ownRate(document, clip.clip);
+    const double told =
+        guessFramesPerSecond(rig::withTracks(clipOf(document, clip.clip), clip.tracks).tracks);
+    clip.framesPerSecond = told == own ? 0.0 : own;
   }
 }
 

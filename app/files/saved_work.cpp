@@ -4,10 +4,12 @@
 #include <utility>
 
 #include "app/edits/place_trails.h"
+#include "app/edits/rate_edits.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
+#include "rig/ik/limb_shape.h"
 
 namespace stretch::app {
 
@@ -17,11 +19,12 @@ using gltf::Json;
 
 constexpr int workVersion = 1;
 constexpr double metres = 1.0;
+constexpr double fastestRate = 1e6; ///< Frames per second.
 
 const std::vector<std::string>& keysBesideSettings() {
-  static const std::vector<std::string> keys{"id",        "limb",           "clip",   "exaggerated",
-                                             "connected", "applied",        "colour", "visible",
-                                             "pinned",    "control_frames", "follow", "group"};
+  static const std::vector<std::string> keys{"id",      "limb",   "clip",    "exaggerated", "connected",
+                                             "applied", "colour", "visible", "pinned",      "control_frames",
+                                             "follow",  "group",  "name"};
   return keys;
 }
 
@@ -38,6 +41,9 @@ Json savedTrail(const rig::Trail& trail) {
   json["pinned"] = trail.pinned;
   json["control_frames"] = trail.controlFrames;
   json["follow"] = trail.follow;
+  if (!trail.name.empty()) {
+    json["name"] = trail.name;
+  }
   if (trail.group > 0) {
     json["group"] = trail.group;
   }
@@ -94,10 +100,19 @@ Status readApplied(const Json& json, rig::Trail& trail) {
   return read;
 }
 
+// Earlier versions kept scales that no limb reached.
+Json withinReach(Json json) {
+  if (json.is_object() && json.contains("scale") && json["scale"].is_number()) {
+    json["scale"] = std::min(json["scale"].get<double>(), rig::largestStretch);
+  }
+  return json;
+}
+
 Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   rig::Trail trail;
-  if (const Status read = trailFromJson(json, metres, keysBesideSettings(), trail.settings); !read) {
-    return read.error();
+  const Status settings = trailFromJson(withinReach(json), metres, keysBesideSettings(), trail.settings);
+  if (!settings) {
+    return settings.error();
   }
   trail.id = json.at("id").get<int>();
   trail.limb = json.at("limb").get<std::string>();
@@ -109,6 +124,7 @@ Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   trail.pinned = json.at("pinned").get<bool>();
   trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
   trail.follow = json.at("follow").get<bool>();
+  trail.name = json.value("name", std::string());
   trail.group = std::clamp(json.value("group", 0), 0, 1000000);
   if (const Status read = readApplied(json.at("applied"), trail); !read) {
     return read.error();
@@ -176,7 +192,25 @@ Result<WeightedLimb> weightedLimbFromJson(const Json& json, const Document& docu
   return entry;
 }
 
+Status restoreRates(const Json& rates, Document& document) {
+  for (const Json& json : rates) {
+    const ClipRate rate{json.at("clip").get<int>(), json.at("frames_per_second").get<double>(), 0.0};
+    const bool known = rate.clip >= 0 && static_cast<std::size_t>(rate.clip) < document.clips->size();
+    const bool repeated = std::any_of(document.rates.begin(), document.rates.end(),
+                                      [&](const ClipRate& other) { return other.clip == rate.clip; });
+    if (!known || repeated || !(rate.framesPerSecond > 0.0 && rate.framesPerSecond <= fastestRate)) {
+      return malformed("rates");
+    }
+    document.rates.push_back(rate);
+  }
+  countInChosenRates(document);
+  return Success{};
+}
+
 Status restoreParts(const Json& work, Document& document) {
+  if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
+    return rates;
+  }
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
@@ -219,7 +253,7 @@ Status restoreParts(const Json& work, Document& document) {
 
 Json workOf(const Document& document) {
   if (document.trails.empty() && document.weights.empty() && document.chains.empty() &&
-      document.loopingClips.empty() && !document.limbsCorrected) {
+      document.loopingClips.empty() && document.rates.empty() && !document.limbsCorrected) {
     return nullptr;
   }
   Json work;
@@ -237,6 +271,9 @@ Json workOf(const Document& document) {
     work["elastic"].push_back(weightedLimbToJson(entry));
   }
   work["loops"] = document.loopingClips;
+  for (const ClipRate& rate : document.rates) {
+    work["rates"].push_back({{"clip", rate.clip}, {"frames_per_second", rate.framesPerSecond}});
+  }
   return work;
 }
 
@@ -245,6 +282,11 @@ Document withoutWork(Document document) {
   document.weights.clear();
   document.chains.clear();
   document.loopingClips.clear();
+  for (ClipRate& rate : document.rates) {
+    rate.framesPerSecond = rate.own;
+  }
+  countInChosenRates(document);
+  document.rates.clear();
   if (document.limbsCorrected) {
     document.biped = rig::detectBiped(*document.scene);
     document.limbsCorrected = false;

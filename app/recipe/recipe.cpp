@@ -1,10 +1,12 @@
 #include "app/recipe/recipe.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/named.h"
+#include "app/recount.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
@@ -30,7 +32,8 @@ std::string entryName(const char* list, std::size_t index) {
 }
 
 Status checkKeys(const Json& json) {
-  const std::vector<std::string> known{"version", "clip", "units", "trails", "props", "elastic"};
+  const std::vector<std::string> known{"version", "clip",  "units",  "frames_per_second",
+                                       "trails",  "props", "elastic"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
@@ -45,6 +48,10 @@ Status checkKeys(const Json& json) {
   }
   if (!json.contains("trails") || !json["trails"].is_array()) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
+  }
+  if (json.contains("frames_per_second") &&
+      !(json["frames_per_second"].is_number() && json["frames_per_second"].get<double>() > 0.0)) {
+    return Error{"is not a rate", "frames_per_second", "give a number above 0, or leave it out"};
   }
   if (json.contains("elastic") && !json["elastic"].is_array()) {
     return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
@@ -170,12 +177,24 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   }
   Recipe recipe;
   recipe.clip = *clip;
+  // The recipe's frames are read as those of a clip that is worked on at its rate, and then counted in the
+  // clip's.
+  const double rate = clipOf(document, *clip).framesPerSecond;
+  const double recipeRate = json.value("frames_per_second", rate);
+  Document asInRecipe = workAtRate(document, *clip, recipeRate);
   Status read = readList(json, "trails", recipe.trails, [&](const Json& entry) {
-    return trailOf(entry, *clip, units == "metres", document);
+    return trailOf(entry, *clip, units == "metres", asInRecipe);
   });
   if (read) {
     read = readList(json, "elastic", recipe.weights,
-                    [&](const Json& entry) { return weightOf(entry, *clip, document); });
+                    [&](const Json& entry) { return weightOf(entry, *clip, asInRecipe); });
+  }
+  document.chains = std::move(asInRecipe.chains);
+  for (rig::Trail& trail : recipe.trails) {
+    trail = recounted(std::move(trail), rate / recipeRate);
+  }
+  for (WeightedLimb& weight : recipe.weights) {
+    weight = recounted(std::move(weight), rate / recipeRate);
   }
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
@@ -200,6 +219,9 @@ Json recipeToJson(const Document& document, int clip) {
   Json json;
   json["version"] = recipeVersion;
   json["clip"] = clipOf(document, clip).name;
+  if (ownRate(document, clip) != clipOf(document, clip).framesPerSecond) {
+    json["frames_per_second"] = clipOf(document, clip).framesPerSecond;
+  }
   json["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     const rig::Limb* const limb = findLimb(document, trail.limb);

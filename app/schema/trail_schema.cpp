@@ -1,6 +1,7 @@
 #include "app/schema/trail_schema.h"
 
 #include "app/schema/schema_rows.h"
+#include "rig/ik/limb_shape.h"
 
 namespace stretch::app {
 
@@ -11,7 +12,7 @@ using rig::TrailSettings;
 Schema<TrailSettings> tipSettings() {
   return {
       setting<TrailSettings>({.name = "scale",
-                              .maximum = 100.0,
+                              .maximum = rig::largestStretch,
                               .help = "How long the limb becomes at the tip, in lengths of itself.",
                               .row = {.section = "tip", .maximum = rig::largestScale, .prefix = "\xC3\x97"}},
                              &TrailSettings::scale),
@@ -57,7 +58,7 @@ Schema<TrailSettings> limbSettings() {
       setting<TrailSettings>({.name = "blend",
                               .maximum = 2.0,
                               .help = "0 original, 1 half-way, 2 exaggerated.",
-                              .row = {.section = "limb"}},
+                              .row = {.section = "limb", .percent = true, .shownFactor = 0.5}},
                              &TrailSettings::blend),
       setting<TrailSettings>({.name = "switch",
                               .maximum = 1.0,
@@ -108,12 +109,14 @@ Schema<TrailSettings> spaceSettings() {
                              &TrailSettings::reference),
       setting<TrailSettings>({.name = "pull",
                               .help = "Pull the tip to the wanted length where its line does not reach it.",
-                              .row = {.section = "space"}},
+                              .row = {.section = "space", .label = "Pull the rest"}},
                              &TrailSettings::pull),
-      setting<TrailSettings>({.name = "stay_in_world",
-                              .help = "The limb's end is not carried along by inner trails.",
-                              .row = {.section = "space"}},
-                             &TrailSettings::stayInWorld),
+      setting<TrailSettings>(
+          {.name = "stay_in_world",
+           .help = "The hand or foot keeps its place in the world while trails nearer to the hips "
+                   "move the body: a hand on a ledge, a planted foot.",
+           .row = {.section = "space", .label = "Keep place"}},
+          &TrailSettings::stayInWorld),
   };
 }
 

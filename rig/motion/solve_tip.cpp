@@ -14,6 +14,12 @@ bool differs(double frame, double other) {
   return std::abs(frame - other) > 0.01;
 }
 
+// The clip may end between its last frame and the one before: a range to the last frame is not cut.
+bool endsInLastFrame(const SolvedTrail& solved) {
+  const double beyond = solved.trail.settings.endFrame - solved.settings.endFrame;
+  return beyond >= 0.0 && beyond <= 0.5;
+}
+
 } // namespace
 
 void solveTipOf(SolvedTrail& solved) {
@@ -45,7 +51,8 @@ void explainTip(SolvedTrail& solved, double framesPerSecond) {
   if (solved.settings.endFrame - solved.settings.startFrame >= longestFrames) {
     solved.warnings.push_back(fmt::format("the range is cut to {:g} frames", longestFrames));
   } else if (differs(solved.settings.startFrame, solved.trail.settings.startFrame) ||
-             differs(solved.settings.endFrame, solved.trail.settings.endFrame)) {
+             (differs(solved.settings.endFrame, solved.trail.settings.endFrame) &&
+              !endsInLastFrame(solved))) {
     solved.warnings.push_back(fmt::format("the range is cut to the frames {:g} to {:g}, which the clip has",
                                           solved.settings.startFrame, solved.settings.endFrame));
   }

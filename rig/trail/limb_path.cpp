@@ -285,7 +285,9 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
       controls.insert(std::lower_bound(controls.begin(), controls.end(), worst.first), worst.first);
     }
     for (const std::size_t control : controls) {
-      times.push_back(samples[control].timeSeconds);
+      const double time = samples[control].timeSeconds;
+      const double onFrame = std::round(time * framesPerSecond) / framesPerSecond;
+      times.push_back(onFrame > start && onFrame < end ? onFrame : time); // Where the artist stops at.
     }
   }
   mergeClose(times);

@@ -96,6 +96,7 @@ struct Trail {
   /// Control spheres).
   std::vector<double> controlFrames;
   bool follow = true; ///< The character follows while a sphere is dragged.
+  std::string name;   ///< The user's own; empty: the limb's.
   int group = 0;      ///< Trails of one number (above 0) were made as one; 0: stands alone.
 
   friend bool operator==(const Trail&, const Trail&) = default;

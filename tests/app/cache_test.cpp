@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/limb_edits.h"
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/cache.h"

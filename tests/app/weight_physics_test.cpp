@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/evaluate.h"

@@ -37,6 +37,8 @@ void drawKeysOverview(PanelContext& context);
 void drawSettingsDialog(PanelContext& context);
 void drawQuestions(PanelContext& context); ///< Unsaved changes, first start, restored work, about.
 void drawJointDialog(PanelContext& context);
+void drawRenameDialog(PanelContext& context);
+void drawHistoryDialog(PanelContext& context);
 void drawToasts(PanelContext& context);
 
 } // namespace stretch::ui

@@ -3,6 +3,7 @@
 
 #include <imgui_internal.h>
 
+#include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"
@@ -175,6 +176,9 @@ void drawDialogs(PanelContext& context) {
   drawJointDialog(context);
   drawSettingsDialog(context);
   drawKeysOverview(context);
+  drawRenameDialog(context);
+  drawHistoryDialog(context);
+  drawContextMenu(context);
   drawQuestions(context);
   drawCommandPalette(context);
   drawToasts(context);

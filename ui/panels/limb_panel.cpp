@@ -3,6 +3,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"
@@ -53,7 +54,7 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   }
   const app::WeightedLimb* const weight = app::findWeight(session.document(), state.id, session.view().clip);
   state.hasWeight = weight != nullptr && weight->on;
-  state.help.text = "Click selects it, Shift+click adds it.";
+  state.help.text = "Click selects it, Shift+click adds it, a right click opens its menu.";
   if (state.hasWeight) {
     state.help.text += " It has weight.";
   }
@@ -62,6 +63,14 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
                        " %): check them in the rig panel.";
   }
   return state;
+}
+
+/// A limb of several that are selected keeps them, so that the menu acts on all.
+void selectForMenu(PanelContext& context, const std::string& limbId) {
+  if (!app::isSelected(context.character(), limbId)) {
+    app::selectLimb(context.character(), limbId, false);
+  }
+  askForMenu(context.ui, MenuTarget::limb);
 }
 
 void chainChips(PanelContext& context) {
@@ -78,6 +87,9 @@ void chainChips(PanelContext& context) {
     if (button(widgets, chip)) {
       app::selectLimb(session, chain.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+      selectForMenu(context, chain.id);
+    }
   }
 }
 
@@ -91,6 +103,15 @@ std::string limbSelectionText(const app::Session& session) {
     text += (text.empty() ? "" : ", ") + app::limbTitle(session.document(), limb);
   }
   return capitalised(text);
+}
+
+void menuOfDiagram(PanelContext& context, const Rect& box,
+                   const std::array<BodyPartState, bodyPartCount>& parts) {
+  const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+  const std::optional<BodyPart> under = bodyPartAt(box, ImGui::GetIO().MousePos);
+  if (asked && under && parts[static_cast<std::size_t>(*under)].found) {
+    selectForMenu(context, limbIds[static_cast<std::size_t>(*under)]);
+  }
 }
 
 } // namespace
@@ -120,6 +141,7 @@ void drawLimbPanel(PanelContext& context) {
     }
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
+  menuOfDiagram(context, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, parts);
   ImGui::Dummy({width, context.theme.px(20.0F)});
   drawText(
       widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},

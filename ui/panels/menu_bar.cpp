@@ -1,6 +1,7 @@
 #include <initializer_list>
 
 #include "app/commands/command_ids.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
@@ -14,20 +15,6 @@ struct Menu {
   const char* title;
   std::initializer_list<const char*> commands;
 };
-
-void menuEntry(PanelContext& context, const char* id) {
-  const CommandInfo* info = findCommand(context, id);
-  if (info == nullptr) {
-    return;
-  }
-  if (ImGui::MenuItem(info->label.c_str(), info->keyText.empty() ? nullptr : info->keyText.c_str(),
-                      info->checked, info->enabled)) {
-    request(context, id);
-  }
-  context.items.add(std::string("menu/") + id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                    info->enabled);
-  tooltip(widgetsOf(context), {info->label, info->help, info->keyText});
-}
 
 void recentFiles(PanelContext& context) {
   if (context.ui.recentFiles.empty() || !ImGui::BeginMenu("Open recent")) {
@@ -53,7 +40,7 @@ void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
     if (id[0] == '\0') {
       ImGui::Separator();
     } else {
-      menuEntry(context, id);
+      commandEntry(context, "menu/", id);
     }
     if (first && withRecent) {
       recentFiles(context);
@@ -77,7 +64,8 @@ void drawMenuBar(PanelContext& context) {
             {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
              recipeSave, "", fileQuit}},
            true);
-  drawMenu(context, {"Edit", {undo, redo, "", copyTrail, pasteTrail, mirrorTrail, "", settings}}, false);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
   drawMenu(
       context,
       {"Limb",
@@ -110,9 +98,10 @@ void drawMenuBar(PanelContext& context) {
              trailDeleteAll}},
            false);
   drawMenu(context,
-           {"Time",
-            {timePlay, timeBack, timeForward, timePreviousKey, timeNextKey, timeStart, timeEnd, "",
-             rangeStart, rangeEnd}},
+           {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
+                     timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,
+                     timeOnTwos, "",         clipPrevious, clipNext,        clipRate24,  clipRate25,
+                     clipRate30, clipRateOwn}},
            false);
   drawMenu(
       context,

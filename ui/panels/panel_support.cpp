@@ -178,6 +178,10 @@ std::string limbHeading(const app::Document& document, const std::string& limbId
   return chain ? limbId : capitalised(app::limbTitle(document, limbId));
 }
 
+std::string trailHeading(const app::Document& document, const rig::Trail& trail) {
+  return trail.name.empty() ? limbHeading(document, trail.limb) : trail.name;
+}
+
 std::string nodeName(const Scene& scene, NodeIndex node) {
   if (!node.exists() || at(node) >= scene.nodes.size()) {
     return "(estimated)";

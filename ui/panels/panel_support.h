@@ -63,6 +63,9 @@ void editSettings(PanelContext& context, const EditPhase& phase, const std::stri
 /// A limb's name as a heading: "Left arm", or the chain's id.
 [[nodiscard]] std::string limbHeading(const app::Document& document, const std::string& limbId);
 
+/// What a trail is called, as a heading.
+[[nodiscard]] std::string trailHeading(const app::Document& document, const rig::Trail& trail);
+
 /// The name of a node, or "#index" where it has none.
 [[nodiscard]] std::string nodeName(const Scene& scene, NodeIndex node);
 

@@ -2,7 +2,9 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "app/edits/rate_edits.h"
 #include "core/scene/scene.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/transport.h"
@@ -41,6 +43,15 @@ void fileSummary(PanelContext& context) {
             .text = "The height in the bind pose is what tolerances are measured against."});
 }
 
+std::string rateText(const PanelContext& context) {
+  const app::Session& session = context.character();
+  const double own = app::ownRate(session.document(), session.view().clip);
+  const bool isOwn = own == app::clipOf(session.document(), session.view().clip).framesPerSecond;
+  return isOwn ? "Frame 0 is the time 0. The rate is guessed from the key times."
+               : "Frame 0 is the time 0. You work at a rate of your choice; the clip's own is " +
+                     shortNumber(own) + " fps.";
+}
+
 void clipRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   labelledRow(
@@ -50,8 +61,7 @@ void clipRows(PanelContext& context) {
   const Clip& clip = app::clipOf(context.character().document(), context.character().view().clip);
   valueRow(widgets, "Length",
            std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.framesPerSecond) + " fps",
-           {.title = shortNumber(clip.endSeconds) + " seconds",
-            .text = "Frame 0 is the time 0. The rate is guessed from the key times."});
+           {.title = shortNumber(clip.endSeconds) + " seconds", .text = rateText(context)});
 }
 
 std::string jointsText(const Scene& scene, const rig::Limb& limb) {
@@ -140,6 +150,12 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
                     {}});
   if (row.clicked) {
     app::selectLimb(session, limb.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
+  }
+  if (row.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+    if (!selected) {
+      app::selectLimb(session, limb.id, false);
+    }
+    askForMenu(context.ui, MenuTarget::limb);
   }
   ImGui::SameLine(0.0F, 0.0F);
   const bool expanded = context.ui.expandedLimb == limb.id;

@@ -163,7 +163,7 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
                   .decimals = decimalsOf(setting),
                   .prefix = setting.row.prefix.c_str(),
                   .suffix = suffix.c_str(),
-                  .displayFactor = setting.row.percent ? 100.0 : setting.row.shownFactor,
+                  .displayFactor = setting.row.shownFactor * (setting.row.percent ? 100.0 : 1.0),
                   .defaultValue = extras.standard,
                   .hardMinimum = setting.minimum,
                   .hardMaximum = setting.maximum,

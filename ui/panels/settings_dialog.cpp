@@ -58,7 +58,9 @@ void drawSettingsDialog(PanelContext& context) {
   themeRow(context);
   interfaceScaleRow(context);
   navigationRow(context);
-  viewRow(context, "settings/", windowSetting("snap"), context.ui);
+  for (const char* name : {"snap", "exaggerate_at_tip", "every_frame", "on_twos"}) {
+    viewRow(context, "settings/", windowSetting(name), context.ui);
+  }
   const int clicked = dialogButtons(context, "settings",
                                     {{.id = "",
                                       .icon = icon::keyboard,

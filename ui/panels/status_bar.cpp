@@ -20,7 +20,8 @@ void statusText(PanelContext& context, const std::string& id, const std::string&
   }
   const Control place = takePlace(widgets, id, {width, context.theme.rowHeight()}, false);
   drawText(widgets, context.theme.fonts.label, place.box, colour, text);
-  tooltip(widgets, help);
+  const bool cut = textSize(context.theme.fonts.label, text).x > width;
+  tooltip(widgets, cut ? Help{text, help.text, help.keyText} : help);
   ImGui::SameLine(0.0F, context.theme.px(20.0F));
 }
 

@@ -43,7 +43,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
     bar.windowStart -= tipIsEnd ? 0.0 : release;
   }
   bar.colour = trailColour(trail.colour);
-  bar.label = limbHeading(session.document(), trail.limb);
+  bar.label = trailHeading(session.document(), trail);
   bar.selected = session.view().selectedTrail == trail.id;
   bar.active = trail.connected && !trail.applied;
   return bar;

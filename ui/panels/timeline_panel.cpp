@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/timeline_model.h"
@@ -96,6 +98,40 @@ void applyView(PanelContext& context, const TimelineOutcome& outcome) {
   }
 }
 
+/// A right click: what lies there is selected, and the playhead goes to a key or a moment.
+void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
+  app::Session& session = context.character();
+  if (outcome.menuBar != 0) {
+    app::selectTrail(session, outcome.menuBar);
+    askForMenu(context.ui, MenuTarget::trail);
+  } else if (outcome.menuAsked) {
+    session.view().frame = outcome.menuFrame;
+    askForMenu(context.ui, outcome.menuOnKey ? MenuTarget::key : MenuTarget::time);
+  }
+  if (outcome.doubleClickedBar != 0) {
+    app::selectTrail(session, outcome.doubleClickedBar);
+    request(context, command::trailRename);
+  }
+}
+
+/// What is seen of time belongs to the clip that is shown and the rate that it is counted in.
+void followClip(PanelContext& context) {
+  const app::Session& session = context.character();
+  TimelineState& time = context.ui.timeline;
+  const int clip = session.view().clip;
+  const double rate = app::clipOf(session.document(), clip).framesPerSecond;
+  if (time.seenClip == clip && time.seenRate != rate && time.viewEnd > time.viewStart) {
+    time.viewStart *= rate / time.seenRate;
+    time.viewEnd *= rate / time.seenRate;
+  } else if (time.seenClip != clip) {
+    time.viewStart = 0.0;
+    time.viewEnd = -1.0;
+  }
+  context.ui.graph.fitPending = context.ui.graph.fitPending || time.seenClip != clip || time.seenRate != rate;
+  time.seenClip = clip;
+  time.seenRate = rate;
+}
+
 void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineModel model = timelineModel(context, detail);
   ImGui::BeginChild(id, ImGui::GetContentRegionAvail(), false,
@@ -107,6 +143,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   applyRange(context.character(), outcome);
   applyBars(context, outcome);
   applyView(context, outcome);
+  applyMenu(context, outcome);
 }
 
 void tabs(PanelContext& context) {
@@ -129,6 +166,7 @@ void drawBottomPanel(PanelContext& context) {
                "Open a character with an animation to see its time and curves here.");
     return;
   }
+  followClip(context);
   tabs(context);
   ImGui::SameLine(0.0F, context.theme.px(16.0F));
   if (context.ui.bottomTab == BottomTab::timeline) {

@@ -106,7 +106,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   const rig::Trail trail = *selected; // a copy: rows edit the document while the others are drawn
   const std::size_t also = app::targetTrails(session).size() - 1;
   panelTitle(widgets, icon::sliders,
-             limbHeading(session.document(), trail.limb) +
+             trailHeading(session.document(), trail) +
                  (also > 0 ? " and " + std::to_string(also) + " more" : ""));
   settingSections(context, trail);
   verticalSpace(widgets, 8.0F);

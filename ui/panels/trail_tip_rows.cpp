@@ -27,11 +27,14 @@ void styleRow(PanelContext& context) {
   labelledRow(widgets, "Style", help);
   std::vector<Choice> choices;
   for (const app::Style& style : app::styles()) {
-    choices.push_back({style.name,
-                       {style.name,
-                        "Arms \xC3\x97" + shortNumber(style.arm) + ", body \xC3\x97" +
-                            shortNumber(style.torso) + ", legs \xC3\x97" + shortNumber(style.leg),
-                        {}}});
+    const auto times = [](double factor) { return "\xC3\x97" + shortNumber(factor); };
+    choices.push_back(
+        {style.name,
+         {style.name,
+          "Arms " + times(style.arm) + ", body " + times(style.torso) + ", legs " + times(style.leg),
+          {}}});
+    choices.back().note =
+        times(style.arm) + " arms  " + times(style.leg) + " legs  " + times(style.torso) + " torso";
   }
   const std::vector<int> trails = app::targetTrails(context.character());
   const int current = app::styleOf(context.character().document(), trails);
@@ -77,6 +80,22 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
   return {};
 }
 
+/// Why the limb does not get as long or as short as it should, and what to do.
+std::string reachProblem(const PanelContext& context, const rig::SolvedTrail& solved) {
+  const rig::TipSolution& tip = solved.tip;
+  if (tip.outcome == rig::TipOutcome::nothingToScale || tip.reached()) {
+    return {};
+  }
+  const bool tooLong = tip.reachedLength > tip.wantedLength;
+  const std::string limb = app::limbTitle(context.character().document(), solved.trail.limb);
+  return "The " + limb + " gets no " + (tooLong ? "shorter" : "longer") + " than " +
+         shortNumber(tip.reachedLength, 3) + " at the tip, of the " + shortNumber(tip.wantedLength, 3) +
+         " that are wanted: its path, made " + (tooLong ? "smaller" : "larger") +
+         " in a straight line, does not pass " + (tooLong ? "nearer to" : "farther from") +
+         " where the limb begins. " +
+         (solved.settings.pull ? "Turn on another axis." : "Turn on Pull the rest, or another axis.");
+}
+
 /// Looked for once the hand is off: every frame of the trail is posed for it. None during a drag.
 std::vector<std::string> lookWarnings(PanelContext& context, const rig::SolvedTrail& solved) {
   app::Session& session = context.character();
@@ -107,7 +126,10 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
                   .showsFill = false,
                   .width = width};
   spec.help = {"First frame", "Drag, or click and type.", keyOf(context, command::rangeStart)};
+  // Between frames, as after a change of the rate, it says so.
+  const auto decimals = [](double frame) { return std::abs(frame - std::round(frame)) < 1e-3 ? 0 : 2; };
   double start = trail.settings.startFrame;
+  spec.decimals = decimals(start);
   EditPhase phase = slider(widgets, spec, start);
   editSettings(context, phase, "Change the range",
                [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
@@ -115,6 +137,7 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
   spec.id = "trail/range-end";
   spec.help = {"Last frame", "Drag, or click and type.", keyOf(context, command::rangeEnd)};
   double end = trail.settings.endFrame;
+  spec.decimals = decimals(end);
   phase = slider(widgets, spec, end);
   editSettings(context, phase, "Change the range",
                [&](TrailSettings& s) { s.endFrame = std::max(end, s.startFrame + 1.0); });
@@ -142,8 +165,14 @@ void tipMessages(PanelContext& context, int trailId) {
   if (const std::string problem = tipProblem(*solved); !problem.empty()) {
     notice(widgets, NoticeKind::info, problem);
   }
+  const std::string reach = reachProblem(context, *solved);
+  if (!reach.empty()) {
+    notice(widgets, NoticeKind::warning, reach);
+  }
   for (const std::string& warning : solved->warnings) {
-    notice(widgets, NoticeKind::warning, warning);
+    if (reach.empty() || !warning.starts_with("not reachable")) { // Said in full above.
+      notice(widgets, NoticeKind::warning, warning);
+    }
   }
   for (const std::string& warning : lookWarnings(context, *solved)) {
     notice(widgets, NoticeKind::warning, warning);

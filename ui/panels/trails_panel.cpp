@@ -4,8 +4,10 @@
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/trail_colours.h"
 #include "ui/panels/trail_group_row.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -73,26 +75,8 @@ void colourPopup(PanelContext& context, const rig::Trail& trail, const std::stri
   if (!ImGui::BeginPopup(popup.c_str())) {
     return;
   }
-  const WidgetContext widgets = widgetsOf(context);
-  for (int i = 0; i < static_cast<int>(trailPalette.size()); ++i) {
-    if (i > 0) {
-      ImGui::SameLine(0.0F, context.theme.px(4.0F));
-    }
-    const float side = context.theme.rowHeight();
-    const Control swatch = takePlace(widgets, "trails/colour-" + std::to_string(i), {side, side});
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    list->AddCircleFilled(swatch.box.centre(), context.theme.px(swatch.hovered ? 10.0F : 8.0F),
-                          trailColour(i));
-    if (i == trail.colour) {
-      list->AddCircle(swatch.box.centre(), context.theme.px(11.0F), context.theme.colours.text, 0,
-                      context.theme.px(1.5F));
-    }
-    if (swatch.clicked) {
-      editOnce(
-          context, "Change the trail's colour",
-          app::setTrailDisplay(context.character().document(), trail.id, {i, trail.visible, trail.pinned}));
-      ImGui::CloseCurrentPopup();
-    }
+  if (trailColours(context, trail, "trails/colour-")) {
+    ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
 }
@@ -130,15 +114,28 @@ void trailText(PanelContext& context, const rig::Trail& trail, float width, floa
                                        : theme.colours.quietText;
   drawText(widgets, theme.fonts.body,
            {{row.box.min.x, row.box.min.y + theme.px(4.0F)}, {row.box.max.x, middle}}, colour,
-           limbHeading(session.document(), trail.limb));
+           trailHeading(session.document(), trail));
   drawText(widgets, theme.fonts.label,
            {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
            theme.colours.quietText, detailText(trail));
-  tooltip(widgets, {.title = limbHeading(session.document(), trail.limb),
-                    .text = detailText(trail) + ". Click selects this trail, Ctrl+click adds it."});
+  const std::string limb = trail.name.empty() ? "" : limbHeading(session.document(), trail.limb) + ", ";
+  tooltip(
+      widgets,
+      {.title = trailHeading(session.document(), trail),
+       .text =
+           limb + detailText(trail) +
+           ". Click selects this trail, Ctrl+click adds it, a double click renames it, a right click opens "
+           "its menu."});
   if (row.clicked) {
     const ImGuiIO& io = ImGui::GetIO();
     app::selectTrailInList(session, trail.id, io.KeyShift || io.KeyCtrl);
+  }
+  if (row.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    request(context, command::trailRename);
+  }
+  if (row.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+    app::selectTrail(session, trail.id);
+    askForMenu(context.ui, MenuTarget::trail);
   }
 }
 

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "app/commands/clips.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
+#include "app/edits/rate_edits.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/row_parts.h"
 #include "ui/panels/timeline_model.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
@@ -65,6 +69,7 @@ void frameField(PanelContext& context, const ShownTime& time) {
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
+/// Speeds, and below them how playing goes on.
 void speedChooser(PanelContext& context) {
   constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
   TimelineState& time = context.ui.timeline;
@@ -74,9 +79,59 @@ void speedChooser(PanelContext& context) {
     choices.push_back({"\xC3\x97" + shortNumber(speeds[i])});
     selected = std::abs(speeds[i] - time.speed) < 1e-9 ? static_cast<int>(i) : selected;
   }
-  const int chosen = dropdown(widgetsOf(context), "timeline/speed", choices, selected,
-                              {"Playback speed", "Of real time.", {}}, context.theme.px(72.0F));
-  time.speed = chosen >= 0 ? speeds[static_cast<std::size_t>(chosen)] : time.speed;
+  for (const char* id : {command::timeEveryFrame, command::timeOnTwos}) {
+    const CommandInfo* const info = findCommand(context, id);
+    choices.push_back(
+        {info == nullptr ? id : info->label, {}, info != nullptr, info != nullptr && info->checked});
+    if (info != nullptr) {
+      choices.back().help = {info->label, info->help, info->keyText};
+    }
+  }
+  const int chosen =
+      dropdown(widgetsOf(context), "timeline/speed", choices, selected,
+               {"Playback", "Speed, of real time; every frame or in time; on ones or twos.", {}},
+               context.theme.px(72.0F));
+  if (chosen >= static_cast<int>(speeds.size())) {
+    request(context,
+            chosen == static_cast<int>(speeds.size()) ? command::timeEveryFrame : command::timeOnTwos);
+  } else if (chosen >= 0) {
+    time.speed = speeds[static_cast<std::size_t>(chosen)];
+  }
+  ImGui::SameLine(0.0F, context.theme.unit());
+}
+
+/// At which rate the clip is worked on: its own, or one that films are made at.
+void rateChooser(PanelContext& context) {
+  const app::Session& session = context.character();
+  const int clip = session.view().clip;
+  const double own = app::ownRate(session.document(), clip);
+  const double now = app::clipOf(session.document(), clip).framesPerSecond;
+  std::vector<std::pair<double, const char*>> rates{{own, command::clipRateOwn}};
+  for (const auto& usual : {std::pair(24.0, command::clipRate24), std::pair(25.0, command::clipRate25),
+                            std::pair(30.0, command::clipRate30)}) {
+    if (std::abs(usual.first - own) > 1e-6) {
+      rates.push_back(usual);
+    }
+  }
+  std::vector<Choice> choices;
+  int selected = -1;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    choices.push_back({shortNumber(rates[i].first) + "\xC2\xA0"
+                                                     "fps"});
+    choices.back().help = {i == 0 ? "The clip's own rate" : "Work at this rate",
+                           "Frames are counted in it; keys and motion stay as they are.",
+                           {}};
+    choices.back().note = i == 0 ? "the clip's own" : "";
+    selected = std::abs(rates[i].first - now) < 1e-6 ? static_cast<int>(i) : selected;
+  }
+  const std::string other = shortNumber(now) + " fps"; // Of the option --fps.
+  const int chosen =
+      dropdown(widgetsOf(context), "timeline/rate", choices, selected,
+               {"Frame rate", "In which frames are counted. The keys stay where they are.", {}},
+               context.theme.px(84.0F), other.c_str());
+  if (chosen >= 0 && chosen != selected) {
+    request(context, rates[static_cast<std::size_t>(chosen)].second);
+  }
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
@@ -102,9 +157,14 @@ Help rangeHelp(const PanelContext& context) {
 
 void timeText(PanelContext& context, const ShownTime& time) {
   const WidgetContext widgets = widgetsOf(context);
-  const std::string text = rangeText(context) + "   " + shortNumber(*time.frame / time.framesPerSecond) +
-                           " s   " + shortNumber(time.framesPerSecond) + " fps";
+  const std::string text =
+      rangeText(context) + "   " + shortNumber(*time.frame / time.framesPerSecond) + " s" +
+      (context.open.character() != nullptr ? std::string()
+                                           : "   " + shortNumber(time.framesPerSecond) + " fps");
   const float width = ImGui::GetContentRegionAvail().x;
+  if (width < context.theme.px(48.0F)) {
+    return;
+  }
   const Control place =
       takePlace(widgets, "timeline/text", {std::max(1.0F, width), context.theme.rowHeight()}, false);
   drawText(widgets, context.theme.fonts.label, place.box, context.theme.colours.quietText, text, 1.0F);
@@ -123,18 +183,6 @@ std::string workText(const app::Document& document, int clip) {
   return text + (app::hasWeight(document, clip) ? ", weight" : "");
 }
 
-void chooseClip(PanelContext& context, int clip) {
-  app::ViewState& view = context.character().view();
-  view.clip = clip;
-  view.frame = 0.0;
-  view.rangeStart = 0.0;
-  view.rangeEnd = -1.0;
-  view.selectedTrail = 0;
-  view.selectedSpheres.clear();
-  context.ui.timeline.viewEnd = context.ui.timeline.viewStart - 1.0;
-  context.ui.graph.fitPending = true;
-}
-
 } // namespace
 
 ShownTime shownTime(PanelContext& context) {
@@ -150,18 +198,26 @@ ShownTime shownTime(PanelContext& context) {
 
 void drawTransport(PanelContext& context) {
   const ShownTime time = shownTime(context);
+  const Theme& theme = context.theme;
   jumps(context);
-  loopSwitch(context);
-  frameField(context, time);
-  speedChooser(context);
-  if (context.open.character() != nullptr && context.character().document().clips->size() > 1) {
-    clipChooser(context, "timeline/clip", context.theme.px(150.0F));
-    ImGui::SameLine(0.0F, context.theme.unit());
+  std::vector<RowPart> parts{{theme.px(30.0F) + theme.unit(), [&] { loopSwitch(context); }},
+                             {theme.px(56.0F) + theme.unit(), [&] { frameField(context, time); }},
+                             {theme.px(72.0F) + theme.unit(), [&] { speedChooser(context); }}};
+  if (context.open.character() != nullptr) {
+    parts.push_back({theme.px(84.0F) + theme.unit(), [&] { rateChooser(context); }});
+    if (context.character().document().clips->size() > 1) {
+      parts.push_back({theme.px(150.0F) + theme.unit(), [&] {
+                         clipChooser(context, "timeline/clip", context.theme.px(150.0F));
+                         ImGui::SameLine(0.0F, context.theme.unit());
+                       }});
+    }
   }
+  rowOfParts(context, "timeline/more", ImGui::GetContentRegionAvail().x, parts);
   timeText(context, time);
 }
 
 void clipChooser(PanelContext& context, const std::string& id, float width) {
+  constexpr std::size_t manyClips = 8;
   const std::vector<Clip>& clips = *context.character().document().clips;
   std::vector<Choice> choices;
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -171,12 +227,17 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
                        {.title = clipName(clips[i], i), .text = seconds + work},
                        true,
                        !work.empty()});
+    choices.back().note = clips.size() > manyClips ? seconds : "";
   }
   const Help help{.title = "Clip",
-                  .text = "The animation to work on. Trails belong to the clip that they were made in."};
-  const int chosen = dropdown(widgetsOf(context), id, choices, context.character().view().clip, help, width);
+                  .text = "The animation to work on. Trails belong to the clip that they were made in.",
+                  .keyText =
+                      keyOf(context, command::clipPrevious) + "  " + keyOf(context, command::clipNext)};
+  std::string* const filter = clips.size() > manyClips ? &context.ui.clipFilter : nullptr;
+  const int chosen =
+      dropdown(widgetsOf(context), id, choices, context.character().view().clip, help, width, "", filter);
   if (chosen >= 0 && chosen != context.character().view().clip) {
-    chooseClip(context, chosen);
+    app::showClip(context.character(), chosen);
   }
 }
 

@@ -53,6 +53,22 @@ struct TimelineState {
   bool loop = true;
   double speed = 1.0; ///< Of real time.
   bool snapToFrames = true;
+  bool everyFrame = false; ///< Each frame is shown, however long it takes; else time runs as it is.
+  bool onTwos = false;     ///< Every second frame stands for two.
+  double clock = 0.0;      ///< Where playing has come to, in frames, between what is shown.
+  int seenClip = -1;       ///< What viewStart and viewEnd belong to:
+  double seenRate = 0.0;   ///< frames per second.
+};
+
+/// What a menu at the mouse is about.
+enum class MenuTarget { nothing, limb, trail, sphere, key, time, viewport };
+
+/// A trail that is given a name.
+struct RenameState {
+  bool open = false;
+  int trail = 0; ///< Id.
+  std::string typed;
+  bool wasOpen = false; ///< In the frame before.
 };
 
 enum class GraphChannels { translation, rotation, scale, stretch };
@@ -210,6 +226,11 @@ struct UiState {
   FileDialogState fileDialog;
   PaletteState palette;
   KeysOverviewState keys;
+  MenuTarget menuAsked = MenuTarget::nothing;  ///< To be opened in this frame.
+  MenuTarget menuTarget = MenuTarget::nothing; ///< Of the menu that was opened last.
+  RenameState rename;
+  std::string clipFilter; ///< Typed into the list of clips.
+  bool historyOpen = false;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;
   bool aboutOpen = false;

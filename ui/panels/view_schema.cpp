@@ -123,6 +123,16 @@ app::Schema<UiState> windowWays() {
           {.name = "loop", .help = "Playing begins again at the end."},
           [](auto& ui) -> auto& { return ui.timeline.loop; }),
       setting<UiState>(
+          {.name = "every_frame",
+           .help = "Playing shows each frame, however long it takes; else time runs as it is.",
+           .row = {.section = "settings", .label = "Every frame"}},
+          [](auto& ui) -> auto& { return ui.timeline.everyFrame; }),
+      setting<UiState>(
+          {.name = "on_twos",
+           .help = "Playing holds every second frame for two, as cartoons do.",
+           .row = {.section = "settings", .label = "On twos"}},
+          [](auto& ui) -> auto& { return ui.timeline.onTwos; }),
+      setting<UiState>(
           {.name = "snap",
            .help = "Playhead and ranges stop at whole frames.",
            .row = {.section = "settings", .label = "Whole frames"}},

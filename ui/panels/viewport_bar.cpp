@@ -1,7 +1,10 @@
+#include <array>
+
 #include "app/commands/command_ids.h"
 #include "core/gltf/json.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/row_parts.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/view_schema.h"
 #include "ui/widgets/icons.h"
@@ -29,18 +32,26 @@ void displayPopup(PanelContext& context) {
 } // namespace
 
 void drawViewportBar(PanelContext& context) {
-  iconButton(context, command::viewSkeleton, icon::skeleton, "Sk");
-  iconButton(context, command::viewWire, icon::wire, "Wi");
-  iconButton(context, command::viewJointNames, icon::tag, "Na");
-  iconButton(context, command::viewHeatMap, icon::fire, "He");
-  iconButton(context, command::viewGhosts, icon::ghosts, "Gh");
-  iconButton(context, command::viewFrameNumbers, icon::numbers, "12");
-  iconButton(context, command::viewGrid, icon::grid, "Gr");
-  iconButton(context, command::viewSideBySide, icon::columns, "||");
+  constexpr std::array<std::array<const char*, 3>, 8> switches{
+      {{command::viewSkeleton, icon::skeleton, "Sk"},
+       {command::viewWire, icon::wire, "Wi"},
+       {command::viewJointNames, icon::tag, "Na"},
+       {command::viewHeatMap, icon::fire, "He"},
+       {command::viewGhosts, icon::ghosts, "Gh"},
+       {command::viewFrameNumbers, icon::numbers, "12"},
+       {command::viewGrid, icon::grid, "Gr"},
+       {command::viewSideBySide, icon::columns, "||"}}};
+  const float side = context.theme.px(30.0F);
+  std::vector<RowPart> parts;
+  for (const auto& entry : switches) {
+    parts.push_back({side + context.theme.px(2.0F),
+                     [&context, &entry] { iconButton(context, entry[0], entry[1], entry[2]); }});
+  }
+  rowOfParts(context, "overlay/hidden", ImGui::GetContentRegionAvail().x - side, parts);
   ButtonSpec more{.id = "overlay/more",
                   .icon = icon::sliders,
                   .emphasis = Emphasis::quiet,
-                  .width = context.theme.px(30.0F),
+                  .width = side,
                   .fallback = "..."};
   more.help = {"Trails and ghosts", "How trails, spheres and ghosts are drawn.", {}};
   if (button(widgetsOf(context), more)) {

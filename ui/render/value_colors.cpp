@@ -41,6 +41,10 @@ float linearChannel(float srgb) {
   return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }
 
+float srgbChannel(float linear) {
+  return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+}
+
 // Eigenvalues of a symmetric matrix in closed form (trigonometric solution of its characteristic polynomial).
 std::array<double, 3> symmetricEigenvalues(const Mat3& m) {
   const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
@@ -105,6 +109,11 @@ glm::vec3 stretchColor(double ratio) {
     }
   }
   return stops.back().color;
+}
+
+glm::vec4 stretchColorSrgb(double ratio) {
+  const glm::vec3 color = stretchColor(ratio);
+  return {srgbChannel(color.x), srgbChannel(color.y), srgbChannel(color.z), 1.0F};
 }
 
 double stretchRatio(const Mat3& linear) {

@@ -41,6 +41,9 @@ inline constexpr double largestShownStretch = 3.0;
 /// ones keep the end's colour.
 [[nodiscard]] glm::vec3 stretchColor(double ratio);
 
+/// The same in sRGB, for legends.
+[[nodiscard]] glm::vec4 stretchColorSrgb(double ratio);
+
 /// How much a linear map stretches: its singular value farthest from 1 in the logarithm. 1 for the identity;
 /// a map that flattens to nothing answers 0.
 [[nodiscard]] double stretchRatio(const Mat3& linear);

@@ -9,15 +9,25 @@ namespace stretch::ui {
 
 namespace {
 
+/// What stands on the screen when playing has come to a frame.
+double shownFrame(const TimelineState& time, double clock) {
+  return time.onTwos ? 2.0 * std::floor(0.5 * clock) : time.everyFrame ? std::floor(clock) : clock;
+}
+
 /// Moves a playhead by the time that passed; answers whether it goes on playing.
-bool advance(const TimelineState& time, double& playhead, double last, double framesPerSecond,
+bool advance(TimelineState& time, double& playhead, double last, double framesPerSecond,
              double secondsPassed) {
   if (last <= 0.0) {
     return false;
   }
+  if (std::abs(playhead - shownFrame(time, time.clock)) > 1e-9) {
+    time.clock = playhead; // It was moved by hand, or playing begins.
+  }
   // A pause of the program is no leap of the motion.
-  const double frame = playhead + std::min(secondsPassed, 0.25) * framesPerSecond * time.speed;
-  playhead = frame <= last ? frame : time.loop ? std::fmod(frame, last) : last;
+  const double passed = std::min(secondsPassed, 0.25) * framesPerSecond * time.speed;
+  const double frame = time.clock + (time.everyFrame ? std::min(passed, 1.0) : passed);
+  time.clock = frame <= last ? frame : time.loop ? std::fmod(frame, last) : last;
+  playhead = std::min(shownFrame(time, time.clock), last);
   return frame <= last || time.loop;
 }
 

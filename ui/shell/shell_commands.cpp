@@ -4,11 +4,14 @@
 #include <array>
 #include <iterator>
 
+#include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/ranges.h"
+#include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
@@ -54,6 +57,8 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
   auto& overlays = shell.ui.overlays;
   auto& panes = shell.panes;
   const std::pair<std::string_view, decltype(&shell.nameAsked)> switches[] = {
+      {command::timeEveryFrame, &shell.ui.timeline.everyFrame},
+      {command::timeOnTwos, &shell.ui.timeline.onTwos},
       {command::viewGhosts, &overlays.ghosts},
       {command::viewSkeleton, &overlays.skeleton},
       {command::viewWire, &overlays.wire},
@@ -116,9 +121,33 @@ Status runGrab(Shell& shell) {
 
 } // namespace
 
+namespace {
+
+/// Where the limb rests at the playhead, E takes its nearest stroke: that is said.
+std::string elsewhereText(const app::Session& session) {
+  const app::ViewState& view = session.view();
+  const rig::Trail* const trail = app::selectedTrail(session);
+  if (trail == nullptr) {
+    return {};
+  }
+  const rig::TrailSettings& settings = trail->settings;
+  const bool here = settings.startFrame - 0.5 <= view.frame && view.frame <= settings.endFrame + 0.5;
+  return here ? std::string()
+              : fmt::format(
+                    "At frame {:.4g} the {} rests: its nearest stroke, frames {:.4g} to {:.4g}, is taken",
+                    view.frame, app::limbTitle(session.document(), trail->limb), settings.startFrame,
+                    settings.endFrame);
+}
+
+} // namespace
+
 Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
+  const bool proposes = app::selectedTrail(session) == nullptr && !app::isRangeSet(session.view());
   const Status started = startExaggerate(session, shell.tool, choice);
+  if (const std::string text = started && proposes ? elsewhereText(session) : ""; !text.empty()) {
+    tell(shell, ToastKind::info, text);
+  }
   if (const std::optional<double> tip = tipFrame(session, shell.tool);
       started && tip && shell.ui.exaggerateAtTip) {
     session.view().frame = *tip;
@@ -161,6 +190,15 @@ Status exportKeys(Shell& shell) {
     tell(shell, ToastKind::success, "The keys are in " + path.string());
   }
   return done;
+}
+
+bool hasTrail(const Shell& shell) {
+  return hasFile(shell) && app::hasSelectedTrail(*shell.open.character());
+}
+
+void renameTrail(Shell& shell) {
+  const rig::Trail& trail = *app::selectedTrail(*shell.open.character());
+  shell.ui.rename = {true, trail.id, trail.name, false};
 }
 
 void openPalette(Shell& shell) {
@@ -230,7 +268,15 @@ std::vector<ShellCommand> toolCommands() {
             doing(showOriginal)),
       entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, hasFile,
             doing(pickChain)),
+      entry(command::trailRename, "Rename the trail", "Gives the selected trail a name of your own.", {"F2"},
+            hasTrail, doing(renameTrail)),
       entry(command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, doing(togglePlay)),
+      switchCommand(command::timeEveryFrame, "Every frame",
+                    "Playing shows each frame, however long it takes; else time runs as it is.", {}),
+      switchCommand(command::timeOnTwos, "On twos",
+                    "Playing holds every second frame for two, as cartoons do.", {}),
+      entry(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
+            hasPicture, doing([](Shell& shell) { shell.ui.historyOpen = true; })),
   };
 }
 
@@ -347,6 +393,34 @@ bool answersAlways(std::string_view id) {
 
 } // namespace
 
+namespace {
+
+std::string undoneLabel(Shell& shell, std::string_view commandId) {
+  return shell.open.with(std::string(), [&](auto& session) {
+    return commandId == command::undo   ? session.history().undoLabel()
+           : commandId == command::redo ? session.history().redoLabel()
+                                        : std::string();
+  });
+}
+
+/// What undo or redo did; the last one takes the place of those before.
+void tellUndone(Shell& shell, std::string_view commandId, const std::string& label) {
+  constexpr std::string_view undone = "Undone: ";
+  constexpr std::string_view redone = "Redone: ";
+  std::erase_if(shell.ui.toasts, [&](const Toast& toast) {
+    return toast.text.starts_with(undone) || toast.text.starts_with(redone);
+  });
+  tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
+}
+
+/// "Undo: Change the scale".
+std::string labelNow(Shell& shell, const ShellCommand& command) {
+  const std::string label = undoneLabel(shell, command.id);
+  return label.empty() ? command.label : command.label + ": " + label;
+}
+
+} // namespace
+
 void runCommand(Shell& shell, std::string_view commandId) {
   const ShellCommand* command = findCommandOf(shell, commandId);
   if (command == nullptr) {
@@ -357,14 +431,19 @@ void runCommand(Shell& shell, std::string_view commandId) {
     tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
     return;
   }
-  tellProblem(shell, command->run(shell));
+  const std::string undone = undoneLabel(shell, commandId);
+  const Status done = command->run(shell);
+  tellProblem(shell, done);
+  if (done && !undone.empty()) {
+    tellUndone(shell, commandId, undone);
+  }
 }
 
 void describeCommands(Shell& shell) {
   shell.commandInfos.clear();
   for (const ShellCommand& command : shell.commands) {
     const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
-    shell.commandInfos.push_back({command.id, command.label, command.help,
+    shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
                                   chords.empty() ? std::string() : shownChord(chords.front()),
                                   command.enabled(shell), isChecked(shell, command.id)});
   }
@@ -373,8 +452,8 @@ void describeCommands(Shell& shell) {
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.jointPick.open || ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
-         shell.files.question().kind != app::FileQuestion::Kind::none;
+         ui.rename.open || ui.historyOpen || ui.jointPick.open || ui.navigationChoiceOpen ||
+         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 void dispatchKey(Shell& shell, const KeyInput& input) {

@@ -12,6 +12,7 @@
 #include "rig/trail/exaggeration.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/skeleton_drawing.h"
+#include "ui/viewport/viewport_legend.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/icons.h"
@@ -261,78 +262,6 @@ void drawEaseCurve(ViewportContext& context) {
   draw->AddCircleFilled(place(ratio, remap.at(ratio)), theme.px(4.5F), theme.colours.text);
 }
 
-struct LegendRow {
-  ImU32 colour;
-  bool dashed;
-  const char* text;
-};
-
-/// What the lines and ghosts are that stand in the picture.
-std::vector<LegendRow> legendRows(const ViewportContext& context) {
-  std::vector<LegendRow> rows;
-  const app::Document& document = context.open.character()->document();
-  const ShownTrail* lit = nullptr;
-  for (const ShownTrail& trail : context.viewport.shown.trails) {
-    const rig::Trail* const source = app::findTrail(document, trail.id);
-    const bool drawn = source != nullptr &&
-                       isDrawn(*source, context.open.character()->view().selectedLimbs, context.ui.overlays);
-    const bool selected = trail.id == context.open.character()->view().selectedTrail;
-    lit = drawn && (lit == nullptr || selected) ? &trail : lit;
-  }
-  if (lit != nullptr) {
-    rows.push_back({originalTrailColour, true, "original path"});
-  }
-  if (lit != nullptr && lit->exaggerated) {
-    rows.push_back({trailColour(lit->colour), false, "exaggerated"});
-  }
-  const Palette palette = paletteOf(context.theme.kind);
-  const auto packed = [](const glm::vec4& colour) {
-    return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
-  };
-  if (context.ui.overlays.ghosts) {
-    rows.push_back({packed(palette.ghostBefore), false, "ghosts before"});
-    rows.push_back({packed(palette.ghostAfter), false, "ghosts after"});
-  }
-  if (context.viewport.tipFrame) {
-    rows.push_back({packed(glm::vec4(palette.highlight, 1.0F)), false, "pose at the tip"});
-  }
-  return rows;
-}
-
-void drawTrailLegend(ViewportContext& context) {
-  const Theme& theme = context.theme;
-  const Rect& box = context.viewport.box;
-  const std::vector<LegendRow> rows = legendRows(context);
-  const float rowHeight = theme.px(18.0F);
-  const float width = theme.px(132.0F);
-  const float inset = theme.unit() * 1.5F;
-  if (rows.empty() || box.width() < 3.0F * width) {
-    return;
-  }
-  const float height = rowHeight * static_cast<float>(rows.size()) + theme.unit();
-  const ImVec2 corner{box.max.x - inset - width, box.max.y - inset - height};
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, faded(theme.colours.background, 0.6F),
-                      theme.corner());
-  const WidgetContext widgets{theme, context.items};
-  float y = corner.y + 0.5F * theme.unit();
-  for (const LegendRow& row : rows) {
-    const float middle = y + 0.5F * rowHeight;
-    const float left = corner.x + theme.unit();
-    const float half = theme.px(row.dashed ? 4.0F : 10.0F);
-    draw->AddRectFilled({left, middle - theme.px(1.5F)}, {left + 2.0F * half, middle + theme.px(1.5F)},
-                        row.colour);
-    if (row.dashed) {
-      draw->AddRectFilled({left + theme.px(12.0F), middle - theme.px(1.5F)},
-                          {left + theme.px(20.0F), middle + theme.px(1.5F)}, row.colour);
-    }
-    drawText(widgets, theme.fonts.label,
-             {{left + theme.px(28.0F), y}, {corner.x + width - theme.px(4.0F), y + rowHeight}},
-             theme.colours.text, row.text);
-    y += rowHeight;
-  }
-}
-
 /// What the picture shows when it is not the plain result.
 void drawStateLabels(ViewportContext& context) {
   const Rect& box = context.viewport.box;
@@ -365,7 +294,8 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawFalloff(context);
   drawEaseCurve(context);
   drawSelectionBox(context);
-  drawTrailLegend(context);
+  drawLegends(context);
+  drawAxisMarker(context);
   ImGui::PopClipRect();
   drawStateLabels(context);
 }

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/commands/selection.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
 
@@ -151,7 +152,29 @@ void beginGesture(ViewportContext& context) {
     finishTool(*context.open.character(), context.tool, left);
   } else if (left) {
     pressLeft(context);
+  } else if (right) {
+    viewport.gesture = ViewportGesture::pressMenu;
   }
+}
+
+/// A right click opens the menu of what lies under the mouse; what is selected with it stays selected.
+void clickRight(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  app::Session& session = *context.open.character();
+  MenuTarget target = MenuTarget::viewport;
+  if (viewport.hoveredSphere) {
+    selectSphere(session, *viewport.hoveredSphere, false);
+    target = MenuTarget::sphere;
+  } else if (viewport.hoveredTrail != 0) {
+    app::selectTrail(session, viewport.hoveredTrail);
+    target = MenuTarget::trail;
+  } else if (!viewport.hoveredLimb.empty()) {
+    if (!app::isSelected(session, viewport.hoveredLimb)) {
+      app::selectLimb(session, viewport.hoveredLimb, false);
+    }
+    target = MenuTarget::limb;
+  }
+  askForMenu(context.ui, target);
 }
 
 void selectInBox(ViewportContext& context) {
@@ -200,10 +223,16 @@ void continueGesture(ViewportContext& context) {
 }
 
 void endGesture(ViewportContext& context) {
-  if (context.viewport.gesture == ViewportGesture::boxSelect) {
+  ViewportState& viewport = context.viewport;
+  if (viewport.gesture == ViewportGesture::boxSelect) {
     selectInBox(context);
   }
-  context.viewport.gesture = ViewportGesture::none;
+  const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
+  if (viewport.gesture == ViewportGesture::pressMenu &&
+      glm::distance(viewport.mousePixels, viewport.pressPixels) <= far) {
+    clickRight(context);
+  }
+  viewport.gesture = ViewportGesture::none;
 }
 
 /// The mouse for a running tool: it follows without a button under G, with the button held in a drag.
@@ -301,6 +330,11 @@ void updateHover(ViewportContext& context) {
   if (!viewport.hovered || context.open.character() == nullptr) {
     return;
   }
+  const bool pressed =
+      ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (context.ui.timeline.playing && !pressed) {
+    return; // The surface is another in each frame: it is looked at when it is asked for.
+  }
   const app::ViewState& view = context.open.character()->view();
   viewport.hoveredTangent = pickTangent(viewport.view, viewport.tangents, viewport.mousePixels);
   if (viewport.hoveredTangent) {
@@ -320,6 +354,23 @@ void updateHover(ViewportContext& context) {
     hoverLimbs(context);
   }
 }
+
+namespace {
+
+/// What the mouse would do, by its shape: a hand that takes, arrows that pull.
+void shapeCursor(const ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  if (!viewport.hovered) {
+    return;
+  }
+  if (std::holds_alternative<GrabTool>(context.tool) || viewport.hoveredAxis || viewport.hoveredSphere) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  } else if (viewport.hoveredEnd || viewport.hoveredTrail != 0 || !viewport.hoveredLimb.empty()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+}
+
+} // namespace
 
 void handleViewportMouse(ViewportContext& context, bool hovered, bool held) {
   ViewportState& viewport = context.viewport;
@@ -345,6 +396,7 @@ void handleViewportMouse(ViewportContext& context, bool hovered, bool held) {
     turnWheel(context, static_cast<double>(io.MouseWheel));
   }
   driveTool(context);
+  shapeCursor(context);
 }
 
 } // namespace stretch::ui

@@ -12,7 +12,7 @@
 namespace stretch::ui {
 
 /// What the mouse does in the viewport from press to release.
-enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, pressEnd, boxSelect };
+enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, pressEnd, pressMenu, boxSelect };
 
 /// What the viewport remembers between frames.
 struct ViewportState {

@@ -60,7 +60,9 @@ bool button(const WidgetContext& context, const ButtonSpec& spec) {
     const float inset = theme.px(4.0F);
     const Rect inner{{control.box.min.x + inset, control.box.min.y},
                      {control.box.max.x - inset, control.box.max.y}};
-    drawText(context, font, inner, spec.enabled ? face.text : faded(face.text, 0.4F), content, 0.5F);
+    const bool tight = !spec.text.empty() && textSize(font, content).x > inner.width();
+    drawText(context, font, inner, spec.enabled ? face.text : faded(face.text, 0.4F),
+             tight ? spec.text : content, 0.5F); // The word says more than its picture.
   }
   tooltip(context, spec.help);
   return control.clicked;

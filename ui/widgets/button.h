@@ -38,7 +38,8 @@ struct Choice {
   std::string text;
   Help help = {};
   bool enabled = true;
-  bool marked = false; ///< With a dot at its end, in lists.
+  bool marked = false;   ///< With a dot at its end, in lists.
+  std::string note = {}; ///< Quiet text at its end, in lists.
 };
 
 /// Choices side by side, one of which is on, as wide as the available width. The index that was clicked, or

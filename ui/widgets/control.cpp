@@ -60,7 +60,8 @@ ImVec2 tooltipSize(const WidgetContext& context, const Help& help) {
   const float header = title.x > 0.0F || key.x > 0.0F ? font->FontSize : 0.0F;
   const float gap = header > 0.0F && !help.text.empty() ? tooltipLineGap(theme) : 0.0F;
   const ImVec2 padding = tooltipPadding(theme);
-  return {std::max(title.x + between + key.x, help.text.empty() ? 0.0F : text.x) + 2.0F * padding.x,
+  const float slack = theme.px(4.0F); // Of whole pixels and of the words' own spacing.
+  return {std::max(title.x + between + key.x, help.text.empty() ? 0.0F : text.x) + 2.0F * padding.x + slack,
           header + gap + (help.text.empty() ? 0.0F : text.y) + 2.0F * padding.y};
 }
 

@@ -1,6 +1,7 @@
 #include "ui/widgets/remap_editor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -112,8 +113,42 @@ EditPhase editHandle(const WidgetContext& context, const std::string& id, const 
   phase.ended = ImGui::IsItemDeactivated();
   drawHandle(context, plot.toScreen(handle.place()), handle.isOff(), control.hovered || control.held, colour);
   if (control.hovered || control.held) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     tooltipNow(context, {.title = handle.isEaseIn ? "Ease-in" : "Ease-out", .text = describe(handle)});
   }
+  return phase;
+}
+
+/// A drag that begins anywhere else takes the nearer of the two points along.
+EditPhase editNearest(const WidgetContext& context, const std::string& id, const RemapPlot& plot,
+                      RemapPoints& points) {
+  ImGui::SetCursorScreenPos(plot.box.min);
+  const Control control = takePlace(context, id + "/curve", {plot.box.width(), plot.box.height()});
+  ImGui::SetItemAllowOverlap();
+  EditPhase phase;
+  ImGuiStorage* const storage = ImGui::GetStateStorage();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const std::array<Handle, 2> handles{Handle{true, &points.easeIn}, Handle{false, &points.easeOut}};
+  if (ImGui::IsItemActivated()) {
+    const auto apart = [&](const Handle& handle) {
+      return std::abs(plot.toScreen(handle.place()).x - mouse.x);
+    };
+    storage->SetInt(control.id, apart(handles[0]) <= apart(handles[1]) ? 0 : 1);
+  }
+  if (control.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, context.theme.px(2.0F))) {
+    const RemapPoints before = points;
+    handles[static_cast<std::size_t>(storage->GetInt(control.id))].moveTo(plot.toCurve(mouse));
+    points = clampedRemap(points);
+    phase.changed = !(points == before);
+  }
+  if (control.hovered || control.held) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  phase.ended = ImGui::IsItemDeactivated();
+  tooltip(context, {"Transition",
+                    "Drag anywhere: the nearer point comes along. A double click on a point "
+                    "takes it away.",
+                    {}});
   return phase;
 }
 
@@ -149,12 +184,13 @@ EditPhase remapEditor(const WidgetContext& context, const std::string& id,
   drawText(context, theme.fonts.label, caption, faded(theme.colours.quietText, 0.8F),
            "pivot \xE2\x86\x92 tip", 1.0F);
   RemapPoints edited = points;
+  const EditPhase anywhere = editNearest(context, id, plot, edited);
   const EditPhase in = editHandle(context, id + "/ease-in", plot, {true, &edited.easeIn}, edited, colour);
   const EditPhase out = editHandle(context, id + "/ease-out", plot, {false, &edited.easeOut}, edited, colour);
   points = edited;
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({width, height});
-  return {in.changed || out.changed, in.ended || out.ended};
+  return {in.changed || out.changed || anywhere.changed, in.ended || out.ended || anywhere.ended};
 }
 
 } // namespace stretch::ui

@@ -164,6 +164,29 @@ void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& 
   outcome.viewChanged = true;
 }
 
+void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& layout, const Hit& hit,
+                 const ImVec2& mouse, TimelineOutcome& outcome) {
+  if (hit.bar != 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    outcome.doubleClickedBar = hit.bar;
+  }
+  if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right) || !layout.track.contains(mouse)) {
+    return;
+  }
+  outcome.menuAsked = true;
+  outcome.menuBar = hit.bar;
+  outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
+  const std::size_t row = keyRowAt(theme, layout, model, mouse.y);
+  float nearest = theme.px(grabWidth);
+  for (const double frame : row < model.keyRows.size() ? model.keyRows[row].frames : std::vector<double>{}) {
+    const float distance = std::abs(layout.frames.toPixel(frame) - mouse.x);
+    if (distance <= nearest) {
+      nearest = distance;
+      outcome.menuOnKey = true;
+      outcome.menuFrame = snapped(model, frame);
+    }
+  }
+}
+
 Help helpFor(TimelinePart part) {
   switch (part) {
   case TimelinePart::rangeStart:
@@ -177,7 +200,10 @@ Help helpFor(TimelinePart part) {
   case TimelinePart::release:
     return {"Release", "Drag it: over these frames the limb comes back to the original motion.", {}};
   case TimelinePart::barBody:
-    return {"Trail", "Click selects it, dragging moves its range.", {}};
+    return {"Trail",
+            "Click selects it, dragging moves its range, a double click renames it, a right click opens its "
+            "menu.",
+            {}};
   case TimelinePart::nothing:
   case TimelinePart::playhead:
   case TimelinePart::pan:
@@ -192,12 +218,17 @@ namespace {
 
 void recordItems(const WidgetContext& context, const std::string& id, const timeline_detail::Layout& layout,
                  const TimelineModel& model) {
+  static const std::vector<double> noFrames;
   const float reach = context.theme.px(4.0F);
   const auto add = [&](const std::string& name, float x, float y) {
     context.items.add(id + "/" + name, {x - reach, y - reach}, {x + reach, y + reach});
   };
   add("range-start", layout.frames.toPixel(model.range.start), layout.ruler.max.y - context.theme.px(5.0F));
   add("range-end", layout.frames.toPixel(model.range.end), layout.ruler.max.y - context.theme.px(5.0F));
+  const std::vector<double>& keys = model.keyRows.empty() ? noFrames : model.keyRows.front().frames;
+  if (std::binary_search(keys.begin(), keys.end(), model.playhead)) {
+    add("key", layout.frames.toPixel(model.playhead), layout.ruler.max.y + context.theme.px(11.0F));
+  }
   for (std::size_t row = 0; row < model.bars.size(); ++row) {
     const TimelineBar& bar = model.bars[row];
     const Rect box = timeline_detail::barBox(context.theme, layout, model, row, {bar.start, bar.end});
@@ -205,6 +236,8 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
     add(name + "/start", box.min.x, box.centre().y);
     add(name + "/end", box.max.x, box.centre().y);
     add(name + "/body", box.centre().x, box.centre().y);
+    context.items.add(id + "/" + name + "/name", {layout.labelLeft, box.min.y},
+                      {layout.track.min.x, box.max.y});
     if (bar.windowEnd > bar.end) {
       add(name + "/release", layout.frames.toPixel(bar.windowEnd), box.centre().y);
     }
@@ -241,6 +274,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   }
   if (control.hovered) {
     timeline_detail::applyWheel(model, layout, mouse, outcome);
+    timeline_detail::applyClicks(theme, model, layout, hit, mouse, outcome);
   }
   timeline_detail::draw(context, layout, model);
   recordItems(context, id, layout, model);
@@ -249,8 +283,8 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (!control.held) {
-    const Help help = timeline_detail::helpFor(hit.part);
-    tooltip(context, help);
+    const std::string name = timeline_detail::cutLabelAt(theme, layout, model, mouse);
+    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part) : Help{.title = name});
   }
   return outcome;
 }

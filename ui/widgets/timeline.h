@@ -65,6 +65,11 @@ struct TimelineOutcome {
   bool gestureEnded = false;
   bool viewChanged = false;
   Span view;
+  bool menuAsked = false; ///< A right click:
+  int menuBar = 0;        ///< on a bar, else
+  double menuFrame = 0.0; ///< at this frame,
+  bool menuOnKey = false; ///< where a key is.
+  int doubleClickedBar = 0;
 };
 
 /// Height that the rows need, in screen pixels.

@@ -40,6 +40,18 @@ void applyGesture(const TimelineModel& model, const Layout& layout, const Timeli
 void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& mouse,
                 TimelineOutcome& outcome);
 
+/// A right click and a double click.
+void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& layout, const Hit& hit,
+                 const ImVec2& mouse, TimelineOutcome& outcome);
+
+/// The row of keys at this height; keyRows.size() for none.
+[[nodiscard]] std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                                   float y);
+
+/// The label left of the tracks at this height, where it is cut; empty elsewhere.
+[[nodiscard]] std::string cutLabelAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                                     const ImVec2& mouse);
+
 [[nodiscard]] Help helpFor(TimelinePart part);
 
 } // namespace stretch::ui::timeline_detail

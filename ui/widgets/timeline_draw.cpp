@@ -178,6 +178,37 @@ Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model
           {layout.frames.toPixel(span.end), y + theme.px(barRowHeight - 2.0F)}};
 }
 
+std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model, float y) {
+  for (std::size_t row = 0; row < model.keyRows.size(); ++row) {
+    const Rect box = keyRowBox(theme, layout, row);
+    if (y >= box.min.y && y < box.max.y) {
+      return row;
+    }
+  }
+  return model.keyRows.size();
+}
+
+std::string cutLabelAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                       const ImVec2& mouse) {
+  if (mouse.x < layout.labelLeft || mouse.x >= layout.track.min.x) {
+    return {};
+  }
+  std::string label;
+  float indent = 0.0F;
+  if (const std::size_t row = keyRowAt(theme, layout, model, mouse.y); row < model.keyRows.size()) {
+    label = model.keyRows[row].label;
+  }
+  for (std::size_t row = 0; row < model.bars.size(); ++row) {
+    const Rect box = barBox(theme, layout, model, row, {model.bars[row].start, model.bars[row].end});
+    if (mouse.y >= box.min.y && mouse.y < box.max.y) {
+      label = model.bars[row].label;
+      indent = theme.px(14.0F);
+    }
+  }
+  const float room = layout.track.min.x - layout.labelLeft - 2.0F * theme.unit() - indent;
+  return textSize(theme.fonts.label, label).x > room ? label : std::string();
+}
+
 void draw(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(layout.box.min, layout.box.max, context.theme.colours.sunken, context.theme.corner());

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/edits/rate_edits.h"
 #include "app/files/save.h"
 #include "rig/motion/stroke.h"
 #include "tests/support/app/boxer.h"

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document.h"
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"

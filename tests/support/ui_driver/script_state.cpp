@@ -62,6 +62,8 @@ std::optional<std::string> trailState(const rig::Trail& trail, std::string_view 
   const rig::TrailSettings& settings = trail.settings;
   const std::map<std::string_view, std::string> states{
       {"trail.limb", trail.limb},
+      {"trail.name", trail.name},
+      {"trail.colour", std::to_string(trail.colour)},
       {"trail.scale", number(settings.scale)},
       {"trail.axes", axesOf(settings)},
       {"trail.start", number(settings.startFrame)},
@@ -196,6 +198,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
       {"shown-keys", [&] { return std::to_string(app::shownKeyFrames(session, view.selectedLimbs).size()); }},
+      {"fps", [&] { return number(app::clipOf(session.document(), view.clip).framesPerSecond); }},
+      {"history", [&] { return std::to_string(session.history().position()); }},
       {"group", [&] { return groupLimbs(session); }},
       {"scales", [&] { return scalesOf(session); }},
       {"tangents", [&] { return tangentCount(session); }},
@@ -279,6 +283,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
+      {"rename-open", yesNo(shell.ui.rename.open)},
+      {"history-open", yesNo(shell.ui.historyOpen)},
+      {"every-frame", yesNo(shell.ui.timeline.everyFrame)},
+      {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
       {"camera.distance", number(shell.viewport.camera.distance)},

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+/// Gives a trail a name of its own; white space around it is dropped, and an empty one takes it away.
+[[nodiscard]] Result<Document> renameTrail(const Document& document, int trailId, const std::string& name);
+
+} // namespace stretch::app

@@ -1,0 +1,110 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/selection.h"
+#include "app/edits/name_edits.h"
+#include "app/edits/trail_edits.h"
+#include "tests/support/ui/panel_driver.h"
+
+using namespace stretch;
+using test::PanelDriver;
+
+namespace {
+
+/// The bundled character with as many clips as a pack of motion has.
+app::Document manyClips() {
+  app::Document document = PanelDriver::bundledCharacter();
+  std::vector<Clip> clips;
+  for (int i = 0; i < 76; ++i) {
+    clips.push_back(document.clips->front());
+    clips.back().name = i == 61 ? "Roundhouse_Kick" : "Walk_" + std::to_string(i);
+  }
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  return document;
+}
+
+app::Document withTrails(int count) {
+  app::Document document = PanelDriver::bundledCharacter();
+  for (int i = 0; i < count; ++i) {
+    app::NewTrail wanted;
+    wanted.limb = "left-arm";
+    wanted.settings.startFrame = 4.0 * i;
+    wanted.settings.endFrame = 4.0 * i + 4.0;
+    document = app::createTrail(document, wanted)->document;
+  }
+  return document;
+}
+
+} // namespace
+
+TEST_CASE("One clip of many is found by a part of its name") {
+  PanelDriver driver(manyClips());
+  driver.frames(2);
+  driver.click("timeline/clip");
+  REQUIRE(driver.find("timeline/clip/Walk_1") != nullptr);
+  driver.type("kick");
+  driver.frames(2);
+  CHECK(driver.find("timeline/clip/Walk_1") == nullptr);
+  driver.click("timeline/clip/Roundhouse_Kick");
+  CHECK(driver.open.character()->view().clip == 61);
+}
+
+TEST_CASE("Lists stay inside of the window, however many entries they have") {
+  PanelDriver driver(manyClips());
+  driver.frames(2);
+  for (const char* field : {"timeline/clip", "rig/clip", "trail/style"}) {
+    if (driver.find(field) == nullptr) {
+      continue;
+    }
+    driver.click(field);
+    driver.frames(2);
+    for (const ui::Item& item : driver.items.items) {
+      if (item.id.rfind(std::string(field) + "/", 0) == 0) {
+        CAPTURE(item.id);
+        CHECK(item.min.x >= 0.0F);
+        CHECK(item.max.x <= ImGui::GetIO().DisplaySize.x);
+        CHECK(item.max.y <= ImGui::GetIO().DisplaySize.y);
+      }
+    }
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frames(2);
+  }
+}
+
+TEST_CASE("A trail is called by its own name, or by its limb's when that is taken away") {
+  const app::Document document = withTrails(1);
+  const int id = document.trails.front().id;
+  const Result<app::Document> named = app::renameTrail(document, id, "  the jab \n");
+  REQUIRE(named);
+  CHECK(app::trailTitle(*named, named->trails.front()) == "the jab");
+  const Result<app::Document> unnamed = app::renameTrail(*named, id, "   ");
+  REQUIRE(unnamed);
+  CHECK(app::trailTitle(*unnamed, unnamed->trails.front()) == "left arm");
+  CHECK(unnamed->trails == document.trails);
+  CHECK_FALSE(app::renameTrail(document, 77, "x"));
+  // Letters of more than one byte are not cut in half.
+  std::string longName;
+  for (int i = 0; i < 60; ++i) {
+    longName += "\xC3\xA9";
+  }
+  const std::string kept = app::renameTrail(document, id, longName)->trails.front().name;
+  CHECK(kept.size() <= 80);
+  CHECK(kept.size() % 2 == 0);
+}
+
+TEST_CASE("The history lists what was done and goes to any of it") {
+  PanelDriver driver(withTrails(1));
+  app::Session& session = *driver.open.character();
+  const int id = session.document().trails.front().id;
+  for (const char* name : {"one", "two", "three"}) {
+    session.edit(*app::renameTrail(session.document(), id, name), std::string("Call it ") + name);
+  }
+  driver.ui.historyOpen = true;
+  driver.frames(4);
+  driver.click("history/1");
+  CHECK(session.document().trails.front().name == "one");
+  driver.click("history/3");
+  CHECK(session.document().trails.front().name == "three");
+  driver.click("history/0");
+  CHECK(session.document().trails.front().name.empty());
+  CHECK_FALSE(session.history().canUndo());
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "ui/panels/panel_context.h"
+
+namespace stretch::ui {
+
+/// One command as an entry of a menu: its label, key, mark and tooltip; the item is `prefix` and its id.
+void commandEntry(PanelContext& context, const std::string& prefix, const char* commandId);
+
+/// Asks for the menu of what lies under the mouse, which was selected before: its commands act on the
+/// selection.
+void askForMenu(UiState& ui, MenuTarget target);
+
+/// The menu that was asked for, at the mouse: once a frame, after the panels, outside any window.
+void drawContextMenu(PanelContext& context);
+
+} // namespace stretch::ui

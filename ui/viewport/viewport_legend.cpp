@@ -1,0 +1,180 @@
+#include "ui/viewport/viewport_legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/commands/selection.h"
+#include "ui/panels/panel_support.h"
+#include "ui/render/value_colors.h"
+#include "ui/viewport/viewport_scene.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/color_legend.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// How a thing looks in the picture, so that two of one colour stay apart.
+enum class LegendMark { line, dashes, figure };
+
+struct LegendRow {
+  ImU32 colour;
+  LegendMark mark;
+  const char* text;
+};
+
+ImU32 packed(const glm::vec4& colour) {
+  return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
+}
+
+/// The trail that the legend is about: the selected one, else any that is drawn.
+const ShownTrail* explainedTrail(const ViewportContext& context) {
+  const app::Session& session = *context.open.character();
+  const ShownTrail* lit = nullptr;
+  for (const ShownTrail& trail : context.viewport.shown.trails) {
+    const rig::Trail* const source = app::findTrail(session.document(), trail.id);
+    const bool drawn =
+        source != nullptr && isDrawn(*source, session.view().selectedLimbs, context.ui.overlays);
+    const bool selected = trail.id == session.view().selectedTrail;
+    lit = drawn && (lit == nullptr || selected) ? &trail : lit;
+  }
+  return lit;
+}
+
+/// What the lines and ghosts are that stand in the picture.
+std::vector<LegendRow> legendRows(const ViewportContext& context) {
+  std::vector<LegendRow> rows;
+  const ShownTrail* const lit = explainedTrail(context);
+  if (lit != nullptr) {
+    rows.push_back({originalTrailColour, LegendMark::dashes, "original path"});
+  }
+  if (lit != nullptr && lit->exaggerated) {
+    rows.push_back({trailColour(lit->colour), LegendMark::line, "exaggerated"});
+  }
+  const Palette palette = paletteOf(context.theme.kind);
+  if (context.ui.overlays.ghosts) {
+    rows.push_back({packed(palette.ghostBefore), LegendMark::figure, "ghosts before"});
+    rows.push_back({packed(palette.ghostAfter), LegendMark::figure, "ghosts after"});
+  }
+  if (context.viewport.tipFrame) {
+    rows.push_back({packed(glm::vec4(palette.highlight, 1.0F)), LegendMark::figure, "pose at the tip"});
+  }
+  return rows;
+}
+
+/// A small person, see-through as ghosts are.
+void drawFigure(ImDrawList& draw, const Theme& theme, const ImVec2& centre, ImU32 colour) {
+  const ImU32 fill = faded(colour, 0.75F);
+  draw.AddCircleFilled({centre.x, centre.y - theme.px(4.0F)}, theme.px(2.5F), fill);
+  draw.AddRectFilled({centre.x - theme.px(3.0F), centre.y - theme.px(1.0F)},
+                     {centre.x + theme.px(3.0F), centre.y + theme.px(6.0F)}, fill, theme.px(2.0F));
+}
+
+void drawMark(ImDrawList& draw, const Theme& theme, const ImVec2& left, const LegendRow& row) {
+  const float half = theme.px(1.5F);
+  const float width = theme.px(20.0F);
+  switch (row.mark) {
+  case LegendMark::line:
+    draw.AddRectFilled({left.x, left.y - half}, {left.x + width, left.y + half}, row.colour);
+    break;
+  case LegendMark::dashes:
+    for (const float from : {0.0F, 12.0F}) {
+      draw.AddRectFilled({left.x + theme.px(from), left.y - half},
+                         {left.x + theme.px(from + 8.0F), left.y + half}, row.colour);
+    }
+    break;
+  case LegendMark::figure:
+    drawFigure(draw, theme, {left.x + 0.5F * width, left.y}, row.colour);
+    break;
+  }
+}
+
+/// Answers its upper edge.
+float drawTrailLegend(ViewportContext& context, float bottom) {
+  const Theme& theme = context.theme;
+  const Rect& box = context.viewport.box;
+  const std::vector<LegendRow> rows = legendRows(context);
+  const float rowHeight = theme.px(18.0F);
+  const float width = theme.px(132.0F);
+  if (rows.empty() || box.width() < 3.0F * width) {
+    return bottom;
+  }
+  const float height = rowHeight * static_cast<float>(rows.size()) + theme.unit();
+  const ImVec2 corner{box.max.x - theme.unit() * 1.5F - width, bottom - height};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, faded(theme.colours.background, 0.6F),
+                      theme.corner());
+  const WidgetContext widgets{theme, context.items};
+  float y = corner.y + 0.5F * theme.unit();
+  for (const LegendRow& row : rows) {
+    drawMark(*draw, theme, {corner.x + theme.unit(), y + 0.5F * rowHeight}, row);
+    drawText(
+        widgets, theme.fonts.label,
+        {{corner.x + theme.unit() + theme.px(28.0F), y}, {corner.x + width - theme.px(4.0F), y + rowHeight}},
+        theme.colours.text, row.text);
+    y += rowHeight;
+  }
+  return corner.y - theme.unit();
+}
+
+/// What the stretch colours say.
+void drawHeatLegend(ViewportContext& context, float bottom) {
+  if (!context.ui.overlays.heatMap) {
+    return;
+  }
+  const ColorLegend legend{"Stretch", fmt::format("\xC3\x97{:g}", smallestShownStretch),
+                           fmt::format("\xC3\x97{:g}", largestShownStretch), "grey: as long as at rest",
+                           [](double share) {
+                             const double ratio = smallestShownStretch *
+                                                  std::pow(largestShownStretch / smallestShownStretch, share);
+                             return packed(stretchColorSrgb(ratio));
+                           }};
+  const ImVec2 size = legendSize(context.theme, legend);
+  const Rect& box = context.viewport.box;
+  if (box.width() < 1.5F * size.x) {
+    return;
+  }
+  drawColorLegend({context.theme, context.items}, "viewport/stretch-legend",
+                  {box.max.x - context.theme.unit() * 1.5F - size.x, bottom - size.y}, legend);
+}
+
+} // namespace
+
+void drawLegends(ViewportContext& context) {
+  const float bottom = context.viewport.box.max.y - context.theme.unit() * 1.5F;
+  drawHeatLegend(context, drawTrailLegend(context, bottom));
+}
+
+void drawAxisMarker(ViewportContext& context) {
+  const Theme& theme = context.theme;
+  const Rect& box = context.viewport.box;
+  const float length = theme.px(22.0F);
+  const ImVec2 centre{box.max.x - theme.px(44.0F), box.min.y + theme.px(44.0F)};
+  if (box.width() < theme.px(360.0F) || box.height() < theme.px(240.0F)) {
+    return;
+  }
+  const Mat3& axes = context.open.character()->view().cameraAxes; // Columns: right, up, towards the viewer.
+  const WidgetContext widgets{theme, context.items};
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::sort(order, {}, [&](int axis) { return axes[2][axis]; }); // The nearest over the others.
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  for (const int axis : order) {
+    const auto right = static_cast<float>(axes[0][axis]);
+    const auto up = static_cast<float>(axes[1][axis]);
+    const ImVec2 end{centre.x + length * right, centre.y - length * up};
+    const ImU32 colour = faded(axisColour(theme, axis), axes[2][axis] < -0.2 ? 0.55F : 1.0F);
+    draw->AddLine(centre, end, colour, theme.px(2.0F));
+    const ImVec2 name{centre.x + 1.45F * length * right, centre.y - 1.45F * length * up};
+    const float half = theme.px(7.0F);
+    drawText(widgets, theme.fonts.strong, {{name.x - half, name.y - half}, {name.x + half, name.y + half}},
+             colour, std::string(1, "XYZ"[axis]), 0.5F);
+  }
+  context.items.add("viewport/axes", {centre.x - length, centre.y - length},
+                    {centre.x + length, centre.y + length});
+}
+
+} // namespace stretch::ui

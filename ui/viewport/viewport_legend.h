@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/viewport/viewport_context.h"
+
+namespace stretch::ui {
+
+/// What the lines, ghosts and colours in the picture mean, in its lower right corner.
+void drawLegends(ViewportContext& context);
+
+/// The directions of the world's axes, in the upper right corner.
+void drawAxisMarker(ViewportContext& context);
+
+} // namespace stretch::ui
