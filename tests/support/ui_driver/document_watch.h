@@ -12,7 +12,8 @@ class DocumentWatch {
 public:
   /// After each frame: another file may be open.
   void look(ui::Shell& shell);
-  /// Takes every step back, or brings those steps again, by the commands. Answers what is wrong, else nothing.
+  /// Takes every step back, or brings those steps again, by the commands. Answers what is wrong, else
+  /// nothing.
   [[nodiscard]] std::string undoAll(ui::Shell& shell);
   [[nodiscard]] std::string redoAll(ui::Shell& shell);
 
