@@ -7,6 +7,7 @@
 #include "app/batch/verb.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
+#include "app/recipe/replay.h"
 #include "core/gltf/json.h"
 #include "rig/motion/solve.h"
 

@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "app/edits/group_edits.h"
-#include "app/edits/weight_edits.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
 
@@ -129,28 +128,6 @@ Result<PlacedTrails> placeTrails(const Document& document, std::span<const rig::
     placed.document.nextTrailId = std::max(placed.document.nextTrailId, trail.id + 1);
     placed.trailIds.push_back(trail.id);
     trails.push_back(std::move(trail));
-  }
-  return placed;
-}
-
-Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
-  std::vector<rig::Trail> trails = recipe.trails;
-  const int othersGroups = freeGroup(document) - 1;
-  for (rig::Trail& trail : trails) {
-    trail.group += trail.group > 0 ? othersGroups : 0;
-    trail.exaggerated = true;
-    trail.connected = true;
-  }
-  Result<PlacedTrails> placed = placeTrails(document, trails, Entry::request);
-  if (!placed) {
-    return placed;
-  }
-  for (const WeightedLimb& wanted : recipe.weights) {
-    Result<Document> next = setWeight(placed->document, wanted);
-    if (!next) {
-      return next.error();
-    }
-    placed->document = std::move(*next);
   }
   return placed;
 }

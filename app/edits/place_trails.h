@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/document.h"
-#include "app/recipe/recipe.h"
 
 namespace stretch::app {
 
@@ -42,9 +41,5 @@ struct PlacedTrails {
 
 /// Whether the document has this limb (or chain) and this clip; the error says which it lacks.
 [[nodiscard]] Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip);
-
-/// Adds the trails of a recipe, exaggerated and connected, and the weight of limbs: what the command line,
-/// the editor and pictures make of a recipe. All of it or nothing; trails that are in the way give way.
-[[nodiscard]] Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe);
 
 } // namespace stretch::app

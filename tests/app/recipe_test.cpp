@@ -4,6 +4,7 @@
 #include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/replay.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"

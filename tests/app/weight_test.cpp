@@ -21,6 +21,7 @@
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/replay.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"

@@ -12,6 +12,7 @@
 #include "app/edits/place_trails.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
+#include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "skinning/sequence/read_sequence.h"

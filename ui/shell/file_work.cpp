@@ -4,6 +4,7 @@
 
 #include "app/edits/place_trails.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/replay.h"
 #include "core/gltf/json.h"
 #include "ui/panels/file_listing.h"
 #include "ui/shell/sequence_work.h"

@@ -5,6 +5,7 @@
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/files/saved_work.h"
+#include "app/recipe/replay.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
 

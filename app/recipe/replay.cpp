@@ -1,0 +1,31 @@
+#include "app/recipe/replay.h"
+
+#include <utility>
+
+#include "app/edits/weight_edits.h"
+
+namespace stretch::app {
+
+Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
+  std::vector<rig::Trail> trails = recipe.trails;
+  const int othersGroups = freeGroup(document) - 1;
+  for (rig::Trail& trail : trails) {
+    trail.group += trail.group > 0 ? othersGroups : 0;
+    trail.exaggerated = true;
+    trail.connected = true;
+  }
+  Result<PlacedTrails> placed = placeTrails(document, trails, Entry::request);
+  if (!placed) {
+    return placed;
+  }
+  for (const WeightedLimb& wanted : recipe.weights) {
+    Result<Document> next = setWeight(placed->document, wanted);
+    if (!next) {
+      return next.error();
+    }
+    placed->document = std::move(*next);
+  }
+  return placed;
+}
+
+} // namespace stretch::app
