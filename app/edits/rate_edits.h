@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/document.h"
-#include "app/recount.h"
 
 namespace stretch::app {
 
@@ -21,5 +20,9 @@ void setFramesPerSecond(Document& document, double framesPerSecond);
 /// For reading: the clips that have a rate of the user's choice are counted in it, and what is in the
 /// document is left alone.
 void countInChosenRates(Document& document);
+
+/// The same moments in frames of a rate that is `factor` times as high.
+[[nodiscard]] rig::Trail recounted(rig::Trail trail, double factor);
+[[nodiscard]] WeightedLimb recounted(WeightedLimb weight, double factor);
 
 } // namespace stretch::app

@@ -5,8 +5,9 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/group_edits.h"
+#include "app/edits/rate_edits.h"
 #include "app/named.h"
-#include "app/recount.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
@@ -229,7 +230,7 @@ Json recipeToJson(const Document& document, int clip) {
       Json entry = trailToJson(trail.settings, limb->restLength);
       entry["limb"] = trail.limb;
       entry["colour"] = trail.colour;
-      if (trail.group > 0) {
+      if (!groupMembers(document, trail.id).empty()) {
         entry["group"] = trail.group;
       }
       json["trails"].push_back(std::move(entry));
