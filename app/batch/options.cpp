@@ -16,6 +16,13 @@
 
 namespace stretch::app {
 
+namespace {
+
+constexpr double slowestRate = 0.01; // frames per second
+constexpr double fastestRate = 10000.0;
+
+} // namespace
+
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
   line.flag("--tolerant", arguments.tolerant,
@@ -28,13 +35,12 @@ void addClipArguments(CommandLine& line, FileArguments& arguments) {
 }
 
 void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help) {
-  constexpr double slowest = 0.01;
-  constexpr double fastest = 10000.0;
   line.option("--fps", framesPerSecond, help).check([](const std::string& text) {
     const std::optional<double> given = stretch::parseNumber(text);
-    return given && *given >= slowest && *given <= fastest
+    return given && *given >= slowestRate && *given <= fastestRate
                ? std::string()
-               : fmt::format("'{}' is not possible; give a number from {:g} to {:g}", text, slowest, fastest);
+               : fmt::format("'{}' is not possible; give a number from {:g} to {:g}", text, slowestRate,
+                             fastestRate);
   });
 }
 
