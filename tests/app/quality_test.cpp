@@ -88,8 +88,8 @@ TEST_CASE("an arm that points the other way is told, and the advice that goes wi
     return warning.find("degrees away from where it did") != std::string::npos;
   });
   REQUIRE(turned != warnings.end());
-  CHECK_THAT(*turned, Contains("set the space to base"));
-  document.trails.front().settings.space = rig::TrailSpace::base;
+  CHECK_THAT(*turned, Contains("set the space to root"));
+  document.trails.front().settings.space = rig::TrailSpace::root;
   CHECK(warningsOf(document).empty());
 }
 
