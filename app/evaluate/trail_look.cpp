@@ -113,16 +113,32 @@ void TrailLook::findHead() {
   }
   const rig::BindPlaces places = rig::bindPlaces(*document_.scene);
   const Mat4& world = places.worlds[at(joint)];
-  Vec3 top = positionOf(world);
+  if (glm::determinant(Mat3(world)) == 0.0) {
+    return;
+  }
+  Bounds box;
   for (const NodeIndex node : rig::withSubtrees(*document_.scene, {joint})) {
     const Bounds& mesh = places.meshes[at(node)];
-    top.y = mesh.empty() ? top.y : std::max(top.y, mesh.high.y);
+    if (!mesh.empty()) {
+      box.add(mesh.low);
+      box.add(mesh.high);
+    }
   }
-  const double aboveHips = top.y - positionOf(places.worlds[at(document_.biped.hips)]).y;
-  if (glm::determinant(Mat3(world)) != 0.0 && aboveHips > 0.0) {
-    head_ = Head{joint, transformPoint(glm::inverse(world), top), aboveHips};
+  if (box.empty()) {
+    box.add(positionOf(world));
+  }
+  Head head{joint, glm::inverse(world), 0.5 * (box.low + box.high), 0.5 * (box.high - box.low), 0.0};
+  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document_.biped.hips)]).y;
+  if (head.aboveHips > 0.0) {
+    head_ = head;
     nodes_.push_back(joint);
   }
+}
+
+double TrailLook::Head::top(const Mat4& jointWorld) const {
+  const Mat4 moved = jointWorld * fromBind;
+  const Vec3 up(moved[0].y, moved[1].y, moved[2].y);
+  return transformPoint(moved, centre).y + glm::length(up * half);
 }
 
 void TrailLook::findFloor(const rig::Limb& limb) {
@@ -149,7 +165,7 @@ public:
       step(frame / alone_.framesPerSecond);
       lookAtLimb(frame);
       lookAtPlaces(frame);
-      if (!look_.edgeLengths_.empty()) {
+      if (look_.surface_.movedCount() > 0) {
         lookAtSurface(frame);
       }
       if (untilFirst && findings_.any()) {
@@ -204,7 +220,7 @@ private:
   // Of a body that stands: one that lies or stands on its head has everything above the head.
   void lookAtElbows(double frame, double margin) {
     const Head& head = *look_.head_;
-    const double top = transformPoint(before_.worlds[at(head.joint)], head.top).y;
+    const double top = head.top(before_.worlds[at(head.joint)]);
     const double aboveHips = top - positionOf(before_.worlds[at(look_.document_.biped.hips)]).y;
     if (aboveHips < 0.5 * head.aboveHips) {
       return;

@@ -56,10 +56,16 @@ public:
 private:
   class Walk;
 
-  struct Head { // its highest point, in the head joint's space
+  // The ellipsoid in the box around the head's mesh in the bind pose.
+  struct Head {
     NodeIndex joint;
-    Vec3 top{0.0};
+    Mat4 fromBind{1.0}; // world of the bind pose to the joint's space
+    Vec3 centre{0.0};
+    Vec3 half{0.0};
     double aboveHips = 0.0; // in the bind pose
+
+    /// Height of its highest point.
+    [[nodiscard]] double top(const Mat4& jointWorld) const;
   };
 
   void findHead();

@@ -1,6 +1,9 @@
 #include "app/files/saved_work.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "app/edits/place_trails.h"
@@ -211,6 +214,33 @@ Status restoreParts(const Json& work, Document& document) {
   return Success{};
 }
 
+// Clips that are read at another rate than their keys tell.
+Json ratesOf(const Document& document) {
+  Json rates = Json::array();
+  for (std::size_t clip = 0; clip < document.clips->size(); ++clip) {
+    const Clip& one = (*document.clips)[clip];
+    if (one.framesPerSecond != guessFramesPerSecond(one.tracks)) {
+      rates.push_back({{"clip", clip}, {"frames_per_second", one.framesPerSecond}});
+    }
+  }
+  return rates;
+}
+
+Status restoreRates(const Json& rates, Document& document) {
+  std::vector<Clip> clips = *document.clips;
+  for (const Json& json : rates) {
+    const auto clip = json.at("clip").get<std::int64_t>();
+    const auto rate = json.at("frames_per_second").get<double>();
+    if (clip < 0 || clip >= static_cast<std::int64_t>(clips.size()) || !(rate > 0.0) ||
+        !std::isfinite(rate)) {
+      return malformed("rates");
+    }
+    clips[static_cast<std::size_t>(clip)].framesPerSecond = rate;
+  }
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  return Success{};
+}
+
 } // namespace
 
 Json workOf(const Document& document) {
@@ -233,6 +263,9 @@ Json workOf(const Document& document) {
     work["elastic"].push_back(weightedLimbToJson(entry));
   }
   work["loops"] = document.loopingClips;
+  if (Json rates = ratesOf(document); !rates.empty()) {
+    work["rates"] = std::move(rates);
+  }
   return work;
 }
 
@@ -256,6 +289,9 @@ Status restoreWork(const Json& work, Document& document) {
     }
     Document restored = withoutWork(document);
     restored.limbsCorrected = work.value("limbs_corrected", false);
+    if (Status rates = restoreRates(work.value("rates", Json::array()), restored); !rates) {
+      return rates;
+    }
     if (Status parts = restoreParts(work, restored); !parts) {
       return parts;
     }
