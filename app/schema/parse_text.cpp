@@ -1,5 +1,9 @@
 #include "app/schema/parse_text.h"
 
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
 #include "core/base/number.h"
 
 namespace stretch::app {
@@ -12,21 +16,20 @@ Result<double> parseNumber(const std::string& text, const std::string& where) {
 }
 
 Result<Vec3> parseVector(const std::string& text, const std::string& where) {
+  const Error malformed{"'" + text + "' is not a vector", where, "give three numbers, such as 0,-9.81,0"};
+  std::string spaced = text;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::istringstream words(spaced);
   Vec3 vector(0.0);
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? text.find(',', start) : text.size();
-    if (comma == std::string::npos) {
-      return Error{"'" + text + "' is not a vector", where, "give three numbers, such as 0,-9.81,0"};
-    }
-    const Result<double> number = parseNumber(text.substr(start, comma - start), where);
+  std::string word;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<double> number = words >> word ? stretch::parseNumber(word) : std::nullopt;
     if (!number) {
-      return number.error();
+      return malformed;
     }
     vector[i] = *number;
-    start = comma + 1;
   }
-  return vector;
+  return words >> word ? Result<Vec3>(malformed) : Result<Vec3>(vector);
 }
 
 Result<Vec2> parseRange(const std::string& text, const std::string& where) {

@@ -12,7 +12,7 @@ namespace stretch::app {
 /// "-2.5e3" as a number; an error when `text` is anything but one finite number.
 [[nodiscard]] Result<double> parseNumber(const std::string& text, const std::string& where);
 
-/// "x,y,z": three numbers.
+/// Three numbers: "0,-9.81,0", "0, -9.81, 0" or "0 -9.81 0".
 [[nodiscard]] Result<Vec3> parseVector(const std::string& text, const std::string& where);
 
 /// "A:B": first and last frame, real numbers, A <= B.

@@ -31,6 +31,9 @@ struct SettingRow {
   double step = 0.01;
   bool percent = false; ///< A fraction that is shown in per cent.
   std::string prefix = {};
+  std::string shownUnit = {}; ///< Instead of the setting's unit, where that makes unhandy numbers: "kPa".
+  double shownFactor = 1.0;   ///< From the setting's unit to the shown one.
+  bool typed = false;         ///< A text field without a slider: values over many powers of ten.
 };
 
 /// What there is to say about a setting, whatever it belongs to.

@@ -57,7 +57,7 @@ Schema<CompressSettings> bodySettings() {
            .maximum = 1e15,
            .unit = "Pa",
            .help = "Young's modulus; default: the one that explains the frames best.",
-           .row = {.section = "model"}},
+           .row = {.section = "model", .label = "Modulus", .typed = true}},
           [](auto& s) -> auto& { return s.body.youngModulus; }),
       setting<CompressSettings>(
           {.name = "mass",
@@ -65,7 +65,7 @@ Schema<CompressSettings> bodySettings() {
            .maximum = 1e15,
            .unit = "kg",
            .help = "Mass of the body; default: that of water in the body's volume.",
-           .row = {.section = "model"}},
+           .row = {.section = "model", .typed = true}},
           [](auto& s) -> auto& { return s.body.mass; }),
       setting<CompressSettings>(
           {.name = "metres_per_unit",
@@ -73,7 +73,7 @@ Schema<CompressSettings> bodySettings() {
            .maximum = 1e12,
            .unit = "m",
            .help = "How long a unit of the mesh is.",
-           .row = {.section = "model", .label = "Scale"}},
+           .row = {.section = "model", .label = "Scale", .typed = true}},
           [](auto& s) -> auto& { return s.body.metresPerUnit; }),
       setting<CompressSettings>(
           {.name = "gravity",
@@ -81,7 +81,7 @@ Schema<CompressSettings> bodySettings() {
            .maximum = 1e6,
            .unit = "m/s^2",
            .help = "Gravity along x, y, z of the mesh.",
-           .row = {.section = "model"}},
+           .row = {.section = "model", .typed = true}},
           [](auto& s) -> auto& { return s.body.gravity; }),
   };
 }

@@ -44,7 +44,7 @@ Schema<WeightSettings> materialSettings() {
                                .maximum = 1000.0,
                                .unit = "m/s^2",
                                .help = "Gravity along x, y, z of the scene; 0,0,0 leaves inertia alone.",
-                               .row = {.section = "weight", .minimum = 0.0, .maximum = 30.0}},
+                               .row = {.section = "weight", .minimum = -30.0, .maximum = 30.0}},
                               &WeightSettings::gravity),
       setting<WeightSettings>(
           {.name = "young",
@@ -54,7 +54,13 @@ Schema<WeightSettings> materialSettings() {
            .help = fmt::format(
                "Young's modulus of the flesh; default: a limb at rest gives way by {:g} % of its length.",
                100.0 * stillSag),
-           .row = {.section = "weight", .label = "Modulus"}},
+           .row = {.section = "weight",
+                   .label = "Modulus",
+                   .minimum = 1e3,
+                   .maximum = 2e6,
+                   .step = 1e3,
+                   .shownUnit = "kPa",
+                   .shownFactor = 1e-3}},
           &WeightSettings::youngModulus),
       setting<WeightSettings>({.name = "density",
                                .maximum = 100000.0,

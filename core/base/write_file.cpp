@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cerrno>
-#include <ranges>
 
 #include <system_error>
 #include <utility>
@@ -216,7 +215,8 @@ private:
   }
 
   void takeBack() {
-    for (auto& step : std::ranges::reverse_view(steps_)) {
+    for (auto at = steps_.rbegin(); at != steps_.rend(); ++at) {
+      const Step& step = *at;
       if (!step.isInPlace) {
         remove(step.temporary);
         remove(step.old);
@@ -227,8 +227,8 @@ private:
         fs::rename(step.old, step.target, ignored);
       }
     }
-    for (auto& folder : std::ranges::reverse_view(folders_)) {
-      remove(folder);
+    for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
+      remove(*folder);
     }
   }
 

@@ -109,7 +109,8 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
     problems.warning(where, "has no data: all its matrices are zero, and what they move is a point");
     Mat4 point(0.0);
     point[3][3] = 1.0;
-    return std::vector<Mat4>(joints, point);
+    std::vector<Mat4> points(joints, point);
+    return points;
   }
   const std::vector<float> numbers = readFloats(source, accessor);
   std::vector<Mat4> matrices(joints);

@@ -13,9 +13,9 @@ double boxDiagonal(std::span<const glm::vec3> positions) {
   }
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(std::numeric_limits<float>::lowest());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    low = glm::min(low, positions[i]);
-    high = glm::max(high, positions[i]);
+  for (const glm::vec3& position : positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
   }
   return glm::length(Vec3(high) - Vec3(low));
 }

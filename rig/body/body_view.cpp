@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
 #include <set>
 
@@ -45,8 +44,8 @@ std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Ca
 std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIndex>& order,
                                     const std::vector<std::vector<Vec3>>& clouds) {
   std::vector<std::size_t> below(scene.nodes.size(), 0);
-  for (auto node : std::ranges::reverse_view(order)) {
-    const auto index = at(node);
+  for (auto lowest = order.rbegin(); lowest != order.rend(); ++lowest) {
+    const auto index = at(*lowest);
     below[index] += clouds[index].size();
     if (scene.nodes[index].parent.exists()) {
       below[at(scene.nodes[index].parent)] += below[index];
@@ -209,7 +208,8 @@ private:
     const auto count = static_cast<std::size_t>(view_.count());
     view_.verticesBelow.assign(count, 0);
     view_.reach.assign(count, 0.0);
-    for (int& candidate : std::ranges::reverse_view(topDown_)) {
+    for (auto lowest = topDown_.rbegin(); lowest != topDown_.rend(); ++lowest) {
+      const int candidate = *lowest;
       const auto index = static_cast<std::size_t>(candidate);
       view_.verticesBelow[index] += view_.points[index].size();
       if (view_.parent[index] >= 0) {

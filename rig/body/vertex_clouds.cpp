@@ -93,6 +93,7 @@ std::vector<bool> bodyParts(const Scene& scene, const std::vector<std::vector<Ve
     }
   }
   std::vector<bool> parts;
+  parts.reserve(jointOf.size());
   for (const NodeIndex joint : jointOf) {
     parts.push_back(joint.exists() && inRow.count(joint) != 0);
   }

@@ -30,8 +30,8 @@ std::vector<Vec3> reachOf(const Scene& scene, const Clip& clip, const Limb& limb
   const NodeSampler sampler(scene, clip, nodes);
   FrameState frame;
   std::vector<Vec3> reach;
-  for (double at_ = 0.0; at_ <= last; at_ += 1.0) {
-    sampler.sample(at_ / clip.framesPerSecond, frame);
+  for (double frameNumber = 0.0; frameNumber <= last; frameNumber += 1.0) {
+    sampler.sample(frameNumber / clip.framesPerSecond, frame);
     const Vec3 base = positionOf(frame.worlds[at(limb.joints.front())]);
     reach.push_back(endPosition(limb, frame) - base);
   }

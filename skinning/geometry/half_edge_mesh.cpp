@@ -17,7 +17,7 @@ HalfEdges::Point pointOf(const glm::vec3& p) {
 /// corners open.
 bool fits(const HalfEdges& edges, const Corners& corners) {
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto side = edges.find_halfedge(corners[c], corners[(c + 1) % 3]);
+    const HalfEdges::HalfedgeHandle side(edges.find_halfedge(corners[c], corners[(c + 1) % 3]).idx());
     if (!edges.is_boundary(corners[c]) || (side.is_valid() && !edges.is_boundary(side))) {
       return false;
     }
@@ -52,7 +52,7 @@ HalfEdgeMesh buildHalfEdges(std::span<const glm::vec3> positions, const std::vec
     }
     if (!fits(mesh.edges, corners)) {
       for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = mesh.edges.add_vertex(pointOf(positions[triangle[c]]));
+        corners[c] = HalfEdges::VertexHandle(mesh.edges.add_vertex(pointOf(positions[triangle[c]])).idx());
         mesh.original.push_back(triangle[c]);
       }
     }

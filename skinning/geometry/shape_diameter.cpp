@@ -182,7 +182,7 @@ std::vector<std::array<int, 3>> faceNeighbours(std::span<const glm::vec3> positi
   for (const auto face : mesh.edges.faces()) {
     std::size_t slot = 0;
     for (const auto edge : mesh.edges.fh_range(face)) {
-      const HalfEdges::FaceHandle beyond = mesh.edges.opposite_face_handle(edge);
+      const HalfEdges::FaceHandle beyond(mesh.edges.opposite_face_handle(edge).idx());
       if (beyond.is_valid() && slot < 3) {
         neighbours[mesh.triangle[static_cast<std::size_t>(face.idx())]][slot++] =
             static_cast<int>(mesh.triangle[static_cast<std::size_t>(beyond.idx())]);

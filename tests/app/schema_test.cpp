@@ -149,6 +149,17 @@ TEST_CASE("A damaged value is brought near, or left out") {
   CHECK_FALSE(nearestValue(pivot, "middle"));
 }
 
+TEST_CASE("The text of a vector is three numbers, with commas or without") {
+  for (const char* text : {"0,-9.81,2", "0, -9.81, 2", "0 -9.81 2"}) {
+    INFO(text);
+    CHECK(parseVector(text, "--gravity").value() == Vec3(0.0, -9.81, 2.0));
+  }
+  for (const char* text : {"", "1 2", "1,2", "1 2 3 4", "a,b,c", "1,2,nan"}) {
+    INFO(text);
+    CHECK_FALSE(parseVector(text, "--gravity"));
+  }
+}
+
 TEST_CASE("The text of an option is one number, or nothing is taken") {
   CHECK(parseNumber("-2.5e3", "--scale").value() == -2500.0);
   for (const char* text : {"", "2x", " 2", "nan", "inf", "1,5", "--"}) {

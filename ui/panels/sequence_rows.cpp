@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include "app/schema/sequence_schema.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
-#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
@@ -18,56 +17,6 @@
 namespace stretch::ui {
 
 namespace {
-
-std::optional<double> positiveNumber(const std::string& text) {
-  std::istringstream stream(text);
-  double value = 0.0;
-  std::string rest;
-  const bool read = static_cast<bool>(stream >> value) && !(stream >> rest);
-  return read && std::isfinite(value) && value > 0.0 ? std::optional(value) : std::nullopt;
-}
-
-std::string textOf(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
-}
-
-/// What is typed for one value of the settings; empty text stands for what the program takes by itself.
-template <typename Value>
-struct TypedRow {
-  std::string id;
-  const char* label = "";
-  const char* undoLabel = "";
-  std::string hint;
-  Help help;
-  Value (*parse)(const std::string&) = nullptr;
-  std::string (*print)(const Value&) = nullptr;
-  Value& (*place)(skinning::BodyStretchSettings&) = nullptr;
-};
-
-/// The text stays as it is typed while it says what the settings hold; after undo or another file it is made
-/// anew.
-template <typename Value>
-void typedRow(PanelContext& context, const TypedRow<Value>& row, std::string& text) {
-  const WidgetContext widgets = widgetsOf(context);
-  skinning::BodyStretchSettings body = context.sequence().document().settings.body;
-  if (!(row.parse(text) == row.place(body))) {
-    text = row.print(row.place(body));
-  }
-  labelledRow(widgets, row.label, row.help);
-  const EditPhase phase = editText(widgets, row.id, row.hint, text);
-  editSequence(context, phase, row.undoLabel,
-               [&](app::SequenceDocument& document) { row.place(document.settings.body) = row.parse(text); });
-}
-
-Help helpFor(const char* setting) {
-  return settingHelp(*app::findSetting(app::sequenceSchema(), setting));
-}
-
-void complain(PanelContext& context, const std::string& text, bool right, const char* wanted) {
-  if (!text.empty() && !right) {
-    notice(widgetsOf(context), NoticeKind::error, wanted);
-  }
-}
 
 /// What the program chose where nothing is typed, once it is known.
 std::string chosen(const PanelContext& context, double skinning::BodyStretch::*value, const char* unit,
@@ -78,48 +27,12 @@ std::string chosen(const PanelContext& context, double skinning::BodyStretch::*v
              : before;
 }
 
-void optionalRow(PanelContext& context, const TypedRow<std::optional<double>>& row, std::string& text) {
-  typedRow(context, row, text);
-  complain(context, text, positiveNumber(text).has_value(), "A number above 0, such as 3770 or 5.8e-10.");
-}
-
-void scaleRow(PanelContext& context) {
-  std::string& text = context.ui.sequencePanel.metresPerUnit;
-  typedRow<double>(
-      context,
-      {.id = "sequence/scale",
-       .label = "Scale",
-       .undoLabel = "Change the scale",
-       .hint = "1 metre per unit",
-       .help = helpFor("metres_per_unit"),
-       .parse = [](const std::string& typed) { return positiveNumber(typed).value_or(1.0); },
-       .print = [](const double& metres) { return metres == 1.0 ? "" : textOf(metres); },
-       .place = [](skinning::BodyStretchSettings& body) -> double& { return body.metresPerUnit; }},
-      text);
-  complain(context, text, positiveNumber(text).has_value(), "Metres: a number above 0, such as 2.03e-6.");
-}
-
-void gravityRow(PanelContext& context) {
-  using skinning::BodyStretchSettings;
-  std::string& text = context.ui.sequencePanel.gravity;
-  typedRow<Vec3>(
-      context,
-      {.id = "sequence/gravity",
-       .label = "Gravity",
-       .undoLabel = "Change the gravity",
-       .hint = "0, -9.81, 0 m/s\xC2\xB2",
-       .help = helpFor("gravity"),
-       .parse =
-           [](const std::string& typed) { return parseThree(typed).value_or(BodyStretchSettings{}.gravity); },
-       .print =
-           [](const Vec3& gravity) {
-             return gravity == BodyStretchSettings{}.gravity
-                        ? std::string()
-                        : fmt::format("{}, {}, {}", gravity.x, gravity.y, gravity.z);
-           },
-       .place = [](BodyStretchSettings& body) -> Vec3& { return body.gravity; }},
-      text);
-  complain(context, text, parseThree(text).has_value(), "Three numbers, such as 0, -9.81, 0.");
+std::string hintOf(const PanelContext& context, const app::SettingFacts& setting) {
+  if (setting.name == "young") {
+    return chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted");
+  }
+  return setting.name == "mass" ? chosen(context, &skinning::BodyStretch::mass, "kg", "of water")
+                                : std::string();
 }
 
 using Ranges = std::vector<skinning::SegmentModuli::Range>;
@@ -221,42 +134,17 @@ void moduliRows(PanelContext& context) {
 
 } // namespace
 
-std::optional<Vec3> parseThree(const std::string& text) {
-  std::string spaced = text;
-  std::replace(spaced.begin(), spaced.end(), ',', ' ');
-  std::istringstream stream(spaced);
-  Vec3 value(0.0);
-  std::string rest;
-  const bool read = static_cast<bool>(stream >> value.x >> value.y >> value.z) && !(stream >> rest);
-  const bool finite = std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
-  return read && finite ? std::optional(value) : std::nullopt;
-}
-
 void elasticModelRows(PanelContext& context) {
-  using Body = skinning::BodyStretchSettings;
-  SequencePanelState& typed = context.ui.sequencePanel;
-  optionalRow(context,
-              {.id = "sequence/young",
-               .label = "Young",
-               .undoLabel = "Change Young's modulus",
-               .hint = chosen(context, &skinning::BodyStretch::youngModulus, "Pa", "fitted"),
-               .help = helpFor("young"),
-               .parse = positiveNumber,
-               .print = textOf,
-               .place = [](Body& body) -> std::optional<double>& { return body.youngModulus; }},
-              typed.young);
-  optionalRow(context,
-              {.id = "sequence/mass",
-               .label = "Mass",
-               .undoLabel = "Change the mass",
-               .hint = chosen(context, &skinning::BodyStretch::mass, "kg", "of water"),
-               .help = helpFor("mass"),
-               .parse = positiveNumber,
-               .print = textOf,
-               .place = [](Body& body) -> std::optional<double>& { return body.mass; }},
-              typed.mass);
-  scaleRow(context);
-  gravityRow(context);
+  const skinning::CompressSettings settings = context.sequence().document().settings; // rows edit it
+  const auto edit = [&](const EditPhase& phase, const std::string& label,
+                        const std::function<void(skinning::CompressSettings&)>& change) {
+    editSequence(context, phase, label, [&](app::SequenceDocument& document) { change(document.settings); });
+  };
+  for (const app::Setting<skinning::CompressSettings>& setting : app::sequenceSchema()) {
+    if (setting.row.section == "model") {
+      settingRow(context, "sequence/", setting, settings, edit, {.hint = hintOf(context, setting)});
+    }
+  }
   moduliRows(context);
 }
 

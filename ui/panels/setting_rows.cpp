@@ -7,6 +7,7 @@
 
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
+#include "ui/panels/typed_control.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
 
@@ -16,59 +17,22 @@ namespace {
 
 using gltf::Json;
 
-/// A unit as it is written behind a number: " kg/m³".
-std::string suffixOf(const app::SettingFacts& setting) {
-  if (setting.row.percent) {
-    return " %";
-  }
-  std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
-  for (const auto& [plain, raised] : {std::pair("^2", "\xC2\xB2"), std::pair("^3", "\xC2\xB3")}) {
-    if (const std::size_t at = unit.find(plain); at != std::string::npos) {
-      unit.replace(at, 2, raised);
-    }
-  }
-  return unit;
-}
-
 int decimalsOf(const app::SettingFacts& setting) {
   const bool isWhole =
       setting.row.percent || setting.kind == app::SettingKind::whole || setting.row.step >= 1.0;
   return isWhole ? 0 : setting.row.step >= 0.1 ? 1 : 2;
 }
 
-/// A slider of the setting's range; `standard` is what Reset gives.
-EditPhase numberSlider(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
-                       const RowExtras& extras, const Json& standard, float width, double& value) {
-  const std::string suffix = suffixOf(setting);
-  SliderSpec spec{.id = id,
-                  .minimum = setting.row.minimum.value_or(setting.minimum),
-                  .maximum = extras.maximum.value_or(setting.row.maximum.value_or(setting.maximum)),
-                  .step = setting.kind == app::SettingKind::whole ? 1.0 : setting.row.step,
-                  .decimals = decimalsOf(setting),
-                  .prefix = setting.row.prefix.c_str(),
-                  .suffix = suffix.c_str(),
-                  .displayFactor = setting.row.percent ? 100.0 : 1.0};
-  if (standard.is_number()) {
-    spec.defaultValue = standard.get<double>();
-  }
-  spec.hardMinimum = setting.minimum;
-  spec.hardMaximum = setting.maximum;
-  spec.width = width;
-  spec.help = dragHelp(settingHelp(setting));
-  const EditPhase phase = slider(widgetsOf(context), spec, value);
-  if (phase.cut) {
-    tell(context.ui, ToastKind::info,
-         settingHelp(setting).title + " goes from " + sliderText(spec, setting.minimum) + " to " +
-             sliderText(spec, setting.maximum));
-  }
-  return phase;
+std::optional<double> standardNumber(const Json& standard) {
+  return standard.is_number() ? std::optional(standard.get<double>()) : std::nullopt;
 }
 
 RowEdit numberControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
                       const Json& value, const RowExtras& extras) {
   double number = value.get<double>();
-  const EditPhase phase =
-      numberSlider(context, id, setting, extras, Json::parse(setting.standard), 0.0F, number);
+  const EditPhase phase = numberSlider(
+      context, id, setting, settingHelp(setting),
+      {.maximum = extras.maximum, .standard = standardNumber(Json::parse(setting.standard))}, number);
   return {phase, Json(setting.kind == app::SettingKind::whole ? std::round(number) : number)};
 }
 
@@ -77,9 +41,11 @@ RowEdit optionalControl(PanelContext& context, const std::string& id, const app:
                         const Json& value, const RowExtras& extras) {
   const float autoWidth = context.theme.px(80.0F);
   double number = value.is_null() ? extras.automatic : value.get<double>();
-  RowEdit edit{numberSlider(context, id, setting, extras, Json(),
-                            ImGui::GetContentRegionAvail().x - autoWidth, number),
-               Json(number)};
+  RowEdit edit{
+      numberSlider(context, id, setting, settingHelp(setting),
+                   {.maximum = extras.maximum, .width = ImGui::GetContentRegionAvail().x - autoWidth},
+                   number),
+      Json(number)};
   ImGui::SameLine();
   const Help help{"Automatic", "The program chooses the value.", {}};
   if (toggle(widgetsOf(context), id + "-auto", "Auto", value.is_null(), help)) {
@@ -169,13 +135,16 @@ RowEdit vectorControl(PanelContext& context, const std::string& id, const app::S
   RowEdit edit{{}, value};
   const Json standard = Json::parse(setting.standard);
   const float width = columnWidth(3);
+  Help help = settingHelp(setting);
+  help.text += setting.unit.empty() ? "" : " In" + unitSuffix(setting) + ".";
   for (std::size_t i = 0; i < 3; ++i) {
     if (i > 0) {
       ImGui::SameLine();
     }
     double number = value[i].get<double>();
     const EditPhase phase =
-        numberSlider(context, id + "/" + std::string(1, "XYZ"[i]), setting, {}, standard[i], width, number);
+        numberSlider(context, id + "/" + std::string(1, "XYZ"[i]), setting, help,
+                     {.standard = standardNumber(standard[i]), .width = width, .isPart = true}, number);
     (*edit.value)[i] = number;
     edit.phase = {edit.phase.changed || phase.changed, edit.phase.ended || phase.ended};
   }
@@ -183,6 +152,46 @@ RowEdit vectorControl(PanelContext& context, const std::string& id, const app::S
 }
 
 } // namespace
+
+EditPhase numberSlider(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                       const Help& help, const NumberExtras& extras, double& value) {
+  const std::string suffix = extras.isPart ? std::string() : unitSuffix(setting);
+  SliderSpec spec{.id = id,
+                  .minimum = setting.row.minimum.value_or(setting.minimum),
+                  .maximum = extras.maximum.value_or(setting.row.maximum.value_or(setting.maximum)),
+                  .step = setting.kind == app::SettingKind::whole ? 1.0 : setting.row.step,
+                  .decimals = decimalsOf(setting),
+                  .prefix = setting.row.prefix.c_str(),
+                  .suffix = suffix.c_str(),
+                  .displayFactor = setting.row.percent ? 100.0 : setting.row.shownFactor,
+                  .defaultValue = extras.standard,
+                  .hardMinimum = setting.minimum,
+                  .hardMaximum = setting.maximum,
+                  .showsFill = !extras.isPart,
+                  .width = extras.width,
+                  .help = dragHelp(help)};
+  const EditPhase phase = slider(widgetsOf(context), spec, value);
+  if (phase.cut) {
+    tell(context.ui, ToastKind::info,
+         help.title + " goes from " + sliderText(spec, setting.minimum) + " to " +
+             sliderText(spec, setting.maximum));
+  }
+  return phase;
+}
+
+std::string unitSuffix(const app::SettingFacts& setting) {
+  if (setting.row.percent) {
+    return " %";
+  }
+  const std::string& named = setting.row.shownUnit.empty() ? setting.unit : setting.row.shownUnit;
+  std::string unit = named.empty() ? "" : " " + named;
+  for (const auto& [plain, raised] : {std::pair("^2", "\xC2\xB2"), std::pair("^3", "\xC2\xB3")}) {
+    if (const std::size_t at = unit.find(plain); at != std::string::npos) {
+      unit.replace(at, 2, raised);
+    }
+  }
+  return unit;
+}
 
 Help settingHelp(const app::SettingFacts& setting) {
   return {app::labelOf(setting), setting.help, {}};
@@ -205,6 +214,9 @@ std::string undoLabel(const app::SettingFacts& setting) {
 RowEdit settingControl(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
                        const Json& value, const RowExtras& extras) {
   labelledRow(widgetsOf(context), app::labelOf(setting), settingHelp(setting));
+  if (setting.row.typed) {
+    return typedControl(context, id, setting, value, extras.hint);
+  }
   switch (setting.kind) {
   case app::SettingKind::number:
   case app::SettingKind::whole:

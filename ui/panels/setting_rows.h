@@ -14,6 +14,9 @@ namespace stretch::ui {
 /// Label and help sentence of a setting.
 [[nodiscard]] Help settingHelp(const app::SettingFacts& setting);
 
+/// The unit as it is written behind a number: " kg/m³".
+[[nodiscard]] std::string unitSuffix(const app::SettingFacts& setting);
+
 /// The help with what the mouse does on a slider.
 [[nodiscard]] Help dragHelp(Help help);
 
@@ -25,7 +28,20 @@ struct RowExtras {
   double automatic = 0.0;             ///< Shown while an optional number is left to the program.
   std::optional<double> maximum = {}; ///< Of dragging, instead of the setting's own.
   std::vector<bool> offered = {};     ///< Choices that can be chosen; empty: all.
+  std::string hint = {};              ///< In an empty text field; else the default.
 };
+
+/// What only the moment knows about one number.
+struct NumberExtras {
+  std::optional<double> maximum = {};  ///< Of dragging, instead of the setting's own.
+  std::optional<double> standard = {}; ///< What Reset gives.
+  float width = 0.0F;                  ///< 0: the available width.
+  bool isPart = false;                 ///< Of a vector, in a narrow field: no unit behind it, no filled part.
+};
+
+/// A slider of the setting's range, step and unit.
+EditPhase numberSlider(PanelContext& context, const std::string& id, const app::SettingFacts& setting,
+                       const Help& help, const NumberExtras& extras, double& value);
 
 struct RowEdit {
   EditPhase phase;

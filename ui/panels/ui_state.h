@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -146,14 +147,6 @@ struct KeysOverviewState {
   std::string clash;      ///< Told after a refused or shared key.
 };
 
-/// Numbers of the elastic model as they are typed; an empty one is left to the program.
-struct SequencePanelState {
-  std::string young;
-  std::string mass;
-  std::string metresPerUnit;
-  std::string gravity;
-};
-
 using ToastKind = app::Tone;
 
 struct Toast {
@@ -213,7 +206,7 @@ struct UiState {
   FileDialogState fileDialog;
   PaletteState palette;
   KeysOverviewState keys;
-  SequencePanelState sequencePanel;
+  std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;
   bool aboutOpen = false;
   bool navigationChoiceOpen = false;         ///< The first start.

@@ -4,7 +4,6 @@
 #include <functional>
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
@@ -12,7 +11,6 @@
 #include "app/edits/weight_edits.h"
 #include "app/schema/weight_schema.h"
 #include "app/weight/report.h"
-#include "core/gltf/json.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/widgets/layout.h"
@@ -25,8 +23,6 @@ namespace {
 using app::WeightedLimb;
 using app::WeightSettings;
 using Change = std::function<void(WeightSettings&)>;
-
-constexpr double pascalsShown = 1e-3; // moduli are shown in kPa
 
 void editWeight(PanelContext& context, const EditPhase& phase, const std::string& label,
                 const Change& change) {
@@ -51,79 +47,18 @@ void editWeight(PanelContext& context, const EditPhase& phase, const std::string
   });
 }
 
-const WeightSettings& defaults() {
-  static const WeightSettings settings;
-  return settings;
-}
-
-void gravityRow(PanelContext& context, const WeightSettings& settings) {
-  const WidgetContext widgets = widgetsOf(context);
-  const double size = glm::length(settings.gravity);
-  const Vec3 direction = size > 0.0 ? settings.gravity / size : Vec3(0.0, -1.0, 0.0);
-  const Help help{"Gravity", "How strongly the limb is pulled down; 0 leaves inertia alone.", {}};
-  labelledRow(widgets, "Gravity", help);
-  SliderSpec spec{.id = "weight/gravity",
-                  .maximum = 30.0,
-                  .suffix = " m/s\xC2\xB2",
-                  .defaultValue = glm::length(defaults().gravity)};
-  spec.hardMaximum = 500.0;
-  spec.help = dragHelp(help);
-  double value = size;
-  const EditPhase phase = slider(widgets, spec, value);
-  editWeight(context, phase, "Change the gravity", [&](WeightSettings& s) { s.gravity = value * direction; });
-}
-
-SliderSpec modulusSlider(const std::string& id, double used) {
-  SliderSpec spec{.id = id,
-                  .minimum = 1e3,
-                  .maximum = std::max(2e6, 3.0 * used),
-                  .step = 1e3,
-                  .decimals = 0,
-                  .suffix = " kPa",
-                  .displayFactor = pascalsShown,
-                  .defaultValue = used};
-  spec.hardMinimum = 1.0;
-  spec.hardMaximum = 1e12;
-  return spec;
-}
-
-void modulusRow(PanelContext& context, const WeightSettings& settings, double used) {
-  const WidgetContext widgets = widgetsOf(context);
-  const Help help = settingHelp(*app::findSetting(app::weightSchema(), "young"));
-  labelledRow(widgets, "Modulus", help);
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float autoWidth = context.theme.px(80.0F);
-  SliderSpec spec = modulusSlider("weight/young", used);
-  spec.width = width - autoWidth;
-  spec.help = dragHelp(help);
-  double value = used;
-  const EditPhase phase = slider(widgets, spec, value);
-  editWeight(context, phase, "Change the modulus", [&](WeightSettings& s) { s.youngModulus = value; });
-  ImGui::SameLine();
-  const bool automatic = !settings.youngModulus;
-  if (toggle(widgets, "weight/young-auto", "Auto", automatic,
-             {"Automatic modulus",
-              "As stiff as lets the limb at rest give way by two and a half percent of its length.",
-              {}})) {
-    editWeight(context, {true, true}, "Change the modulus", [&](WeightSettings& s) {
-      s.youngModulus = automatic ? std::optional<double>(used) : std::nullopt;
-    });
-  }
-}
-
-/// Every described setting; gravity is drawn by its size, the modulus beside what the program chose.
+/// Every described setting. While the modulus is left to the program, its row shows what that chose.
 void schemaRows(PanelContext& context, const WeightSettings& settings, double usedModulus) {
   const auto edit = [&](const EditPhase& phase, const std::string& label, const Change& change) {
     editWeight(context, phase, label, change);
   };
   for (const app::Setting<WeightSettings>& setting : app::weightSchema()) {
-    if (setting.name == "gravity") {
-      gravityRow(context, settings);
-    } else if (setting.name == "young") {
-      modulusRow(context, settings, usedModulus);
-    } else {
-      settingRow(context, "weight/", setting, settings, edit);
+    RowExtras extras;
+    if (setting.kind == app::SettingKind::optionalNumber) {
+      extras.automatic = usedModulus;
+      extras.maximum = std::max(*setting.row.maximum, 3.0 * usedModulus);
     }
+    settingRow(context, "weight/", setting, settings, edit, extras);
   }
 }
 
@@ -150,16 +85,17 @@ void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   if (limb == nullptr) {
     return;
   }
+  const app::SettingFacts& young = *app::findSetting(app::weightSchema(), "young");
+  const double most = std::max(*young.row.maximum, 3.0 * used);
   skinning::SegmentModuli moduli;
   moduli.ranges = entry.settings.moduli;
   for (std::size_t bone = 0; bone < limb->joints.size(); ++bone) {
     const std::string name = nodeName(*document.scene, limb->joints[bone]);
     const Help help{name, "Modulus of this bone alone; reset in its menu gives it the limb's own.", {}};
     labelledRow(widgets, name, help);
-    SliderSpec spec = modulusSlider("weight/bone-" + std::to_string(bone), used);
-    spec.help = dragHelp(help);
     double value = moduli.at(bone, used);
-    const EditPhase phase = slider(widgets, spec, value);
+    const EditPhase phase = numberSlider(context, "weight/bone-" + std::to_string(bone), young, help,
+                                         {.maximum = most, .standard = used}, value);
     editWeight(context, phase, "Change a bone's modulus", [&](WeightSettings& s) {
       setBoneModulus(bone, value == used ? std::nullopt : std::optional<double>(value), s);
     });
