@@ -10,9 +10,12 @@ find_package(embree 3 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(Fontconfig REQUIRED)
+find_package(draco REQUIRED)
+find_package(meshoptimizer REQUIRED)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
+pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
 
 # Headers of packages are no code of ours: their warnings stay off.
 function(stretch_system_includes target)
@@ -24,7 +27,8 @@ function(stretch_system_includes target)
   endforeach()
 endfunction()
 
-set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb stb)
+set(STRETCH_LINKS_core fmt::fmt nlohmann_json::nlohmann_json Threads::Threads TBB::tbb stb draco::draco
+    meshoptimizer::meshoptimizer PkgConfig::WEBP)
 set(STRETCH_LINKS_rig stretch_core)
 set(STRETCH_LINKS_skinning stretch_core embree Eigen3::Eigen OpenMeshCore)
 set(STRETCH_LINKS_app stretch_core stretch_rig stretch_skinning CLI11::CLI11)

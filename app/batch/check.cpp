@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/extension_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "core/gltf/json.h"
@@ -32,18 +33,22 @@ std::string_view severityName(gltf::Severity severity) {
   return "warning";
 }
 
-void printJson(const std::vector<gltf::Problem>& problems) {
+void printJson(const gltf::Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const gltf::Problem& problem : problems) {
+  for (const gltf::Problem& problem : diagnosis.problems) {
     list.push_back({{"severity", severityName(problem.severity)},
                     {"where", problem.where},
                     {"what", problem.what},
                     {"remedy", problem.remedy}});
   }
-  std::cout << Json{{"problems", list}}.dump(1) << '\n';
+  std::cout << Json{{"extensions", extensionsJson(diagnosis.extensions)}, {"problems", list}}.dump(1) << '\n';
 }
 
-void printProblems(const std::vector<gltf::Problem>& problems) {
+void printDiagnosis(const gltf::Diagnosis& diagnosis) {
+  for (const Json& extension : extensionsJson(diagnosis.extensions)) {
+    fmt::print("{}\n", extensionLine(extension));
+  }
+  const std::vector<gltf::Problem>& problems = diagnosis.problems;
   for (const gltf::Problem& problem : problems) {
     fmt::print("{}: {}\n", severityName(problem.severity),
                Error{problem.what, problem.where, problem.remedy}.line());
@@ -52,8 +57,9 @@ void printProblems(const std::vector<gltf::Problem>& problems) {
 }
 
 Status runCheck(const CheckArguments& arguments) {
-  const std::vector<gltf::Problem> problems = gltf::diagnose(arguments.file);
-  arguments.json ? printJson(problems) : printProblems(problems);
+  const gltf::Diagnosis diagnosis = gltf::diagnose(arguments.file);
+  arguments.json ? printJson(diagnosis) : printDiagnosis(diagnosis);
+  const std::vector<gltf::Problem>& problems = diagnosis.problems;
   const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
     return problem.severity == gltf::Severity::error;
   });
@@ -66,7 +72,8 @@ Status runCheck(const CheckArguments& arguments) {
 } // namespace
 
 Verb checkVerb() {
-  return {"check", "Reports every problem of a file, residual shear of stretched files included.",
+  return {"check",
+          "Reports every problem of a file, residual shear of stretched files included, and its extensions.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
             line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();

@@ -21,11 +21,6 @@ const DeclaredOption& DeclaredOption::check(const Check& problemOf) const {
   return *this;
 }
 
-const DeclaredOption& DeclaredOption::positive() const {
-  option_->check(CLI::PositiveNumber);
-  return *this;
-}
-
 const DeclaredOption& DeclaredOption::between(int least, int most) const {
   option_->check(CLI::Range(least, most));
   return *this;

@@ -24,7 +24,6 @@ public:
   /// Values that the option takes, at least and at most.
   const DeclaredOption& takes(int least, int most) const;
   const DeclaredOption& check(const Check& problemOf) const;
-  const DeclaredOption& positive() const;
   const DeclaredOption& between(int least, int most) const;
   const DeclaredOption& oneOf(const std::vector<std::string>& choices) const;
   const DeclaredOption& excludes(const DeclaredOption& other) const;

@@ -22,7 +22,7 @@ namespace {
 
 struct CompressArguments {
   std::vector<std::string> sequence;
-  std::string output;
+  OutputFile output;
   SettingTexts settings;
   std::string moduli;
   double framesPerSecond = 0.0;
@@ -41,6 +41,11 @@ Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments
       return moduli.error();
     }
     settings.body.moduli = std::move(*moduli);
+    if (const Status known = checkModuli(settings.body.moduli.ranges,
+                                         static_cast<std::size_t>(settings.bones), arguments.moduli);
+        !known) {
+      return known.error();
+    }
   }
   return settings;
 }
@@ -58,6 +63,11 @@ skinning::Proceed terminalProgress() {
 }
 
 Status runCompress(const CompressArguments& arguments) {
+  std::vector<std::string> read = arguments.sequence;
+  read.push_back(arguments.moduli);
+  if (Status apart = checkOutput(arguments.output, read); !apart) {
+    return apart;
+  }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
@@ -65,6 +75,11 @@ Status runCompress(const CompressArguments& arguments) {
   Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);
   if (!sequence) {
     return sequence.error();
+  }
+  if (settings->body.firstFittedFrame >= sequence->frameCount()) {
+    return Error{fmt::format("{} frames are skipped, and the sequence has {}",
+                             settings->body.firstFittedFrame, sequence->frameCount()),
+                 "--skip", fmt::format("give at most {}", sequence->frameCount() - 1)};
   }
   if (arguments.framesPerSecond > 0.0) {
     sequence->framesPerSecond = arguments.framesPerSecond;
@@ -80,7 +95,7 @@ Status runCompress(const CompressArguments& arguments) {
   skinning::EncodeSettings encoding;
   encoding.quantise = arguments.quantise;
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
-  if (Status saved = gltf::save(encoded.source, arguments.output); !saved) {
+  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
     return saved;
   }
   gltf::Json report = compressionJson(*sequence, *compressed, encoded);
@@ -103,10 +118,10 @@ Verb compressVerb() {
                          "Sibernetic folder")
                 .required()
                 .takes(1, 2);
-            line.option("-o,--output", arguments->output, "The .glb to write").required();
+            addOutputFile(line, arguments->output, "The .glb to write");
             addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
             line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
-            line.option("--fps", arguments->framesPerSecond, "Frames per second of the clip").positive();
+            addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
             line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
             addJson(line, arguments->json);
             return [arguments] { return runCompress(*arguments); };

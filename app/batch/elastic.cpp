@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <memory>
+
+#include <fmt/core.h>
 
 #include "app/batch/options.h"
 #include "app/batch/trail_report.h"
@@ -69,6 +74,23 @@ std::vector<std::string> armsAndLegs(const Document& document) {
   return limbs;
 }
 
+/// A range that the clip has in part is cut to that part; the answer says so, else it is empty.
+Result<std::string> cutToClip(const Document& document, int clip, WeightSettings& settings) {
+  const Clip& cut = clipOf(document, clip);
+  const double last = std::round(cut.endSeconds * cut.framesPerSecond);
+  if (!settings.rangeFrames || (settings.rangeFrames->x >= 0.0 && settings.rangeFrames->y <= last)) {
+    return std::string();
+  }
+  if (settings.rangeFrames->x >= last || settings.rangeFrames->y <= 0.0) {
+    return Error{fmt::format("the range lies outside the clip, which has the frames 0 to {:g}", last),
+                 "--range", "give frames of the clip"};
+  }
+  settings.rangeFrames =
+      Vec2(std::max(0.0, settings.rangeFrames->x), std::min(last, settings.rangeFrames->y));
+  return fmt::format("the range is cut to the frames {:g} to {:g}, which the clip has",
+                     settings.rangeFrames->x, settings.rangeFrames->y);
+}
+
 Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSettings& settings,
                 Document& document) {
   const std::vector<std::string> wanted = arguments.limbs.empty() ? armsAndLegs(document) : arguments.limbs;
@@ -81,6 +103,9 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSetting
     if (!limb) {
       return limb.error();
     }
+    if (Status known = checkModuli(settings.moduli, limb->joints.size(), limb->id + ": moduli"); !known) {
+      return known;
+    }
     Result<Document> changed = setWeight(document, {limb->id, clip, true, settings});
     if (!changed) {
       return changed.error();
@@ -91,6 +116,9 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSetting
 }
 
 Status runElastic(const ElasticArguments& arguments) {
+  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.moduli}); !apart) {
+    return apart;
+  }
   Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
@@ -99,9 +127,13 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!clip) {
     return clip.error();
   }
-  const Result<WeightSettings> settings = settingsOf(arguments);
+  Result<WeightSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
+  }
+  const Result<std::string> cut = cutToClip(*document, *clip, *settings);
+  if (!cut) {
+    return cut.error();
   }
   if (Status added = addLimbs(arguments, *clip, *settings, *document); !added) {
     return added;
@@ -110,13 +142,19 @@ Status runElastic(const ElasticArguments& arguments) {
   report["clip"] = clipOf(*document, *clip).name;
   report["elastic"] = weightJson(*document, *clip);
   report["warnings"] = document->warnings;
-  if (Status saved = saveDocument(*document, arguments.output.file, arguments.output.save); !saved) {
+  if (!cut->empty()) {
+    report["warnings"].push_back(*cut);
+  }
+  if (Status saved = saveDocument(*document, arguments.output.file.path, arguments.output.save); !saved) {
     return saved;
   }
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
   } else {
     printWeight(report["elastic"]);
+    if (!cut->empty()) {
+      fmt::print(stderr, "warning: {}\n", *cut);
+    }
   }
   return Success{};
 }

@@ -46,6 +46,9 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (arguments.recipe.empty() && requests.empty()) {
     return Error{"no limb was named", "--limb", "name one, such as --limb left-arm, or give a --recipe"};
   }
+  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
+    return apart;
+  }
   Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
@@ -59,7 +62,8 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     return placed.error();
   }
   const gltf::Json report = exaggerationJson(placed->document, recipe->clip, placed->trailIds);
-  if (Status saved = saveDocument(placed->document, arguments.output.file, arguments.output.save); !saved) {
+  if (Status saved = saveDocument(placed->document, arguments.output.file.path, arguments.output.save);
+      !saved) {
     return saved;
   }
   if (arguments.json) {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/extension_report.h"
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
@@ -89,6 +90,7 @@ Json infoOf(const Document& document) {
   for (const rig::Limb& limb : document.biped.limbs) {
     info["limbs"].push_back(limbJson(scene, limb));
   }
+  info["extensions"] = extensionsJson(gltf::extensionsOf(document.source->json));
   info["warnings"] = document.warnings;
   for (const std::string& warning : document.biped.warnings) {
     info["warnings"].push_back(warning);
@@ -120,6 +122,9 @@ void printInfo(const Json& info) {
   for (const Json& limb : info["limbs"]) {
     fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(),
                jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>());
+  }
+  for (const Json& extension : info["extensions"]) {
+    fmt::print("{}\n", extensionLine(extension));
   }
   for (const Json& warning : info["warnings"]) {
     fmt::print("warning: {}\n", warning.get<std::string>());
@@ -173,7 +178,7 @@ Status runInfo(const InfoArguments& arguments) {
 } // namespace
 
 Verb infoVerb() {
-  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, warnings.",
+  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, extensions, warnings.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();
             addFileArguments(line, arguments->input);

@@ -1,13 +1,27 @@
 #include "app/batch/options.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/core.h>
+
 #include "app/files/save.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "core/base/file.h"
+#include "core/base/number.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
+
+namespace {
+
+constexpr double slowestRate = 0.01; // frames per second
+constexpr double fastestRate = 10000.0;
+
+} // namespace
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
@@ -17,12 +31,37 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 
 void addClipArguments(CommandLine& line, FileArguments& arguments) {
   line.option("--clip", arguments.clip, "Name or #index of the clip; default: the first");
-  line.option("--fps", arguments.framesPerSecond, "Frames per second; default: guessed from the keys")
-      .positive();
+  addFrameRate(line, arguments.framesPerSecond, "Frames per second; default: guessed from the keys");
+}
+
+void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help) {
+  line.option("--fps", framesPerSecond, help).check([](const std::string& text) {
+    const std::optional<double> given = stretch::parseNumber(text);
+    return given && *given >= slowestRate && *given <= fastestRate
+               ? std::string()
+               : fmt::format("'{}' is not possible; give a number from {:g} to {:g}", text, slowestRate,
+                             fastestRate);
+  });
+}
+
+void addOutputFile(CommandLine& line, OutputFile& output, const std::string& help) {
+  line.option("-o,--output", output.path, help).required();
+  line.flag("--in-place", output.inPlace, "The file to write may be one that is read");
+}
+
+Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs) {
+  std::error_code missing; // a file that is not there yet is none of the others
+  const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    return std::filesystem::equivalent(input, output.path, missing);
+  });
+  if (isRead && !output.inPlace) {
+    return Error{"is read and would be written over", output.path, "name another file, or add --in-place"};
+  }
+  return Success{};
 }
 
 void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
-  line.option("-o,--output", arguments.file, "The .glb or .gltf to write").required();
+  addOutputFile(line, arguments.file, "The .glb or .gltf to write");
   line.flag("--key-every-frame", arguments.save.keyEveryFrame, "A key on every frame that is changed");
   line.flag("--keep-skeleton", arguments.save.keepSkeleton,
             "Stretch through translations only: no bind joints");
@@ -64,6 +103,17 @@ Result<int> clipOfArguments(const FileArguments& arguments, const Document& docu
 Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
   const Result<std::string> text = readText(path);
   return text ? skinning::parseModuli(*text) : Result<skinning::SegmentModuli>(text.error());
+}
+
+Status checkModuli(const std::vector<skinning::SegmentModuli::Range>& moduli, std::size_t bones,
+                   const std::string& where) {
+  for (const skinning::SegmentModuli::Range& range : moduli) {
+    if (range.last >= bones) {
+      return Error{fmt::format("names bone {}, and the last one is {}", range.last, bones - 1), where,
+                   "count bones from 0"};
+    }
+  }
+  return Success{};
 }
 
 std::string withoutPlace(Error error) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/batch/command_line.h"
 #include "app/document.h"
@@ -32,13 +33,28 @@ void addFileArguments(CommandLine& line, FileArguments& arguments);
 /// Declares --clip and --fps, for verbs that work on one clip.
 void addClipArguments(CommandLine& line, FileArguments& arguments);
 
+/// Declares --fps.
+void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help);
+
+/// Where a verb writes.
+struct OutputFile {
+  std::string path;
+  bool inPlace = false; ///< It may be one of the files that the verb reads.
+};
+
+/// Declares -o and --in-place.
+void addOutputFile(CommandLine& line, OutputFile& output, const std::string& help);
+
+/// Refuses an output that is one of the files that are read, under whatever name, unless that was asked for.
+[[nodiscard]] Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs);
+
 /// What a verb that writes a character file is told.
 struct OutputArguments {
-  std::string file;
+  OutputFile file;
   SaveOptions save;
 };
 
-/// Declares -o, --key-every-frame, --keep-skeleton and --clean.
+/// Declares -o, --in-place, --key-every-frame, --keep-skeleton and --clean.
 void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// Declares --json.
@@ -54,6 +70,10 @@ void addJson(CommandLine& line, bool& json);
 
 /// Reads a file of moduli; an error names the file.
 [[nodiscard]] Result<skinning::SegmentModuli> loadModuli(const std::string& path);
+
+/// Refuses moduli of bones that are not there.
+[[nodiscard]] Status checkModuli(const std::vector<skinning::SegmentModuli::Range>& moduli, std::size_t bones,
+                                 const std::string& where);
 
 /// What is wrong with the text of a range "A:B" that needs a length; empty when nothing is.
 [[nodiscard]] std::string problemOfRange(const std::string& text);

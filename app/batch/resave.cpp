@@ -11,12 +11,15 @@ namespace {
 
 struct ResaveArguments {
   FileArguments input;
-  std::string output;
+  OutputFile output;
 };
 
 Status runResave(const ResaveArguments& arguments) {
+  if (Status apart = checkOutput(arguments.output, {arguments.input.file}); !apart) {
+    return apart;
+  }
   const Result<Document> document = openDocument(arguments.input);
-  return document ? saveDocument(*document, arguments.output, {}) : Status(document.error());
+  return document ? saveDocument(*document, arguments.output.path, {}) : Status(document.error());
 }
 
 } // namespace
@@ -26,7 +29,7 @@ Verb resaveVerb() {
           [](CommandLine& line) {
             const auto arguments = std::make_shared<ResaveArguments>();
             addFileArguments(line, arguments->input);
-            line.option("-o,--output", arguments->output, "The .glb or .gltf to write").required();
+            addOutputFile(line, arguments->output, "The .glb or .gltf to write");
             return [arguments] { return runResave(*arguments); };
           }};
 }

@@ -49,9 +49,11 @@ int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* cons
   try {
     program.parse(argumentCount, arguments);
   } catch (const CLI::ParseError& problem) {
-    const bool helpAsked = problem.get_exit_code() == 0;
-    program.exit(problem);
-    return helpAsked ? 0 : wrongArguments;
+    if (problem.get_exit_code() == 0) {
+      return program.exit(problem); // prints the help that was asked for
+    }
+    fmt::print(stderr, "stretch-engine: {}\n", problem.what());
+    return wrongArguments;
   }
   const Status done = runWithinMemory(chosen);
   return done ? 0 : report(done.error());

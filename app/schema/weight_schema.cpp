@@ -63,6 +63,7 @@ Schema<WeightSettings> materialSettings() {
                    .shownFactor = 1e-3}},
           &WeightSettings::youngModulus),
       setting<WeightSettings>({.name = "density",
+                               .minimum = 1.0,
                                .maximum = 100000.0,
                                .unit = "kg/m^3",
                                .help = "Density of the limb and of the body that stands on it.",

@@ -2,13 +2,17 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec2 surfaceAttributes; // (stretch ratio, highlight)
 in vec2 uv;
+in vec2 emissiveUv;
 in vec4 vertexColor;
 
 uniform vec4 baseColor;
 uniform vec3 emissive;
 uniform bool hasTexture;
 uniform sampler2D baseColorTexture;
+uniform bool hasEmissiveTexture;
+uniform sampler2D emissiveTexture;
 uniform int alphaMode; // 0 opaque, 1 mask, 2 blend
+uniform bool solidPart; // Of a blended surface: the pixels that hide what is behind them, or the others.
 uniform float alphaCutoff;
 uniform bool unlit;
 
@@ -87,6 +91,10 @@ vec4 materialColor() {
   return color;
 }
 
+vec3 emitted() {
+  return hasEmissiveTexture ? emissive * texture(emissiveTexture, emissiveUv).rgb : emissive;
+}
+
 vec3 stretchColor() {
   float place = (log2(max(surfaceAttributes.x, 1e-3)) - stretchRange.x) / (stretchRange.y - stretchRange.x);
   return texture(stretchColors, vec2(clamp(place, 0.002, 0.998), 0.5)).rgb;
@@ -108,11 +116,14 @@ void main() {
   if (alphaMode == 1 && material.a < alphaCutoff) {
     discard;
   }
+  if (alphaMode == 2 && (material.a > 0.996) != solidPart) {
+    discard;
+  }
   vec3 toEye = orthographic ? -viewForward : normalize(eye - worldPosition);
   vec3 normal = normalize(worldNormal);
   normal = dot(normal, toEye) < 0.0 && !gl_FrontFacing ? -normal : normal;
   vec3 albedo = albedoFor(material);
-  vec3 color = unlit && shading == 0 ? albedo : rolledOff(litColor(albedo, normal, toEye) + (shading == 0 ? emissive : vec3(0.0)));
+  vec3 color = unlit && shading == 0 ? albedo : rolledOff(litColor(albedo, normal, toEye) + (shading == 0 ? emitted() : vec3(0.0)));
   if (shading != 2) {
     float tint = clamp(surfaceAttributes.y, 0.0, 1.0);
     float edge = 1.0 - clamp(dot(normal, toEye), 0.0, 1.0);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ inline constexpr std::size_t mostZeroElements = std::size_t{1} << 24U;
 [[nodiscard]] std::optional<AccessorShape> shapeOf(const Source& source, int accessor);
 
 /// Buffer views and accessors stay within their bytes, sparse ones included. After a pass without errors
-/// every accessor of known shape can be read. The structure has to be validated, the buffers read.
-void validateAccessors(const Source& source, Problems& problems);
+/// every accessor of known shape can be read. The structure has to be validated, the buffers read. `rounded`
+/// are accessors whose values need not be quite within the min and max that they say.
+void validateAccessors(const Source& source, const std::set<std::size_t>& rounded, Problems& problems);
 
 /// All components as numbers; normalised integers become fractions. The accessor has to be validated.
 [[nodiscard]] std::vector<float> readFloats(const Source& source, int accessor);

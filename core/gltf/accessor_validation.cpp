@@ -242,7 +242,8 @@ bool agrees(const std::vector<double>& said, const std::vector<float>& found, co
   return true;
 }
 
-void validateValues(const Source& source, std::size_t index, const AccessorShape& shape, Problems& problems) {
+void validateValues(const Source& source, std::size_t index, const AccessorShape& shape, bool isRounded,
+                    Problems& problems) {
   const Json& json = element(source.json, "accessors", index);
   const std::vector<float> values = readFloats(source, static_cast<int>(index));
   if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
@@ -251,7 +252,7 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
   }
   const Bounds bounds = boundsOf(values, static_cast<std::size_t>(shape.width));
   // What min and max mean for normalised integers is read both ways in the wild.
-  const bool isComparable = !shape.isNormalized;
+  const bool isComparable = !shape.isNormalized && !isRounded;
   if (isComparable && (!agrees(numbersOf(json, "min"), bounds.least, bounds) ||
                        !agrees(numbersOf(json, "max"), bounds.most, bounds))) {
     problems.violation(at("accessors", index), "has a min or max that its values do not have");
@@ -260,7 +261,7 @@ void validateValues(const Source& source, std::size_t index, const AccessorShape
 
 } // namespace
 
-void validateAccessors(const Source& source, Problems& problems) {
+void validateAccessors(const Source& source, const std::set<std::size_t>& rounded, Problems& problems) {
   for (std::size_t i = 0; i < sizeOf(source.json, "bufferViews"); ++i) {
     validateBufferView(source, i, problems);
   }
@@ -277,7 +278,7 @@ void validateAccessors(const Source& source, Problems& problems) {
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
     compared += shape.count * static_cast<std::size_t>(shape.width);
     if (compared <= mostValuesCompared) {
-      validateValues(source, i, shape, problems);
+      validateValues(source, i, shape, rounded.contains(i), problems);
     }
   }
 }

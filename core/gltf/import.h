@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/gltf/problems.h"
@@ -38,9 +39,8 @@ private:
                                               Problems& problems);
 [[nodiscard]] std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems);
 
-/// Index of the TEXCOORD set that the material's base colour texture uses.
-[[nodiscard]] int baseColorTexCoord(const Source& source, int material);
-
-[[nodiscard]] bool usesBaseColorTexture(const Source& source, int material);
+/// Index of the TEXCOORD set that a texture of the material uses; nothing without that texture.
+[[nodiscard]] std::optional<int> baseColorTexCoord(const Source& source, int material);
+[[nodiscard]] std::optional<int> emissiveTexCoord(const Source& source, int material);
 
 } // namespace stretch::gltf

@@ -11,6 +11,7 @@
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/uri.h"
+#include "core/gltf/webp_image.h"
 
 namespace stretch::gltf {
 
@@ -66,7 +67,7 @@ std::size_t claimedPixels(const Bytes& bytes) {
       bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
       stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels) != 0;
   const std::size_t pixels =
-      isPicture ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
+      isPicture ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : webpPixels(bytes);
   return pixels <= mostPixelsAnImage ? pixels : 0;
 }
 
@@ -74,6 +75,9 @@ Image decode(const Encoded& encoded) {
   Image image;
   if (encoded.pixels == 0) {
     return image;
+  }
+  if (webpPixels(encoded.bytes) > 0) {
+    return decodeWebp(encoded.bytes);
   }
   int channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
@@ -91,8 +95,10 @@ Image decode(const Encoded& encoded) {
 std::vector<bool> shownImages(std::size_t count, const std::vector<Material>& materials) {
   std::vector<bool> shown(count, false);
   for (const Material& material : materials) {
-    if (material.baseColorImage >= 0) {
-      shown[static_cast<std::size_t>(material.baseColorImage)] = true;
+    for (const int image : {material.baseColorTexture.image, material.emissiveTexture.image}) {
+      if (image >= 0) {
+        shown[static_cast<std::size_t>(image)] = true;
+      }
     }
   }
   return shown;
@@ -127,7 +133,7 @@ std::vector<Image> importImages(const Source& source, const std::vector<Material
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (images[i].rgba.empty() && !encoded[i].bytes.empty()) {
       problems.warning(at("images", i),
-                       "is no picture that can be shown (PNG or JPEG); its texture is not shown");
+                       "is no picture that can be shown (PNG, JPEG or WebP); its texture is not shown");
     }
   }
   return images;

@@ -61,7 +61,8 @@ private:
     PrimitiveParts parts(source_, json, where, budget_, problems_);
     Primitive made;
     made.material = indexOr(json, "material");
-    parts.readVertices(baseColorTexCoord(source_, made.material), made);
+    const int texCoord = baseColorTexCoord(source_, made.material).value_or(0);
+    parts.readVertices(texCoord, emissiveTexCoord(source_, made.material).value_or(texCoord), made);
     parts.readInfluences(joints, made);
     parts.readTriangles(made);
     parts.readMorphTargets(made);
@@ -74,10 +75,10 @@ private:
   }
 
   void warnOfTexCoords(const Primitive& made, const std::string& where) {
-    const int texCoord = baseColorTexCoord(source_, made.material);
-    if (made.texCoords.empty() && usesBaseColorTexture(source_, made.material)) {
+    const std::optional<int> texCoord = baseColorTexCoord(source_, made.material);
+    if (made.texCoords.empty() && texCoord) {
       problems_.violation(where,
-                          fmt::format("has no TEXCOORD_{}, which its material's texture needs", texCoord));
+                          fmt::format("has no TEXCOORD_{}, which its material's texture needs", *texCoord));
     }
   }
 

@@ -2,6 +2,7 @@
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/plain_source.h"
 #include "core/gltf/read.h"
 #include "core/gltf/saved_work.h"
 #include "core/gltf/source.h"
@@ -33,37 +34,47 @@ Json takeSavedWork(Source& source, Problems& problems) {
   return std::move(restored->work);
 }
 
-void validateContent(const Source& source, Problems& problems) {
+// What is read: the source, or what stands in for one with compressed parts.
+std::optional<PlainSource> readableContent(const Source& source, Problems& problems) {
   if (!problems.hasErrors()) {
     validateGraph(source.json, problems);
   }
+  std::optional<PlainSource> plain;
   if (!problems.hasErrors()) {
-    validateAccessors(source, problems);
+    plain = plainSource(source, problems);
   }
+  if (!problems.hasErrors()) {
+    validateAccessors(plain ? plain->source : source,
+                      plain ? plain->roundedAccessors : std::set<std::size_t>(), problems);
+  }
+  return plain;
+}
+
+void importParts(const Source& readable, Loaded& loaded, Problems& problems) {
+  auto scene = std::make_shared<Scene>(importScene(readable, problems));
+  if (!problems.hasErrors()) {
+    loaded.clips = importClips(readable, *scene, problems);
+  }
+  loaded.scene = std::move(scene);
 }
 
 Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Tolerance tolerance) {
   Problems problems;
   Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
+  std::optional<PlainSource> plain;
   if (source) {
     readParts(*source, problems);
     loaded.savedWork = takesWork ? takeSavedWork(*source, problems) : Json(nullptr);
-    validateContent(*source, problems);
+    plain = readableContent(*source, problems);
   }
-  if (problems.hasErrors()) {
-    return problems.firstError();
+  if (!problems.hasErrors()) {
+    importParts(plain ? plain->source : *source, loaded, problems);
   }
-  auto scene = std::make_shared<Scene>(importScene(*source, problems));
-  if (problems.hasErrors()) {
-    return problems.firstError();
-  }
-  loaded.clips = importClips(*source, *scene, problems);
   if (problems.hasErrors() || (tolerance == Tolerance::refuse && problems.hasViolations())) {
     return problems.firstError();
   }
   loaded.source = std::make_shared<const Source>(*std::move(source));
-  loaded.scene = std::move(scene);
   loaded.warnings = problems.warningLines();
   return loaded;
 }

@@ -1,15 +1,18 @@
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
+#include "core/gltf/plain_source.h"
 #include "core/gltf/saved_work.h"
 
 namespace stretch::gltf {
 
 namespace {
 
-// The buffer that takes new bytes: the first, unless its own bytes could not be read.
+// The buffer that takes new bytes: the first, unless its own bytes could not be read, or nothing may lie
+// beside them.
 std::size_t growingBuffer(const Source& source) {
-  const bool hasFirst = !source.buffers.empty() && !source.buffers[0].empty();
+  const bool hasFirst = !source.buffers.empty() && !source.buffers[0].empty() &&
+                        !isFallbackBuffer(element(source.json, "buffers", 0));
   return hasFirst ? 0 : source.buffers.size();
 }
 
@@ -47,7 +50,11 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   Journal journal(source.json);
   AppendedData data(journal, buffer, start);
   patchNodes(edits.addedNodes, journal);
-  patchSkins(source, edits.skinSlots, journal, data);
+  if (!edits.skinSlots.empty()) {
+    Problems known; // of a file that was read
+    const std::optional<PlainSource> plain = withPlainViews(source, known);
+    patchSkins(plain ? plain->source : source, edits.skinSlots, journal, data);
+  }
   patchClips(edits.clips, journal, data);
   const Bytes bytes = data.finish();
   Source result = source;

@@ -13,7 +13,8 @@ namespace stretch::gltf {
 /// Appends the nodes, moves meshes to them, extends the children of their parents.
 void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal);
 
-/// Points slots of skins to other joints; each skin gets an accessor of inverse bind matrices of its own.
+/// Points slots of skins to other joints; each skin gets an accessor of inverse bind matrices of its own. The
+/// buffer views of the source have to be plain.
 void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
                 AppendedData& data);
 

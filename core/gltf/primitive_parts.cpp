@@ -128,7 +128,7 @@ std::vector<glm::vec3> PrimitiveParts::vectors(const Attribute& attribute) const
   return vectors;
 }
 
-void PrimitiveParts::readVertices(int texCoordSet, Primitive& made) {
+void PrimitiveParts::readVertices(int texCoordSet, int emissiveSet, Primitive& made) {
   const Json& attributes = *find(json_, "attributes");
   const std::optional<Attribute> position = attribute(attributes, "POSITION", "VEC3", "attributes");
   if (!position) {
@@ -147,21 +147,27 @@ void PrimitiveParts::readVertices(int texCoordSet, Primitive& made) {
   if (normal && hasData(source_, normal->accessor)) {
     made.normals = vectors(*normal);
   }
-  readTexCoords(texCoordSet, made);
+  made.texCoords = readTexCoords(texCoordSet);
+  if (emissiveSet != texCoordSet) {
+    made.emissiveTexCoords = readTexCoords(emissiveSet);
+  }
   readColors(made);
   checkOtherAttributes();
 }
 
-void PrimitiveParts::readTexCoords(int set, Primitive& made) {
+std::vector<glm::vec2> PrimitiveParts::readTexCoords(int set) {
   const std::string name = fmt::format("TEXCOORD_{}", set);
   const std::optional<Attribute> texCoord = attribute(*find(json_, "attributes"), name, "VEC2", "attributes");
+  std::vector<glm::vec2> texCoords;
   if (!texCoord) {
-    return;
+    return texCoords;
   }
   const std::vector<float> numbers = readFloats(source_, texCoord->accessor);
+  texCoords.reserve(vertexCount_);
   for (std::size_t i = 0; i < vertexCount_; ++i) {
-    made.texCoords.emplace_back(numbers[2 * i], numbers[2 * i + 1]);
+    texCoords.emplace_back(numbers[2 * i], numbers[2 * i + 1]);
   }
+  return texCoords;
 }
 
 void PrimitiveParts::readColors(Primitive& made) {

@@ -16,9 +16,9 @@ public:
   PrimitiveParts(const Source& source, const Json& json, std::string where, DecodeBudget& budget,
                  Problems& problems);
 
-  /// Positions, normals, the texture coordinates of one set, colours. First of all: the others compare with
+  /// Positions, normals, the texture coordinates of two sets, colours. First of all: the others compare with
   /// the positions.
-  void readVertices(int texCoordSet, Primitive& made);
+  void readVertices(int texCoordSet, int emissiveSet, Primitive& made);
   /// JOINTS_0 and 1, WEIGHTS_0 and 1, weights normalised. Without joints (no skin uses the mesh) nothing is
   /// read.
   void readInfluences(std::optional<std::size_t> jointCount, Primitive& made);
@@ -44,7 +44,7 @@ private:
   std::vector<glm::vec3> vectors(const Attribute& attribute) const;
   void addInfluenceSet(int set, std::size_t jointCount, Primitive& made);
   MorphTarget readMorphTarget(const Json& json, const std::string& place);
-  void readTexCoords(int set, Primitive& made);
+  std::vector<glm::vec2> readTexCoords(int set);
   void readColors(Primitive& made);
   void checkOtherAttributes();
   std::vector<std::uint32_t> readIndices();

@@ -5,6 +5,7 @@
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
+#include "core/gltf/plain_source.h"
 #include "core/gltf/uri.h"
 
 namespace stretch::gltf {
@@ -96,6 +97,9 @@ Bytes fromFileBeside(const Source& source, const std::string& uri, const std::st
 // Buffers that a compression extension fills have no bytes in the file.
 Bytes readBuffer(const Source& source, const Json& buffer, const std::string& where, Problems& problems) {
   const Json* uri = find(buffer, "uri");
+  if (uri == nullptr && isFallbackBuffer(buffer)) {
+    return {};
+  }
   if (uri == nullptr) {
     problems.warning(where, "has neither a uri nor a BIN chunk; its values are taken as zeros");
     return {};

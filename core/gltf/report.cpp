@@ -8,6 +8,7 @@
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
+#include "core/gltf/plain_source.h"
 #include "core/gltf/read.h"
 #include "core/gltf/saved_work.h"
 #include "core/gltf/structure.h"
@@ -53,18 +54,23 @@ void reportContent(Source& source, Problems& problems) {
   const bool isGraphSound = !problems.hasErrors();
   Problems bytes;
   readBuffers(source, bytes);
+  std::optional<PlainSource> plain;
   if (!bytes.hasErrors()) {
-    validateAccessors(source, bytes);
+    plain = plainSource(source, bytes);
+  }
+  const Source& readable = plain ? plain->source : source;
+  if (!bytes.hasErrors()) {
+    validateAccessors(readable, plain ? plain->roundedAccessors : std::set<std::size_t>(), bytes);
   }
   problems.add(bytes);
   if (!isGraphSound || bytes.hasErrors()) {
     return;
   }
-  const Scene scene = importScene(source, problems);
+  const Scene scene = importScene(readable, problems);
   if (scene.meshes.size() != sizeOf(source.json, "meshes")) {
     return;
   }
-  const std::vector<Clip> clips = importClips(source, scene, problems);
+  const std::vector<Clip> clips = importClips(readable, scene, problems);
   reportShear(scene, clips, problems);
   reportJointCounts(scene, problems);
   (void)restoreSource(source, problems);
@@ -72,16 +78,18 @@ void reportContent(Source& source, Problems& problems) {
 
 } // namespace
 
-std::vector<Problem> diagnose(const std::filesystem::path& path) {
+Diagnosis diagnose(const std::filesystem::path& path) {
   Problems problems;
+  std::vector<ExtensionUse> extensions;
   std::optional<Source> source = readSource(path, problems);
   if (source) {
     validateStructure(source->json, problems);
+    extensions = extensionsOf(source->json);
   }
   if (source && !problems.hasErrors()) {
     reportContent(*source, problems);
   }
-  return problems.list();
+  return {problems.list(), std::move(extensions)};
 }
 
 } // namespace stretch::gltf

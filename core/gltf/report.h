@@ -3,16 +3,22 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/gltf/extensions.h"
 #include "core/gltf/problems.h"
 #include "core/gltf/source.h"
 
 namespace stretch::gltf {
 
+struct Diagnosis {
+  std::vector<Problem> problems;
+  std::vector<ExtensionUse> extensions; ///< None of a file whose JSON cannot be read.
+};
+
 /// Everything that is wrong or odd in a file, in the order in which it was found: what `load` refuses or
 /// warns of, all of it and not just the first error, and what other programs may show differently. Looks at
 /// the file as it stands: a file of ours with its stretched limbs, not the source that it can be restored to.
 /// A file that cannot be read is one error.
-[[nodiscard]] std::vector<Problem> diagnose(const std::filesystem::path& path);
+[[nodiscard]] Diagnosis diagnose(const std::filesystem::path& path);
 
 /// Shear of a node that a mesh follows: world matrices of which translation, rotation and scale cannot be
 /// told apart.

@@ -1,10 +1,10 @@
 #include "core/gltf/structure.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/core.h>
 
+#include "core/gltf/extensions.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/schema.h"
@@ -166,20 +166,14 @@ void validateVersion(const Json& json, Problems& problems) {
   }
 }
 
-// Extensions without which geometry or motion cannot be read; any other one leaves them as they are.
-constexpr std::array<std::string_view, 4> hidingExtensions{"KHR_draco_mesh_compression",
-                                                           "EXT_meshopt_compression",
-                                                           "KHR_meshopt_compression", "MPEG_buffer_circular"};
-constexpr std::array<std::string_view, 5> knownExtensions{"KHR_mesh_quantization", "KHR_texture_transform",
-                                                          "KHR_materials_unlit", "VRMC_vrm", "VRM"};
-
 void validateRequiredExtensions(const Json& json, Problems& problems) {
   std::string hiding;
   for (std::size_t i = 0; i < sizeOf(json, "extensionsRequired"); ++i) {
     const auto name = element(json, "extensionsRequired", i).get<std::string>();
-    if (std::find(hidingExtensions.begin(), hidingExtensions.end(), name) != hidingExtensions.end()) {
+    const ExtensionSupport support = supportOf(name);
+    if (support == ExtensionSupport::hiding) {
       hiding += (hiding.empty() ? "" : ", ") + name;
-    } else if (std::find(knownExtensions.begin(), knownExtensions.end(), name) == knownExtensions.end()) {
+    } else if (support == ExtensionSupport::ignored) {
       problems.warning(at("extensionsRequired", i),
                        fmt::format("{} is not supported; the file is shown without it", name));
     }

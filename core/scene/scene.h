@@ -15,6 +15,7 @@
 
 #include "core/math/transform.h"
 #include "core/scene/node_index.h"
+#include "core/scene/texture_use.h"
 
 namespace stretch {
 
@@ -60,7 +61,9 @@ struct Primitive {
   std::vector<glm::vec3> normals;   ///< One for each vertex; computed where the file has none.
   std::vector<glm::vec2> texCoords; ///< Of the set that the base colour texture uses; empty when there is
                                     ///< none.
-  std::vector<glm::vec4> colors;    ///< COLOR_0, linear; empty when there is none.
+  std::vector<glm::vec2> emissiveTexCoords; ///< Of the set that the emissive texture uses, where that is
+                                            ///< another one.
+  std::vector<glm::vec4> colors;            ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
   std::vector<std::uint32_t> indices;       ///< Three for each triangle.
   std::vector<MorphTarget> morphTargets;
@@ -86,11 +89,9 @@ enum class AlphaMode { opaque, mask, blend };
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0F};
-  int baseColorImage = -1;                                  ///< Index into Scene::images.
-  std::array<float, 4> uvTransform{1.0F, 1.0F, 0.0F, 0.0F}; ///< uv * xy + zw (KHR_texture_transform without
-                                                            ///< rotation).
-  bool nearestFilter = false;
-  glm::vec3 emissive{0.0F};
+  TextureUse baseColorTexture;
+  glm::vec3 emissive{0.0F};   ///< Linear, its strength included: may be beyond 1.
+  TextureUse emissiveTexture; ///< Times `emissive`.
   AlphaMode alphaMode = AlphaMode::opaque;
   float alphaCutoff = 0.5F;
   bool doubleSided = false;

@@ -169,6 +169,10 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
   if (sequence.frameCount() == 0 || sequence.triangles.empty()) {
     return Error{"the sequence has no frames or no triangles", sequence.name, "give a sequence with both"};
   }
+  if (sequence.vertexCount < 4) {
+    return Error{fmt::format("{} vertices are too few for a bone", sequence.vertexCount), sequence.name,
+                 "give a mesh of at least 4 vertices"};
+  }
   if (settings.bones < 1 || settings.bones > mostBones ||
       static_cast<std::size_t>(settings.bones) * 4 > sequence.vertexCount) {
     return Error{

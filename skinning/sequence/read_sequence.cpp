@@ -13,6 +13,9 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
     const bool simulated = std::filesystem::exists(path / "membranes_buffer.txt", problem);
     return simulated ? readSibernetic(path, progress) : readFrameFolder(path, progress);
   }
+  if (!std::filesystem::exists(path, problem)) {
+    return Error{"there is no such file or folder", path.string(), "check the path"};
+  }
   const std::string extension = path.extension().string();
   if (extension != ".glb" && extension != ".gltf" && extension != ".vrm") {
     return Error{

@@ -11,7 +11,7 @@ namespace {
 std::vector<gltf::Problem> problemsOf(const test::GlbBuilder& glb) {
   const test::TemporaryFolder folder;
   glb.write(folder / "model.glb");
-  return gltf::diagnose(folder / "model.glb");
+  return gltf::diagnose(folder / "model.glb").problems;
 }
 
 // Two nodes, the lower turned by 45 degrees under a parent with this scale; the lower holds a mesh.
@@ -46,7 +46,7 @@ TEST_CASE("Problems after the first error are reported too") {
 }
 
 TEST_CASE("A file that is not there is one error") {
-  const std::vector<gltf::Problem> problems = gltf::diagnose("/nowhere/at/all.glb");
+  const std::vector<gltf::Problem> problems = gltf::diagnose("/nowhere/at/all.glb").problems;
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].severity == gltf::Severity::error);
 }

@@ -18,6 +18,7 @@ struct ShapeVertex {
 
 struct SurfaceVertex {
   glm::vec2 texCoord;
+  glm::vec2 emissiveTexCoord;
   glm::vec4 color;
 };
 
@@ -34,6 +35,8 @@ GlBuffer uploadSurface(const Primitive& primitive) {
   std::vector<SurfaceVertex> surface(primitive.positions.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
     surface[i].texCoord = i < primitive.texCoords.size() ? primitive.texCoords[i] : glm::vec2(0.0F);
+    surface[i].emissiveTexCoord =
+        i < primitive.emissiveTexCoords.size() ? primitive.emissiveTexCoords[i] : surface[i].texCoord;
     surface[i].color = i < primitive.colors.size() ? primitive.colors[i] : glm::vec4(1.0F);
   }
   return uploadBuffer(bytesOf(surface));
@@ -107,6 +110,8 @@ DrawItem makeItem(const UploadedPart& part, std::size_t partIndex, NodeIndex nod
   addAttribute(item.surface, item.posed, {2, 2, stride, 6 * sizeof(float)});
   addAttribute(item.surface, part.surface, {3, 2, sizeof(SurfaceVertex), offsetof(SurfaceVertex, texCoord)});
   addAttribute(item.surface, part.surface, {4, 4, sizeof(SurfaceVertex), offsetof(SurfaceVertex, color)});
+  addAttribute(item.surface, part.surface,
+               {5, 2, sizeof(SurfaceVertex), offsetof(SurfaceVertex, emissiveTexCoord)});
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices.name());
   return item;
 }

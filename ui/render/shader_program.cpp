@@ -104,6 +104,9 @@ void ShaderProgram::set(const char* name, const glm::vec3& value) const {
 void ShaderProgram::set(const char* name, const glm::vec4& value) const {
   glUniform4fv(location(name), 1, glm::value_ptr(value));
 }
+void ShaderProgram::set(const char* name, const glm::mat3x2& value) const {
+  glUniformMatrix3x2fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
 void ShaderProgram::set(const char* name, const glm::mat4& value) const {
   glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/mat3x2.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -37,6 +38,7 @@ public:
   void set(const char* name, const glm::vec2& value) const;
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::vec4& value) const;
+  void set(const char* name, const glm::mat3x2& value) const;
   void set(const char* name, const glm::mat4& value) const;
 
 private:

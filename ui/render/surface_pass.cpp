@@ -17,6 +17,8 @@ namespace {
 constexpr int baseColorUnit = 0;
 constexpr int stretchColorUnit = 1;
 constexpr int shadowUnit = 2;
+constexpr int emissiveUnit = 3;
+constexpr std::size_t wrapCount = 3;
 
 const Material plainMaterial{}; // what a primitive without a material looks like
 
@@ -24,15 +26,49 @@ bool isOrthographic(const View& view) {
   return view.projection[3][3] != 0.0;
 }
 
-GlSampler makeSampler(bool nearest) {
+GLint wrapName(TextureWrap wrap) {
+  switch (wrap) {
+  case TextureWrap::repeat:
+    return GL_REPEAT;
+  case TextureWrap::mirror:
+    return GL_MIRRORED_REPEAT;
+  case TextureWrap::clamp:
+    break;
+  }
+  return GL_CLAMP_TO_EDGE;
+}
+
+std::size_t samplerIndex(const TextureUse& use) {
+  return (static_cast<std::size_t>(use.wrapU) * wrapCount + static_cast<std::size_t>(use.wrapV)) * 2 +
+         (use.nearestFilter ? 1 : 0);
+}
+
+GlSampler makeSampler(const TextureUse& use) {
   GlSampler sampler = GlSampler::create();
   const GLuint name = sampler.name();
   glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
-                      nearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
-  glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
-  glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+                      use.nearestFilter ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, use.nearestFilter ? GL_NEAREST : GL_LINEAR);
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_S, wrapName(use.wrapU));
+  glSamplerParameteri(name, GL_TEXTURE_WRAP_T, wrapName(use.wrapV));
   return sampler;
+}
+
+// One for each way to use a texture, by samplerIndex.
+std::vector<GlSampler> makeSamplers() {
+  std::vector<GlSampler> samplers;
+  for (const TextureWrap wrapU : {TextureWrap::repeat, TextureWrap::mirror, TextureWrap::clamp}) {
+    for (const TextureWrap wrapV : {TextureWrap::repeat, TextureWrap::mirror, TextureWrap::clamp}) {
+      for (const bool nearest : {false, true}) {
+        TextureUse use;
+        use.nearestFilter = nearest;
+        use.wrapU = wrapU;
+        use.wrapV = wrapV;
+        samplers.push_back(makeSampler(use));
+      }
+    }
+  }
+  return samplers;
 }
 
 GlTexture makeStretchColors() {
@@ -105,8 +141,7 @@ Result<SurfacePass> SurfacePass::create() {
     }
     pass.*member = std::move(program).value();
   }
-  pass.smooth_ = makeSampler(false);
-  pass.nearest_ = makeSampler(true);
+  pass.samplers_ = makeSamplers();
   pass.stretchColors_ = makeStretchColors();
   return pass;
 }
@@ -120,6 +155,7 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
   surface_.use();
   setEye(surface_, view);
   surface_.set("baseColorTexture", baseColorUnit);
+  surface_.set("emissiveTexture", emissiveUnit);
   surface_.set("stretchColors", stretchColorUnit);
   surface_.set("shadowMap", shadowUnit);
   surface_.set("hasShadow", look.shadows->depthTexture != 0);
@@ -135,20 +171,28 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
   surface_.set("characterHeight", static_cast<float>(look.characterHeight));
 }
 
+bool SurfacePass::bindUse(int unit, const UploadedScene& uploaded, const TextureUse& use) const {
+  const unsigned texture =
+      use.image >= 0 ? uploaded.textures[static_cast<std::size_t>(use.image)].name() : 0U;
+  bindTexture(unit, texture);
+  glBindSampler(static_cast<GLuint>(unit), samplers_[samplerIndex(use)].name());
+  return texture != 0;
+}
+
 void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
                            const FrameState& frame) const {
   const UploadedPart& part = uploaded.parts[item.part];
   const Material& material = materialOf(scene, part.material);
-  const bool hasImage = material.baseColorImage >= 0 && part.hasTexCoords;
-  const unsigned texture =
-      hasImage ? uploaded.textures[static_cast<std::size_t>(material.baseColorImage)].name() : 0U;
-  bindTexture(baseColorUnit, texture);
-  glBindSampler(baseColorUnit, material.nearestFilter ? nearest_.name() : smooth_.name());
-  const auto& uv = material.uvTransform;
-  surface_.set("hasTexture", texture != 0);
-  surface_.set("uvTransform", glm::vec4(uv[0], uv[1], uv[2], uv[3]));
+  const bool hasEmissive = bindUse(emissiveUnit, uploaded, material.emissiveTexture);
+  const bool hasBaseColor =
+      bindUse(baseColorUnit, uploaded, part.hasTexCoords ? material.baseColorTexture : TextureUse{});
+  const bool isEmissiveLost = material.emissiveTexture.image >= 0 && !hasEmissive;
+  surface_.set("hasTexture", hasBaseColor);
+  surface_.set("uvTransform", material.baseColorTexture.uvTransform);
   surface_.set("baseColor", material.baseColor);
-  surface_.set("emissive", material.emissive);
+  surface_.set("hasEmissiveTexture", hasEmissive);
+  surface_.set("emissiveUvTransform", material.emissiveTexture.uvTransform);
+  surface_.set("emissive", isEmissiveLost ? glm::vec3(0.0F) : material.emissive);
   surface_.set("alphaMode", static_cast<int>(material.alphaMode));
   surface_.set("alphaCutoff", material.alphaCutoff);
   surface_.set("unlit", material.unlit);
@@ -160,17 +204,17 @@ void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, co
   glFrontFace(glm::determinant(Mat3(movedBy(scene, item, frame))) < 0.0 ? GL_CW : GL_CCW);
   drawTriangles(uploaded, item);
   glBindSampler(baseColorUnit, 0);
+  glBindSampler(emissiveUnit, 0);
 }
 
 void SurfacePass::drawOpaque(const Scene& scene, const UploadedScene& uploaded, const View& view,
                              const StudioLights& lights, const SurfaceLook& look,
                              const FrameState& frame) const {
   begin(view, lights, look);
+  surface_.set("solidPart", true);
   glDisable(GL_BLEND);
   for (const DrawItem& item : uploaded.items) {
-    if (!isBlended(scene, uploaded, item)) {
-      drawItem(scene, uploaded, item, frame);
-    }
+    drawItem(scene, uploaded, item, frame);
   }
   glFrontFace(GL_CCW);
   if (look.wireframe) {
@@ -191,13 +235,15 @@ void SurfacePass::drawBlended(const Scene& scene, const UploadedScene& uploaded,
   std::stable_sort(farthestFirst.begin(), farthestFirst.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   begin(view, lights, look);
-  glDepthFunc(GL_LEQUAL);
+  surface_.set("solidPart", false);
+  glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (const auto& [depth, item] : farthestFirst) {
     drawItem(scene, uploaded, *item, frame);
   }
   glFrontFace(GL_CCW);
+  glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 
@@ -212,7 +258,6 @@ void SurfacePass::drawGhost(const UploadedScene& uploaded, const View& view, con
   ghost_.use();
   setEye(ghost_, view);
   ghost_.set("tint", tint);
-  ghost_.set("uvTransform", glm::vec4(0.0F));
   for (const DrawItem& item : uploaded.items) {
     drawTriangles(uploaded, item);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "ui/render/scene_renderer.h"
 #include "ui/render/shadow_pass.h"
 
@@ -20,10 +22,11 @@ class SurfacePass {
 public:
   [[nodiscard]] static Result<SurfacePass> create();
 
-  /// Opaque and masked materials, and the wires of all.
+  /// Opaque and masked materials, the pixels of blended ones that hide what is behind them, and the wires of
+  /// all.
   void drawOpaque(const Scene& scene, const UploadedScene& uploaded, const View& view,
                   const StudioLights& lights, const SurfaceLook& look, const FrameState& frame) const;
-  /// Blended materials, the farthest first.
+  /// The other pixels of blended materials, the farthest surface first; they hide nothing.
   void drawBlended(const Scene& scene, const UploadedScene& uploaded, const View& view,
                    const StudioLights& lights, const SurfaceLook& look, const FrameState& frame) const;
   void drawGhost(const UploadedScene& uploaded, const View& view, const glm::vec4& tint) const;
@@ -32,14 +35,15 @@ private:
   void begin(const View& view, const StudioLights& lights, const SurfaceLook& look) const;
   void drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
                 const FrameState& frame) const;
+  /// Whether there is a texture to show.
+  bool bindUse(int unit, const UploadedScene& uploaded, const TextureUse& use) const;
   void drawWires(const UploadedScene& uploaded, const View& view, const Palette& palette) const;
 
   ShaderProgram surface_;
   ShaderProgram ghost_;
   ShaderProgram depth_;
   ShaderProgram wire_;
-  GlSampler smooth_;
-  GlSampler nearest_;
+  std::vector<GlSampler> samplers_; ///< One for each way to use a texture.
   GlTexture stretchColors_;
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -6,6 +8,8 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/schema/parse_text.h"
+#include "core/base/file.h"
+#include "tests/support/app/captured_errors.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -57,4 +61,82 @@ TEST_CASE("Exaggerating writes nothing when a limb, its scale or its range is wr
   CHECK(folder.fileCount() == 0);
   CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
   CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("A wrong argument is told in one line") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const std::vector<std::vector<std::string>> wrong = {{"elastic", dummy, "-o", output, "--fps", "nan"},
+                                                       {"elastic", dummy, "-o", output, "--fps", "1e9"},
+                                                       {"elastic", dummy, "-o", output, "--fps", "0"},
+                                                       {"elastic", dummy, "-o", output, "--density", "0"},
+                                                       {"elastic", dummy, "-o", output, "--young", "nan"},
+                                                       {"elastic", dummy, "-o", output, "--softness", "3"},
+                                                       {"compress", "frames", "-o", output, "--skip", "-1"},
+                                                       {"compress", "frames", "-o", output, "--fps", "fast"},
+                                                       {"compress", "frames"},
+                                                       {"bend", dummy},
+                                                       {}};
+  for (const std::vector<std::string>& words : wrong) {
+    INFO((words.empty() ? "" : words.back()));
+    const test::CapturedErrors errors;
+    const int exitCode = run(words);
+    const std::string told = errors.text();
+    CHECK(exitCode == 2);
+    CHECK(std::count(told.begin(), told.end(), '\n') == 1);
+    CHECK(told.size() < 200);
+    CHECK_THAT(told, Catch::Contains(words.size() > 4 ? words[words.size() - 2] : ""));
+  }
+  CHECK(folder.fileCount() == 0);
+}
+
+TEST_CASE("A range of weight that the clip has in part is cut, with a warning; one outside is refused") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  {
+    const test::CapturedErrors errors;
+    CHECK(run({"elastic", dummy, "-o", output, "--range", "900:990"}) == 1);
+    CHECK_THAT(errors.text(), Catch::Contains("outside the clip") && Catch::Contains("0 to 60"));
+    CHECK(folder.fileCount() == 0);
+  }
+  const test::CapturedErrors errors;
+  CHECK(run({"elastic", dummy, "-o", output, "--range", "0:1000"}) == 0);
+  CHECK_THAT(errors.text(), Catch::Contains("cut to the frames 0 to 60"));
+}
+
+TEST_CASE("Moduli of bones that a limb does not have are refused") {
+  const test::TemporaryFolder folder;
+  const std::string moduli =
+      folder.write("moduli.json", R"({"segments": [{"from": 0, "to": 7, "young": 5000}]})").string();
+  const test::CapturedErrors errors;
+  CHECK(run({"elastic", dummy, "-o", (folder / "out.glb").string(), "--moduli", moduli}) == 1);
+  CHECK_THAT(errors.text(), Catch::Contains("names bone 7, and the last one is 1"));
+  CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("No verb writes over what it reads, under any name, unless that is asked for") {
+  const test::TemporaryFolder folder;
+  std::filesystem::copy_file(dummy, folder / "in.glb");
+  const std::string file = (folder / "in.glb").string();
+  std::filesystem::create_symlink("in.glb", folder / "other.glb");
+  const std::string other = (folder / "other.glb").string();
+  const std::string before = readText(file).value();
+  const std::vector<std::vector<std::string>> verbs = {
+      {"resave", file},
+      {"elastic", file},
+      {"compress", file},
+      {"exaggerate", file, "--limb", "left-arm", "--scale", "2"}};
+  for (const std::vector<std::string>& verb : verbs) {
+    for (const std::string& output : {file, other}) {
+      INFO(verb.front());
+      std::vector<std::string> words = verb;
+      words.insert(words.end(), {"-o", output});
+      const test::CapturedErrors errors;
+      CHECK(run(words) == 1);
+      CHECK_THAT(errors.text(), Catch::Contains("--in-place"));
+      CHECK(readText(file).value() == before);
+    }
+  }
+  CHECK(run({"exaggerate", file, "--limb", "left-arm", "--scale", "2", "-o", file, "--in-place"}) == 0);
+  CHECK(readText(file).value() != before);
 }

@@ -14,6 +14,7 @@
 #include "core/gltf/source.h"
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"
+#include "tests/support/app/captured_errors.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -154,4 +155,24 @@ TEST_CASE("options that name nothing are wrong arguments") {
   CHECK(run({"compress", "frames", "-o", "x.glb", "--stretch", "rubber"}) == 2);
   CHECK(run({"compress", "frames"}) == 2);
   CHECK(run({"compare", "one.glb"}) == 2);
+}
+
+TEST_CASE(
+    "Skipping all frames, moduli beyond the bones and a folder that is not there are told in one line") {
+  const BendingTube tube(4);
+  const std::string output = tube.file("out.glb");
+  const std::string moduli = tube.file("moduli.json");
+  std::ofstream(moduli) << R"({"segments": [{"from": 3, "to": 6, "young": 5000}]})";
+  const auto told = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-o", output});
+    const test::CapturedErrors errors;
+    CHECK(run(words) == 1);
+    return errors.text();
+  };
+  CHECK_THAT(told({"compress", tube.frames(), "--skip", "100"}),
+             Catch::Contains("--skip: 100 frames are skipped, and the sequence has 4; give at most 3"));
+  CHECK_THAT(told({"compress", tube.frames(), "--bones", "6", "--moduli", moduli}),
+             Catch::Contains("names bone 6, and the last one is 5"));
+  CHECK_THAT(told({"compress", tube.file("none")}), Catch::Contains("there is no such file or folder"));
+  CHECK_FALSE(fs::exists(output));
 }

@@ -8,6 +8,7 @@
 #include "app/edits/trail_edits.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -15,16 +16,8 @@ using namespace stretch::app;
 namespace {
 
 Document withTrail(const Document& document, const std::string& limb, bool connected) {
-  NewTrail wanted;
-  wanted.limb = limb;
-  wanted.settings.startFrame = 5.0;
-  wanted.settings.endFrame = 10.0;
-  wanted.settings.scale = 3.0;
-  wanted.exaggerated = true;
-  wanted.connected = connected;
-  const Result<CreatedTrail> created = createTrail(document, wanted);
-  REQUIRE(created);
-  return created->document;
+  return test::withNewTrail(
+      document, {.limb = limb, .startFrame = 5.0, .endFrame = 10.0, .scale = 3.0, .connected = connected});
 }
 
 bool run(Session& session, const char* id) {

@@ -8,6 +8,7 @@
 #include "app/files/save.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -15,15 +16,7 @@ using namespace stretch::app;
 namespace {
 
 Document withTrail(const Document& document, bool connected) {
-  NewTrail wanted;
-  wanted.limb = "left-arm";
-  wanted.settings.endFrame = 10.0;
-  wanted.settings.scale = 2.0;
-  wanted.exaggerated = true;
-  wanted.connected = connected;
-  const Result<CreatedTrail> created = createTrail(document, wanted);
-  REQUIRE(created);
-  return created->document;
+  return test::withNewTrail(document, {.connected = connected});
 }
 
 std::size_t keyedTracks(const Document& document) {

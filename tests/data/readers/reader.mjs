@@ -4,6 +4,8 @@ import fs from 'node:fs/promises';
 import path from 'node:path';
 import * as three from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/examples/jsm/libs/meshopt_decoder.module.js';
+import { DracoMeshes } from './draco_meshes.mjs';
 
 // three's loaders expect these of a browser.
 globalThis.self ??= globalThis;
@@ -27,7 +29,7 @@ function chunksOf(bytes) {
 function withoutTextures(json) {
   for (const key of ['images', 'textures', 'samplers', 'materials']) delete json[key];
   for (const mesh of json.meshes ?? []) for (const primitive of mesh.primitives) delete primitive.material;
-  const left = ['KHR_mesh_quantization'];
+  const left = ['KHR_mesh_quantization', 'EXT_meshopt_compression', 'KHR_draco_mesh_compression'];
   for (const key of ['extensionsUsed', 'extensionsRequired']) if (json[key]) json[key] = json[key].filter((name) => left.includes(name));
   return json;
 }
@@ -41,6 +43,7 @@ async function selfContained(file) {
   const chunks = isBinary ? chunksOf(bytes) : null;
   const json = withoutTextures(JSON.parse(Buffer.from(isBinary ? chunks.get(jsonChunk) : bytes).toString('utf8')));
   for (const buffer of json.buffers ?? []) {
+    if (buffer.extensions?.EXT_meshopt_compression?.fallback) continue;
     if (buffer.uri === undefined) buffer.uri = asDataUri(chunks.get(binaryChunk));
     else if (!buffer.uri.startsWith('data:')) buffer.uri = asDataUri(await fs.readFile(path.join(path.dirname(file), decodeURIComponent(buffer.uri))));
   }
@@ -55,7 +58,8 @@ function primitivesOf(object, nodes) {
 /// { scene, clips, nodes: [object by node index], meshes: [{ mesh, primitive, node, object }] by mesh, primitive, node }
 export async function read(file) {
   const json = await selfContained(file);
-  const gltf = await new GLTFLoader().parseAsync(JSON.stringify(json), '');
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).setDRACOLoader(new DracoMeshes());
+  const gltf = await loader.parseAsync(JSON.stringify(json), '');
   // Asked for by index: three.js mixes up the indices of nodes that share a mesh.
   const nodes = await Promise.all((json.nodes ?? []).map((_, index) => gltf.parser.getDependency('node', index)));
   const meshes = nodes.flatMap((nodeObject, node) =>

@@ -71,6 +71,16 @@ TEST_CASE("an arm on a stretched chain holds its own length at its tip, and its 
   CHECK(glm::length(drawn.exaggerated.front() - handOf(moving, motion, 12)) < 1e-4);
 }
 
+TEST_CASE("paths that are asked for together are drawn where each is drawn alone, in any order") {
+  const MovingBiped moving = withSpineChain();
+  const MotionState motion = solved(moving, {trailOf(1, "left-arm", 2.0), trailOf(2, spineChain, 1.6)});
+  const std::vector<double> frames = {6.0, 12.0};
+  const std::vector<DrawnTrail> drawn =
+      pathsAt(moving.scene, moving.clip, motion, {PathRequest{1, frames}, PathRequest{0, frames}});
+  CHECK(drawn[0] == pathsAt(moving.scene, moving.clip, motion, 1, frames));
+  CHECK(drawn[1] == pathsAt(moving.scene, moving.clip, motion, 0, frames));
+}
+
 TEST_CASE("a chain from the root acts before the spine and the legs that it carries") {
   MovingBiped moving = punchingBiped();
   Limb chain = moving.limb("spine");

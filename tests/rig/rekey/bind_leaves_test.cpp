@@ -105,3 +105,25 @@ TEST_CASE("two leaves that the file has stay two, and both are turned") {
   CHECK(countTracks(edits, NodeIndex(1), Channel::rotation) == 1);
   CHECK(countTracks(edits, NodeIndex(2), Channel::rotation) == 1);
 }
+
+TEST_CASE(
+    "a leaf whose axis turns is keyed the short way, whichever of its two quaternions each key was told by") {
+  StretchKeys keys = stretchAlong(axisOfTheFile, thinner);
+  keys.times = {0.0F, 0.25F, 0.5F};
+  keys.scales = {Vec3(1.0), thinner, Vec3(1.0)};
+  keys.axes = {axisAngle(Vec3(0.0, 0.0, 1.0), 0.2), -axisAngle(Vec3(0.0, 0.0, 1.0), 0.4),
+               axisAngle(Vec3(0.0, 0.0, 1.0), 0.6)};
+  const gltf::Edits edits = saved(stretchedBefore(true), keys);
+  int turning = 0;
+  for (const Track& track : edits.clips.front().tracks) {
+    for (std::size_t at = 4; track.channel == Channel::rotation && at < track.values.size(); at += 4) {
+      double cosine = 0.0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        cosine += static_cast<double>(track.values[at + i]) * static_cast<double>(track.values[at - 4 + i]);
+      }
+      CHECK(cosine > 0.9);
+      ++turning;
+    }
+  }
+  CHECK(turning == 4); // two steps of each leaf
+}

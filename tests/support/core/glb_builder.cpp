@@ -97,7 +97,11 @@ void addClips(GlbBuilder& glb) {
 gltf::Bytes GlbBuilder::bytes() const {
   gltf::Glb glb;
   Json document = json;
-  document["buffers"] = {{{"byteLength", binary.size()}}};
+  Json& buffers = document["buffers"];
+  if (!buffers.is_array() || buffers.empty() || !buffers[0].is_object()) {
+    buffers = {Json::object()};
+  }
+  buffers[0]["byteLength"] = binary.size();
   glb.json = document.dump();
   glb.hasBinary = true;
   glb.binary = binary;

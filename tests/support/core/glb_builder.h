@@ -36,7 +36,7 @@ struct GlbBuilder {
     return accessor(numbers, 5126, type, width);
   }
 
-  /// The bytes of the .glb.
+  /// The bytes of the .glb; its first buffer is `binary`, others stay as the JSON has them.
   [[nodiscard]] gltf::Bytes bytes() const;
   void write(const std::filesystem::path& path) const;
 };

@@ -6,8 +6,8 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
-#include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
 
 using namespace stretch;
@@ -17,16 +17,7 @@ namespace {
 
 /// The bundled character with an exaggerated, connected trail of the left arm over frames 4 to 24, selected.
 app::Document withTrail() {
-  app::NewTrail wanted;
-  wanted.limb = "left-arm";
-  wanted.settings.startFrame = 4.0;
-  wanted.settings.endFrame = 24.0;
-  wanted.settings.scale = 2.0;
-  wanted.exaggerated = true;
-  wanted.connected = true;
-  const Result<app::CreatedTrail> created = app::createTrail(PanelDriver::bundledCharacter(), wanted);
-  REQUIRE(created.ok());
-  return created->document;
+  return test::withNewTrail(PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
 }
 
 struct TrailPanels {

@@ -2,8 +2,8 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
@@ -20,17 +20,10 @@ using Prepare = void (*)(GuiStage&);
 
 /// The bundled character; its left arm is selected and has an exaggerated trail.
 void withTrail(GuiStage& stage) {
-  app::NewTrail wanted;
-  wanted.limb = "left-arm";
-  wanted.settings.startFrame = 4.0;
-  wanted.settings.endFrame = 24.0;
-  wanted.settings.scale = 2.0;
-  wanted.exaggerated = true;
-  wanted.connected = true;
-  const Result<app::CreatedTrail> created = app::createTrail(test::PanelDriver::bundledCharacter(), wanted);
-  REQUIRE(created);
-  stage.open.open(created->document);
-  app::selectTrail(*stage.open.character(), created->document.trails.front().id);
+  const app::Document document =
+      test::withNewTrail(test::PanelDriver::bundledCharacter(), {.startFrame = 4.0, .endFrame = 24.0});
+  stage.open.open(document);
+  app::selectTrail(*stage.open.character(), document.trails.front().id);
   stage.open.character()->view().frame = 12.0;
 }
 

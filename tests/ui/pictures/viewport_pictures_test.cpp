@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"
 #include "tests/support/ui/panel_driver.h"
@@ -18,18 +18,11 @@ namespace {
 /// The bundled character in its punch, with an exaggerated trail of the left arm, seen as the window first
 /// shows it.
 void openCharacter(GuiStage& stage) {
-  app::NewTrail wanted;
-  wanted.limb = "left-arm";
-  wanted.settings.startFrame = 18.0;
-  wanted.settings.endFrame = 30.0;
-  wanted.settings.scale = 1.8;
-  wanted.exaggerated = true;
-  wanted.connected = true;
-  const Result<app::CreatedTrail> created = app::createTrail(test::PanelDriver::bundledCharacter(), wanted);
-  REQUIRE(created);
-  stage.open.open(created->document);
+  const app::Document document = test::withNewTrail(test::PanelDriver::bundledCharacter(),
+                                                    {.startFrame = 18.0, .endFrame = 30.0, .scale = 1.8});
+  stage.open.open(document);
   stage.open.character()->view().frame = 26.0;
-  stage.viewport.facingYawRadians = facingYaw(created->document, 0);
+  stage.viewport.facingYawRadians = facingYaw(document, 0);
   stage.viewport.camera = lookFrom(Camera{}, ViewDirection::threeQuarter, stage.viewport.facingYawRadians);
   stage.viewport.framePending = true;
 }

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "../../support/ui/render_scenes.h"
 #include "ui/render/bounds.h"
@@ -62,7 +64,113 @@ Image pictureOf(const Scene& scene, const FrameState& frame, const View& view, c
   return target.readPixels();
 }
 
+// The middle of the triangle, seen from the front.
+glm::ivec3 middleOf(const Scene& scene) {
+  const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
+  return colorAt(pictureOf(scene, frameOf(scene, restPose(scene), 0.0), view, plainStyle()), 32, 32);
+}
+
+bool isNear(const glm::ivec3& color, const glm::ivec3& expected) {
+  return glm::all(glm::lessThanEqual(glm::abs(color - expected), glm::ivec3(2)));
+}
+
+// The triangle with a texture of four pixels, red and green above blue and white, seen at one place of it.
+Scene texturedTriangle(const glm::vec2& place) {
+  Scene scene = triangleScene();
+  scene.meshes[0].primitives[0].texCoords.assign(3, place);
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[0].baseColorTexture.nearestFilter = true;
+  scene.images.push_back({2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}});
+  return scene;
+}
+
+constexpr glm::ivec3 red(255, 0, 0);
+constexpr glm::ivec3 green(0, 255, 0);
+constexpr glm::ivec3 blue(0, 0, 255);
+
+// A red triangle behind the white one, drawn after it: both half-transparent or solid by their alpha.
+Scene twoBlendedTriangles(float frontAlpha) {
+  Scene scene = triangleScene();
+  scene.materials[0].alphaMode = AlphaMode::blend;
+  scene.materials[0].baseColor.a = frontAlpha;
+  Material behind = scene.materials[0];
+  behind.baseColor = {1.0F, 0.0F, 0.0F, 1.0F};
+  scene.materials.push_back(behind);
+  Primitive farther = scene.meshes[0].primitives[0];
+  farther.material = 1;
+  for (glm::vec3& position : farther.positions) {
+    position.z -= 0.5F;
+  }
+  scene.meshes[0].primitives.push_back(farther);
+  return scene;
+}
+
 } // namespace
+
+TEST_CASE("A texture is read where its transform says, and beyond its edges as its sampler says") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = texturedTriangle({0.25F, 0.25F});
+  TextureUse& use = scene.materials[0].baseColorTexture;
+  CHECK(isNear(middleOf(scene), red));
+  use.uvTransform[2] = {0.5F, 0.0F};
+  CHECK(isNear(middleOf(scene), green));
+  use.uvTransform = glm::mat3x2(0.0F, 3.0F, 0.0F, 0.0F, 0.25F, 0.0F); // v from u, three times
+  CHECK(isNear(middleOf(scene), blue));
+  use.uvTransform = glm::mat3x2(1.0F, 0.0F, 0.0F, 1.0F, 1.0F, 0.0F);
+  CHECK(isNear(middleOf(scene), red));
+  use.wrapU = TextureWrap::clamp;
+  CHECK(isNear(middleOf(scene), green));
+  use.uvTransform[2] = {1.6F, 0.0F};
+  use.wrapU = TextureWrap::mirror;
+  CHECK(isNear(middleOf(scene), red));
+}
+
+TEST_CASE("Colours of vertices and of the material multiply") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.materials[0].baseColor = {1.0F, 0.5F, 1.0F, 1.0F};
+  scene.meshes[0].primitives[0].colors.assign(3, {0.0F, 1.0F, 1.0F, 1.0F});
+  CHECK(isNear(middleOf(scene), {0, 188, 255})); // 0.5 in linear light
+}
+
+TEST_CASE("A lit surface glows by its emissive texture, an unlit one does not") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = texturedTriangle({0.25F, 0.25F});
+  Material& material = scene.materials[0];
+  std::swap(material.baseColorTexture, material.emissiveTexture);
+  scene.meshes[0].primitives[0].emissiveTexCoords.assign(3, {0.25F, 0.75F});
+  material.baseColor = {0.0F, 0.0F, 0.0F, 1.0F};
+  material.emissive = glm::vec3(8.0F);
+  CHECK(middleOf(scene) == glm::ivec3(0));
+  material.unlit = false;
+  const glm::ivec3 color = middleOf(scene);
+  CHECK(color.b > 245);
+  CHECK(color.r < 120);
+  scene.images[0] = {}; // cannot be shown: no glow at all
+  CHECK(middleOf(scene).b < 120);
+}
+
+TEST_CASE(
+    "A blended surface shows what is behind it where it is see-through, and hides it where it is solid") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  CHECK(isNear(middleOf(twoBlendedTriangles(1.0F)), glm::ivec3(255)));
+  CHECK(isNear(middleOf(twoBlendedTriangles(0.0F)), red));
+  const glm::ivec3 half = middleOf(twoBlendedTriangles(0.5F));
+  CHECK(half.r > 250);
+  CHECK((half.g > 100 && half.g < 200));
+}
+
+TEST_CASE("An opaque material shows no alpha") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.materials[0].baseColor.a = 0.1F;
+  CHECK(isNear(middleOf(scene), glm::ivec3(255)));
+}
 
 TEST_CASE("A triangle covers just the pixels that it covers") {
   const auto context = OffscreenContext::create();
@@ -122,7 +230,7 @@ TEST_CASE("A texture's pixels arrive as the sRGB values that they are") {
   REQUIRE(context);
   Scene scene = triangleScene();
   scene.meshes[0].primitives[0].texCoords.assign(3, {0.5F, 0.5F});
-  scene.materials[0].baseColorImage = 0;
+  scene.materials[0].baseColorTexture.image = 0;
   scene.images.push_back({1, 1, {188, 96, 40, 255}});
   const View view = makeView(lookFrom({}, ViewDirection::front), {64.0, 64.0, 1.0});
   const glm::ivec3 color =

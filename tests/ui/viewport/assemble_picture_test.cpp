@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/render/image_edits.h"
 #include "ui/viewport/viewport_scene.h"
@@ -15,16 +15,7 @@ namespace {
 
 /// The boxer with a trail of its left arm, exaggerated twice.
 app::Document punch() {
-  app::NewTrail wanted;
-  wanted.limb = "left-arm";
-  wanted.settings.startFrame = 2.0;
-  wanted.settings.endFrame = 12.0;
-  wanted.settings.scale = 2.0;
-  wanted.exaggerated = true;
-  wanted.connected = true;
-  const Result<app::CreatedTrail> created = app::createTrail(test::boxer(), wanted);
-  REQUIRE(created);
-  return created->document;
+  return test::withNewTrail(test::boxer(), {.startFrame = 2.0, .endFrame = 12.0});
 }
 
 struct Window {
