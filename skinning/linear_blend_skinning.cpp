@@ -46,14 +46,22 @@ void appendPrimitive(const Primitive& primitive, const std::vector<float>& weigh
 
 std::vector<NodeIndex> drawnMeshNodes(const Scene& scene) {
   std::vector<NodeIndex> nodes;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const NodeIndex node(i);
-    const bool shown = std::any_of(scene.roots.begin(), scene.roots.end(),
-                                   [&](NodeIndex root) { return isAncestorOrSelf(scene, root, node); });
-    if (shown && scene.nodes[i].mesh >= 0) {
+  std::vector<bool> seen(scene.nodes.size(), false);
+  std::vector<NodeIndex> shown = scene.roots;
+  while (!shown.empty()) {
+    const NodeIndex node = shown.back();
+    shown.pop_back();
+    if (seen[at(node)]) {
+      continue;
+    }
+    seen[at(node)] = true;
+    if (scene.nodes[at(node)].mesh >= 0) {
       nodes.push_back(node);
     }
+    const std::vector<NodeIndex>& children = scene.nodes[at(node)].children;
+    shown.insert(shown.end(), children.begin(), children.end());
   }
+  std::sort(nodes.begin(), nodes.end());
   return nodes;
 }
 

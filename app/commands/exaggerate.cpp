@@ -7,24 +7,12 @@
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
-#include "rig/motion/floor.h"
+#include "app/evaluate/standing_floor.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
 
 namespace {
-
-/// Where the feet stand lowest in the clip: a leg does not reach through it. Nothing where no foot stands.
-std::optional<rig::StopPlane> floorOf(const Session& session, const rig::Limb& leg) {
-  const Document& document = session.document();
-  const Clip& clip = clipOf(document, session.view().clip);
-  std::optional<double> height = rig::standingHeight(*document.scene, clip, leg);
-  for (const rig::Limb& other : document.biped.limbs) {
-    const auto its = isLeg(other) ? rig::standingHeight(*document.scene, clip, other) : std::nullopt;
-    height = its ? std::optional(std::min(height.value_or(*its), *its)) : height;
-  }
-  return height ? std::optional(rig::StopPlane{{0.0, *height, 0.0}, {0.0, -1.0, 0.0}}) : std::nullopt;
-}
 
 /// The trail of the limb that is meant without being selected: the one in the range that was set, else the
 /// one at the playhead. 0 for none.
@@ -110,7 +98,7 @@ void exaggerate(rig::Trail& trail) {
 rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb, const Vec2& range) {
   rig::TrailSettings settings;
   if (isLeg(limb)) {
-    settings.stopAt = floorOf(session, limb);
+    settings.stopAt = floorForLegs(session.document(), session.view().clip);
   }
   settings.startFrame = range.x;
   settings.endFrame = range.y;

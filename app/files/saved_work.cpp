@@ -1,6 +1,7 @@
 #include "app/files/saved_work.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "app/edits/place_trails.h"

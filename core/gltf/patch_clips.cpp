@@ -1,4 +1,7 @@
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -92,25 +95,38 @@ private:
   // Every channel with this target: a file may name it twice.
   void point(const Pointer& animation, const Track& track, std::size_t sampler) {
     const std::string path = pathOf(track.channel);
-    const std::size_t channels = sizeOf(journal_.json().at(animation), "channels");
-    bool isFound = false;
-    for (std::size_t i = 0; i < channels; ++i) {
-      const AnimationTarget driven =
-          animationTarget(*find(element(journal_.json().at(animation), "channels", i), "target"));
-      if (driven.node == track.node && driven.path == path) {
-        journal_.set(animation / "channels" / i / "sampler", sampler);
-        isFound = true;
+    const Target target{track.node.value, path};
+    ChannelsOfTargets& known = channelsOf(animation);
+    if (const auto driving = known.find(target); driving != known.end()) {
+      for (const std::size_t channel : driving->second) {
+        journal_.set(animation / "channels" / channel / "sampler", sampler);
+      }
+    } else {
+      Json channel = {{"sampler", sampler}, {"target", {{"node", track.node.value}, {"path", path}}}};
+      known[target] = {journal_.append(animation / "channels", std::move(channel))};
+    }
+  }
+
+  using Target = std::pair<int, std::string>;
+  using ChannelsOfTargets = std::map<Target, std::vector<std::size_t>>;
+
+  // The channels of an animation by what they drive, told once: a clip may have thousands.
+  ChannelsOfTargets& channelsOf(const Pointer& animation) {
+    const auto [known, isNew] = channels_.try_emplace(animation.to_string());
+    if (isNew) {
+      const Json& json = journal_.json().at(animation);
+      for (std::size_t i = 0; i < sizeOf(json, "channels"); ++i) {
+        const AnimationTarget driven = animationTarget(*find(element(json, "channels", i), "target"));
+        known->second[{driven.node.value, driven.path}].push_back(i);
       }
     }
-    if (!isFound) {
-      Json channel = {{"sampler", sampler}, {"target", {{"node", track.node.value}, {"path", path}}}};
-      journal_.append(animation / "channels", std::move(channel));
-    }
+    return known->second;
   }
 
   Journal& journal_;
   AppendedData& data_;
   std::map<std::vector<float>, std::size_t> inputs_;
+  std::map<std::string, ChannelsOfTargets> channels_; // by the animation's place
 };
 
 // Extras that are no object are someone else's: they stay as they are.

@@ -190,7 +190,8 @@ void warn(const Scene& scene, Finding& finding) {
   if (result.isBiped) {
     for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
       if (findLimb(result.limbs, kind) == nullptr) {
-        result.warnings.push_back("no " + std::string(limbName(kind)) + " found");
+        result.warnings.push_back("no " + std::string(limbName(kind)) +
+                                  " found: choose a chain of joints if there is one");
       }
     }
     return;

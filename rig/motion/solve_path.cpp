@@ -18,12 +18,13 @@ Mat3 axesOf(const TrailSettings& settings) {
   return settings.space == TrailSpace::view ? settings.viewAxes : Mat3(1.0);
 }
 
-double lengthOfLine(const std::vector<Vec3>& polyline) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < polyline.size(); ++i) {
-    length += glm::length(polyline[i] - polyline[i - 1]);
+// How far the path gets from where it begins.
+double farthestOf(const std::vector<Vec3>& points) {
+  double extent = 0.0;
+  for (const Vec3& point : points) {
+    extent = std::max(extent, glm::length(point - points.front()));
   }
-  return length;
+  return extent;
 }
 
 /// The spheres that the user set, and the two ends of the range, which always have one.
@@ -79,8 +80,7 @@ void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector
     times.push_back(time);
   }
   // A path that only trembles has no length to go by.
-  constexpr double trembling = 1e-3; // of the limb's rest length
-  if (lengthOfLine(points) < trembling * solved.limb.restLength) {
+  if (onlyTrembles(points, farthestOf(points), solved.limb.restLength)) {
     points.assign(points.size(), points.front());
   }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);

@@ -17,11 +17,16 @@ std::size_t ExactMotion::capacity(const Scene& scene) {
 }
 
 const FrameState& ExactMotion::at(double timeSeconds) {
-  return frames_.of(timeSeconds, [&] { return evaluateMotion(scene_, clip_, motion_, timeSeconds); });
+  return frames_.of(timeSeconds, [&] {
+    FrameState frame;
+    part_.moved(timeSeconds, frame);
+    return frame;
+  });
 }
 
 const Pose& ExactMotion::sourceAt(double timeSeconds) {
-  return sources_.of(timeSeconds, [&] { return samplePose(scene_, clip_, timeSeconds); });
+  part_.source(timeSeconds, source_);
+  return source_.pose;
 }
 
 Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel) {
@@ -40,9 +45,7 @@ Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel) {
   return Vec4(0.0);
 }
 
-void setChannelValue(Pose& pose, NodeIndex node, Channel channel, const Vec4& value) {
-  pose.usesMatrix[at(node)] = false;
-  Transform& local = pose.locals[at(node)];
+void setChannelValue(Transform& local, Channel channel, const Vec4& value) {
   if (channel == Channel::translation) {
     local.translation = Vec3(value);
   } else if (channel == Channel::scale) {

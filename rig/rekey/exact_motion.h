@@ -6,7 +6,7 @@
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
-#include "rig/motion/evaluate.h"
+#include "rig/motion/part_motion.h"
 #include "rig/rekey/mesh_reach.h"
 
 namespace stretch::rig {
@@ -40,14 +40,16 @@ private:
   std::map<double, Value> before_;
 };
 
-/// The motion that keys are made to follow. References are good for the frames around them.
+/// The motion that keys are made to follow: of the nodes that it moves, and of what they hang from, alone.
 class ExactMotion {
 public:
   ExactMotion(const Scene& scene, const Clip& clip, const MotionState& motion)
-      : scene_(scene), clip_(clip), motion_(motion), reach_(meshReach(scene)), frames_(capacity(scene)),
-        sources_(capacity(scene)) {}
+      : scene_(scene), clip_(clip), motion_(motion), part_(scene, clip, motion, {}), reach_(meshReach(scene)),
+        frames_(capacity(scene)) {}
 
+  /// Good for the frames around it.
   [[nodiscard]] const FrameState& at(double timeSeconds);
+  /// Good until the next one is asked for.
   [[nodiscard]] const Pose& sourceAt(double timeSeconds);
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Clip& clip() const { return clip_; }
@@ -61,13 +63,14 @@ private:
   const Scene& scene_;
   const Clip& clip_;
   const MotionState& motion_;
+  PartMotion part_;
   std::vector<double> reach_;
   RecentTimes<FrameState> frames_;
-  RecentTimes<Pose> sources_;
+  FrameState source_;
 };
 
 /// A node's animated property as numbers: translation and scale in x, y, z, rotation as (x, y, z, w).
 [[nodiscard]] Vec4 channelValue(const Pose& pose, NodeIndex node, Channel channel);
-void setChannelValue(Pose& pose, NodeIndex node, Channel channel, const Vec4& value);
+void setChannelValue(Transform& local, Channel channel, const Vec4& value);
 
 } // namespace stretch::rig

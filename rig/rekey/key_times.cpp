@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/index.h"
-#include "rig/rekey/span_fit.h"
+#include "rig/rekey/joint_check.h"
 #include "rig/rekey/stretch_build.h"
 
 namespace stretch::rig {
@@ -103,6 +103,23 @@ void findChanges(ExactMotion& exact, PartKeys& keys) {
   }
 }
 
+// A span is looked at again for every key that it gets, so a long one is cut: what is looked at together is
+// remembered together.
+std::vector<double> withoutLongSpans(const std::vector<double>& times, double framesPerSecond) {
+  constexpr double longest = 500.0; // frames
+  std::vector<double> cut{times.front()};
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double length = (times[i] - times[i - 1]) * framesPerSecond;
+    const double frames = std::ceil(length / std::ceil(length / longest));
+    for (double frame = std::floor(times[i - 1] * framesPerSecond) + frames;
+         length > longest && frame / framesPerSecond < times[i] - sameKey; frame += frames) {
+      cut.push_back(asKeyTime(frame / framesPerSecond));
+    }
+    cut.push_back(times[i]);
+  }
+  return cut;
+}
+
 // Key times of the source win over times of ours that are almost the same.
 std::vector<double> firstTimes(const Window& window, const PartKeys& keys, double framesPerSecond,
                                bool everyFrame) {
@@ -132,36 +149,7 @@ std::vector<double> firstTimes(const Window& window, const PartKeys& keys, doubl
       times.insert(std::lower_bound(times.begin(), times.end(), time), time);
     }
   }
-  return times;
-}
-
-// How far a node, and the mesh that follows it, is from where it should be.
-double nodeMiss(const Mat4& world, const Mat4& wanted, double reach) {
-  const Mat4 difference = world - wanted;
-  double turned = 0.0;
-  for (int column = 0; column < 3; ++column) {
-    const Vec3 axis(difference[column]);
-    turned += glm::dot(axis, axis);
-  }
-  // Of a turn by a small angle the squares of the three axes' ways add up to twice the angle's.
-  return glm::length(Vec3(difference[3])) + reach * std::sqrt(0.5 * turned);
-}
-
-// How far the joints are from the exact motion where the channels run along these spans.
-double jointMiss(ExactMotion& exact, const PartKeys& keys, const std::vector<ChannelSpan>& spans,
-                 double time) {
-  const FrameState& wanted = exact.at(time);
-  Pose pose = wanted.pose;
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const ChangedChannel& channel = keys.channels[i];
-    setChannelValue(pose, channel.node, channel.channel, spans[i].at(channel.channel, time));
-  }
-  const std::vector<Mat4> worlds = worldMatrices(exact.scene(), pose);
-  double miss = 0.0;
-  for (std::size_t node = 0; node < worlds.size(); ++node) {
-    miss = std::max(miss, nodeMiss(worlds[node], wanted.worlds[node], exact.reachOf(node)));
-  }
-  return miss;
+  return withoutLongSpans(times, framesPerSecond);
 }
 
 // How far the end of a bone is moved where its stretch runs between two keys as a player plays them.
@@ -237,17 +225,6 @@ void refine(const MissOf& missOf, double framesPerSecond, double tolerance, doub
   }
 }
 
-template <typename MissOf>
-std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double tolerance,
-                            const std::vector<double>& first) {
-  std::vector<double> times{first.front()};
-  for (std::size_t i = 1; i < first.size(); ++i) {
-    refine(missOf, framesPerSecond, tolerance, first[i - 1], first[i], times);
-    times.push_back(first[i]);
-  }
-  return times;
-}
-
 // The stretches of a node at its times, gathered on one walk through the times of all nodes.
 struct SeenStretches {
   std::vector<double> times;
@@ -314,14 +291,13 @@ PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNod
   PartKeys keys;
   keys.part = &part;
   findChanges(exact, keys);
+  JointCheck check(exact, keys);
   const auto missOfJoints = [&](double start, double end) {
     std::vector<ChannelSpan> spans;
     for (const ChangedChannel& channel : keys.channels) {
       spans.push_back(fitSpan(exact, channel, start, end));
     }
-    return [&exact, &keys, spans = std::move(spans)](double time) {
-      return jointMiss(exact, keys, spans, time);
-    };
+    return [&check, &keys, spans = std::move(spans)](double time) { return check.missAt(keys, spans, time); };
   };
   const auto missOfStretch = [&](double start, double end) {
     return [span = StretchSpan(exact, keys, frames, start, end)](double time) { return span.missAt(time); };
@@ -329,8 +305,16 @@ PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNod
   const double framesPerSecond = exact.motion().framesPerSecond;
   for (const Window& window : part.windows) {
     const std::vector<double> first = firstTimes(window, keys, framesPerSecond, options.keyEveryFrame);
-    keys.times.push_back(refined(missOfJoints, framesPerSecond, options.tolerance, first));
-    keys.stretchTimes.push_back(refined(missOfStretch, framesPerSecond, options.tolerance, first));
+    std::vector<double> times{first.front()};
+    std::vector<double> stretchTimes{first.front()};
+    for (std::size_t i = 1; i < first.size(); ++i) {
+      refine(missOfJoints, framesPerSecond, options.tolerance, first[i - 1], first[i], times);
+      times.push_back(first[i]);
+      refine(missOfStretch, framesPerSecond, options.tolerance, first[i - 1], first[i], stretchTimes);
+      stretchTimes.push_back(first[i]);
+    }
+    keys.times.push_back(std::move(times));
+    keys.stretchTimes.push_back(std::move(stretchTimes));
   }
   return keys;
 }

@@ -13,9 +13,6 @@ namespace {
 
 constexpr double reachedTolerance = 1e-4; // of the wanted length
 constexpr double stillness = 1e-6;        // of the limb's length: no direction to walk along
-// Of the limb's length: a path that gets less far has nothing to scale. A planted foot trembles by
-// less, and would be thrown about by the thousands that its trembling is scaled by.
-constexpr double planted = 1e-3;
 
 Vec3 masked(const std::array<bool, 3>& axes, const Vec3& v) {
   return {axes[0] ? v.x : 0.0, axes[1] ? v.y : 0.0, axes[2] ? v.z : 0.0};
@@ -121,6 +118,18 @@ double extentOf(const TipProblem& problem, const Vec3& pivotPoint) {
   return extent;
 }
 
+// The path along the active axes, with what lies between its points.
+std::vector<Vec3> wayOf(const TipProblem& problem) {
+  std::vector<Vec3> way;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    way.push_back(masked(problem.axes, problem.points[i]));
+    if (i < problem.between.size()) {
+      way.push_back(masked(problem.axes, problem.between[i]));
+    }
+  }
+  return way;
+}
+
 int farthestFrom(const TipProblem& problem, const Vec3& pivotPoint) {
   const auto farther = [&](const Vec3& a, const Vec3& b) {
     return glm::length(masked(problem.axes, a - pivotPoint)) <
@@ -151,7 +160,8 @@ TipSolution solveTip(const TipProblem& problem) {
   solution.farthestSample = farthestFrom(problem, solution.pivotPoint);
 
   const double extent = extentOf(problem, solution.pivotPoint);
-  if (extent < planted * problem.limbLength || !(extent > 0.0)) {
+  const bool still = extent < stillness * problem.limbLength || !(extent > 0.0);
+  if (still || onlyTrembles(wayOf(problem), extent, problem.limbLength)) {
     solution.outcome = TipOutcome::nothingToScale;
     return solution;
   }
@@ -170,6 +180,16 @@ Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point) {
     return point + solution.shift;
   }
   return point + (*solution.trailScale - 1.0) * masked(solution.axes, point - solution.pivotPoint);
+}
+
+bool onlyTrembles(const std::vector<Vec3>& points, double extent, double limbLength) {
+  constexpr double shortPath = 1e-3; // of the limb: such trembling would be scaled up by the thousands
+  constexpr double wandering = 2.0;  // of how far it gets
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += glm::length(points[i] - points[i - 1]);
+  }
+  return extent < shortPath * limbLength && length > wandering * extent;
 }
 
 std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vector<double>& timesSeconds,

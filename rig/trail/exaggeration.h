@@ -58,6 +58,10 @@ struct TipSolution {
 /// E(c), fully exaggerated, without pull.
 [[nodiscard]] Vec3 exaggeratePoint(const TipSolution& solution, const Vec3& point);
 
+/// Whether a path that gets `extent` away from its pivot only trembles, as a foot that stands: it is short
+/// for the limb, and wanders about instead of going anywhere.
+[[nodiscard]] bool onlyTrembles(const std::vector<Vec3>& points, double extent, double limbLength);
+
 /// Ratio of each sample (docs/exaggeration.md, The path and its ratio): length of the path from the pivot's
 /// end over the whole, 0 at the pivot and 1 at the tip; the fraction of time for a path of no length.
 /// `timesSeconds` increases and has one entry for each point.

@@ -56,11 +56,26 @@ void mergeClose(std::vector<double>& times) {
               times.end());
 }
 
+// The original path as its trail's space has it.
+struct SpacePath {
+  std::vector<Vec3> points;
+  std::vector<double> seconds;
+};
+
+SpacePath inSpace(const LimbPath& path) {
+  SpacePath seen;
+  for (const LimbSample& sample : path.samples) {
+    seen.points.push_back(path.toSpace(sample, sample.end));
+    seen.seconds.push_back(sample.timeSeconds);
+  }
+  return seen;
+}
+
 // Cubic through control points of the path, tangents by three points: what an animator's few keys would give.
-Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std::size_t>& controls,
-                  std::size_t piece, double time) {
-  const auto point = [&](std::size_t c) { return samples[controls[c]].end; };
-  const auto seconds = [&](std::size_t c) { return samples[controls[c]].timeSeconds; };
+Vec3 cubicThrough(const SpacePath& path, const std::vector<std::size_t>& controls, std::size_t piece,
+                  double time) {
+  const auto point = [&](std::size_t c) { return path.points[controls[c]]; };
+  const auto seconds = [&](std::size_t c) { return path.seconds[controls[c]]; };
   const auto secant = [&](std::size_t c) {
     return (point(c + 1) - point(c)) / (seconds(c + 1) - seconds(c));
   };
@@ -82,16 +97,13 @@ Vec3 cubicThrough(const std::vector<LimbSample>& samples, const std::vector<std:
 }
 
 // Indices of both ends and of the extremes of each coordinate.
-std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
-  std::vector<std::size_t> found{0, samples.size() - 1};
+std::vector<std::size_t> extremes(const SpacePath& path) {
+  std::vector<std::size_t> found{0, path.points.size() - 1};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto coordinate = [&](const LimbSample& sample) {
-      return sample.end[static_cast<std::size_t>(axis)];
-    };
-    const auto less = [&](const LimbSample& a, const LimbSample& b) { return coordinate(a) < coordinate(b); };
-    const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), less);
-    found.push_back(static_cast<std::size_t>(low - samples.begin()));
-    found.push_back(static_cast<std::size_t>(high - samples.begin()));
+    const auto less = [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; };
+    const auto [low, high] = std::minmax_element(path.points.begin(), path.points.end(), less);
+    found.push_back(static_cast<std::size_t>(low - path.points.begin()));
+    found.push_back(static_cast<std::size_t>(high - path.points.begin()));
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -99,13 +111,11 @@ std::vector<std::size_t> extremes(const std::vector<LimbSample>& samples) {
 }
 
 // The sample that the cubic misses by most, and by how much.
-std::pair<std::size_t, double> worstSample(const std::vector<LimbSample>& samples,
-                                           const std::vector<std::size_t>& controls) {
+std::pair<std::size_t, double> worstSample(const SpacePath& path, const std::vector<std::size_t>& controls) {
   std::pair<std::size_t, double> worst{0, 0.0};
   for (std::size_t piece = 0; piece + 1 < controls.size(); ++piece) {
     for (std::size_t i = controls[piece] + 1; i < controls[piece + 1]; ++i) {
-      const double miss =
-          glm::length(samples[i].end - cubicThrough(samples, controls, piece, samples[i].timeSeconds));
+      const double miss = glm::length(path.points[i] - cubicThrough(path, controls, piece, path.seconds[i]));
       if (miss > worst.second) {
         worst = {i, miss};
       }
@@ -279,9 +289,10 @@ std::vector<double> chooseControlFrames(const LimbPath& path, const std::vector<
   if (!isDenselyKeyed(keyTimes, start, end, framesPerSecond)) {
     times.insert(times.end(), keyTimes.begin(), keyTimes.end());
   } else {
-    std::vector<std::size_t> controls = extremes(samples);
-    for (auto worst = worstSample(samples, controls);
-         worst.second > tolerance && controls.size() < mostChosen; worst = worstSample(samples, controls)) {
+    const SpacePath seen = inSpace(path);
+    std::vector<std::size_t> controls = extremes(seen);
+    for (auto worst = worstSample(seen, controls); worst.second > tolerance && controls.size() < mostChosen;
+         worst = worstSample(seen, controls)) {
       controls.insert(std::lower_bound(controls.begin(), controls.end(), worst.first), worst.first);
     }
     for (const std::size_t control : controls) {

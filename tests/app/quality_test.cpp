@@ -7,6 +7,7 @@
 #include "app/evaluate/quality.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/nodes.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -60,6 +61,71 @@ void addStaff(Document& document, float beyondHand) {
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
+// A triangle under the left upper arm; one corner follows the chest.
+void addSleeve(Document& document) {
+  Scene scene = *document.scene;
+  const rig::Limb& arm = *findLimb(document, "left-arm");
+  const FrameState rest = evaluateOriginal(document, 0, 0.0);
+  const NodeIndex chest = scene.nodes[at(arm.joints.front())].parent;
+  const glm::vec3 shoulder(positionOf(rest.worlds[at(arm.joints.front())]));
+  Primitive primitive;
+  primitive.positions = {shoulder + glm::vec3(0.1F, -0.01F, 0.0F), shoulder + glm::vec3(0.1F, 0.01F, 0.0F),
+                         shoulder + glm::vec3(0.12F, 0.01F, 0.0F)};
+  for (const std::uint16_t joint : std::initializer_list<std::uint16_t>{0, 1, 1}) {
+    VertexInfluences influences;
+    influences.joints[0] = joint;
+    influences.weights = {1.0F};
+    primitive.influences.push_back(influences);
+  }
+  primitive.indices = {0, 1, 2};
+  scene.meshes.push_back({"sleeve", {primitive}, {}});
+  scene.skins.push_back(
+      {"skin",
+       {chest, arm.joints.front()},
+       {glm::inverse(rest.worlds[at(chest)]), glm::inverse(rest.worlds[at(arm.joints.front())])}});
+  Node holder;
+  holder.mesh = static_cast<int>(scene.meshes.size()) - 1;
+  holder.skin = static_cast<int>(scene.skins.size()) - 1;
+  scene.roots.emplace_back(scene.nodes.size());
+  scene.nodes.push_back(holder);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+void addHead(Document& document) {
+  Scene scene = *document.scene;
+  document.biped.head = test::addNode(scene, "Head", findLimb(document, "spine")->endNode, {0.0, 0.3, 0.0});
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+// Straight down to the floor, where they stand all the time.
+void addLegs(Document& document) {
+  Scene scene = *document.scene;
+  const NodeIndex hip = test::addNode(scene, "LeftUpLeg", document.biped.hips, {0.1, 0.0, 0.0});
+  const NodeIndex knee = test::addNode(scene, "LeftLeg", hip, {0.0, -0.5, 0.0});
+  const NodeIndex foot = test::addNode(scene, "LeftFoot", knee, {0.0, -0.5, 0.0});
+  rig::Limb leg;
+  leg.kind = rig::LimbKind::leftLeg;
+  leg.id = "left-leg";
+  leg.joints = {hip, knee};
+  leg.endNode = foot;
+  leg.restLength = 1.0;
+  document.biped.limbs.push_back(leg);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+// A small mesh of its own under a node.
+void addRigidPart(Document& document, const std::string& name, NodeIndex parent, const Vec3& offset) {
+  Scene scene = *document.scene;
+  Primitive primitive;
+  primitive.positions = {{-0.05F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}, {0.0F, 0.05F, 0.05F}};
+  primitive.indices = {0, 1, 2};
+  scene.meshes.push_back({name, {primitive}, {}});
+  const NodeIndex node = test::addNode(scene, name, parent, offset);
+  scene.nodes[at(node)].mesh = static_cast<int>(scene.meshes.size()) - 1;
+  scene.roots.emplace_back(node);
+  document.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
 std::vector<std::string> warningsOf(const Document& document) {
   const rig::MotionState motion = prepareMotion(document, 0);
   return motionWarnings(document, motion, motion.trails.front());
@@ -88,8 +154,8 @@ TEST_CASE("an arm that points the other way is told, and the advice that goes wi
     return warning.find("degrees away from where it did") != std::string::npos;
   });
   REQUIRE(turned != warnings.end());
-  CHECK_THAT(*turned, Contains("set the space to base"));
-  document.trails.front().settings.space = rig::TrailSpace::base;
+  CHECK_THAT(*turned, Contains("set the space to root"));
+  document.trails.front().settings.space = rig::TrailSpace::root;
   CHECK(warningsOf(document).empty());
 }
 
@@ -114,4 +180,69 @@ TEST_CASE("a vertex that is thrown farther than the tip is told, where the mesh 
   CHECK_THAT(warnings.front(), Contains("left-arm: a vertex is") && Contains("from its place"));
   const rig::MotionState motion = prepareMotion(document, 0);
   CHECK(motionWarnings(document, motion, motion.trails.front(), LookAt::limb).empty());
+}
+
+TEST_CASE("a mesh that is torn is told with the frame, where the mesh is looked at") {
+  Document document = punching(10.0, 2.0);
+  addSleeve(document);
+  CHECK(warningsOf(document).empty());
+  // The arm goes up, and the seam under it, which hardly opens in the source, opens wide.
+  document.trails.front().settings.spheres = {{3.0, Vec3(0.0, 0.9, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  const auto torn = std::find_if(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("an edge of the mesh is") != std::string::npos;
+  });
+  REQUIRE(torn != warnings.end());
+  CHECK_THAT(*torn, Contains("left-arm:") && Contains("times its length at frame"));
+  const rig::MotionState motion = prepareMotion(document, 0);
+  for (const std::string& warning : motionWarnings(document, motion, motion.trails.front(), LookAt::limb)) {
+    CHECK_THAT(warning, !Contains("an edge of the mesh"));
+  }
+}
+
+TEST_CASE("an elbow above the head that the source has not is told, with what helps") {
+  Document document = punching(10.0, 3.0);
+  addHead(document);
+  CHECK(warningsOf(document).empty());
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, 1.6, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  const auto raised = std::find_if(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("the elbow is") != std::string::npos;
+  });
+  REQUIRE(raised != warnings.end());
+  CHECK_THAT(*raised, Contains("above the head at frame") && Contains("; "));
+}
+
+TEST_CASE("a hand below the floor is told, and stopping there helps") {
+  Document document = punching(10.0, 2.0);
+  addLegs(document);
+  CHECK(warningsOf(document).empty());
+  document.trails.front().settings.scale = 3.0;
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -1.6, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  const auto sunk = std::find_if(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("the hand is") != std::string::npos;
+  });
+  REQUIRE(sunk != warnings.end());
+  CHECK_THAT(*sunk, Contains("below the floor at frame") && Contains("stop the limb's end at the floor"));
+  document.trails.front().settings.stopAt = rig::StopPlane{Vec3(0.0), Vec3(0.0, -1.0, 0.0)};
+  CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("a glove that hangs on the body instead of the hand is named; one on the hand is not") {
+  Document document = punching(10.0, 2.0);
+  const NodeIndex spine = findLimb(document, "spine")->joints.front();
+  const NodeIndex hand = findLimb(document, "left-arm")->endNode;
+  Document worn = document;
+  addRigidPart(worn, "Glove", hand, Vec3(0.0));
+  CHECK(warningsOf(worn).empty());
+  addRigidPart(document, "Glove", spine, Vec3(0.8, 0.3, 0.0));
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(),
+             Contains("the mesh \"Glove\" stands at the limb's end but hangs on \"Spine\"") &&
+                 Contains("hang it on \"LeftHand\""));
+  Document buckle = punching(10.0, 2.0);
+  addRigidPart(buckle, "Buckle", spine, Vec3(0.0, 0.0, 0.1));
+  CHECK(warningsOf(buckle).empty());
 }

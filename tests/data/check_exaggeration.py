@@ -11,6 +11,8 @@ scale 2 and scale 3 without Y:
   against the source's (4e-6 of the height: the second difference of three such places);
 - a limb whose length over the source's leaves [min(1, S) / 1.5, 1.5 max(1, S)] on a frame of range or release, and a vertex
   farther from its source place than 1.5 times the tip's displacement: only with a warning that names frames around it;
+- an edge of the mesh more than 4 times as long as in the source and in the mesh itself, half-way, at the tip and in the release: only
+  with a warning that names the frame;
 - no error or warning of the validator that the source did not have.
 """
 
@@ -19,9 +21,13 @@ import json
 import math
 import pathlib
 import re
+import statistics
+import struct
 import subprocess
 import sys
 import tempfile
+
+from check_corpus import read_gltf
 
 READERS = pathlib.Path(__file__).resolve().parent / "readers"
 LENGTH_TOLERANCE = 1e-4
@@ -30,11 +36,14 @@ OUTSIDE_TOLERANCE = 1e-6
 ACCELERATION_TOLERANCE = 4e-6
 LOOK_ROOM = 1.5
 LOOK_SLACK = 1.005  # two implementations measure the same picture
+EDGE_ROOM = 4.05  # two implementations
+SEEN_EDGE = 0.005  # of the height: what is smaller is not seen to be torn
+EDGE_WARNING = "an edge of the mesh is"
 LIMBS = ("left-arm", "right-arm", "left-leg", "right-leg")
 SETTINGS = (("scale 2", ["--scale", "2"], 2.0), ("scale 3 xz", ["--scale", "3", "--axes", "xz"], 3.0))
 VERTICES_A_MESH = 150
 RUNS_OUTSIDE = 6
-LOOK_WARNINGS = ("times its own length", "points", "a vertex is")
+LOOK_WARNINGS = ("times its own length", "points", "a vertex is", EDGE_WARNING, "above the head", "below")
 
 
 def run(*command):
@@ -109,6 +118,49 @@ def outside_runs(last, start, stop):
     return sorted(set(near + runs[:: max(1, len(runs) // RUNS_OUTSIDE)]))
 
 
+def numbers(gltf, buffers, index):
+    """The elements of an accessor, each a tuple."""
+    accessor = gltf["accessors"][index]
+    view = gltf["bufferViews"][accessor["bufferView"]]
+    letter = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
+    form = struct.Struct("<" + {"SCALAR": 1, "VEC3": 3}[accessor["type"]] * letter)
+    start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+    stride = view.get("byteStride", form.size)
+    return [form.unpack_from(buffers[view["buffer"]], start + i * stride) for i in range(accessor["count"])]
+
+
+def mesh_edges(file):
+    """For each primitive as the readers name it: its edges with their lengths in the mesh."""
+    gltf, buffers = read_gltf(file)
+    edges = {}
+    if any("compression" in name for name in gltf.get("extensionsRequired", [])):
+        return edges  # packed geometry is not read here
+    for node_index, node in enumerate(gltf["nodes"]):
+        for place, primitive in enumerate(gltf["meshes"][node["mesh"]]["primitives"] if "mesh" in node else []):
+            if primitive.get("mode", 4) != 4 or "indices" not in primitive:
+                continue
+            corners = [index for (index,) in numbers(gltf, buffers, primitive["indices"])]
+            positions = numbers(gltf, buffers, primitive["attributes"]["POSITION"])
+            pairs = {tuple(sorted(pair)) for i in range(0, len(corners) - 2, 3)
+                     for pair in ((corners[i], corners[i + 1]), (corners[i + 1], corners[i + 2]), (corners[i + 2], corners[i]))}
+            edges[f"#{node_index} {node['mesh']}/{place}"] = [(a, b, math.dist(positions[a], positions[b])) for a, b in sorted(pairs)]
+    return edges
+
+
+def longest_edge(edges, before, after, height):
+    """The most that an edge is longer than in the source and in its mesh."""
+    scales = [math.dist(before[a], before[b]) / length for a, b, length in edges if length > 0.0]
+    scale = statistics.median(scales) if scales else 0.0
+    worst = 0.0
+    for a, b, length in edges:
+        if before[a] != after[a] or before[b] != after[b]:
+            now = math.dist(after[a], after[b])
+            own = max(math.dist(before[a], before[b]), scale * length)
+            if now > SEEN_EDGE * height:
+                worst = max(worst, now / max(own, 1e-9 * height))
+    return worst
+
+
 def names(warnings, what, frame):
     """Whether a warning of this kind names a stretch of frames that the frame lies in."""
     for warning in warnings:
@@ -147,6 +199,7 @@ class Case:
         self.inside()
         self.outside()
         self.look()
+        self.edges()
         if self.check.validates():
             worse = self.check.reader.worse(self.output, self.file)
             self.problems += ["validator: " + ", ".join(worse)] if worse else []
@@ -197,6 +250,15 @@ class Case:
             if a > 1e-6 * self.info["height"] and not least <= b / a <= most and not names(self.warnings, "times its own length", frame):
                 self.problems.append(f"the limb is {b / a:.3g} times its own length at frame {frame}, without a warning")
 
+    def edges(self):
+        frames = sorted({round((self.start + self.end) / 2), round(self.end), min(round((self.end + self.stop) / 2), int(self.last))})
+        source, output = self.measure(frames, 1)
+        for index, frame in enumerate(frames):
+            worst = max((longest_edge(edges, points_of(source["vertices"][key], index), points_of(output["vertices"][key], index), self.info["height"])
+                         for key, edges in self.check.edges.items()), default=0.0)
+            if worst > EDGE_ROOM and not names(self.warnings, EDGE_WARNING, frame):
+                self.problems.append(f"an edge is {worst:.3g} times its length at frame {frame}, without a warning")
+
     def outside(self):
         runs = outside_runs(int(self.last + 1e-3), self.start, self.stop)
         frames = [frame + k for frame in runs for k in range(3)]
@@ -219,6 +281,7 @@ class Check:
     def __init__(self, program, dump, clips, validate_every):
         self.program, self.dump, self.clips, self.validate_every = program, dump, clips, validate_every
         self.reader = Reader()
+        self.edges = {}
         self.asked = 0
         self.rows = []
 
@@ -228,6 +291,7 @@ class Check:
 
     def file(self, file):
         info = json.loads(run(self.program, "info", file, "--json"))
+        self.edges = mesh_edges(file)
         row = {"file": file.name, "cases": 0, "passed": 0, "look": 0, "other": 0}
         self.rows.append(row)
         with tempfile.TemporaryDirectory() as folder:

@@ -6,6 +6,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/style_edits.h"
 #include "app/evaluate/quality.h"
+#include "rig/motion/solve.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
 #include "ui/widgets/dropdown.h"
@@ -96,19 +97,33 @@ std::string reachProblem(const PanelContext& context, const rig::SolvedTrail& so
          (solved.settings.pull ? "Turn on another axis." : "Turn on Pull the rest, or another axis.");
 }
 
-/// Looked for once the hand is off: every frame of the trail is posed for it. None during a drag.
-std::vector<std::string> lookWarnings(PanelContext& context, const rig::SolvedTrail& solved) {
+/// The mesh costs more than the limb alone: on long trails it is left to saving by the command line.
+app::LookAt whatToLookAt(const rig::MotionState& motion, const rig::SolvedTrail& solved) {
+  constexpr double longest = 600.0; // frames
+  const double frames = (solved.windowEndSeconds - solved.windowStartSeconds) * motion.framesPerSecond;
+  return frames <= longest ? app::LookAt::limbAndMesh : app::LookAt::limb;
+}
+
+bool bodyTravels(const app::Document& document, const rig::SolvedTrail& solved) {
+  return rig::startingSpace(*document.scene, app::clipOf(document, solved.trail.clip), solved.limb,
+                            document.biped.hips,
+                            {solved.settings.startFrame, solved.settings.endFrame}) == rig::TrailSpace::root;
+}
+
+/// Looked for once the hand is off: every frame of the trail is posed for it. Nothing during a drag.
+LookState lookAt(PanelContext& context, const rig::SolvedTrail& solved) {
   app::Session& session = context.character();
   LookState& look = context.ui.look;
   const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
-  if (session.isDragging() || !solved.active) {
+  if (session.isDragging()) {
     return {};
   }
   if (look.motion != motion || look.trailId != solved.trail.id) {
     look = {motion, solved.trail.id,
-            app::motionWarnings(session.document(), *motion, solved, app::LookAt::limb)};
+            app::motionWarnings(session.document(), *motion, solved, whatToLookAt(*motion, solved)),
+            solved.settings.space == rig::TrailSpace::root && bodyTravels(session.document(), solved)};
   }
-  return look.warnings;
+  return look;
 }
 
 } // namespace
@@ -174,8 +189,14 @@ void tipMessages(PanelContext& context, int trailId) {
       notice(widgets, NoticeKind::warning, warning);
     }
   }
-  for (const std::string& warning : lookWarnings(context, *solved)) {
+  const LookState look = lookAt(context, *solved);
+  for (const std::string& warning : look.warnings) {
     notice(widgets, NoticeKind::warning, warning);
+  }
+  if (look.bodyTravels) {
+    notice(widgets, NoticeKind::info,
+           "Seen from the hips (space Root): in this range the body travels farther than half of the limb's "
+           "own way, which would drag the path along.");
   }
   if (solved->tip.moved) {
     proposeRangeEnd(context, *solved);

@@ -102,6 +102,7 @@ struct LookState {
   std::shared_ptr<const rig::MotionState> motion; ///< Looked at in this one; null: not yet.
   int trailId = 0;
   std::vector<std::string> warnings;
+  bool bodyTravels = false; ///< Why a new trail there starts in the space root.
 };
 
 /// Choosing joints from the skeleton tree: a limb's correction or a new chain.

@@ -77,6 +77,21 @@ void checkPlayable(const Document& document) {
 
 } // namespace
 
+TEST_CASE("Clips are read at the rate again that was set for them") {
+  Document document = trailed();
+  Document source = withoutWork(document);
+  setFramesPerSecond(document, 60.0);
+  const Json work = workOf(document);
+  REQUIRE(restoreWork(work, source));
+  CHECK(clipOf(source, 0).framesPerSecond == 60.0);
+  CHECK(source.trails == document.trails);
+  Json broken = work;
+  broken["rates"][0]["frames_per_second"] = 0.0;
+  CHECK_FALSE(restoreWork(broken, source));
+  setFramesPerSecond(document, guessFramesPerSecond(clipOf(document, 0).tracks));
+  CHECK_FALSE(workOf(document).contains("rates"));
+}
+
 TEST_CASE("Work comes back as it was saved") {
   const Document document = trailed();
   Document restored = test::boxer();

@@ -140,6 +140,11 @@ TEST_CASE("the short arms of a tyrannosaur are arms") {
     const Biped biped = detectBiped(built.scene);
     CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
     CHECK(describe(built, biped, LimbKind::leftArm) == "none");
+    // What it is not sure of it says: arms are missing, and no limb is claimed.
+    REQUIRE(biped.warnings.size() == 1);
+    CHECK(biped.warnings.front() == "no complete biped found: check the limbs by hand");
+    CHECK_FALSE(biped.isBiped);
+    CHECK(findLimb(biped, LimbKind::leftLeg)->confidence <= 0.3);
   }
 }
 

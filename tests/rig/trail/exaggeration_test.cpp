@@ -129,10 +129,28 @@ TEST_CASE("a limb that does not move has nothing to scale") {
 
 TEST_CASE("a planted foot has nothing to scale, whatever it trembles") {
   TipProblem problem;
-  problem.points = {Vec3(0.0), Vec3(0.5e-4, 0.0, 0.0), Vec3(1e-4, 0.0, 0.0)};
+  problem.points = {Vec3(0.0), Vec3(1e-4, 0.0, 0.0), Vec3(0.2e-4, 0.0, 0.0), Vec3(1e-4, 0.0, 0.0)};
   problem.basePosition = Vec3(0.0, 1.0, 0.0);
   problem.limbLength = 1.0;
   problem.scale = 2.0;
+  CHECK(solveTip(problem).outcome == TipOutcome::nothingToScale);
+  problem.points = {Vec3(0.0), Vec3(1e-4, 0.0, 0.0)};
+  problem.between = {Vec3(0.0, 1.2e-4, 0.0)};
+  CHECK(solveTip(problem).outcome == TipOutcome::nothingToScale);
+}
+
+TEST_CASE("a small way that goes somewhere is scaled, down to a millionth of the limb") {
+  TipProblem problem;
+  problem.basePosition = Vec3(0.0, 1.0, 0.0);
+  problem.limbLength = 1.0;
+  problem.scale = 2.0;
+  for (const double way : {1e-3, 1e-5, 2e-6}) {
+    problem.points = {Vec3(0.0), Vec3(0.5 * way, 0.0, 0.0), Vec3(way, 0.0, 0.0)};
+    const TipSolution solution = solveTip(problem);
+    CHECK(solution.outcome == TipOutcome::reached);
+    CHECK(glm::length(solution.tip - problem.basePosition) == Approx(2.0));
+  }
+  problem.points = {Vec3(0.0), Vec3(5e-7, 0.0, 0.0)};
   CHECK(solveTip(problem).outcome == TipOutcome::nothingToScale);
 }
 

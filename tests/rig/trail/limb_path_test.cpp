@@ -122,3 +122,27 @@ TEST_CASE("spheres set by hand stay within the range, whose ends always have one
   trail.controlFrames = {-2.0, 7.5, 90.0};
   CHECK(solved(moving, {trail}).trails.front().controlFrames == std::vector<double>{0.0, 7.5, 24.0});
 }
+
+TEST_CASE("spheres stand at the extremes of the path as the trail's space has it") {
+  // The body runs so far that the hand never turns back in the world; seen from the hips it does, at
+  // frame 12.
+  MovingBiped moving = punchingBiped();
+  std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
+    return track->node == moving.biped.hips && track->channel == Channel::translation;
+  });
+  const Vec3 hips = moving.scene.nodes[at(moving.biped.hips)].rest.translation;
+  moving.clip.tracks.emplace_back(vectorTrack(moving.biped.hips, Channel::translation, Interpolation::linear,
+                                              {{0.0, hips}, {1.0, hips + Vec3(0.0, 0.0, 40.0)}}));
+  moving.clip = keyedOnEveryFrame(moving.clip);
+  Trail trail = connectedTrail("left-arm", 0, 24, 2.0);
+  trail.settings.space = TrailSpace::root;
+  const MotionState motion = solved(moving, {trail});
+  const SolvedTrail& seen = motion.trails.front();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto place = [&](const LimbSample& sample) { return seen.path.toSpace(sample, sample.end)[axis]; };
+    const LimbSample& farthest = *std::ranges::max_element(seen.path.samples, {}, place);
+    const double frame = farthest.timeSeconds * moving.clip.framesPerSecond;
+    CHECK(std::ranges::any_of(seen.controlFrames,
+                              [&](double control) { return std::abs(control - frame) < 1e-3; }));
+  }
+}

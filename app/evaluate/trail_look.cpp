@@ -1,0 +1,279 @@
+#include "app/evaluate/trail_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "app/evaluate/standing_floor.h"
+#include "core/math/bounds.h"
+#include "core/math/rotation.h"
+#include "rig/limb.h"
+#include "rig/motion/bind_places.h"
+#include "rig/motion/part_motion.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr double room = 1.5;
+constexpr double farthestTurn = 120.0 * pi / 180.0; // beyond it an arm or a leg looks torn out and put back
+constexpr double longestEdge = 4.0;                 // times its length; of a limb three times as long
+constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
+constexpr double placeMargin = 0.02;                // of the height
+
+bool isArm(const rig::Limb& limb) {
+  return limb.kind == rig::LimbKind::leftArm || limb.kind == rig::LimbKind::rightArm;
+}
+
+std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTrail& trail) {
+  const double fps = motion.framesPerSecond;
+  const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);
+  std::vector<double> frames;
+  for (double frame = std::max(0.0, std::ceil(trail.windowStartSeconds * fps - 1e-6)); frame <= last;
+       frame += 1.0) {
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
+  return rig::endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]);
+}
+
+std::vector<bool> movedBy(const Scene& scene, const rig::SolvedTrail& trail) {
+  std::vector<bool> moved(scene.nodes.size(), false);
+  for (const NodeIndex node : rig::withSubtrees(scene, rig::touchedNodes(trail.limb, trail.topology))) {
+    moved[at(node)] = true;
+  }
+  return moved;
+}
+
+} // namespace
+
+void Finding::add(double frame, double value, double badness) {
+  first = first < 0.0 ? frame : first;
+  last = frame;
+  if (badness > worstBadness) {
+    worstBadness = badness;
+    worst = value;
+    worstFrame = frame;
+  }
+}
+
+std::string Finding::frames() const {
+  return first == last ? fmt::format("at frame {:g}", first)
+                       : fmt::format("at frames {:g} to {:g} (worst at {:g})", first, last, worstFrame);
+}
+
+bool Findings::any() const {
+  return firstFrame() >= 0.0;
+}
+
+double Findings::firstFrame() const {
+  double first = -1.0;
+  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+    first = one->any() && (first < 0.0 || one->first < first) ? one->first : first;
+  }
+  return first;
+}
+
+double Findings::lastFrame() const {
+  double last = -1.0;
+  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+    last = std::max(last, one->last);
+  }
+  return last;
+}
+
+TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what)
+    : document_(document), clip_(clip), moved_(movedBy(*document.scene, trail)),
+      surface_(*document.scene,
+               what == LookAt::limbAndMesh ? moved_ : std::vector<bool>(moved_.size(), false)),
+      nodes_(surface_.nodes()) {
+  FrameState bind;
+  bind.worlds = rig::bindPoseWorlds(*document.scene);
+  std::vector<Vec3> places;
+  surface_.positions(bind, places);
+  for (const skinning::SurfacePart::Edge& edge : surface_.edges()) {
+    edgeLengths_.push_back(glm::length(places[edge.moved] - places[edge.other]));
+  }
+  if (isArm(trail.limb)) {
+    findHead();
+  }
+  findFloor(trail.limb);
+}
+
+void TrailLook::findHead() {
+  const NodeIndex joint = document_.biped.head;
+  if (!joint.exists() || !document_.biped.hips.exists()) {
+    return;
+  }
+  const rig::BindPlaces places = rig::bindPlaces(*document_.scene);
+  const Mat4& world = places.worlds[at(joint)];
+  if (glm::determinant(Mat3(world)) == 0.0) {
+    return;
+  }
+  Bounds box;
+  for (const NodeIndex node : rig::withSubtrees(*document_.scene, {joint})) {
+    const Bounds& mesh = places.meshes[at(node)];
+    if (!mesh.empty()) {
+      box.add(mesh.low);
+      box.add(mesh.high);
+    }
+  }
+  if (box.empty()) {
+    box.add(positionOf(world));
+  }
+  Head head{joint, glm::inverse(world), 0.5 * (box.low + box.high), 0.5 * (box.high - box.low), 0.0};
+  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document_.biped.hips)]).y;
+  if (head.aboveHips > 0.0) {
+    head_ = head;
+    nodes_.push_back(joint);
+  }
+}
+
+double TrailLook::Head::top(const Mat4& jointWorld) const {
+  const Mat4 moved = jointWorld * fromBind;
+  const Vec3 up(moved[0].y, moved[1].y, moved[2].y);
+  return transformPoint(moved, centre).y + glm::length(up * half);
+}
+
+void TrailLook::findFloor(const rig::Limb& limb) {
+  if (isArm(limb)) {
+    lowestEnd_ = floorHeight(document_, clip_);
+  } else if (isLeg(limb)) {
+    lowestEnd_ = standingAnkles(document_, clip_);
+  }
+}
+
+// One trail on its frames.
+class TrailLook::Walk {
+public:
+  Walk(const TrailLook& look, const rig::MotionState& alone)
+      : look_(look), alone_(alone), trail_(alone.trails.front()),
+        part_(*look.document_.scene, clipOf(look.document_, look.clip_), alone, look.nodes_) {
+    step(trail_.tipSeconds);
+    findings_.tipDisplacement =
+        glm::length(rig::endPosition(trail_.limb, after_) - rig::endPosition(trail_.limb, before_));
+  }
+
+  [[nodiscard]] Findings run(bool untilFirst) {
+    for (const double frame : framesOf(alone_, trail_)) {
+      step(frame / alone_.framesPerSecond);
+      lookAtLimb(frame);
+      lookAtPlaces(frame);
+      if (look_.surface_.movedCount() > 0) {
+        lookAtSurface(frame);
+      }
+      if (untilFirst && findings_.any()) {
+        break;
+      }
+    }
+    return findings_;
+  }
+
+private:
+  void step(double seconds) {
+    part_.source(seconds, before_);
+    after_ = before_;
+    part_.move(after_);
+  }
+
+  [[nodiscard]] double height() const { return look_.document_.biped.height; }
+
+  void lookAtLimb(double frame) {
+    const Vec3 reachBefore = reachOf(trail_.limb, before_);
+    const Vec3 reachAfter = reachOf(trail_.limb, after_);
+    if (!(glm::length(reachBefore) > 0.0)) {
+      return;
+    }
+    const double scale = trail_.settings.scale;
+    const double ratio = glm::length(reachAfter) / glm::length(reachBefore);
+    const double least = std::min(1.0, scale) / room;
+    const double most = room * std::max(1.0, scale);
+    if (ratio < least || ratio > most) {
+      findings_.lengths.add(frame, ratio, std::max(least / std::max(ratio, 1e-9), ratio / most));
+    }
+    const double turn = angleBetween(reachBefore, reachAfter);
+    if (turn > farthestTurn) {
+      findings_.turns.add(frame, turn, turn);
+    }
+  }
+
+  void lookAtPlaces(double frame) {
+    const double margin = placeMargin * height();
+    if (look_.lowestEnd_) {
+      const double below = *look_.lowestEnd_ - rig::endPosition(trail_.limb, after_).y;
+      const double belowBefore = *look_.lowestEnd_ - rig::endPosition(trail_.limb, before_).y;
+      if (below > margin && belowBefore <= margin) {
+        findings_.ends.add(frame, below, below);
+      }
+    }
+    if (look_.head_) {
+      lookAtElbows(frame, margin);
+    }
+  }
+
+  // Of a body that stands: one that lies or stands on its head has everything above the head.
+  void lookAtElbows(double frame, double margin) {
+    const Head& head = *look_.head_;
+    const double top = head.top(before_.worlds[at(head.joint)]);
+    const double aboveHips = top - positionOf(before_.worlds[at(look_.document_.biped.hips)]).y;
+    if (aboveHips < 0.5 * head.aboveHips) {
+      return;
+    }
+    for (std::size_t i = 1; i < trail_.limb.joints.size(); ++i) {
+      const std::size_t joint = at(trail_.limb.joints[i]);
+      const double above = positionOf(after_.worlds[joint]).y - top;
+      if (above > margin && positionOf(before_.worlds[joint]).y <= top) {
+        findings_.elbows.add(frame, above, above);
+      }
+    }
+  }
+
+  void lookAtSurface(double frame) {
+    const std::size_t moved = look_.surface_.movedCount();
+    look_.surface_.positions(before_, from_);
+    look_.surface_.positions(after_, moved, to_);
+    to_.insert(to_.end(), from_.begin() + static_cast<std::ptrdiff_t>(moved), from_.end());
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < moved; ++i) {
+      farthest = std::max(farthest, glm::length(to_[i] - from_[i]));
+    }
+    if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
+      findings_.vertices.add(frame, farthest, farthest);
+    }
+    const double most = std::max(longestEdge, longestEdge / 3.0 * trail_.settings.scale);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < look_.edgeLengths_.size(); ++i) {
+      const skinning::SurfacePart::Edge& edge = look_.surface_.edges()[i];
+      const double after = glm::length(to_[edge.moved] - to_[edge.other]);
+      const double own = std::max(look_.edgeLengths_[i], glm::length(from_[edge.moved] - from_[edge.other]));
+      if (after > most * own && after > visibleLength * height()) {
+        worst = std::max(worst, after / std::max(own, 1e-9 * height()));
+      }
+    }
+    if (worst > 0.0) {
+      findings_.edges.add(frame, worst, worst);
+    }
+  }
+
+  const TrailLook& look_;
+  const rig::MotionState& alone_;
+  const rig::SolvedTrail& trail_;
+  rig::PartMotion part_;
+  Findings findings_;
+  FrameState before_;
+  FrameState after_;
+  std::vector<Vec3> from_;
+  std::vector<Vec3> to_;
+};
+
+Findings TrailLook::findings(const rig::MotionState& alone, bool untilFirst) const {
+  return Walk(*this, alone).run(untilFirst);
+}
+
+} // namespace stretch::app

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "app/evaluate/quality.h"
+#include "rig/motion/motion.h"
+#include "skinning/surface_part.h"
+
+namespace stretch::app {
+
+/// The frames that are out of bounds in one respect, and the worst of them.
+struct Finding {
+  double first = -1.0;
+  double last = -1.0;
+  double worst = 0.0;
+  double worstFrame = 0.0;
+  double worstBadness = 0.0;
+
+  void add(double frame, double value, double badness);
+  [[nodiscard]] bool any() const { return first >= 0.0; }
+  /// "at frame 3", "at frames 3 to 9 (worst at 5)".
+  [[nodiscard]] std::string frames() const;
+};
+
+/// What an animator would stumble over when playing one trail.
+struct Findings {
+  Finding lengths;  ///< The limb over its source length.
+  Finding turns;    ///< Radians between where it points and where it did.
+  Finding vertices; ///< World units from a vertex to its place in the source.
+  Finding edges;    ///< An edge of the mesh over its length.
+  Finding elbows;   ///< World units of an arm's joint above the head.
+  Finding ends;     ///< World units of the limb's end below the floor.
+  double tipDisplacement = 0.0;
+
+  [[nodiscard]] bool any() const;
+  [[nodiscard]] double firstFrame() const; ///< Of all findings.
+  [[nodiscard]] double lastFrame() const;
+};
+
+/// All that looking at one trail needs beside the trail's settings: made once, and used again for every
+/// remedy that is tried.
+class TrailLook {
+public:
+  /// What is given has to outlive it.
+  TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what);
+
+  /// `alone`: a motion of the one trail, with these or other settings. `untilFirst`: only whether there is
+  /// anything.
+  [[nodiscard]] Findings findings(const rig::MotionState& alone, bool untilFirst) const;
+  /// Whether a node's place depends on the trail.
+  [[nodiscard]] const std::vector<bool>& moved() const { return moved_; }
+
+private:
+  class Walk;
+
+  // The ellipsoid in the box around the head's mesh in the bind pose.
+  struct Head {
+    NodeIndex joint;
+    Mat4 fromBind{1.0}; // world of the bind pose to the joint's space
+    Vec3 centre{0.0};
+    Vec3 half{0.0};
+    double aboveHips = 0.0; // in the bind pose
+
+    /// Height of its highest point.
+    [[nodiscard]] double top(const Mat4& jointWorld) const;
+  };
+
+  void findHead();
+  void findFloor(const rig::Limb& limb);
+
+  const Document& document_;
+  int clip_ = -1;
+  std::vector<bool> moved_;
+  skinning::SurfacePart surface_;
+  std::vector<double> edgeLengths_; // in the bind pose
+  std::vector<NodeIndex> nodes_;
+  std::optional<Head> head_;
+  std::optional<double> lowestEnd_;
+};
+
+} // namespace stretch::app

@@ -1,0 +1,87 @@
+#include "rig/motion/part_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "rig/motion/evaluate.h"
+
+namespace stretch::rig {
+
+namespace {
+
+// What trails and weights are worked out from, beside the nodes that they move.
+void addGround(const Scene& scene, const MotionState& motion, std::vector<NodeIndex>& nodes) {
+  const std::vector<NodeIndex> moved = movedNodes(scene, motion);
+  nodes.insert(nodes.end(), moved.begin(), moved.end());
+  if (motion.hips.exists()) {
+    nodes.push_back(motion.hips);
+  }
+}
+
+NodeSampler samplerOf(const Scene& scene, const Clip& clip, const MotionState& motion,
+                      std::vector<NodeIndex> nodes) {
+  addGround(scene, motion, nodes);
+  return {scene, clip, nodes};
+}
+
+} // namespace
+
+PartMotion::PartMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
+                       std::vector<NodeIndex> nodes)
+    : clip_(clip), motion_(motion), sampler_(samplerOf(scene, clip, motion, std::move(nodes))),
+      skeleton_(sampler_.skeleton()) {}
+
+void PartMotion::source(double timeSeconds, FrameState& frame) const {
+  sampler_.sample(std::min(timeSeconds, clip_.endSeconds), frame);
+}
+
+void PartMotion::moved(double timeSeconds, FrameState& frame) const {
+  source(timeSeconds, frame);
+  move(frame);
+  frame.timeSeconds = timeSeconds;
+}
+
+void PartMotion::move(FrameState& frame) const {
+  applyTrails(skeleton_, motion_, frame);
+  applyWeight(skeleton_, motion_.weights, motion_.hips, frame);
+}
+
+std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {
+  std::vector<bool> wanted(scene.nodes.size(), false);
+  for (const NodeIndex node : nodes) {
+    wanted[at(node)] = true;
+  }
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    wanted[at(node)] = wanted[at(node)] || (parent.exists() && wanted[at(parent)]);
+  }
+  std::vector<NodeIndex> all;
+  for (std::size_t node = 0; node < wanted.size(); ++node) {
+    if (wanted[node]) {
+      all.emplace_back(node);
+    }
+  }
+  return all;
+}
+
+std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion) {
+  std::vector<NodeIndex> nodes;
+  const auto add = [&](const Limb& limb, const LimbTopology& topology) {
+    const std::vector<NodeIndex> touched = touchedNodes(limb, topology);
+    nodes.insert(nodes.end(), touched.begin(), touched.end());
+  };
+  for (const SolvedTrail& trail : motion.trails) {
+    if (trail.active) {
+      add(trail.limb, trail.topology);
+    }
+  }
+  for (const SolvedWeight& weight : motion.weights) {
+    add(weight.limb, weight.topology);
+    if (isLeg(weight.limb) && motion.hips.exists()) {
+      nodes.push_back(motion.hips);
+    }
+  }
+  return withSubtrees(scene, nodes);
+}
+
+} // namespace stretch::rig

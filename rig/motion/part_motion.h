@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/anim/frame_state.h"
+#include "core/scene/scene.h"
+#include "rig/motion/motion.h"
+#include "rig/trail/limb_path.h"
+
+namespace stretch::rig {
+
+/// The motion of some nodes alone: what evaluateMotion answers for them, without the cost of the others. What
+/// it is made from has to outlive it.
+class PartMotion {
+public:
+  /// Of `nodes`, of all that active trails and weights of `motion` move, and of what these hang from.
+  PartMotion(const Scene& scene, const Clip& clip, const MotionState& motion, std::vector<NodeIndex> nodes);
+
+  /// As sampledFrame; nodes that are not looked at keep the identity. `frame` may be one of this motion's
+  /// before.
+  void source(double timeSeconds, FrameState& frame) const;
+  /// As evaluateMotion.
+  void moved(double timeSeconds, FrameState& frame) const;
+  /// Brings trails and weight onto a frame of `source`.
+  void move(FrameState& frame) const;
+
+private:
+  const Clip& clip_;
+  const MotionState& motion_;
+  NodeSampler sampler_;
+  Scene skeleton_; // the sampled nodes only
+};
+
+/// The nodes, and all below them; ascending, without repeats.
+[[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
+
+/// Every node that the active trails and the weights of a motion may move: what they touch and all that hangs
+/// from it; ascending.
+[[nodiscard]] std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion);
+
+} // namespace stretch::rig

@@ -1,0 +1,179 @@
+#include "skinning/surface_part.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "skinning/linear_blend_skinning.h"
+
+namespace stretch::skinning {
+
+namespace {
+
+Vec3 positionInMesh(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
+  Vec3 position(primitive.positions[vertex]);
+  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
+  for (std::size_t target = 0; target < targets; ++target) {
+    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].positions;
+    if (weights[target] != 0.0F && vertex < offsets.size()) {
+      position += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
+    }
+  }
+  return position;
+}
+
+} // namespace
+
+// Walks through the drawn meshes twice: for what follows the nodes, and for what stands beside it.
+class SurfacePart::Builder {
+public:
+  Builder(const Scene& scene, const std::vector<bool>& follows, SurfacePart& part)
+      : scene_(scene), follows_(follows), part_(part) {}
+
+  void build() {
+    const std::vector<NodeIndex> holders = drawnMeshNodes(scene_);
+    for (const NodeIndex holder : holders) {
+      forEachPrimitive(holder, [&](const Primitive& primitive) { addMoved(holder, primitive); });
+    }
+    part_.movedCount_ = part_.vertices_.size();
+    std::size_t piece = 0;
+    for (const NodeIndex holder : holders) {
+      forEachPrimitive(holder, [&](const Primitive& primitive) { addEdges(holder, primitive, piece++); });
+    }
+    std::sort(part_.edges_.begin(), part_.edges_.end());
+    part_.edges_.erase(std::unique(part_.edges_.begin(), part_.edges_.end()), part_.edges_.end());
+    for (const Slot& slot : part_.slots_) {
+      part_.nodes_.push_back(slot.node);
+    }
+    std::sort(part_.nodes_.begin(), part_.nodes_.end());
+    part_.nodes_.erase(std::unique(part_.nodes_.begin(), part_.nodes_.end()), part_.nodes_.end());
+  }
+
+private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  template <typename Look>
+  void forEachPrimitive(NodeIndex holder, const Look& look) {
+    const Node& node = scene_.nodes[at(holder)];
+    // The last one is the holder's own.
+    slotOfJoint_.assign(node.skin >= 0 ? scene_.skins[at(node.skin)].joints.size() + 1 : 1, none);
+    for (const Primitive& primitive : scene_.meshes[at(node.mesh)].primitives) {
+      look(primitive);
+    }
+  }
+
+  [[nodiscard]] const Skin* skinOf(NodeIndex holder, const Primitive& primitive) const {
+    const int skin = scene_.nodes[at(holder)].skin;
+    return skin >= 0 && !primitive.influences.empty() ? &scene_.skins[at(skin)] : nullptr;
+  }
+
+  [[nodiscard]] bool isMoved(NodeIndex holder, const Primitive& primitive, std::size_t vertex) const {
+    const Skin* const skin = skinOf(holder, primitive);
+    if (skin == nullptr) {
+      return follows_[at(holder)];
+    }
+    const VertexInfluences& influences = primitive.influences[vertex];
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      const std::size_t joint = influences.joints[i];
+      if (influences.weights[i] != 0.0F && joint < skin->joints.size() && follows_[at(skin->joints[joint])]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::uint32_t slotOf(std::size_t joint, NodeIndex node, const Mat4& inverseBind) {
+    if (slotOfJoint_[joint] == none) {
+      slotOfJoint_[joint] = static_cast<std::uint32_t>(part_.slots_.size());
+      part_.slots_.push_back({node, inverseBind});
+    }
+    return slotOfJoint_[joint];
+  }
+
+  std::uint32_t addVertex(NodeIndex holder, const Primitive& primitive, std::size_t vertex) {
+    const Node& node = scene_.nodes[at(holder)];
+    const std::vector<float>& weights =
+        node.morphWeights.empty() ? scene_.meshes[at(node.mesh)].morphWeights : node.morphWeights;
+    const auto first = static_cast<std::uint32_t>(part_.influences_.size());
+    if (const Skin* const skin = skinOf(holder, primitive)) {
+      const VertexInfluences& influences = primitive.influences[vertex];
+      for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+        const std::size_t joint = influences.joints[i];
+        if (influences.weights[i] != 0.0F && joint < skin->joints.size()) {
+          part_.influences_.push_back({slotOf(joint, skin->joints[joint], skin->inverseBind[joint]),
+                                       static_cast<double>(influences.weights[i])});
+        }
+      }
+    } else {
+      part_.influences_.push_back({slotOf(slotOfJoint_.size() - 1, holder, Mat4(1.0)), 1.0});
+    }
+    part_.vertices_.push_back({positionInMesh(primitive, weights, vertex), first,
+                               static_cast<std::uint32_t>(part_.influences_.size()) - first});
+    return static_cast<std::uint32_t>(part_.vertices_.size() - 1);
+  }
+
+  void addMoved(NodeIndex holder, const Primitive& primitive) {
+    std::vector<std::uint32_t>& places = places_.emplace_back(primitive.positions.size(), none);
+    for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
+      if (isMoved(holder, primitive, vertex)) {
+        places[vertex] = addVertex(holder, primitive, vertex);
+      }
+    }
+  }
+
+  void addEdges(NodeIndex holder, const Primitive& primitive, std::size_t piece) {
+    std::vector<std::uint32_t>& places = places_[piece];
+    const auto movedCount = static_cast<std::uint32_t>(part_.movedCount_);
+    const auto placeOf = [&](std::uint32_t vertex) {
+      places[vertex] = places[vertex] == none ? addVertex(holder, primitive, vertex) : places[vertex];
+      return places[vertex];
+    };
+    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+      const std::array corners{primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]};
+      for (std::size_t side = 0; side < corners.size(); ++side) {
+        const std::uint32_t a = corners[side];
+        const std::uint32_t b = corners[(side + 1) % corners.size()];
+        if (places[a] < movedCount || places[b] < movedCount) {
+          const std::uint32_t first = placeOf(a);
+          const std::uint32_t second = placeOf(b);
+          part_.edges_.push_back({std::min(first, second), std::max(first, second)}); // what follows comes
+                                                                                      // first
+        }
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const std::vector<bool>& follows_;
+  SurfacePart& part_;
+  std::vector<std::uint32_t> slotOfJoint_;         // of the mesh that is walked through
+  std::vector<std::vector<std::uint32_t>> places_; // of the vertices of each primitive
+};
+
+SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows) {
+  Builder(scene, follows, *this).build();
+}
+
+void SurfacePart::positions(const FrameState& frame, std::size_t count, std::vector<Vec3>& out) const {
+  std::vector<Mat4> matrices;
+  matrices.reserve(slots_.size());
+  for (const Slot& slot : slots_) {
+    matrices.push_back(meshMatrix(frame, slot.node) * slot.inverseBind);
+  }
+  out.resize(count);
+  for (std::size_t vertex = 0; vertex < count; ++vertex) {
+    const Vertex& one = vertices_[vertex];
+    Vec3 position(0.0);
+    for (std::uint32_t i = 0; i < one.influences; ++i) {
+      const Influence& influence = influences_[one.firstInfluence + i];
+      position += influence.weight * transformPoint(matrices[influence.slot], one.position);
+    }
+    out[vertex] = position;
+  }
+}
+
+void SurfacePart::positions(const FrameState& frame, std::vector<Vec3>& out) const {
+  positions(frame, vertices_.size(), out);
+}
+
+} // namespace stretch::skinning
