@@ -118,6 +118,22 @@ void drawTriangles(const UploadedScene& uploaded, const DrawItem& item) {
   glDrawElements(GL_TRIANGLES, uploaded.parts[item.part].indexCount, GL_UNSIGNED_INT, nullptr);
 }
 
+// Of a surface with two sides that is seen through the far side comes first.
+void drawFaces(const UploadedScene& uploaded, const DrawItem& item, bool isDoubleSided, SurfacePart part) {
+  if (isDoubleSided && part == SurfacePart::solid) {
+    glDisable(GL_CULL_FACE);
+    drawTriangles(uploaded, item);
+    return;
+  }
+  glEnable(GL_CULL_FACE);
+  if (isDoubleSided) {
+    glCullFace(GL_FRONT);
+    drawTriangles(uploaded, item);
+    glCullFace(GL_BACK);
+  }
+  drawTriangles(uploaded, item);
+}
+
 void setEye(const ShaderProgram& program, const View& view) {
   program.set("viewProjection", glm::mat4(view.projection * view.view));
   program.set("eye", glm::vec3(view.eye));
@@ -180,7 +196,7 @@ bool SurfacePass::bindUse(int unit, const UploadedScene& uploaded, const Texture
 }
 
 void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
-                           const FrameState& frame) const {
+                           const FrameState& frame, SurfacePart drawn) const {
   const UploadedPart& part = uploaded.parts[item.part];
   const Material& material = materialOf(scene, part.material);
   const bool hasEmissive = bindUse(emissiveUnit, uploaded, material.emissiveTexture);
@@ -196,13 +212,9 @@ void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, co
   surface_.set("alphaMode", static_cast<int>(material.alphaMode));
   surface_.set("alphaCutoff", material.alphaCutoff);
   surface_.set("unlit", material.unlit);
-  if (material.doubleSided) {
-    glDisable(GL_CULL_FACE);
-  } else {
-    glEnable(GL_CULL_FACE);
-  }
+  surface_.set("solidPart", drawn == SurfacePart::solid);
   glFrontFace(glm::determinant(Mat3(movedBy(scene, item, frame))) < 0.0 ? GL_CW : GL_CCW);
-  drawTriangles(uploaded, item);
+  drawFaces(uploaded, item, material.doubleSided, drawn);
   glBindSampler(baseColorUnit, 0);
   glBindSampler(emissiveUnit, 0);
 }
@@ -211,10 +223,9 @@ void SurfacePass::drawOpaque(const Scene& scene, const UploadedScene& uploaded, 
                              const StudioLights& lights, const SurfaceLook& look,
                              const FrameState& frame) const {
   begin(view, lights, look);
-  surface_.set("solidPart", true);
   glDisable(GL_BLEND);
   for (const DrawItem& item : uploaded.items) {
-    drawItem(scene, uploaded, item, frame);
+    drawItem(scene, uploaded, item, frame, SurfacePart::solid);
   }
   glFrontFace(GL_CCW);
   if (look.wireframe) {
@@ -235,12 +246,11 @@ void SurfacePass::drawBlended(const Scene& scene, const UploadedScene& uploaded,
   std::stable_sort(farthestFirst.begin(), farthestFirst.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   begin(view, lights, look);
-  surface_.set("solidPart", false);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (const auto& [depth, item] : farthestFirst) {
-    drawItem(scene, uploaded, *item, frame);
+    drawItem(scene, uploaded, *item, frame, SurfacePart::seeThrough);
   }
   glFrontFace(GL_CCW);
   glDepthMask(GL_TRUE);

@@ -17,6 +17,9 @@ struct SurfaceLook {
   const ShadowMaps* shadows = nullptr; ///< Never null while drawing.
 };
 
+/// Which pixels of a surface are drawn: those that hide what is behind them, or the others of a blended one.
+enum class SurfacePart { solid, seeThrough };
+
 /// Draws posed items with their materials, as wires, or as a ghost.
 class SurfacePass {
 public:
@@ -34,7 +37,7 @@ public:
 private:
   void begin(const View& view, const StudioLights& lights, const SurfaceLook& look) const;
   void drawItem(const Scene& scene, const UploadedScene& uploaded, const DrawItem& item,
-                const FrameState& frame) const;
+                const FrameState& frame, SurfacePart drawn) const;
   /// Whether there is a texture to show.
   bool bindUse(int unit, const UploadedScene& uploaded, const TextureUse& use) const;
   void drawWires(const UploadedScene& uploaded, const View& view, const Palette& palette) const;

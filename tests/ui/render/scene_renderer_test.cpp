@@ -164,6 +164,25 @@ TEST_CASE(
   CHECK((half.g > 100 && half.g < 200));
 }
 
+TEST_CASE("Of a blended surface with two sides the far side is seen through the near one") {
+  const auto context = OffscreenContext::create();
+  REQUIRE(context);
+  Scene scene = triangleScene();
+  scene.materials[0].alphaMode = AlphaMode::blend;
+  scene.materials[0].baseColor.a = 0.5F;
+  scene.materials[0].doubleSided = true;
+  Primitive& surface = scene.meshes[0].primitives[0]; // white in front, then red behind with its back to us
+  surface.colors.assign(3, glm::vec4(1.0F));
+  for (int corner = 0; corner < 3; ++corner) {
+    const auto i = static_cast<std::size_t>(corner);
+    surface.positions.push_back(surface.positions[i] - glm::vec3(0.0F, 0.0F, 0.5F));
+    surface.normals.push_back(surface.normals[i]);
+    surface.colors.emplace_back(1.0F, 0.0F, 0.0F, 1.0F);
+  }
+  surface.indices.insert(surface.indices.end(), {3U, 5U, 4U});
+  CHECK(middleOf(scene).g > 115); // half of the white, not a quarter of it
+}
+
 TEST_CASE("An opaque material shows no alpha") {
   const auto context = OffscreenContext::create();
   REQUIRE(context);
