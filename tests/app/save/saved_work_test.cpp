@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/limb_edits.h"
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/saved_work.h"

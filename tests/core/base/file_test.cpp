@@ -164,7 +164,8 @@ TEST_CASE("A symbolic link stays and leads to the new content") {
 
 TEST_CASE("A name as long as the system allows can be written") {
   const TemporaryFolder folder;
-  const std::string name = std::string(251, 'n') + ".glb";
+  std::string name(251, 'n');
+  name += ".glb";
   CHECK(writeFile(folder / name, Bytes{1}));
   CHECK(entriesOf(folder) == 1);
 }
