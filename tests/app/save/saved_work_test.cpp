@@ -81,6 +81,7 @@ void checkPlayable(const Document& document) {
 TEST_CASE("Clips are read at the rate again that was set for them") {
   Document document = trailed();
   Document source = withoutWork(document);
+  const double own = clipOf(source, 0).framesPerSecond;
   setFramesPerSecond(document, 60.0);
   const Json work = workOf(document);
   REQUIRE(restoreWork(work, source));
@@ -89,7 +90,7 @@ TEST_CASE("Clips are read at the rate again that was set for them") {
   Json broken = work;
   broken["rates"][0]["frames_per_second"] = 0.0;
   CHECK_FALSE(restoreWork(broken, source));
-  setFramesPerSecond(document, guessFramesPerSecond(clipOf(document, 0).tracks));
+  setFramesPerSecond(document, own);
   CHECK_FALSE(workOf(document).contains("rates"));
 }
 
