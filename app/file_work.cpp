@@ -122,8 +122,9 @@ float FileWork::openingShare() const {
   return opening_ ? opening_->share->load() : -1.0F;
 }
 
-bool FileWork::isKeptAside(const Document& document) const {
-  return keptAside_ && sameDocument(keptAside_->document, document);
+bool FileWork::isKeptAside(const Session& session) const {
+  return keptAside_ && keptAside_->place == placeOf(session.view()) &&
+         sameDocument(keptAside_->document, session.document());
 }
 
 void FileWork::openFile(FileUser& user, const Paths& paths) {
@@ -383,16 +384,17 @@ void FileWork::keepAside(FileUser& user, double nowSeconds) {
     return;
   }
   const Document& document = session->document();
-  if (nowSeconds - keptAsideSeconds_ < keepAsideAfterSeconds || isKeptAside(document)) {
+  if (nowSeconds - keptAsideSeconds_ < keepAsideAfterSeconds || isKeptAside(*session)) {
     return;
   }
   keptAsideSeconds_ = nowSeconds;
   const fs::path file = autosavePath(path_);
-  const Status written = writeText(file, autosaveText(document, placeOf(session->view()), path_));
+  const WorkPlace place = placeOf(session->view());
+  const Status written = writeText(file, autosaveText(document, place, path_));
   if (!written && !keptAside_) {
     user.tell(Tone::warning, "Unsaved work is not kept aside: " + written.error().line());
   }
-  keptAside_ = KeptAside{file, document};
+  keptAside_ = KeptAside{file, document, place};
 }
 
 void FileWork::forgetKeptAside() {

@@ -89,8 +89,8 @@ public:
   [[nodiscard]] const std::filesystem::path& path() const {
     return path_;
   } ///< As opened or saved last; empty: none is.
-  /// Whether an autosave holds this very state.
-  [[nodiscard]] bool isKeptAside(const Document& document) const;
+  /// Whether an autosave holds this very state, and where it is worked on.
+  [[nodiscard]] bool isKeptAside(const Session& session) const;
 
 private:
   /// What goes on once the unsaved work is settled.
@@ -130,6 +130,7 @@ private:
   struct KeptAside {
     std::filesystem::path file;
     Document document;
+    WorkPlace place;
   };
 
   void start(FileUser& user, const Paths& paths, std::optional<std::filesystem::path> restoreFrom);

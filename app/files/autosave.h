@@ -24,6 +24,8 @@ struct WorkPlace {
   double frame = 0.0;
   std::vector<std::string> limbs; ///< Selected.
   int trail = 0;                  ///< Selected; 0 none.
+
+  friend bool operator==(const WorkPlace&, const WorkPlace&) = default;
 };
 
 /// The autosave as text: what was edited, by which process, the work, and where it was worked.

@@ -224,10 +224,15 @@ TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once
   desk.edit();
   desk.clock = 10.0;
   work.update(desk, desk.clock);
-  CHECK(work.isKeptAside(desk.document.character()->document()));
+  CHECK(work.isKeptAside(*desk.document.character()));
+  desk.document.character()->view().frame = 7.0;
+  CHECK_FALSE(work.isKeptAside(*desk.document.character()));
+  desk.clock += 60.0;
+  work.update(desk, desk.clock);
+  CHECK(placeOfAutosave(autosavePath(desk.file("a.glb"))).value_or(WorkPlace{}).frame == 7.0);
   desk.edit();
   work.update(desk, desk.clock + 1.0); // Not yet again.
-  CHECK_FALSE(work.isKeptAside(desk.document.character()->document()));
+  CHECK_FALSE(work.isKeptAside(*desk.document.character()));
   desk.edit();
 
   SECTION("saved") {

@@ -34,7 +34,7 @@ namespace stretch::test {
 ///   picture FILE.png            what the window shows; fails when that is one colour
 ///   touch FILE                  as another program would change it
 ///   calm                        Escape, until nothing is open and no tool runs; fails when that does not
-///   help undo-all, redo-all          fails unless the file is as it was opened, and then as it was before
+///   undo-all, redo-all          fails unless the file is as it was opened, and then as it was before
 ///   monkey SEED STEPS           that many steps at random (monkey.h), kept in the file monkey.script
 ///   quit                        ends the program without questions
 ///   abandon                     ends it as a crash would: nothing is closed

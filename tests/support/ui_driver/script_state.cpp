@@ -206,7 +206,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
-      {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session.document())); }},
+      {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session)); }},
       {"weight.limbs", [&] { return heavyLimbs(session); }},
       {"weight.stiffness", [&] { return heavyStiffness(session); }},
       {"chains", [&] { return std::to_string(session.document().chains.size()); }},
