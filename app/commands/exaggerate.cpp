@@ -6,6 +6,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/standing_floor.h"
 #include "rig/motion/solve.h"
@@ -84,6 +85,37 @@ Status groupNew(const Document& before, ExaggerateTargets& targets) {
   return Success{};
 }
 
+/// Limbs that were selected beside the trail's act with it: over its range, as one group.
+Status joinOtherLimbs(const Session& session, const rig::Trail& selected, ExaggerateTargets& targets) {
+  const Vec2 range(selected.settings.startFrame, selected.settings.endFrame);
+  const std::size_t before = targets.trailIds.size();
+  for (const std::string& limbId : session.view().selectedLimbs) {
+    const bool acts = std::any_of(targets.trailIds.begin(), targets.trailIds.end(), [&](int id) {
+      const rig::Trail* const trail = findTrail(targets.document, id);
+      return trail != nullptr && trail->limb == limbId;
+    });
+    if (acts) {
+      continue;
+    }
+    const rig::Trail* const present =
+        overlappingTrail(targets.document, limbId, selected.clip, range.x, range.y);
+    if (present != nullptr) {
+      targets.trailIds.push_back(present->id);
+    } else if (Status added = addTrail(session, limbId, range, true, targets); !added) {
+      return added;
+    }
+  }
+  if (targets.trailIds.size() == before) {
+    return Success{};
+  }
+  Result<Document> grouped = groupTrails(targets.document, targets.trailIds);
+  if (!grouped) {
+    return grouped.error();
+  }
+  targets.document = std::move(grouped).value();
+  return Success{};
+}
+
 /// Exaggerates and connects one trail; one at scale 1 that never was gets the first scale.
 void exaggerate(rig::Trail& trail) {
   if (!trail.exaggerated && trail.settings.scale == 1.0) {
@@ -135,8 +167,11 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
 
 Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoice choice) {
   ExaggerateTargets targets{session.document(), {}};
-  if (selectedTrail(session) != nullptr) {
+  if (const rig::Trail* const selected = selectedTrail(session)) {
     targets.trailIds = targetTrails(session);
+    if (const Status joined = joinOtherLimbs(session, *selected, targets); !joined) {
+      return joined.error();
+    }
   } else {
     if (session.view().selectedLimbs.empty() || choice == OverlapChoice::beside) {
       return newTrails(session, true);

@@ -162,7 +162,12 @@ int dialogButtons(PanelContext& context, const std::string& id, const std::vecto
 void drawToasts(PanelContext& context) {
   std::vector<Toast>& toasts = context.ui.toasts;
   float bottom = ImGui::GetIO().DisplaySize.y - context.theme.px(48.0F);
+  // Over an open menu or dialog only what went wrong is told; the rest waits.
+  const bool isCovered = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   for (Toast& message : toasts) {
+    if (isCovered && (message.kind == ToastKind::info || message.kind == ToastKind::success)) {
+      continue;
+    }
     bottom = drawToast(context, message, bottom);
     message.secondsLeft -= ImGui::GetIO().DeltaTime;
   }

@@ -72,9 +72,6 @@ std::string tipProblem(const rig::SolvedTrail& solved) {
     return "Nothing to scale: the path does not move along the active axes. Turn on an axis, or choose "
            "another range.";
   }
-  if (solved.tip.moved) {
-    return "The path comes back on itself, so it is moved instead of scaled.";
-  }
   if (solved.tip.outcome == rig::TipOutcome::pulled) {
     return "The path's line does not reach that length: the tip is pulled the rest of the way.";
   }
@@ -185,13 +182,16 @@ void tipMessages(PanelContext& context, int trailId) {
     notice(widgets, NoticeKind::warning, reach);
   }
   for (const std::string& warning : solved->warnings) {
-    if (reach.empty() || !warning.starts_with("not reachable")) { // Said in full above.
-      notice(widgets, NoticeKind::warning, warning);
+    // Said in full above.
+    const bool isTold =
+        (!reach.empty() && warning.starts_with("not reachable")) || warning.starts_with("nothing to scale");
+    if (!isTold) {
+      notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
     }
   }
   const LookState look = lookAt(context, *solved);
   for (const std::string& warning : look.warnings) {
-    notice(widgets, NoticeKind::warning, warning);
+    notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }
   if (look.bodyTravels) {
     notice(widgets, NoticeKind::info,

@@ -46,6 +46,25 @@ TEST_CASE("One limb alone makes no group") {
   CHECK(groupMembers(made->document, made->trailIds.front()).empty());
 }
 
+TEST_CASE("Limbs that are added to the selection beside a limb with a trail act with it") {
+  Session session(test::boxer());
+  selectLimb(session, "left-arm", false);
+  Result<ExaggerateTargets> made = exaggerateTargets(session);
+  REQUIRE(made);
+  session.edit(made->document, "Exaggerate");
+  selectTrail(session, made->trailIds.front());
+  selectLimb(session, "right-arm", true);
+  made = exaggerateTargets(session);
+  REQUIRE(made);
+  REQUIRE(made->document.trails.size() == 2);
+  const rig::Trail& first = made->document.trails[0];
+  const rig::Trail& second = made->document.trails[1];
+  CHECK(made->trailIds == std::vector<int>{first.id, second.id});
+  CHECK(second.limb == "right-arm");
+  CHECK(second.settings.endFrame == first.settings.endFrame);
+  CHECK(groupMembers(made->document, first.id).size() == 2);
+}
+
 TEST_CASE("A group is chosen as a whole, a member of it alone") {
   Session session = withBothArms();
   const int second = session.document().trails[1].id;
