@@ -11,18 +11,6 @@ const std::vector<float>& morphWeights(const Mesh& mesh, const FrameState& frame
   return animated.empty() ? mesh.morphWeights : animated;
 }
 
-Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
-  Vec3 position(primitive.positions[vertex]);
-  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
-  for (std::size_t target = 0; target < targets; ++target) {
-    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].positions;
-    if (weights[target] != 0.0F && vertex < offsets.size()) {
-      position += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
-    }
-  }
-  return position;
-}
-
 Mat4 blended(const VertexInfluences& influences, const std::vector<Mat4>& matrices) {
   Mat4 sum(0.0);
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
@@ -63,6 +51,18 @@ std::vector<NodeIndex> drawnMeshNodes(const Scene& scene) {
   }
   std::sort(nodes.begin(), nodes.end());
   return nodes;
+}
+
+Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
+  Vec3 position(primitive.positions[vertex]);
+  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
+  for (std::size_t target = 0; target < targets; ++target) {
+    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].positions;
+    if (weights[target] != 0.0F && vertex < offsets.size()) {
+      position += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
+    }
+  }
+  return position;
 }
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {

@@ -8,22 +8,6 @@
 
 namespace stretch::skinning {
 
-namespace {
-
-Vec3 positionInMesh(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
-  Vec3 position(primitive.positions[vertex]);
-  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
-  for (std::size_t target = 0; target < targets; ++target) {
-    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].positions;
-    if (weights[target] != 0.0F && vertex < offsets.size()) {
-      position += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
-    }
-  }
-  return position;
-}
-
-} // namespace
-
 // Walks through the drawn meshes twice: for what follows the nodes, and for what stands beside it.
 class SurfacePart::Builder {
 public:
@@ -107,7 +91,7 @@ private:
     } else {
       part_.influences_.push_back({slotOf(slotOfJoint_.size() - 1, holder, Mat4(1.0)), 1.0});
     }
-    part_.vertices_.push_back({positionInMesh(primitive, weights, vertex), first,
+    part_.vertices_.push_back({morphedPosition(primitive, weights, vertex), first,
                                static_cast<std::uint32_t>(part_.influences_.size()) - first});
     return static_cast<std::uint32_t>(part_.vertices_.size() - 1);
   }

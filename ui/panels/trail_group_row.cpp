@@ -154,6 +154,17 @@ bool isWholeGroupSelected(const PanelContext& context, const std::vector<int>& m
 
 } // namespace
 
+void fillRow(PanelContext& context, float height, bool selected) {
+  const Theme& theme = context.theme;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 end{corner.x + ImGui::GetContentRegionAvail().x, corner.y + height};
+  const bool hovered = ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered();
+  if (selected || hovered) {
+    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, end, fill, theme.corner());
+  }
+}
+
 bool trailGroupRow(PanelContext& context, const std::vector<int>& members) {
   const Theme& theme = context.theme;
   const std::string id = "trails/group-" + std::to_string(trailOf(context, members.front()).group);
@@ -161,13 +172,7 @@ bool trailGroupRow(PanelContext& context, const std::vector<int>& members) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool selected = isWholeGroupSelected(context, members);
-  const bool hovered =
-      ImGui::IsMouseHoveringRect(corner, {corner.x + width, corner.y + height}) && ImGui::IsWindowHovered();
-  if (selected || hovered) {
-    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height}, fill,
-                                              theme.corner());
-  }
+  fillRow(context, height, selected);
   ImGui::BeginGroup();
   const bool open = foldArrow(context, id, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));

@@ -181,13 +181,7 @@ void trailRow(PanelContext& context, const rig::Trail& trail) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool selected = context.character().view().selectedTrail == trail.id;
-  const bool hovered =
-      ImGui::IsMouseHoveringRect(corner, {corner.x + width, corner.y + height}) && ImGui::IsWindowHovered();
-  if (selected || hovered) {
-    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height}, fill,
-                                              theme.corner());
-  }
+  fillRow(context, height, selected);
   ImGui::BeginGroup();
   colourSwatch(context, trail, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));

@@ -1,11 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include <iostream>
-#include <sstream>
-
-#include "app/batch/verb.h"
 #include "core/gltf/json.h"
 #include "core/gltf/load_as_it_stands.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/core/compressed_files.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
@@ -16,25 +13,8 @@ using gltf::Json;
 
 namespace {
 
-struct VerbAnswer {
-  int exitCode = 0;
-  std::string output; ///< On standard output.
-};
-
-VerbAnswer answerOf(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  const std::ostringstream captured;
-  std::streambuf* const original = std::cout.rdbuf(captured.rdbuf());
-  const int exitCode = app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-  std::cout.rdbuf(original);
-  return {exitCode, captured.str()};
-}
-
 Json jsonOf(const std::string& verb, const std::filesystem::path& file) {
-  const VerbAnswer answer = answerOf({verb, file.string(), "--json"});
+  const VerbAnswer answer = runVerb({verb, file.string(), "--json"});
   REQUIRE(answer.exitCode == 0);
   return Json::parse(answer.output);
 }
@@ -44,8 +24,8 @@ gltf::Loaded stretched(const GlbBuilder& file, const TemporaryFolder& folder, co
   const std::filesystem::path source = folder / (name + ".glb");
   const std::filesystem::path output = folder / (name + "-stretched.glb");
   file.write(source);
-  REQUIRE(answerOf({"exaggerate", source.string(), "-o", output.string(), "--limb", "left-arm", "--range",
-                    "0:12", "--scale", "3"})
+  REQUIRE(runVerb({"exaggerate", source.string(), "-o", output.string(), "--limb", "left-arm", "--range",
+                   "0:12", "--scale", "3"})
               .exitCode == 0);
   Result<gltf::Loaded> loaded = gltf::loadAsItStands(output);
   REQUIRE(loaded);

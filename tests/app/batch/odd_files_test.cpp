@@ -7,6 +7,7 @@
 #include "app/files/save.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/captured_errors.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
@@ -17,21 +18,6 @@ using namespace stretch::app;
 using namespace stretch::test;
 
 namespace {
-
-struct Outcome {
-  int exitCode = 0;
-  std::string told; ///< On standard error.
-};
-
-Outcome runVerb(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  const CapturedErrors errors;
-  const int exitCode = runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-  return {exitCode, errors.text()};
-}
 
 // A punch of one second keyed at 120 frames per second, few keys of it on frames of a lower rate.
 MovingBiped fastPunch() {
@@ -132,7 +118,7 @@ TEST_CASE("A folder of meshes and a file that moves morph targets alone point to
   }
   const std::string path = (folder / "").string();
   CHECK(runVerb({"info", path}).exitCode == 0);
-  const Outcome asCharacter =
+  const VerbAnswer asCharacter =
       runVerb({"exaggerate", path, "-o", (folder / "o.glb").string(), "--limb", "left-arm", "--scale", "2"});
   CHECK(asCharacter.exitCode == 1);
   CHECK_THAT(asCharacter.told, Catch::Contains("compress"));

@@ -3,11 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/files/save.h"
 #include "core/gltf/json.h"
-#include "tests/support/app/captured_errors.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -19,21 +18,6 @@ namespace {
 // Every way for a trail into a document, from the command line's end.
 
 constexpr const char* character = STRETCH_SOURCE_DIR "/assets/dummy.glb";
-
-struct Outcome {
-  int exitCode = 0;
-  std::string told; ///< On standard error.
-};
-
-Outcome runWords(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  const test::CapturedErrors errors;
-  const int exitCode = runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-  return {exitCode, errors.text()};
-}
 
 Json recipeWith(const Json& trails) {
   Json recipe;
@@ -57,13 +41,13 @@ std::vector<rig::Trail> trailsOf(const std::string& file) {
 TEST_CASE("A range without length is refused wherever it comes from, and nothing is written") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const Outcome words = runWords(
+  const test::VerbAnswer words = test::runVerb(
       {"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range", "21:21"});
   CHECK(words.exitCode == 2);
   CHECK_THAT(words.told, Catch::Contains("--range") && Catch::Contains("no length"));
   const std::string recipe =
       folder.write("empty.json", recipeWith(Json::array({punch(21, 21)})).dump()).string();
-  const Outcome file = runWords({"exaggerate", character, "-o", output, "--recipe", recipe});
+  const test::VerbAnswer file = test::runVerb({"exaggerate", character, "-o", output, "--recipe", recipe});
   CHECK(file.exitCode == 1);
   CHECK_THAT(file.told, Catch::Contains("no length"));
   CHECK(folder.fileCount() == 1);
@@ -84,12 +68,12 @@ TEST_CASE(
       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 1, "type": "SCALAR", "min": [0], "max": [0]},
                     {"bufferView": 1, "componentType": 5126, "count": 1, "type": "VEC3"}]})")
                                 .string();
-  const Outcome asked = runWords({"trail", still, "--limb", "upper..hand"});
+  const test::VerbAnswer asked = test::runVerb({"trail", still, "--limb", "upper..hand"});
   INFO(asked.told);
   CHECK(asked.exitCode == 0);
   const std::string output = (folder / "out.glb").string();
-  const Outcome wanted =
-      runWords({"exaggerate", still, "-o", output, "--limb", "upper..hand", "--scale", "2"});
+  const test::VerbAnswer wanted =
+      test::runVerb({"exaggerate", still, "-o", output, "--limb", "upper..hand", "--scale", "2"});
   CHECK(wanted.exitCode == 1);
   CHECK_THAT(wanted.told, Catch::Contains("no length"));
   CHECK(folder.fileCount() == 1);
@@ -100,10 +84,10 @@ TEST_CASE("A range outside the clip is refused wherever it comes from") {
   const std::string output = (folder / "out.glb").string();
   const std::string recipe =
       folder.write("late.json", recipeWith(Json::array({punch(900, 990)})).dump()).string();
-  CHECK(runWords({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
-                  "900:990"})
+  CHECK(test::runVerb({"exaggerate", character, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
+                       "900:990"})
             .exitCode == 1);
-  CHECK(runWords({"exaggerate", character, "-o", output, "--recipe", recipe}).exitCode == 1);
+  CHECK(test::runVerb({"exaggerate", character, "-o", output, "--recipe", recipe}).exitCode == 1);
 }
 
 TEST_CASE("Two trails of one request may not overlap; one that the file carries is replaced") {
@@ -114,14 +98,14 @@ TEST_CASE("Two trails of one request may not overlap; one that the file carries 
       folder.write("twice.json", recipeWith(Json::array({punch(10, 20), punch(15, 25)})).dump()).string();
   const std::string later =
       folder.write("later.json", recipeWith(Json::array({punch(24, 30, 3.0)})).dump()).string();
-  CHECK(runWords({"exaggerate", character, "-o", first, "--recipe", twice}).exitCode == 1);
-  CHECK(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
-                  "10:20", "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
+  CHECK(test::runVerb({"exaggerate", character, "-o", first, "--recipe", twice}).exitCode == 1);
+  CHECK(test::runVerb({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
+                       "10:20", "--limb", "left-arm", "--range", "15:25", "--scale", "2"})
             .exitCode == 1);
-  REQUIRE(runWords({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2", "--range",
-                    "21:27", "--limb", "spine", "--scale", "1.2", "--range", "21:27"})
+  REQUIRE(test::runVerb({"exaggerate", character, "-o", first, "--limb", "left-arm", "--scale", "2",
+                         "--range", "21:27", "--limb", "spine", "--scale", "1.2", "--range", "21:27"})
               .exitCode == 0);
-  REQUIRE(runWords({"exaggerate", first, "-o", second, "--recipe", later}).exitCode == 0);
+  REQUIRE(test::runVerb({"exaggerate", first, "-o", second, "--recipe", later}).exitCode == 0);
   const std::vector<rig::Trail> trails = trailsOf(second);
   REQUIRE(trails.size() == 2);
   CHECK(trails[0].limb == "spine");
@@ -134,7 +118,7 @@ TEST_CASE("A recipe's mistakes are told in its own words, with their place in th
   const std::string output = (folder / "out.glb").string();
   const auto told = [&](const Json& recipe) {
     const std::string path = folder.write("wrong.json", recipe.dump()).string();
-    const Outcome outcome = runWords({"exaggerate", character, "-o", output, "--recipe", path});
+    const test::VerbAnswer outcome = test::runVerb({"exaggerate", character, "-o", output, "--recipe", path});
     CHECK(outcome.exitCode == 1);
     CHECK_THAT(outcome.told, Catch::Contains("wrong.json"));
     CHECK_THAT(outcome.told,

@@ -1,0 +1,24 @@
+#include "tests/support/app/run_verb.h"
+
+#include <iostream>
+#include <sstream>
+
+#include "app/batch/verb.h"
+#include "tests/support/app/captured_errors.h"
+
+namespace stretch::test {
+
+VerbAnswer runVerb(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments{"stretch-engine"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  const CapturedErrors errors;
+  const std::ostringstream output;
+  std::streambuf* const original = std::cout.rdbuf(output.rdbuf());
+  const int exitCode = app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+  std::cout.rdbuf(original);
+  return {exitCode, output.str(), errors.text()};
+}
+
+} // namespace stretch::test

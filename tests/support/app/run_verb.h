@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stretch::test {
+
+struct VerbAnswer {
+  int exitCode = 0;
+  std::string output; ///< On standard output, as far as it goes through std::cout.
+  std::string told;   ///< On standard error.
+};
+
+/// The program without a window, with these words on its command line.
+[[nodiscard]] VerbAnswer runVerb(const std::vector<std::string>& words);
+
+} // namespace stretch::test
