@@ -98,6 +98,7 @@ struct Trail {
   bool follow = true; ///< The character follows while a sphere is dragged.
   std::string name;   ///< The user's own; empty: the limb's.
   int group = 0;      ///< Trails of one number (above 0) were made as one; 0: stands alone.
+  std::string groupName; ///< The user's own for the group, the same in all of its trails; empty: their limbs.
 
   friend bool operator==(const Trail&, const Trail&) = default;
 };

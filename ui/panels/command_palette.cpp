@@ -15,8 +15,8 @@ struct Match {
   int score;
 };
 
-/// Commands that answer what was typed, the best first; a match in the help counts less than one in the
-/// label.
+/// Commands that answer what was typed, the best first and those that are off last; a match in the help
+/// counts less than one in the label.
 std::vector<Match> matchesOf(const PanelContext& context) {
   const std::string& typed = context.ui.palette.typed;
   std::vector<Match> matches;
@@ -25,11 +25,14 @@ std::vector<Match> matchesOf(const PanelContext& context) {
     const std::optional<int> help = typed.size() < 3 ? std::nullopt : fuzzyScore(typed, command.help);
     if (label || help) {
       const int score = std::max(label.value_or(-1000), help.value_or(-1000) / 2 - 20);
-      matches.push_back({&command, score + (command.enabled ? 4 : 0)});
+      matches.push_back({&command, score});
     }
   }
   std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.score > b.score; });
+                   [](const Match& a, const Match& b) {
+                     return a.command->enabled == b.command->enabled ? a.score > b.score
+                                                                     : a.command->enabled;
+                   });
   return matches;
 }
 
@@ -45,7 +48,7 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
       ImGui::GetWindowDrawList()->AddRectFilled(
           row.box.min, row.box.max, highlighted ? colours.accentQuiet : colours.raised, theme.corner());
     }
-    const float opacity = command.enabled ? 1.0F : 0.4F;
+    const float opacity = command.enabled ? 1.0F : 0.5F;
     const float left = row.box.min.x + theme.unit();
     const float labelWidth = std::min(textSize(theme.fonts.body, command.label).x, row.box.width() * 0.6F);
     drawText(widgets, theme.fonts.body, {{left, row.box.min.y}, {left + labelWidth, row.box.max.y}},
@@ -55,7 +58,7 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
     drawText(widgets, theme.fonts.label,
              {{left + labelWidth + theme.px(14.0F), row.box.min.y},
               {row.box.max.x - keyWidth - theme.unit(), row.box.max.y}},
-             faded(colours.quietText, opacity), command.help);
+             colours.quietText, command.enabled ? command.help : capitalised(command.reason));
     if (!command.keyText.empty()) {
       keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)},
              command.keyText);

@@ -10,9 +10,12 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
+#include "app/commands/step_text.h"
 #include "app/commands/tables.h"
+#include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
@@ -48,7 +51,10 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           command.help,
           command.keys,
           [command](const Shell& shell) { return app::isEnabled(command, shell.open); },
-          [command](Shell& shell) { return app::run(command, shell.open); }};
+          [command](Shell& shell) { return app::run(command, shell.open); },
+          [command](const Shell& shell) { return app::isChecked(command, shell.open); },
+          [command](const Shell& shell) { return app::labelNow(command, shell.open); },
+          [command](const Shell& shell) { return app::whyOff(command, shell.open); }};
 }
 
 /// What a command shows or hides; null for a command that does something else.
@@ -75,23 +81,42 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
   return found == std::end(switches) ? nullptr : found->second;
 }
 
+/// When a command of the window is on, and what to do first while it is off.
+struct ShellNeed {
+  bool (*holds)(const Shell&) = always;
+  const char* otherwise = "";
+};
+constexpr ShellNeed nothingNeeded{};
+constexpr ShellNeed characterNeeded{hasFile, "open a character first"};
+constexpr ShellNeed pictureNeeded{hasPicture, "open a file first"};
+constexpr ShellNeed exportNeeded{canExport, "open a character, or compress a sequence, first"};
+
 ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
-                   std::function<bool(const Shell&)> enabled, std::function<Status(Shell&)> run) {
-  return {std::move(id),   std::move(label),   std::move(help),
-          std::move(keys), std::move(enabled), std::move(run)};
+                   const ShellNeed& need, std::function<Status(Shell&)> run) {
+  return {.id = std::move(id),
+          .label = std::move(label),
+          .help = std::move(help),
+          .keys = std::move(keys),
+          .enabled = need.holds,
+          .run = std::move(run),
+          .checked = nullptr,
+          .labelNow = nullptr,
+          .otherwise = [need](const Shell& shell) { return need.holds(shell) ? "" : need.otherwise; }};
 }
 
 ShellCommand switchCommand(const char* id, const char* label, const char* help,
                            std::vector<std::string> keys) {
-  return entry(id, label, help, std::move(keys), always, doing([id](Shell& shell) {
-                 bool& shown = *switchOf(shell, id);
-                 shown = !shown;
-               }));
+  ShellCommand command = entry(id, label, help, std::move(keys), nothingNeeded, doing([id](Shell& shell) {
+                                 bool& shown = *switchOf(shell, id);
+                                 shown = !shown;
+                               }));
+  command.checked = [id](const Shell& shell) { return *switchOf(shell, id); };
+  return command;
 }
 
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
-  return entry(id, label, help, {key}, hasPicture, doing([direction](Shell& shell) {
+  return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
                  shell.viewport.camera =
                      lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
                }));
@@ -172,6 +197,29 @@ bool hasLimb(const Shell& shell) {
   return hasFile(shell) && !shell.open.character()->view().selectedLimbs.empty();
 }
 
+bool viewsClip(const Shell& shell) {
+  return hasFile(shell) && app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
+}
+
+bool canExaggerate(const Shell& shell) {
+  return hasLimb(shell) && viewsClip(shell);
+}
+
+bool canPlay(const Shell& shell) {
+  return shell.open.sequence() != nullptr || viewsClip(shell);
+}
+
+/// Whether the viewed clip has anything that a recipe holds.
+bool hasWork(const Shell& shell) {
+  if (!viewsClip(shell)) {
+    return false;
+  }
+  const app::Document& document = shell.open.character()->document();
+  const int clip = shell.open.character()->view().clip;
+  return app::hasWeight(document, clip) ||
+         std::ranges::any_of(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
+}
+
 void showOriginal(Shell& shell) {
   bool& shown = shell.open.character() != nullptr ? shell.open.character()->view().showOriginal
                                                   : shell.open.sequence()->view().showOriginal;
@@ -196,9 +244,15 @@ bool hasTrail(const Shell& shell) {
   return hasFile(shell) && app::hasSelectedTrail(*shell.open.character());
 }
 
-void renameTrail(Shell& shell) {
-  const rig::Trail& trail = *app::selectedTrail(*shell.open.character());
-  shell.ui.rename = {true, trail.id, trail.name, false};
+/// Of the selected trail, or of its group while the whole of it is selected.
+void rename(Shell& shell) {
+  const app::Session& session = *shell.open.character();
+  const rig::Trail& trail = *app::selectedTrail(session);
+  const std::vector<int> group = app::wholeGroupSelected(session);
+  shell.ui.rename = {.open = true, .trail = trail.id, .ofGroup = !group.empty()};
+  shell.ui.rename.present = group.empty() ? trailHeading(session.document(), trail)
+                                          : capitalised(app::groupTitle(session.document(), group));
+  shell.ui.rename.typed = shell.ui.rename.present;
 }
 
 void openPalette(Shell& shell) {
@@ -232,51 +286,69 @@ auto askingFor(FilePurpose purpose) {
 std::vector<ShellCommand> fileCommands() {
   return {
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
-            {"Ctrl+O"}, always, askingFor(FilePurpose::openModel)),
+            {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
-            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"}, canExport,
+            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"}, exportNeeded,
             doing([](Shell& shell) { saveFile(shell); })),
-      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, canExport,
+      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, exportNeeded,
             askingFor(FilePurpose::saveModel)),
       entry(command::fileSaveIncremental, "Save incremental",
-            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, hasFile,
+            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, characterNeeded,
             doing([](Shell& shell) { saveIncremental(shell); })),
       entry(command::fileExportClean, "Export clean",
-            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, canExport,
+            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
       entry(command::recipeSave, "Save a recipe",
-            "Writes the clip's trails, to be replayed on another clip or character.", {}, hasFile,
+            "Writes the clip's trails, to be replayed on another clip or character.", {},
+            {hasWork, "make a trail first"},
             askingFor(FilePurpose::saveRecipe)),
       entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
-            hasFile, askingFor(FilePurpose::openRecipe)),
+            characterNeeded, askingFor(FilePurpose::openRecipe)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
-            {"Ctrl+Q"}, always, doing([](Shell& shell) { askToQuit(shell); })),
+            {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
 }
+
+namespace {
+
+ShellCommand renameCommand() {
+  ShellCommand command =
+      entry(command::trailRename, "Rename the trail",
+            "Gives the selected trail, or the group that is selected, a name of your own.", {"F2"},
+            {hasTrail, "select a trail first"}, doing(rename));
+  command.labelNow = [](const Shell& shell) -> std::string {
+    const app::Session* const session = shell.open.character();
+    const bool isGroup = session != nullptr && !app::wholeGroupSelected(*session).empty();
+    return isGroup ? "Rename the group" : "Rename the trail";
+  };
+  return command;
+}
+
+} // namespace
 
 std::vector<ShellCommand> toolCommands() {
   return {
       entry(command::trailExaggerate, "Exaggerate",
             "Makes the trail if there is none, exaggerates it and connects the limb; "
             "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-            {"E"}, hasLimb, beginExaggerating),
+            {"E"}, {canExaggerate, "select a limb first: 1 to 6, or click one"}, beginExaggerating),
       entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"}, hasSpheres,
-            runGrab),
+            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
+            {hasSpheres, "select a control sphere first: Tab, or click it"}, runGrab),
       entry(command::trailShowOriginal, "Show the original",
-            "While the key is held the character moves as in the file.", {"`", "O"}, hasPicture,
+            "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
-      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, hasFile,
+      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, characterNeeded,
             doing(pickChain)),
-      entry(command::trailRename, "Rename the trail", "Gives the selected trail a name of your own.", {"F2"},
-            hasTrail, doing(renameTrail)),
-      entry(command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, doing(togglePlay)),
+      renameCommand(),
+      entry(command::timePlay, "Play", "Plays and stops.", {"Space"},
+            {canPlay, "open a file with a clip first"}, doing(togglePlay)),
       switchCommand(command::timeEveryFrame, "Every frame",
                     "Playing shows each frame, however long it takes; else time runs as it is.", {}),
       switchCommand(command::timeOnTwos, "On twos",
                     "Playing holds every second frame for two, as cartoons do.", {}),
       entry(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
-            hasPicture, doing([](Shell& shell) { shell.ui.historyOpen = true; })),
+            pictureNeeded, doing([](Shell& shell) { shell.ui.history = {.open = true}; })),
   };
 }
 
@@ -294,10 +366,10 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", {}),
       entry(command::viewFrameSelection, "Frame the selection",
-            "Moves the camera to the selected limb and trail.", {"F"}, hasPicture,
+            "Moves the camera to the selected limb and trail.", {"F"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),
       entry(command::viewFrameAll, "Frame everything",
-            "Moves the camera so that the whole character is seen.", {"A"}, hasPicture,
+            "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.framePending = true; })),
       directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Numpad 1",
                        ViewDirection::front),
@@ -312,27 +384,27 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", {"Ctrl+2"}),
       switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", {"Ctrl+3"}),
       entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
-            {"Ctrl+Space"}, always, doing(toggleViewportOnly)),
+            {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
       entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
-            {}, always, doing(toggleNavigation)),
+            {}, nothingNeeded, doing(toggleNavigation)),
   };
 }
 
 std::vector<ShellCommand> helpCommands() {
   return {
-      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"}, always,
+      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"}, nothingNeeded,
             doing(openPalette)),
-      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, always,
+      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, nothingNeeded,
             doing([](Shell& shell) {
               shell.ui.keys = {};
               shell.ui.keys.open = true;
             })),
-      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, always,
+      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
-      entry(command::about, "About", "What this program is.", {}, always,
+      entry(command::about, "About", "What this program is.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
       entry(command::keysExport, "Export the keys",
-            "Writes every key to a file in your configuration folder.", {}, always, exportKeys),
+            "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
   };
 }
 
@@ -348,16 +420,27 @@ std::vector<ShellCommand> editorCommands() {
   return all;
 }
 
-bool isChecked(const Shell& shell, std::string_view id) {
-  if (const bool* const shown = switchOf(shell, id)) {
-    return *shown;
+namespace {
+
+/// A switch of the window or of what is open, and what is done until it is ended.
+bool isOn(const Shell& shell, const ShellCommand& command) {
+  if (command.checked && command.checked(shell)) {
+    return true;
   }
   const app::Session* const character = shell.open.character();
   const app::SequenceSession* const sequence = shell.open.sequence();
+  const std::string_view id = command.id;
   return (id == command::timePlay && shell.ui.timeline.playing) ||
          (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
          (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
          (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
+}
+
+} // namespace
+
+bool isChecked(const Shell& shell, std::string_view id) {
+  const ShellCommand* const command = findCommandOf(shell, id);
+  return command != nullptr && isOn(shell, *command);
 }
 
 bool hasCommand(const Shell& shell, std::string_view commandId) {
@@ -395,12 +478,23 @@ bool answersAlways(std::string_view id) {
 
 namespace {
 
-std::string undoneLabel(Shell& shell, std::string_view commandId) {
-  return shell.open.with(std::string(), [&](auto& session) {
-    return commandId == command::undo   ? session.history().undoLabel()
-           : commandId == command::redo ? session.history().redoLabel()
-                                        : std::string();
-  });
+/// What undo or redo would do now; empty for other commands.
+std::string undoneText(const Shell& shell, std::string_view commandId) {
+  const auto textOf = [&](const auto& session) -> std::string {
+    const auto& history = session.history();
+    const bool undoes = commandId == command::undo && history.canUndo();
+    if (!undoes && !(commandId == command::redo && history.canRedo())) {
+      return {};
+    }
+    const std::size_t step = undoes ? history.position() : history.position() + 1;
+    return app::stepText(undoes ? history.undoLabel() : history.redoLabel(), history.at(step - 1),
+                         history.at(step));
+  };
+  if (const app::Session* const character = shell.open.character()) {
+    return textOf(*character);
+  }
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  return sequence == nullptr ? std::string() : textOf(*sequence);
 }
 
 /// What undo or redo did; the last one takes the place of those before.
@@ -413,10 +507,17 @@ void tellUndone(Shell& shell, std::string_view commandId, const std::string& lab
   tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
 }
 
-/// "Undo: Change the scale".
-std::string labelNow(Shell& shell, const ShellCommand& command) {
-  const std::string label = undoneLabel(shell, command.id);
-  return label.empty() ? command.label : command.label + ": " + label;
+/// "Undo: Change the scale – left arm ×3", "Disconnect".
+std::string labelNow(const Shell& shell, const ShellCommand& command) {
+  const std::string undone = undoneText(shell, command.id);
+  const std::string label = command.labelNow ? command.labelNow(shell) : command.label;
+  return undone.empty() ? label : label + ": " + undone;
+}
+
+/// What to do first; empty while the command is on.
+std::string reasonOf(const Shell& shell, const ShellCommand& command) {
+  const std::string reason = command.enabled(shell) || !command.otherwise ? "" : command.otherwise(shell);
+  return reason.empty() && !command.enabled(shell) ? "nothing to do this with now" : reason;
 }
 
 } // namespace
@@ -428,10 +529,10 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
   finishWhatIsDragged(shell);
   if (!command->enabled(shell)) {
-    tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
+    tell(shell, ToastKind::info, command->label + ": " + reasonOf(shell, *command));
     return;
   }
-  const std::string undone = undoneLabel(shell, commandId);
+  const std::string undone = undoneText(shell, commandId);
   const Status done = command->run(shell);
   tellProblem(shell, done);
   if (done && !undone.empty()) {
@@ -445,14 +546,14 @@ void describeCommands(Shell& shell) {
     const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
     shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
                                   chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isChecked(shell, command.id)});
+                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command)});
   }
 }
 
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.historyOpen || ui.jointPick.open || ui.navigationChoiceOpen ||
+         ui.rename.open || ui.history.open || ui.jointPick.open || ui.navigationChoiceOpen ||
          ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 

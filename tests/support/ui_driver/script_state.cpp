@@ -284,7 +284,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"rename-open", yesNo(shell.ui.rename.open)},
-      {"history-open", yesNo(shell.ui.historyOpen)},
+      {"history-open", yesNo(shell.ui.history.open)},
       {"every-frame", yesNo(shell.ui.timeline.everyFrame)},
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
