@@ -78,8 +78,7 @@ std::vector<DocumentCommand> clipCommands() {
       rateCommand(command::clipRate25, 25.0),
       rateCommand(command::clipRate30, 30.0),
       ticked(entry(command::clipRateOwn, "Work at the clip's own rate",
-                   "Counts frames at the rate that the clip's keys suggest.", {},
-                   clipNeeded(),
+                   "Counts frames at the rate that the clip's keys suggest.", {}, clipNeeded(),
                    [](Session& session) {
                      const int clip = session.view().clip;
                      return finish(session,

@@ -18,9 +18,9 @@ struct Command {
   std::vector<std::string> keys; ///< Default keys, "Ctrl+Shift+Z"; may be empty.
   std::function<bool(const Context&)> enabled;
   std::function<Status(Context&)> run;
-  std::function<bool(const Context&)> checked;           ///< A switch: whether it is on.
-  std::function<std::string(const Context&)> labelNow;   ///< Where the label is not always the same.
-  std::function<std::string(const Context&)> otherwise;  ///< What to do first while it is off.
+  std::function<bool(const Context&)> checked;          ///< A switch: whether it is on.
+  std::function<std::string(const Context&)> labelNow;  ///< Where the label is not always the same.
+  std::function<std::string(const Context&)> otherwise; ///< What to do first while it is off.
 };
 
 /// When a command of a character is on, and what to do first while it is off.

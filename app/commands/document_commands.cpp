@@ -55,8 +55,8 @@ std::vector<DocumentCommand> historyCommands() {
   const auto undo = doing([](auto& session) { session.undo(); });
   const auto redo = doing([](auto& session) { session.redo(); });
   return {
-      entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"}, {canUndo, "nothing was done yet"}, undo,
-            canUndo, undo),
+      entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"},
+            {canUndo, "nothing was done yet"}, undo, canUndo, undo),
       entry(command::redo, "Redo", "Brings the change that was taken back again.", {"Ctrl+Shift+Z", "Ctrl+Y"},
             {canRedo, "nothing was undone"}, redo, canRedo, redo),
   };

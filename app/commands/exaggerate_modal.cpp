@@ -305,8 +305,8 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
     break;
   }
   hints.insert(hints.begin(), {{"Enter", "keep"}, {"Esc", "restore"}});
-  hints.insert(hints.end(), {{"X Y Z", "axes"}, {"R", "pivot"}, {"I O", "ease"}, {"L", "release"},
-                             {"V", "volume"}});
+  hints.insert(hints.end(),
+               {{"X Y Z", "axes"}, {"R", "pivot"}, {"I O", "ease"}, {"L", "release"}, {"V", "volume"}});
   return hints;
 }
 

@@ -25,8 +25,8 @@ bool canGroup(const Session& session) {
 }
 
 bool isPartOfGroup(const Session& session) {
-  return isInGroup(session) && targetTrails(session).size() <
-                                   groupMembers(session.document(), session.view().selectedTrail).size();
+  return isInGroup(session) &&
+         targetTrails(session).size() < groupMembers(session.document(), session.view().selectedTrail).size();
 }
 
 Status group(Session& session) {

@@ -195,8 +195,8 @@ std::vector<DocumentCommand> sphereCommands() {
       entry(command::sphereNext, "Next sphere", "Selects the next control sphere; the playhead jumps there.",
             {"Tab"}, selectedTrailNeeded(), [](Session& session) { return stepSphere(session, true); }),
       entry(command::spherePrevious, "Previous sphere",
-            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"}, selectedTrailNeeded(),
-            [](Session& session) { return stepSphere(session, false); }),
+            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"},
+            selectedTrailNeeded(), [](Session& session) { return stepSphere(session, false); }),
       entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
             selectedTrailNeeded(), selectAll),
       entry(
@@ -206,8 +206,8 @@ std::vector<DocumentCommand> sphereCommands() {
           {"Insert"}, selectedTrailNeeded(),
           [](Session& session) { return addSphere(session, session.view().frame); }),
       entry(command::sphereReset, "Put the spheres back",
-            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"}, {hasPulledSpheres, "select a sphere that was pulled"},
-            putBack),
+            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"},
+            {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
       entry(command::sphereSmooth, "Reset the tangents",
             "Lets the path run through the selected spheres as their neighbours say, without a tangent of "
             "their "

@@ -153,8 +153,9 @@ std::string stepText(const std::string& label, const Document& before, const Doc
   if (changes.names.empty()) {
     return label;
   }
-  const bool sameValue = std::all_of(changes.values.begin(), changes.values.end(),
-                                     [&](const std::string& value) { return value == changes.values.front(); });
+  const bool sameValue =
+      std::all_of(changes.values.begin(), changes.values.end(),
+                  [&](const std::string& value) { return value == changes.values.front(); });
   const std::string names =
       changes.names.size() > 3 ? fmt::format("{} limbs", changes.names.size()) : listed(changes.names);
   const bool isNamed = label.find(names) != std::string::npos; // "Pull the left arm".

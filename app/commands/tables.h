@@ -22,8 +22,8 @@ namespace stretch::app {
 
 /// One row of a table: a command of a character, and what it means for a sequence where it means something.
 [[nodiscard]] inline DocumentCommand entry(std::string id, std::string label, std::string help,
-                                           std::vector<std::string> keys,
-                                           Need need, std::function<Status(Session&)> run,
+                                           std::vector<std::string> keys, Need need,
+                                           std::function<Status(Session&)> run,
                                            std::function<bool(const SequenceSession&)> enabledOnSequence = {},
                                            std::function<Status(SequenceSession&)> runOnSequence = {}) {
   return {.id = std::move(id),

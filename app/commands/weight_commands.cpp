@@ -83,11 +83,11 @@ std::vector<DocumentCommand> weightCommands() {
                    {hasTargets, "select a limb first"}, toggleWeight),
              allTargetsHaveWeightOn),
       entry(command::weightAll, "Weight for arms and legs",
-            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {}, clipNeeded(),
-            weightForAll),
+            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {},
+            clipNeeded(), weightForAll),
       entry(command::weightRemove, "Take the weight away",
-            "Takes the weight of the selected limbs away, with its settings.", {}, {targetsHaveWeight, "select a limb that has weight"},
-            takeWeightAway),
+            "Takes the weight of the selected limbs away, with its settings.", {},
+            {targetsHaveWeight, "select a limb that has weight"}, takeWeightAway),
   };
 }
 

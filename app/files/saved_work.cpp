@@ -23,9 +23,9 @@ constexpr double metres = 1.0;
 constexpr double fastestRate = 1e6; ///< Frames per second.
 
 const std::vector<std::string>& keysBesideSettings() {
-  static const std::vector<std::string> keys{"id",      "limb",   "clip",    "exaggerated", "connected",
-                                             "applied", "colour", "visible", "pinned",      "control_frames",
-                                             "follow",  "group",  "group_name", "name"};
+  static const std::vector<std::string> keys{
+      "id",      "limb",   "clip",           "exaggerated", "connected", "applied",    "colour",
+      "visible", "pinned", "control_frames", "follow",      "group",     "group_name", "name"};
   return keys;
 }
 

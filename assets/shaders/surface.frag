@@ -118,7 +118,7 @@ vec3 pickedOut(vec3 color, float tint, float edge) {
   vec3 accent = toLinear(highlightColor);
   vec3 hue = color / max(max(color.r, max(color.g, color.b)), 1e-3);
   vec3 accentHue = accent / max(max(accent.r, max(accent.g, accent.b)), 1e-3);
-  float alike = 1.0 - smoothstep(0.30, 0.70, distance(hue, accentHue));
+  float alike = 1.0 - smoothstep(0.12, 0.34, distance(hue, accentHue));
   vec3 shown = mix(accent, toLinear(otherHighlightColor), alike);
   float light = 0.5 + 0.75 * dot(color, vec3(0.35, 0.45, 0.2));
   color = mix(color, shown * light, mix(0.34, 0.5, alike) * tint);

@@ -21,6 +21,10 @@ std::vector<Match> matchesOf(const PanelContext& context) {
   const std::string& typed = context.ui.palette.typed;
   std::vector<Match> matches;
   for (const CommandInfo& command : context.commands) {
+    if (typed.empty()) {
+      matches.push_back({&command, 0}); // In the order of the menus.
+      continue;
+    }
     const std::optional<int> label = fuzzyScore(typed, command.label);
     const std::optional<int> help = typed.size() < 3 ? std::nullopt : fuzzyScore(typed, command.help);
     if (label || help) {
@@ -28,11 +32,9 @@ std::vector<Match> matchesOf(const PanelContext& context) {
       matches.push_back({&command, score});
     }
   }
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) {
-                     return a.command->enabled == b.command->enabled ? a.score > b.score
-                                                                     : a.command->enabled;
-                   });
+  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
+    return a.command->enabled == b.command->enabled ? a.score > b.score : a.command->enabled;
+  });
   return matches;
 }
 
@@ -42,6 +44,7 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
   const WidgetContext widgets = widgetsOf(context);
   const Control row = takePlace(widgets, "palette/" + command.id,
                                 {ImGui::GetContentRegionAvail().x, theme.px(32.0F)}, command.enabled);
+  const std::string key = keyOf(context, command.id);
   if (row.visible) {
     const ThemeColours& colours = theme.colours;
     if (highlighted || row.hovered) {
@@ -53,15 +56,13 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
     const float labelWidth = std::min(textSize(theme.fonts.body, command.label).x, row.box.width() * 0.6F);
     drawText(widgets, theme.fonts.body, {{left, row.box.min.y}, {left + labelWidth, row.box.max.y}},
              faded(colours.text, opacity), command.label);
-    const float keyWidth =
-        command.keyText.empty() ? 0.0F : textSize(theme.fonts.label, command.keyText).x + theme.px(26.0F);
+    const float keyWidth = key.empty() ? 0.0F : textSize(theme.fonts.label, key).x + theme.px(26.0F);
     drawText(widgets, theme.fonts.label,
              {{left + labelWidth + theme.px(14.0F), row.box.min.y},
               {row.box.max.x - keyWidth - theme.unit(), row.box.max.y}},
              colours.quietText, command.enabled ? command.help : capitalised(command.reason));
-    if (!command.keyText.empty()) {
-      keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)},
-             command.keyText);
+    if (!key.empty()) {
+      keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)}, key);
     }
   }
   if (highlighted && ImGui::IsWindowAppearing()) {

@@ -28,21 +28,37 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
                                    copyTrail,       pasteTrail,         mirrorTrail,  "",
                                    trailDeleteAll,  viewFrameSelection, selectNone};
-  static constexpr CommandIds trail{
-      trailExaggerate, trailConnect,    trailApply, trailFollow,        trailBlend,      "",
-      trailRename,     trailNextColour, "",         trailSelectGroup,   trailGroup,      trailTakeApart,
-      "",              copyTrail,       pasteTrail, mirrorTrail,        "",              trailToggle,
-      viewFrameSelection, "",           trailDelete};
-  static constexpr CommandIds group{trailExaggerate, trailConnect,    trailApply,     trailFollow,
-                                    trailBlend,      "",              trailRename,    trailNextColour,
-                                    "",              trailTakeApart,  mirrorTrail,    "",
-                                    trailToggle,     viewFrameSelection, "",          trailDelete};
+  static constexpr CommandIds trail{trailExaggerate,
+                                    trailConnect,
+                                    trailApply,
+                                    trailFollow,
+                                    trailBlend,
+                                    "",
+                                    trailRename,
+                                    trailNextColour,
+                                    "",
+                                    trailSelectGroup,
+                                    trailGroup,
+                                    trailTakeApart,
+                                    "",
+                                    copyTrail,
+                                    pasteTrail,
+                                    mirrorTrail,
+                                    "",
+                                    trailToggle,
+                                    viewFrameSelection,
+                                    "",
+                                    trailDelete};
+  static constexpr CommandIds group{
+      trailExaggerate, trailConnect,       trailApply, trailFollow,    trailBlend,  "",
+      trailRename,     trailNextColour,    "",         trailTakeApart, mirrorTrail, "",
+      trailToggle,     viewFrameSelection, "",         trailDelete};
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
-  static constexpr CommandIds key{rangeStart, rangeEnd,    rangeDefault,    "",          timePreviousKey,
-                                  timeNextKey, "",         trailExaggerate, trailToggle, sphereAdd,
-                                  "",         copyTrail,   trailDelete};
+  static constexpr CommandIds key{rangeStart,  rangeEnd,  rangeDefault,    "",          timePreviousKey,
+                                  timeNextKey, "",        trailExaggerate, trailToggle, sphereAdd,
+                                  "",          copyTrail, trailDelete};
   static constexpr CommandIds range{rangeStart, rangeEnd, rangeDefault, "", trailExaggerate, trailToggle};
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
@@ -51,10 +67,10 @@ CommandIds entriesOf(MenuTarget target) {
                                        viewTop,       viewPerspective,    "",       viewSkeleton,   viewWire,
                                        viewHeatMap,   viewGhosts,         viewGrid, viewSideBySide, "",
                                        viewNavigation};
-  static constexpr MenuEntries menus[] = {
-      {MenuTarget::limb, limb}, {MenuTarget::trail, trail}, {MenuTarget::group, group},
-      {MenuTarget::sphere, sphere}, {MenuTarget::key, key}, {MenuTarget::range, range},
-      {MenuTarget::time, time}};
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},   {MenuTarget::trail, trail},
+                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere},
+                                          {MenuTarget::key, key},     {MenuTarget::range, range},
+                                          {MenuTarget::time, time}};
   for (const MenuEntries& menu : menus) {
     if (menu.target == target) {
       return menu.ids;
@@ -71,9 +87,8 @@ bool isOfTime(MenuTarget target) {
 /// Entries that act at the playhead.
 bool actsAtPlayhead(std::string_view id) {
   using namespace command;
-  constexpr std::array<std::string_view, 7> atPlayhead{rangeStart,  rangeEnd,        timePreviousKey,
-                                                       timeNextKey, trailExaggerate, trailToggle,
-                                                       sphereAdd};
+  constexpr std::array<std::string_view, 7> atPlayhead{
+      rangeStart, rangeEnd, timePreviousKey, timeNextKey, trailExaggerate, trailToggle, sphereAdd};
   return std::find(atPlayhead.begin(), atPlayhead.end(), id) != atPlayhead.end();
 }
 
@@ -158,8 +173,8 @@ bool commandEntry(PanelContext& context, const std::string& prefix, const char* 
     return false;
   }
   const std::string key = keyOf(context, commandId);
-  const bool chosen = ImGui::MenuItem(info->label.c_str(), key.empty() ? nullptr : key.c_str(),
-                                      info->checked, info->enabled);
+  const bool chosen =
+      ImGui::MenuItem(info->label.c_str(), key.empty() ? nullptr : key.c_str(), info->checked, info->enabled);
   if (chosen) {
     request(context, commandId);
   }

@@ -51,9 +51,7 @@ bool historyRow(PanelContext& context, const std::string& text, const HistoryRow
                             colours.accent);
     }
     const Rect place{{row.box.min.x + theme.px(20.0F), row.box.min.y}, row.box.max};
-    const ImU32 colour = state.isShown    ? colours.accent
-                         : state.isUndone ? colours.quietText
-                                          : colours.text;
+    const ImU32 colour = state.isShown ? colours.accent : state.isUndone ? colours.quietText : colours.text;
     drawText(widgets, theme.fonts.body, place, colour, text);
   }
   tooltip(widgets, {text,
@@ -103,7 +101,8 @@ void drawRenameDialog(PanelContext& context) {
                    state.open)) {
     return;
   }
-  static_cast<void>(editText(widgetsOf(context), "rename/name", state.ofGroup ? "The limbs' names" : "The limb's name", state.typed, 0.0F,
+  static_cast<void>(editText(widgetsOf(context), "rename/name",
+                             state.ofGroup ? "The limbs' names" : "The limb's name", state.typed, 0.0F,
                              opening || ImGui::IsWindowAppearing(), true));
   const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
   const int clicked =
@@ -131,7 +130,7 @@ void drawHistoryDialog(PanelContext& context) {
                     .icon = icon::undo,
                     .title = "History",
                     .width = 460.0F,
-                    .height = 100.0F + 27.0F * rows},
+                    .height = 82.0F + 27.0F * rows},
                    state.open)) {
     return;
   }

@@ -12,17 +12,32 @@ namespace stretch::ui {
 
 namespace {
 
+/// Not what the command would do now.
+const std::string& nameOf(const CommandInfo& command) {
+  return command.name.empty() ? command.label : command.name;
+}
+
 /// Headings by the first part of a command's id, in the order of the list.
 struct KeyGroup {
   std::string_view prefix;
   const char* title;
 };
-constexpr KeyGroup keyGroups[] = {
-    {"file", "File"},     {"recipe", "Recipes"},  {"edit", "Edit"},     {"limb", "Limbs"},
-    {"rig", "Limbs"},     {"range", "Range"},     {"trail", "Trails"},  {"sphere", "Control spheres"},
-    {"weight", "Weight"}, {"time", "Time"},       {"play", "Time"},     {"clip", "Clips"},
-    {"view", "View"},     {"sequence", "Mesh sequences"}, {"help", "Help and settings"},
-    {"keys", "Help and settings"}};
+constexpr KeyGroup keyGroups[] = {{"file", "File"},
+                                  {"recipe", "Recipes"},
+                                  {"edit", "Edit"},
+                                  {"limb", "Limbs"},
+                                  {"rig", "Limbs"},
+                                  {"range", "Range"},
+                                  {"trail", "Trails"},
+                                  {"sphere", "Control spheres"},
+                                  {"weight", "Weight"},
+                                  {"time", "Time"},
+                                  {"play", "Time"},
+                                  {"clip", "Clips"},
+                                  {"view", "View"},
+                                  {"sequence", "Mesh sequences"},
+                                  {"help", "Help and settings"},
+                                  {"keys", "Help and settings"}};
 
 std::string groupOf(const std::string& commandId) {
   const std::string_view prefix = std::string_view(commandId).substr(0, commandId.find('.'));
@@ -31,7 +46,7 @@ std::string groupOf(const std::string& commandId) {
 }
 
 bool answersFilter(const std::string& filter, const CommandInfo& command) {
-  return filter.empty() || fuzzyScore(filter, command.label).has_value() || command.keyText == filter;
+  return filter.empty() || fuzzyScore(filter, nameOf(command)).has_value() || command.keyText == filter;
 }
 
 /// Commands that answer the filter under their heading, which each stands once.
@@ -92,13 +107,13 @@ void commandRow(PanelContext& context, const CommandInfo& command) {
     const float line = row.box.min.y + theme.rowHeight();
     drawText(widgets, theme.fonts.body,
              {{row.box.min.x + theme.unit(), row.box.min.y}, {row.box.min.x + split, line}},
-             theme.colours.text, command.label);
+             theme.colours.text, nameOf(command));
     const ImVec2 at(row.box.min.x + split + theme.unit(),
                     row.box.min.y + std::floor((theme.rowHeight() - font->FontSize) * 0.5F));
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, theme.colours.quietText,
                                         command.help.c_str(), nullptr, wrap);
   }
-  tooltip(widgets, {command.label, command.help, command.keyText});
+  tooltip(widgets, {nameOf(command), command.help, command.keyText});
   ImGui::SameLine(0.0F, theme.unit());
   keyCell(context, command);
 }

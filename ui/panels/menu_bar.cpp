@@ -68,7 +68,8 @@ void openFileName(PanelContext& context) {
   const float gap = theme.unit();
   const float markWidth = status.unsaved ? theme.px(14.0F) : 0.0F;
   const float free = ImGui::GetContentRegionAvail().x - saveWidth - gap;
-  const float width = std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
+  const float width =
+      std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
   if (width < theme.px(40.0F)) {
     return;
   }
@@ -79,9 +80,10 @@ void openFileName(PanelContext& context) {
                                                 theme.px(4.0F), theme.colours.accent);
   }
   drawText(widgets, theme.fonts.body, {{place.box.min.x + markWidth, place.box.min.y}, place.box.max},
-           theme.colours.text, status.fileName);
-  tooltip(widgets, {status.fileName, status.unsaved ? "Holds work that is not saved yet." : "Everything is saved.",
-                    {}});
+           theme.colours.text, cutInMiddle(theme.fonts.body, status.fileName, width - markWidth));
+  tooltip(
+      widgets,
+      {status.fileName, status.unsaved ? "Holds work that is not saved yet." : "Everything is saved.", {}});
   ImGui::SameLine(0.0F, gap);
   commandButton(context, {.command = command::fileSave,
                           .icon = icon::save,

@@ -139,6 +139,7 @@ void hintPart(PanelContext& context) {
     const Rect text{{x + cap + theme.px(6.0F), corner.y},
                     {x + hintWidth(context, hint), corner.y + theme.rowHeight()}};
     context.items.add("status/hint/" + hint.key, {x, corner.y}, text.max);
+    context.items.items.back().explained = true; // By itself.
     drawText(widgets, theme.fonts.label, text, theme.colours.quietText, hint.does);
     x += hintWidth(context, hint);
   }

@@ -90,7 +90,8 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   const double rate = app::clipOf(document, clip).framesPerSecond;
   for (const rig::Trail& trail : document.trails) {
     if (trail.clip == clip) {
-      model.bars.push_back(barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
+      model.bars.push_back(
+          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
     }
   }
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {

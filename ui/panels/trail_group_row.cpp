@@ -52,7 +52,7 @@ void groupButtons(PanelContext& context, const std::string& id, const std::vecto
   const bool visible = std::all_of(members.begin(), members.end(),
                                    [&](int member) { return trailOf(context, member).visible; });
   if (rowButton(context, id + "/visible", visible ? icon::visible : icon::hidden, visible ? "o" : "-", false,
-                  {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
+                {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
     editMembers(context, members, visible ? "Hide the trails" : "Show the trails",
                 [&](const app::Document& document, int member) {
                   const rig::Trail& trail = *app::findTrail(document, member);
@@ -60,13 +60,13 @@ void groupButtons(PanelContext& context, const std::string& id, const std::vecto
                 });
   }
   if (rowButton(context, id + "/apart", icon::unlink, "/", false,
-                  {"Take the group apart", "The trails stay as they are, each by itself.",
-                   keyOf(context, command::trailTakeApart)})) {
+                {"Take the group apart", "The trails stay as they are, each by itself.",
+                 keyOf(context, command::trailTakeApart)})) {
     editOnce(context, "Take the group apart", app::takeApart(context.character().document(), members));
   }
   if (rowButton(context, id + "/delete", icon::trash, "x", false,
-                  {"Delete the trails of this group", "Gives their range back exactly as the source has it.",
-                   keyOf(context, command::trailDelete)})) {
+                {"Delete the trails of this group", "Gives their range back exactly as the source has it.",
+                 keyOf(context, command::trailDelete)})) {
     editMembers(context, members, "Delete the trails", app::deleteTrail);
   }
 }
@@ -99,8 +99,7 @@ bool foldArrow(PanelContext& context, const std::string& id, float height) {
   return open;
 }
 
-void groupText(PanelContext& context, const std::string& id, const std::vector<int>& members,
-               bool selected) {
+void groupText(PanelContext& context, const std::string& id, const std::vector<int>& members, bool selected) {
   const Theme& theme = context.theme;
   const std::string title = capitalised(app::groupTitle(context.open.character()->document(), members));
   const std::string detail = groupDetail(context, members);

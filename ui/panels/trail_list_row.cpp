@@ -38,8 +38,9 @@ RowClicks rowText(PanelContext& context, const RowText& row, int buttons) {
   tooltip(widgets, row.help);
   ImGui::SetCursorScreenPos({corner.x, corner.y + lines.name});
   const Control detail = takePlace(widgets, row.id + "/detail", {left, lines.whole - lines.name});
-  drawText(widgets, theme.fonts.label, {detail.box.min, {detail.box.max.x, detail.box.max.y - theme.px(2.0F)}},
-           theme.colours.quietText, row.detail);
+  drawText(widgets, theme.fonts.label,
+           {detail.box.min, {detail.box.max.x, detail.box.max.y + theme.px(1.0F)}}, theme.colours.quietText,
+           row.detail);
   tooltip(widgets, row.help);
   ImGui::SetCursorScreenPos({corner.x + left, corner.y + lines.name});
   const bool hovered = title.hovered || detail.hovered;

@@ -31,7 +31,7 @@ struct Palette {
   glm::vec3 floorLine{};
   glm::vec3 shadow{};
   glm::vec4 wire{};
-  glm::vec3 highlight{}; ///< The selected limb.
+  glm::vec3 highlight{};                          ///< The selected limb.
   glm::vec3 otherHighlight = rgb(okabe::skyBlue); ///< The same, where its surface has that hue itself.
   glm::vec4 bone{};
   glm::vec4 boneSelected{};

@@ -198,7 +198,8 @@ bool hasLimb(const Shell& shell) {
 }
 
 bool viewsClip(const Shell& shell) {
-  return hasFile(shell) && app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
+  return hasFile(shell) &&
+         app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
 }
 
 bool canExaggerate(const Shell& shell) {
@@ -288,8 +289,8 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
             {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
-            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"}, exportNeeded,
-            doing([](Shell& shell) { saveFile(shell); })),
+            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
+            exportNeeded, doing([](Shell& shell) { saveFile(shell); })),
       entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, exportNeeded,
             askingFor(FilePurpose::saveModel)),
       entry(command::fileSaveIncremental, "Save incremental",
@@ -300,8 +301,7 @@ std::vector<ShellCommand> fileCommands() {
             askingFor(FilePurpose::exportClean)),
       entry(command::recipeSave, "Save a recipe",
             "Writes the clip's trails, to be replayed on another clip or character.", {},
-            {hasWork, "make a trail first"},
-            askingFor(FilePurpose::saveRecipe)),
+            {hasWork, "make a trail first"}, askingFor(FilePurpose::saveRecipe)),
       entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
             characterNeeded, askingFor(FilePurpose::openRecipe)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
@@ -312,10 +312,9 @@ std::vector<ShellCommand> fileCommands() {
 namespace {
 
 ShellCommand renameCommand() {
-  ShellCommand command =
-      entry(command::trailRename, "Rename the trail",
-            "Gives the selected trail, or the group that is selected, a name of your own.", {"F2"},
-            {hasTrail, "select a trail first"}, doing(rename));
+  ShellCommand command = entry(command::trailRename, "Rename the trail",
+                               "Gives the selected trail, or the group that is selected, a name of your own.",
+                               {"F2"}, {hasTrail, "select a trail first"}, doing(rename));
   command.labelNow = [](const Shell& shell) -> std::string {
     const app::Session* const session = shell.open.character();
     const bool isGroup = session != nullptr && !app::wholeGroupSelected(*session).empty();
@@ -338,8 +337,8 @@ std::vector<ShellCommand> toolCommands() {
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
-      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, characterNeeded,
-            doing(pickChain)),
+      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"},
+            characterNeeded, doing(pickChain)),
       renameCommand(),
       entry(command::timePlay, "Play", "Plays and stops.", {"Space"},
             {canPlay, "open a file with a clip first"}, doing(togglePlay)),
@@ -392,8 +391,8 @@ std::vector<ShellCommand> viewCommands() {
 
 std::vector<ShellCommand> helpCommands() {
   return {
-      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"}, nothingNeeded,
-            doing(openPalette)),
+      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"},
+            nothingNeeded, doing(openPalette)),
       entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, nothingNeeded,
             doing([](Shell& shell) {
               shell.ui.keys = {};
@@ -546,7 +545,8 @@ void describeCommands(Shell& shell) {
     const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
     shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
                                   chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command)});
+                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command),
+                                  command.label});
   }
 }
 

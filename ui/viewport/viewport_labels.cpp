@@ -254,8 +254,8 @@ void drawEaseCurve(ViewportContext& context) {
   for (int i = 0; i < pieces; ++i) {
     const double from = static_cast<double>(i) / pieces;
     const double to = static_cast<double>(i + 1) / pieces;
-    draw->AddLine(place(from, remap.at(from)), place(to, remap.at(to)), trailColour(trail->colour, context.theme.kind),
-                  theme.px(2.0F));
+    draw->AddLine(place(from, remap.at(from)), place(to, remap.at(to)),
+                  trailColour(trail->colour, context.theme.kind), theme.px(2.0F));
   }
   const bool in = tool->modal.field == app::ExaggerateField::easeIn;
   const double ratio = in ? settings.easeIn.percent : 1.0 - settings.easeOut.percent;

@@ -65,10 +65,10 @@ struct TimelineOutcome {
   bool gestureEnded = false;
   bool viewChanged = false;
   Span view;
-  bool menuAsked = false; ///< A right click:
-  int menuBar = 0;        ///< on a bar, else
-  double menuFrame = 0.0; ///< at this frame,
-  bool menuOnKey = false; ///< where a key is,
+  bool menuAsked = false;   ///< A right click:
+  int menuBar = 0;          ///< on a bar, else
+  double menuFrame = 0.0;   ///< at this frame,
+  bool menuOnKey = false;   ///< where a key is,
   bool menuOnRange = false; ///< or an end of the working range.
   int doubleClickedBar = 0;
 };
