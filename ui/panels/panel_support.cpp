@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 
 #include <glm/geometric.hpp>
@@ -218,6 +219,10 @@ std::string shortNumber(double value, int decimals) {
     }
   }
   return result == "-0" ? "0" : result;
+}
+
+int frameDecimals(double frame) {
+  return std::abs(frame - std::round(frame)) < 5e-3 ? 0 : 2;
 }
 
 TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved) {
