@@ -258,8 +258,14 @@ void tell(UiState& ui, ToastKind kind, const std::string& text) {
   const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
   if (same != ui.toasts.end()) {
     same->secondsLeft = seconds;
-  } else {
-    ui.toasts.push_back({kind, text, seconds});
+    return;
+  }
+  ui.toasts.push_back({kind, text, seconds});
+  // They stand over the timeline: of many the oldest that only inform make room.
+  constexpr std::size_t atOnce = 3;
+  const auto oldest = std::ranges::find(ui.toasts, ToastKind::info, &Toast::kind);
+  if (ui.toasts.size() > atOnce && oldest + 1 < ui.toasts.end()) {
+    ui.toasts.erase(oldest);
   }
 }
 

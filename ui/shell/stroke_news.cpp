@@ -59,6 +59,12 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
                             limb, framesText(*taken.trail));
 }
 
+/// Empty where the stroke lies inside the clip.
+std::string seamText(const app::Session& session, const TakenStroke& taken) {
+  const bool crosses = taken.stroke != nullptr && app::crossesSeam(session, *taken.limb, *taken.stroke);
+  return crosses ? "It goes on across the seam of the loop, where a range ends" : "";
+}
+
 /// Sentences, one after the other.
 std::string joinedText(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : ". ") + second;
