@@ -62,7 +62,7 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
 /// Empty where the stroke lies inside the clip.
 std::string seamText(const app::Session& session, const TakenStroke& taken) {
   const bool crosses = taken.stroke != nullptr && app::crossesSeam(session, *taken.limb, *taken.stroke);
-  return crosses ? "It goes on across the seam of the loop, where a range ends" : "";
+  return crosses ? "The stroke goes on across the seam of the loop, where a range ends" : "";
 }
 
 /// Sentences, one after the other.
@@ -79,13 +79,10 @@ std::string strokeNews(const app::Session& session, const ExaggerateTool& tool) 
   }
   std::string text = whyThere(session, taken);
   text += text.empty() || !tool.modal.hasStrokes ? "" : "; N goes to the next";
-  if (taken.stroke != nullptr && app::crossesSeam(session, *taken.limb, *taken.stroke)) {
-    text = joinedText(text, "The stroke goes on across the loop's seam, where a range ends");
-  }
+  text = joinedText(text, seamText(session, taken));
   if (tool.targets.madeLoop) {
-    text =
-        joinedText(text, "The clip's last pose is its first, so Clip loops is on now: the way back goes on "
-                         "at its start");
+    text = joinedText(text, "The clip's last pose is its first, so Clip loops is on now: a way back goes on "
+                            "from its end to its start");
   }
   return text;
 }
@@ -97,8 +94,9 @@ std::string strokeReached(const app::Session& session, const ExaggerateTool& too
   }
   std::string text = framesText(*taken.trail);
   text.front() = 'F';
-  return text + fmt::format(", stroke {} of {} of the {}", taken.place + 1, taken.count,
-                            app::limbTitle(session.document(), taken.trail->limb));
+  text += fmt::format(", stroke {} of {} of the {}", taken.place + 1, taken.count,
+                      app::limbTitle(session.document(), taken.trail->limb));
+  return joinedText(text, seamText(session, taken));
 }
 
 } // namespace stretch::ui
