@@ -18,15 +18,16 @@ struct Command {
   std::vector<std::string> keys; ///< Default keys, "Ctrl+Shift+Z"; may be empty.
   std::function<bool(const Context&)> enabled;
   std::function<Status(Context&)> run;
-  std::function<bool(const Context&)> checked;          ///< A switch: whether it is on.
-  std::function<std::string(const Context&)> labelNow;  ///< Where the label is not always the same.
-  std::function<std::string(const Context&)> otherwise; ///< What to do first while it is off.
+  std::function<bool(const Context&)> checked;         ///< A switch: whether it is on.
+  std::function<std::string(const Context&)> labelNow; ///< Where the label is not always the same.
+  std::function<std::string(const Context&)> needs;    ///< What to do first while it is off.
+  std::string otherwise; ///< Id of the command that its keys run while it is off; may be empty.
 };
 
 /// When a command of a character is on, and what to do first while it is off.
 struct Need {
   std::function<bool(const Session&)> holds = {};
-  std::string otherwise = {}; ///< "select a limb first".
+  std::string text = {}; ///< "select a limb first".
 };
 
 /// A command of what is open. It says what it means for each kind of document; for one that it has no
@@ -40,7 +41,8 @@ struct DocumentCommand {
   std::function<Status(Session&)> run = {};
   std::function<bool(const SequenceSession&)> enabledOnSequence = {};
   std::function<Status(SequenceSession&)> runOnSequence = {};
-  std::string otherwise = {};                               ///< What to do first while it is off.
+  std::string needs = {};                                   ///< What to do first while it is off.
+  std::string otherwise = {};                               ///< As Command::otherwise.
   std::function<bool(const Session&)> checked = {};         ///< A switch: whether it is on.
   std::function<std::string(const Session&)> labelNow = {}; ///< Where the label depends on what is open.
 };

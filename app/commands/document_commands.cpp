@@ -39,9 +39,9 @@ std::string whyOff(const DocumentCommand& command, const OpenDocument& open) {
     return "open a file first";
   }
   if (open.character() == nullptr) {
-    return command.enabledOnSequence ? command.otherwise : "needs a character";
+    return command.enabledOnSequence ? command.needs : "needs a character";
   }
-  return command.enabled ? command.otherwise : "needs a mesh sequence";
+  return command.enabled ? command.needs : "needs a mesh sequence";
 }
 
 Status run(const DocumentCommand& command, OpenDocument& open) {

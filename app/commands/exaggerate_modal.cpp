@@ -292,6 +292,9 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
   switch (modal.field) {
   case ExaggerateField::scale:
     hints = {{"0-9", "scale"}, {"Up Down", "by 0.05"}};
+    if (modal.hasStrokes) {
+      hints.push_back({"N", "next stroke"});
+    }
     break;
   case ExaggerateField::easeIn:
   case ExaggerateField::easeOut:

@@ -20,14 +20,14 @@ std::vector<DocumentCommand> sequenceCommands() {
        .keys = {"Shift+Enter"},
        .enabledOnSequence = [](const SequenceSession& session) { return !session.isCompressing(); },
        .runOnSequence = [](SequenceSession& session) { return session.startCompression(); },
-       .otherwise = "it is being compressed"},
+       .needs = "it is being compressed"},
       {.id = command::sequenceCancel,
        .label = "Cancel the compression",
        .help = "Stops it; what was compressed before stays.",
        .keys = {},
        .enabledOnSequence = [](const SequenceSession& session) { return session.isCompressing(); },
        .runOnSequence = doing([](SequenceSession& session) { session.cancelCompression(); }),
-       .otherwise = "nothing is being compressed"},
+       .needs = "nothing is being compressed"},
       {.id = command::sequenceOriginal,
        .label = "Show the original sequence",
        .help = "Shows the meshes as they were simulated, in red.",
@@ -42,7 +42,7 @@ std::vector<DocumentCommand> sequenceCommands() {
        .enabledOnSequence = hasResult,
        .runOnSequence =
            doing([](SequenceSession& session) { session.view().showSkinned = !session.view().showSkinned; }),
-       .otherwise = "compress the sequence first"},
+       .needs = "compress the sequence first"},
   };
 }
 

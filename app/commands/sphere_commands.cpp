@@ -22,7 +22,7 @@ bool hasSpheres(const Session& session) {
 }
 
 Need sphereNeeded() {
-  return {hasSpheres, "select a control sphere first: Tab, or click it"};
+  return {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"};
 }
 
 Error noSphere() {
@@ -155,13 +155,16 @@ struct Direction {
   const char* id;
   const char* title;
   Key key;
+  const char* otherwise;     ///< What the key does while no sphere is selected: a command;
+  const char* otherwiseDoes; ///< and its words.
 };
-constexpr std::array<Direction, 6> directions{{{"left", "left", Key::left},
-                                               {"right", "right", Key::right},
-                                               {"up", "up", Key::up},
-                                               {"down", "down", Key::down},
-                                               {"away", "away", Key::pageUp},
-                                               {"towards", "towards the viewer", Key::pageDown}}};
+constexpr std::array<Direction, 6> directions{
+    {{"left", "left", Key::left, command::timeBack, "steps a frame back"},
+     {"right", "right", Key::right, command::timeForward, "steps a frame on"},
+     {"up", "up", Key::up, command::timeNextKey, "jumps to the next key"},
+     {"down", "down", Key::down, command::timePreviousKey, "jumps to the key before"},
+     {"away", "away", Key::pageUp, "", ""},
+     {"towards", "towards the viewer", Key::pageDown, "", ""}}};
 
 struct Reach {
   const char* idSuffix;
@@ -183,7 +186,11 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
   command.keys = {chordText(chord)};
   Need need = sphereNeeded();
   command.enabled = std::move(need.holds);
-  command.otherwise = std::move(need.otherwise);
+  command.needs = std::move(need.text);
+  if (direction.otherwise[0] != '\0' && reach.idSuffix[0] == '\0') {
+    command.otherwise = direction.otherwise;
+    command.help += std::string(" Without one the key ") + direction.otherwiseDoes + ".";
+  }
   command.run = [chord](Session& session) { return nudge(session, chord); };
   return command;
 }

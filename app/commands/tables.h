@@ -34,7 +34,7 @@ namespace stretch::app {
           .run = std::move(run),
           .enabledOnSequence = std::move(enabledOnSequence),
           .runOnSequence = std::move(runOnSequence),
-          .otherwise = std::move(need.otherwise)};
+          .needs = std::move(need.text)};
 }
 
 /// A command that is a switch.

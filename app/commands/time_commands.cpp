@@ -8,14 +8,13 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
-#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {
 
 namespace {
 
-constexpr double sameFrameTolerance = 1e-4;
+constexpr double sameFrameTolerance = 1e-3; ///< Key times are single precision.
 
 Status goTo(Session& session, double frame) {
   session.view().frame = std::clamp(frame, 0.0, lastFrame(session.document(), session.view().clip));
@@ -32,12 +31,7 @@ Status stepForward(Session& session) {
 
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
-  if (ownRate(session.document(), view.clip) != clipOf(session.document(), view.clip).framesPerSecond) {
-    // Keys lie between the frames of a rate of the user's choice: the frame nearest to each counts.
-    std::transform(frames.begin(), frames.end(), frames.begin(),
-                   [](double frame) { return std::round(frame); });
-  }
+  const std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });
@@ -88,14 +82,13 @@ Status setRange(Session& session, bool start) {
 }
 
 bool loops(const Session& session) {
-  const std::vector<int>& looping = session.document().loopingClips;
-  return std::find(looping.begin(), looping.end(), session.view().clip) != looping.end();
+  return isLooping(session.document(), session.view().clip);
 }
 
 Status toggleLoop(Session& session) {
   const Document& document = session.document();
   const int clip = session.view().clip;
-  const bool looped = loops(session);
+  const bool looped = isLooping(document, clip);
   return finish(session, setLooping(document, clip, !looped), looped ? "Clip does not loop" : "Clip loops");
 }
 
@@ -140,8 +133,8 @@ std::vector<DocumentCommand> timeCommands() {
           [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
           alwaysOnSequence, [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }),
       ticked(entry(command::clipLoop, "Clip loops",
-                   "Marks the clip as a loop: a release at its end goes on at its start.", {}, clipNeeded(),
-                   toggleLoop),
+                   "The clip is played as a loop: a limb's way back at its end goes on at its start.", {},
+                   clipNeeded(), toggleLoop),
              loops),
   };
 }

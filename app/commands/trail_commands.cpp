@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/exaggerate.h"
@@ -107,17 +108,6 @@ Status applyTargets(Session& session) {
   return editTargets(session, "Apply the new motion", [](const Document& document, const rig::Trail& trail) {
     return applyTrail(document, trail.id);
   });
-}
-
-/// Ids of the viewed clip's trails that the character follows and that wait to be applied.
-std::vector<int> waitingTrails(const Session& session) {
-  std::vector<int> waiting;
-  for (const rig::Trail& trail : session.document().trails) {
-    if (trail.clip == session.view().clip && trail.connected && !trail.applied) {
-      waiting.push_back(trail.id);
-    }
-  }
-  return waiting;
 }
 
 /// What is disconnected stays out: that is how the artist keeps it aside.

@@ -1,25 +1,22 @@
 #include "ui/shell/shell_commands.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include <fmt/core.h>
-#include <imgui.h>
-#include <imgui_internal.h>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
-#include "app/commands/step_text.h"
 #include "app/commands/tables.h"
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/stroke_news.h"
 
 namespace stretch::ui {
 
@@ -54,7 +51,8 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           [command](Shell& shell) { return app::run(command, shell.open); },
           [command](const Shell& shell) { return app::isChecked(command, shell.open); },
           [command](const Shell& shell) { return app::labelNow(command, shell.open); },
-          [command](const Shell& shell) { return app::whyOff(command, shell.open); }};
+          [command](const Shell& shell) { return app::whyOff(command, shell.open); },
+          command.otherwise};
 }
 
 /// What a command shows or hides; null for a command that does something else.
@@ -84,7 +82,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
 /// When a command of the window is on, and what to do first while it is off.
 struct ShellNeed {
   bool (*holds)(const Shell&) = always;
-  const char* otherwise = "";
+  const char* text = "";
 };
 constexpr ShellNeed nothingNeeded{};
 constexpr ShellNeed characterNeeded{hasFile, "open a character first"};
@@ -101,7 +99,8 @@ ShellCommand entry(std::string id, std::string label, std::string help, std::vec
           .run = std::move(run),
           .checked = nullptr,
           .labelNow = nullptr,
-          .otherwise = [need](const Shell& shell) { return need.holds(shell) ? "" : need.otherwise; }};
+          .needs = [need](const Shell& shell) { return need.holds(shell) ? "" : need.text; },
+          .otherwise = {}};
 }
 
 ShellCommand switchCommand(const char* id, const char* label, const char* help,
@@ -146,37 +145,26 @@ Status runGrab(Shell& shell) {
 
 } // namespace
 
-namespace {
-
-/// Where the limb rests at the playhead, E takes its nearest stroke: that is said.
-std::string elsewhereText(const app::Session& session) {
-  const app::ViewState& view = session.view();
-  const rig::Trail* const trail = app::selectedTrail(session);
-  if (trail == nullptr) {
-    return {};
+void goToTip(Shell& shell) {
+  app::Session& session = *shell.open.character();
+  if (const std::optional<double> tip = tipFrame(session, shell.tool); tip && shell.ui.exaggerateAtTip) {
+    session.view().frame = *tip;
   }
-  const rig::TrailSettings& settings = trail->settings;
-  const bool here = settings.startFrame - 0.5 <= view.frame && view.frame <= settings.endFrame + 0.5;
-  return here ? std::string()
-              : fmt::format(
-                    "At frame {:.4g} the {} rests: its nearest stroke, frames {:.4g} to {:.4g}, is taken",
-                    view.frame, app::limbTitle(session.document(), trail->limb), settings.startFrame,
-                    settings.endFrame);
 }
-
-} // namespace
 
 Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
   const bool proposes = app::selectedTrail(session) == nullptr && !app::isRangeSet(session.view());
   const Status started = startExaggerate(session, shell.tool, choice);
-  if (const std::string text = started && proposes ? elsewhereText(session) : ""; !text.empty()) {
+  if (!started) {
+    return started;
+  }
+  const auto& tool = std::get<ExaggerateTool>(shell.tool);
+  if (const std::string text = proposes || tool.targets.madeLoop ? strokeNews(session, tool) : "";
+      !text.empty()) {
     tell(shell, ToastKind::info, text);
   }
-  if (const std::optional<double> tip = tipFrame(session, shell.tool);
-      started && tip && shell.ui.exaggerateAtTip) {
-    session.view().frame = *tip;
-  }
+  goToTip(shell);
   return started;
 }
 
@@ -268,12 +256,6 @@ void toggleNavigation(Shell& shell) {
        maya ? "Navigation as in Blender: middle button" : "Navigation as in Maya: Alt and mouse");
 }
 
-const ShellCommand* findCommandOf(const Shell& shell, std::string_view id) {
-  const auto found = std::find_if(shell.commands.begin(), shell.commands.end(),
-                                  [&](const ShellCommand& command) { return command.id == id; });
-  return found == shell.commands.end() ? nullptr : &*found;
-}
-
 void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
@@ -330,10 +312,10 @@ std::vector<ShellCommand> toolCommands() {
       entry(command::trailExaggerate, "Exaggerate",
             "Makes the trail if there is none, exaggerates it and connects the limb; "
             "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-            {"E"}, {canExaggerate, "select a limb first: 1 to 6, or click one"}, beginExaggerating),
+            {"E"}, {canExaggerate, "select a limb first: click one, or press its number"}, beginExaggerating),
       entry(command::sphereGrab, "Grab",
             "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
-            {hasSpheres, "select a control sphere first: Tab, or click it"}, runGrab),
+            {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"}, runGrab),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
@@ -417,166 +399,6 @@ std::vector<ShellCommand> editorCommands() {
   append(all, viewCommands());
   append(all, helpCommands());
   return all;
-}
-
-namespace {
-
-/// A switch of the window or of what is open, and what is done until it is ended.
-bool isOn(const Shell& shell, const ShellCommand& command) {
-  if (command.checked && command.checked(shell)) {
-    return true;
-  }
-  const app::Session* const character = shell.open.character();
-  const app::SequenceSession* const sequence = shell.open.sequence();
-  const std::string_view id = command.id;
-  return (id == command::timePlay && shell.ui.timeline.playing) ||
-         (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
-         (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
-         (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
-}
-
-} // namespace
-
-bool isChecked(const Shell& shell, std::string_view id) {
-  const ShellCommand* const command = findCommandOf(shell, id);
-  return command != nullptr && isOn(shell, *command);
-}
-
-bool hasCommand(const Shell& shell, std::string_view commandId) {
-  return findCommandOf(shell, commandId) != nullptr;
-}
-
-namespace {
-
-/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
-void finishWhatIsDragged(Shell& shell) {
-  if (isRunning(shell.tool)) {
-    finishTool(*shell.open.character(), shell.tool, true);
-    shell.viewport.gesture = ViewportGesture::none;
-  }
-  if (std::exchange(shell.ui.panelDrag, false)) {
-    shell.ui.panelDrag = shell.open.with(false, [](auto& session) {
-      if (session.isDragging()) {
-        session.commit();
-      }
-      return false;
-    });
-    ImGui::ClearActiveID();
-  }
-}
-
-/// What answers in the middle of a tool or a drag too.
-bool answersAlways(std::string_view id) {
-  constexpr std::array<std::string_view, 6> always{
-      command::fileSave, command::fileSaveAs, command::fileSaveIncremental,
-      command::undo,     command::redo,       command::fileQuit};
-  return std::find(always.begin(), always.end(), id) != always.end();
-}
-
-} // namespace
-
-namespace {
-
-/// What undo or redo would do now; empty for other commands.
-std::string undoneText(const Shell& shell, std::string_view commandId) {
-  const auto textOf = [&](const auto& session) -> std::string {
-    const auto& history = session.history();
-    const bool undoes = commandId == command::undo && history.canUndo();
-    if (!undoes && !(commandId == command::redo && history.canRedo())) {
-      return {};
-    }
-    const std::size_t step = undoes ? history.position() : history.position() + 1;
-    return app::stepText(undoes ? history.undoLabel() : history.redoLabel(), history.at(step - 1),
-                         history.at(step));
-  };
-  if (const app::Session* const character = shell.open.character()) {
-    return textOf(*character);
-  }
-  const app::SequenceSession* const sequence = shell.open.sequence();
-  return sequence == nullptr ? std::string() : textOf(*sequence);
-}
-
-/// What undo or redo did; the last one takes the place of those before.
-void tellUndone(Shell& shell, std::string_view commandId, const std::string& label) {
-  constexpr std::string_view undone = "Undone: ";
-  constexpr std::string_view redone = "Redone: ";
-  std::erase_if(shell.ui.toasts, [&](const Toast& toast) {
-    return toast.text.starts_with(undone) || toast.text.starts_with(redone);
-  });
-  tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
-}
-
-/// "Undo: Change the scale – left arm ×3", "Disconnect".
-std::string labelNow(const Shell& shell, const ShellCommand& command) {
-  const std::string undone = undoneText(shell, command.id);
-  const std::string label = command.labelNow ? command.labelNow(shell) : command.label;
-  return undone.empty() ? label : label + ": " + undone;
-}
-
-/// What to do first; empty while the command is on.
-std::string reasonOf(const Shell& shell, const ShellCommand& command) {
-  const std::string reason = command.enabled(shell) || !command.otherwise ? "" : command.otherwise(shell);
-  return reason.empty() && !command.enabled(shell) ? "nothing to do this with now" : reason;
-}
-
-} // namespace
-
-void runCommand(Shell& shell, std::string_view commandId) {
-  const ShellCommand* command = findCommandOf(shell, commandId);
-  if (command == nullptr) {
-    return;
-  }
-  finishWhatIsDragged(shell);
-  if (!command->enabled(shell)) {
-    tell(shell, ToastKind::info, command->label + ": " + reasonOf(shell, *command));
-    return;
-  }
-  const std::string undone = undoneText(shell, commandId);
-  const Status done = command->run(shell);
-  tellProblem(shell, done);
-  if (done && !undone.empty()) {
-    tellUndone(shell, commandId, undone);
-  }
-}
-
-void describeCommands(Shell& shell) {
-  shell.commandInfos.clear();
-  for (const ShellCommand& command : shell.commands) {
-    const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
-    shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
-                                  chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command),
-                                  command.label});
-  }
-}
-
-bool widgetsOwnKeys(const Shell& shell) {
-  const UiState& ui = shell.ui;
-  return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.history.open || ui.jointPick.open || ui.navigationChoiceOpen ||
-         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
-}
-
-void dispatchKey(Shell& shell, const KeyInput& input) {
-  const app::Chord& chord = input.press.chord;
-  if (!input.down) {
-    if (chord.key == shell.heldKey && shell.open.character() != nullptr) {
-      shell.open.character()->view().showOriginal = false;
-      shell.heldKey = app::Key::none;
-    }
-    return;
-  }
-  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
-    tellProblem(shell, pressToolKey(*shell.open.character(), shell.tool, input.press));
-    return;
-  }
-  const std::string commandId = shell.keymap.commandOf(chord);
-  if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
-    shell.open.character()->view().showOriginal = true;
-    shell.heldKey = chord.key;
-  } else if (!commandId.empty()) {
-    runCommand(shell, commandId);
-  }
 }
 
 } // namespace stretch::ui

@@ -53,7 +53,8 @@ std::vector<LegendRow> legendRows(const ViewportContext& context) {
     rows.push_back({originalColour(context.theme.kind), LegendMark::dashes, "original path"});
   }
   if (lit != nullptr && lit->exaggerated) {
-    rows.push_back({trailColour(lit->colour, context.theme.kind), LegendMark::line, "exaggerated"});
+    rows.push_back({trailColour(lit->colour, context.theme.kind), LegendMark::line,
+                    lit->applied ? "applied" : "exaggerated"});
   }
   const Palette palette = paletteOf(context.theme.kind);
   if (context.ui.overlays.ghosts) {

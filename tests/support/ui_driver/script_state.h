@@ -17,7 +17,8 @@ namespace stretch::test {
 /// ghosts, navigation, original, tip-ratio (length of the limb at the tip over the source's), group (limbs of
 /// the selected trail's), group.name, colours ("0 1", of all trails), rename.typed, on-a-two (the playhead
 /// stands on an even frame), scales ("3 2", of all trails), shown-spheres and tangents (of the selected
-/// trail), weight.limbs
+/// trail), loops (the clip), warnings (in the panel), tip-ghost (the frame whose pose is shown, or none),
+/// tooltip, weight.limbs
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
