@@ -35,6 +35,13 @@ struct TrailPanels {
 
 } // namespace
 
+TEST_CASE("An error calls a limb what people call it, and other places by their name") {
+  const app::OpenDocument open(app::Opened{test::boxer()});
+  CHECK(errorLine(open, {"has a trail already", "left-arm", "select it"}) ==
+        "Left arm: has a trail already; select it");
+  CHECK(errorLine(open, {"is no number", "--scale", ""}) == "--scale: is no number");
+}
+
 TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.click("limb/left-arm");
