@@ -18,7 +18,7 @@ namespace stretch::test {
 /// the selected trail's), group.name, colours ("0 1", of all trails), rename.typed, on-a-two (the playhead
 /// stands on an even frame), scales ("3 2", of all trails), shown-spheres and tangents (of the selected
 /// trail), loops (the clip), warnings (in the panel), tip-ghost (the frame whose pose is shown, or none),
-/// tooltip, weight.limbs
+/// tip-told-out (of the picture), tooltip, weight.limbs
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
