@@ -28,10 +28,16 @@ SoftBones longer(double /*frame*/) {
   return {1.2, 0.9, 1.0, Vec3(0.3, 1.0, 0.2), 0.0};
 }
 
+SoftBones touching(double /*frame*/) {
+  SoftBones bones;
+  bones.kept = 1.0;
+  return bones;
+}
+
 // A leg that stands and gives way more and more.
 SoftBones squashed(double frame) {
   const double along = 1.0 - 0.006 * frame;
-  return {along, 1.0 / std::sqrt(along), 1.0 / std::sqrt(along), Vec3(0.0, 0.0, 1.0), 1.0};
+  return {along, 1.0 / std::sqrt(along), 1.0 / std::sqrt(along), Vec3(0.0, 0.0, 1.0), 1.0, 1.0};
 }
 
 } // namespace
@@ -94,7 +100,8 @@ TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
 TEST_CASE("a leg that stands and gives way lowers the hips and keeps its foot") {
   const MovingBiped moving = punchingBiped();
   const MotionState motion =
-      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", none)});
+      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed),
+                               softLimb(moving, "left-leg", touching)});
   for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState soft = atFrame(moving, motion, frame);
@@ -115,6 +122,20 @@ TEST_CASE("a leg without weight keeps its foot when the other one lowers the hip
   CHECK(soft.worlds[at(moving.biped.hips)][3].y < source.worlds[at(moving.biped.hips)][3].y);
   CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
         1e-6 * moving.biped.height);
+}
+
+TEST_CASE("a leg in the air keeps its bend and goes down with the hips") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& left = moving.limb("left-leg");
+  const MotionState motion =
+      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", none)});
+  const std::vector<Vec3> before = limbPoints(left, sourceAtFrame(moving, 12.0)); // kicks
+  const std::vector<Vec3> after = limbPoints(left, atFrame(moving, motion, 12.0));
+  const Vec3 hipsMove = after.front() - before.front();
+  CHECK(hipsMove.y < -0.02 * moving.biped.height);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(glm::length(after[i] - before[i] - hipsMove) < 1e-9);
+  }
 }
 
 TEST_CASE("a leg in the air is stretched without moving the hips") {
