@@ -22,11 +22,12 @@ void append(const std::vector<NodeIndex>& some, std::vector<NodeIndex>& nodes) {
   nodes.insert(nodes.end(), some.begin(), some.end());
 }
 
-// The hand or foot of a limb: its end, what moves with that, and all below.
+// The hand or foot of a limb: its end, or the last bone where there is none, what moves with that, and all
+// below.
 std::vector<NodeIndex> endNodes(const Scene& scene, const Limb& limb, const LimbTopology& topology) {
   std::vector<NodeIndex> nodes = topology.companions;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
+  if (limb.endNode.exists() || !limb.joints.empty()) {
+    nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
   }
   return withSubtrees(scene, nodes);
 }

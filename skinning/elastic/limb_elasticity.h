@@ -54,17 +54,17 @@ struct LimbStretch {
 /// acceleration: across the segment it flattens (Eq. 6), along it a free limb hangs from its base with all
 /// segments beyond, a planted one stands on its end under all before it and what it carries. The acceleration
 /// is smoothed over a tenth of a second, whatever the frame rate; it should be 24 frames per second or more.
-/// The load passes through a damped spring that starts at rest, so a landing squashes and rings out, a swing stretches, a
-/// still pose sags and stays. Errors: frames whose joints do not match the segments, no finite numbers,
-/// settings out of range.
+/// The load passes through a damped spring that starts at rest, so a landing squashes and rings out, a swing
+/// stretches, a still pose sags and stays. Errors: frames whose joints do not match the segments, no finite
+/// numbers, settings out of range.
 [[nodiscard]] Result<std::vector<std::vector<LimbStretch>>>
 limbElasticity(const std::vector<LimbSegment>& segments, const LimbMotion& motion,
                const LimbElasticity& settings);
 
 struct PlantedSettings {
-  double speed = 0.35;          ///< Limb lengths per second: a planted end moves slower.
-  double height = 0.06;         ///< Limb lengths: and is no higher than this above its lowest.
-  std::optional<double> ground; ///< Height of the ground along `up`; empty: the lowest that the end gets.
+  double speed = 0.35;             ///< Limb lengths per second: a planted end moves slower.
+  double height = 0.06;            ///< Limb lengths: and is no higher than this above its lowest.
+  std::optional<double> ground;    ///< Height of the ground along `up`; empty: the lowest that the end gets.
   double fadeSeconds = 1.0 / 15.0; ///< Over which planted and free fade into each other, on either side.
 };
 

@@ -211,7 +211,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
 void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, RowHold hold) {
   constexpr int steps = 12;
   constexpr double loose = 0.5;
-  constexpr double firm = 64.0; // a row that is a tenth too long turns a sixth more than the body
+  constexpr double firm = 128.0; // A row that is an eighth too long turns a tenth more than the body.
   const Frame frame = frameOf(skinned.bindPositions);
   FitState state = makeState(sequence, skinned, frame, 0);
   fit::Chain chain = makeChain(skinned, frame);

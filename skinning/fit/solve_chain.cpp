@@ -99,7 +99,7 @@ private:
     const Eigen::Matrix4d& own = bind_.own(bone);
     const Eigen::Vector3d& pivot = chain_.pivots[bone];
     return chain_.hold * (own.block<3, 3>(0, 0).trace() - 2.0 * pivot.dot(own.block<3, 1>(0, 3)) +
-                    own(3, 3) * pivot.squaredNorm());
+                          own(3, 3) * pivot.squaredNorm());
   }
 
   static void addPair(Eigen::MatrixXd& free, const std::vector<Eigen::Matrix<double, 3, 4>>& arms,
