@@ -99,7 +99,7 @@ void checkRow(const std::string& text, const SettingFacts& setting) {
   CHECK(plain(cells[3]) == defaultText(setting));
 }
 
-Document dummy() {
+Document openedDummy() {
   Result<Document> document = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
   REQUIRE(document.ok());
   return std::move(document).value();
@@ -122,7 +122,7 @@ TEST_CASE("the documentation of recipes has a row for every setting, as the prog
 
 TEST_CASE("the documentation of recipes names every key that a saved recipe holds") {
   const std::string text = textOf(documentation);
-  Document document = dummy();
+  Document document = openedDummy();
   rig::Trail trail;
   trail.limb = document.biped.limbs.front().id;
   trail.settings.space = rig::TrailSpace::view;
@@ -140,7 +140,7 @@ TEST_CASE("the documentation of recipes names every key that a saved recipe hold
 TEST_CASE("the documented recipe and the bundled ones play on the bundled character") {
   const std::string text = textOf(documentation);
   const std::size_t begin = text.find("```json\n") + 8;
-  Document document = dummy();
+  Document document = openedDummy();
   const Result<Recipe> documented =
       recipeFromJson(gltf::Json::parse(text.substr(begin, text.find("```", begin) - begin)), document);
   INFO((documented.ok() ? std::string() : documented.error().line()));

@@ -58,7 +58,7 @@ Document heavy(const Document& document, const WeightSettings& settings = {}) {
 }
 
 // The left arm's length along its bones, in lengths of itself: its joints and their stretch.
-double armLength(const Document& document, double seconds) {
+double armLengths(const Document& document, double seconds) {
   const FrameState frame = evaluate(document, prepareMotion(document, 0), seconds);
   const std::vector<Vec3> points = rig::limbPoints(*findLimb(document, "left-arm"), frame);
   double length = 0.0;
@@ -79,10 +79,10 @@ TEST_CASE("a loop is in its swing from the first frame on, and ends as it begins
     const Document once = heavy(whirling(2, travel));
     const Document loop = setLooping(once, 0, true);
     CAPTURE(travel);
-    CHECK(armLength(loop, 0.0) == Approx(armLength(loop, 2 * turnSeconds)).epsilon(1e-3));
+    CHECK(armLengths(loop, 0.0) == Approx(armLengths(loop, 2 * turnSeconds)).epsilon(1e-3));
     // Two turns later the same: what came before the first frame was the end of the clip.
-    CHECK(armLength(loop, 0.0) == Approx(armLength(loop, turnSeconds)).epsilon(1e-3));
-    CHECK(std::abs(armLength(once, 0.0) - armLength(once, turnSeconds)) > 0.01);
+    CHECK(armLengths(loop, 0.0) == Approx(armLengths(loop, turnSeconds)).epsilon(1e-3));
+    CHECK(std::abs(armLengths(once, 0.0) - armLengths(once, turnSeconds)) > 0.01);
   }
 }
 

@@ -25,6 +25,7 @@
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 #include "skinning/linear_blend_skinning.h"
+#include "tests/support/app/run_verb.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -32,7 +33,7 @@ using namespace stretch::app;
 
 namespace {
 
-const char* const dummyPath = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+const char* const dummyFile = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 const std::vector<std::string> armsAndLegs{"left-arm", "right-arm", "left-leg", "right-leg"};
 
 class Folder {
@@ -49,14 +50,14 @@ private:
   fs::path path_;
 };
 
-Document opened(const std::string& path) {
+Document loadedDocument(const std::string& path) {
   Result<Document> document = openDocument(path);
   REQUIRE(document.ok());
   return std::move(document).value();
 }
 
 Document heavy(const WeightSettings& settings = {}, const std::vector<std::string>& limbs = armsAndLegs) {
-  Document document = opened(dummyPath);
+  Document document = loadedDocument(dummyFile);
   for (const std::string& limb : limbs) {
     Result<Document> changed = setWeight(document, {limb, 0, true, settings});
     REQUIRE(changed.ok());
@@ -67,7 +68,7 @@ Document heavy(const WeightSettings& settings = {}, const std::vector<std::strin
 
 /// Largest distance of any vertex at every frame and half frame of the second one, in heights of the
 /// character. (A written clip may be keyed on half frames, and its rate is guessed from its keys.)
-double worstDifference(const Document& a, const Document& b) {
+double worstSkinDifference(const Document& a, const Document& b) {
   const rig::MotionState motionA = prepareMotion(a, 0);
   const rig::MotionState motionB = prepareMotion(b, 0);
   const Clip& clip = clipOf(b, 0);
@@ -100,14 +101,6 @@ std::string bytesOf(const std::string& path) {
   return text.str();
 }
 
-int run(const std::vector<const char*>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const char* const word : words) {
-    arguments.push_back(word);
-  }
-  return runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-}
-
 } // namespace
 
 TEST_CASE("a file saved with weight plays as the editor shows it, and opens as it was left") {
@@ -121,32 +114,32 @@ TEST_CASE("a file saved with weight plays as the editor shows it, and opens as i
   REQUIRE(created.ok());
   document = *applyTrail(created->document, created->trailId);
   REQUIRE(saveDocument(document, folder.file("clean.glb"), {.clean = true}));
-  CHECK(worstDifference(opened(folder.file("clean.glb")), document) < 1e-4);
+  CHECK(worstSkinDifference(loadedDocument(folder.file("clean.glb")), document) < 1e-4);
   REQUIRE(saveDocument(document, folder.file("work.glb"), {}));
-  const Document again = opened(folder.file("work.glb"));
+  const Document again = loadedDocument(folder.file("work.glb"));
   CHECK(again.weights == document.weights);
-  CHECK(worstDifference(again, document) < 1e-6);
+  CHECK(worstSkinDifference(again, document) < 1e-6);
 }
 
 TEST_CASE("weight that is taken away again gives the source back, after saving and opening too") {
   const Folder folder;
   REQUIRE(saveDocument(heavy(), folder.file("heavy.glb"), {}));
-  Document again = opened(folder.file("heavy.glb"));
+  Document again = loadedDocument(folder.file("heavy.glb"));
   for (const std::string& limb : armsAndLegs) {
     again = removeWeight(again, limb, 0);
   }
-  CHECK(worstDifference(again, opened(dummyPath)) < 1e-9);
+  CHECK(worstSkinDifference(again, loadedDocument(dummyFile)) < 1e-9);
   REQUIRE(saveDocument(again, folder.file("light.glb"), {.clean = true}));
-  CHECK(worstDifference(opened(folder.file("light.glb")), opened(dummyPath)) < 1e-6);
+  CHECK(worstSkinDifference(loadedDocument(folder.file("light.glb")), loadedDocument(dummyFile)) < 1e-6);
 }
 
 TEST_CASE("with amount zero, or off, nothing moves at all") {
   WeightSettings none;
   none.amount = 0.0;
-  CHECK(worstDifference(heavy(none), opened(dummyPath)) == 0.0);
+  CHECK(worstSkinDifference(heavy(none), loadedDocument(dummyFile)) == 0.0);
   const Result<Document> off = switchWeight(heavy(), armsAndLegs, 0, false);
   REQUIRE(off.ok());
-  CHECK(worstDifference(*off, opened(dummyPath)) == 0.0);
+  CHECK(worstSkinDifference(*off, loadedDocument(dummyFile)) == 0.0);
 }
 
 TEST_CASE("a standing pose sags by a percent or two, its feet stay on the ground") {
@@ -265,7 +258,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
   settings.moduli = {{0, 0, 3e5}};
   settings.rangeFrames = Vec2(3.0, 30.0);
   const Document document = heavy(settings, {"right-arm"});
-  Document plain = opened(dummyPath);
+  Document plain = loadedDocument(dummyFile);
   const Result<Recipe> recipe = recipeFromJson(recipeToJson(document, 0), plain);
   REQUIRE(recipe.ok());
   const Result<PlacedTrails> taken = withRecipe(plain, *recipe);
@@ -279,7 +272,7 @@ TEST_CASE("recipes hold weight and give it to another document") {
 }
 
 TEST_CASE("edits of weight are undone, and wrong ones refused with a line") {
-  History<Document> history(opened(dummyPath));
+  History<Document> history(loadedDocument(dummyFile));
   const Document start = history.current();
   history.push(*switchWeight(start, {"left-arm"}, 0, true), "Weight");
   CHECK(history.current().weights.size() == 1);
@@ -301,25 +294,25 @@ TEST_CASE("the verb elastic writes a file that check accepts, the same bytes eac
   const Folder folder;
   const std::string first = folder.file("a.glb");
   const std::string second = folder.file("b.glb");
-  REQUIRE(run({"elastic", dummyPath, "-o", first.c_str(), "--stiffness", "0.7", "--json"}) == 0);
-  REQUIRE(run({"elastic", dummyPath, "-o", second.c_str(), "--stiffness", "0.7"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", first.c_str(), "--stiffness", "0.7", "--json"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", second.c_str(), "--stiffness", "0.7"}) == 0);
   CHECK(bytesOf(first) == bytesOf(second));
-  CHECK(run({"check", first.c_str()}) == 0);
-  CHECK(opened(first).weights.size() == 4);
-  CHECK(opened(first).weights.front().settings.stiffness == 0.7);
+  CHECK(test::exitCodeOf({"check", first.c_str()}) == 0);
+  CHECK(loadedDocument(first).weights.size() == 4);
+  CHECK(loadedDocument(first).weights.front().settings.stiffness == 0.7);
   const std::string translated = folder.file("c.glb");
-  REQUIRE(run({"elastic", dummyPath, "-o", translated.c_str(), "--limb", "left-arm", "--range", "20:30",
-               "--keep-skeleton", "--clean"}) == 0);
-  CHECK(opened(translated).scene->nodes.size() == opened(dummyPath).scene->nodes.size());
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", translated.c_str(), "--limb", "left-arm", "--range",
+                            "20:30", "--keep-skeleton", "--clean"}) == 0);
+  CHECK(loadedDocument(translated).scene->nodes.size() == loadedDocument(dummyFile).scene->nodes.size());
 }
 
 TEST_CASE("wrong arguments of the verb elastic are told before anything is written") {
   const Folder folder;
   const std::string out = folder.file("out.glb");
-  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--amount", "2"}) == 2);
-  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--gravity", "down"}) == 2);
-  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--range", "9:9"}) == 2);
-  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--limb", "tail"}) == 1);
-  CHECK(run({"elastic", dummyPath, "-o", out.c_str(), "--moduli", out.c_str()}) == 1);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--amount", "2"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--gravity", "down"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--range", "9:9"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--limb", "tail"}) == 1);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--moduli", out.c_str()}) == 1);
   CHECK_FALSE(fs::exists(out));
 }

@@ -11,12 +11,6 @@ using gltf::Json;
 
 namespace {
 
-bool warnsOf(const gltf::Loaded& loaded, const std::string& words) {
-  const std::vector<std::string>& lines = loaded.warnings;
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
-}
-
 Json& channelOf(GlbBuilder& file, std::size_t clip, std::size_t channel) {
   return file.json["animations"][clip]["channels"][channel];
 }

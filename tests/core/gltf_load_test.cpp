@@ -12,25 +12,10 @@ using gltf::Json;
 using test::armBuilder;
 using test::GlbBuilder;
 using test::loadBytes;
+using test::loaded;
+using test::warnsOf;
 
 namespace {
-
-gltf::Loaded loaded(const GlbBuilder& glb) {
-  Result<gltf::Loaded> result = loadBytes(glb.bytes());
-  if (!result) {
-    FAIL(result.error().line());
-  }
-  return std::move(result.value());
-}
-
-bool warnsOf(const gltf::Loaded& file, const std::string& text) {
-  for (const std::string& warning : file.warnings) {
-    if (warning.find(text) != std::string::npos) {
-      return true;
-    }
-  }
-  return false;
-}
 
 Json& primitive(GlbBuilder& glb) {
   return glb.json["meshes"][0]["primitives"][0];

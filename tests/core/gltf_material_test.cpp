@@ -12,6 +12,7 @@
 using namespace stretch;
 using gltf::Json;
 using test::GlbBuilder;
+using test::loaded;
 
 namespace {
 
@@ -57,14 +58,6 @@ std::vector<Number> sixTimes(const std::array<Number, 4>& numbers) {
     }
   }
   return all;
-}
-
-gltf::Loaded loaded(const GlbBuilder& glb) {
-  Result<gltf::Loaded> result = test::loadBytes(glb.bytes());
-  if (!result) {
-    FAIL(result.error().line());
-  }
-  return std::move(result.value());
 }
 
 } // namespace

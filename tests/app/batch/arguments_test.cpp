@@ -10,6 +10,7 @@
 #include "app/schema/parse_text.h"
 #include "core/base/file.h"
 #include "tests/support/app/captured_errors.h"
+#include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -18,14 +19,6 @@ using namespace stretch::app;
 namespace {
 
 constexpr const char* dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
-
-int run(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  return runVerbs(batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-}
 
 } // namespace
 
@@ -50,16 +43,16 @@ TEST_CASE("A file that cannot be opened is named") {
 TEST_CASE("Exaggerating writes nothing when a limb, its scale or its range is wrong") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  CHECK(run({"exaggerate", dummy, "-o", output}) == 1);
-  CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm"}) == 1);
-  CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "third-arm", "--scale", "2"}) == 1);
-  CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
-             "900:990"}) == 1);
-  CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "much"}) == 2);
-  CHECK(run({"exaggerate", dummy, "--limb", "left-arm", "--scale", "2"}) == 2);
-  CHECK(run({"bend", dummy}) == 2);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output}) == 1);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "left-arm"}) == 1);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "third-arm", "--scale", "2"}) == 1);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2", "--range",
+                          "900:990"}) == 1);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "much"}) == 2);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "--limb", "left-arm", "--scale", "2"}) == 2);
+  CHECK(test::exitCodeOf({"bend", dummy}) == 2);
   CHECK(folder.fileCount() == 0);
-  CHECK(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
+  CHECK(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
   CHECK(folder.fileCount() == 1);
 }
 
@@ -80,7 +73,7 @@ TEST_CASE("A wrong argument is told in one line") {
   for (const std::vector<std::string>& words : wrong) {
     INFO((words.empty() ? "" : words.back()));
     const test::CapturedErrors errors;
-    const int exitCode = run(words);
+    const int exitCode = test::exitCodeOf(words);
     const std::string told = errors.text();
     CHECK(exitCode == 2);
     CHECK(std::count(told.begin(), told.end(), '\n') == 1);
@@ -95,12 +88,12 @@ TEST_CASE("A range of weight that the clip has in part is cut, with a warning; o
   const std::string output = (folder / "out.glb").string();
   {
     const test::CapturedErrors errors;
-    CHECK(run({"elastic", dummy, "-o", output, "--range", "900:990"}) == 1);
+    CHECK(test::exitCodeOf({"elastic", dummy, "-o", output, "--range", "900:990"}) == 1);
     CHECK_THAT(errors.text(), Catch::Contains("outside the clip") && Catch::Contains("0 to 60"));
     CHECK(folder.fileCount() == 0);
   }
   const test::CapturedErrors errors;
-  CHECK(run({"elastic", dummy, "-o", output, "--range", "0:1000"}) == 0);
+  CHECK(test::exitCodeOf({"elastic", dummy, "-o", output, "--range", "0:1000"}) == 0);
   CHECK_THAT(errors.text(), Catch::Contains("cut to the frames 0 to 60"));
 }
 
@@ -109,7 +102,7 @@ TEST_CASE("Moduli of bones that a limb does not have are refused") {
   const std::string moduli =
       folder.write("moduli.json", R"({"segments": [{"from": 0, "to": 7, "young": 5000}]})").string();
   const test::CapturedErrors errors;
-  CHECK(run({"elastic", dummy, "-o", (folder / "out.glb").string(), "--moduli", moduli}) == 1);
+  CHECK(test::exitCodeOf({"elastic", dummy, "-o", (folder / "out.glb").string(), "--moduli", moduli}) == 1);
   CHECK_THAT(errors.text(), Catch::Contains("names bone 7, and the last one is 1"));
   CHECK(folder.fileCount() == 1);
 }
@@ -132,11 +125,12 @@ TEST_CASE("No verb writes over what it reads, under any name, unless that is ask
       std::vector<std::string> words = verb;
       words.insert(words.end(), {"-o", output});
       const test::CapturedErrors errors;
-      CHECK(run(words) == 1);
+      CHECK(test::exitCodeOf(words) == 1);
       CHECK_THAT(errors.text(), Catch::Contains("--in-place"));
       CHECK(readText(file).value() == before);
     }
   }
-  CHECK(run({"exaggerate", file, "--limb", "left-arm", "--scale", "2", "-o", file, "--in-place"}) == 0);
+  CHECK(test::exitCodeOf(
+            {"exaggerate", file, "--limb", "left-arm", "--scale", "2", "-o", file, "--in-place"}) == 0);
   CHECK(readText(file).value() != before);
 }

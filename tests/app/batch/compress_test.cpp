@@ -15,6 +15,7 @@
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/app/captured_errors.h"
+#include "tests/support/app/run_verb.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -75,33 +76,25 @@ private:
   fs::path path_;
 };
 
-int run(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"stretch-engine"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  return app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
-}
-
 } // namespace
 
 TEST_CASE("a sequence becomes a skinned clip that compares with itself without error") {
   const BendingTube tube(6);
   const std::string output = tube.file("tube.glb");
-  REQUIRE(run({"compress", tube.frames(), "-o", output, "--bones", "6", "--stretch", "measured", "--json"}) ==
-          0);
+  REQUIRE(test::exitCodeOf({"compress", tube.frames(), "-o", output, "--bones", "6", "--stretch", "measured",
+                            "--json"}) == 0);
   const Result<gltf::Loaded> written = gltf::load(output);
   REQUIRE(written);
   CHECK(written->scene->skins.size() == 1);
   CHECK(written->clips.size() == 1);
-  CHECK(run({"compare", output, output, "--json"}) == 0);
+  CHECK(test::exitCodeOf({"compare", output, output, "--json"}) == 0);
 }
 
 TEST_CASE("a stretched file is compared as it is shown, not as the source that it carries") {
   const BendingTube folder(1);
   const std::string dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
   const std::string output = folder.file("punch.glb");
-  REQUIRE(run({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
+  REQUIRE(test::exitCodeOf({"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2"}) == 0);
   const Result<MeshSequence> before = skinning::readAnimatedGltf(dummy);
   REQUIRE(before);
   const Result<MeshSequence> after = skinning::readAnimatedGltf(output, {}, {}, before->framesPerSecond);
@@ -115,7 +108,7 @@ TEST_CASE("a sequence that cannot be used gives status 1 and writes nothing") {
   const BendingTube tube(3);
   const std::string output = tube.file("tube.glb");
   std::ofstream(fs::path(tube.frames()) / "tube-2.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  CHECK(run({"compress", tube.frames(), "-o", output}) == 1);
+  CHECK(test::exitCodeOf({"compress", tube.frames(), "-o", output}) == 1);
   CHECK_FALSE(fs::exists(output));
 }
 
@@ -144,17 +137,17 @@ TEST_CASE("the report names the frames of the fits, the line, the monotone curve
 TEST_CASE("compare takes two things, of which each may be a mesh and its cache") {
   const BendingTube tube(2);
   const std::string frames = tube.frames();
-  CHECK(run({"compare", frames, frames}) == 0);
-  CHECK(run({"compare", frames, frames, frames}) == 1);
-  CHECK(run({"compare", frames + "/tube-1.obj", frames + "/none.pc2", frames}) == 1);
-  CHECK(run({"compare", frames, frames, "--flattening", "--gravity", "0,0,0"}) == 1);
-  CHECK(run({"compare", frames, frames, "--flattening"}) == 0);
+  CHECK(test::exitCodeOf({"compare", frames, frames}) == 0);
+  CHECK(test::exitCodeOf({"compare", frames, frames, frames}) == 1);
+  CHECK(test::exitCodeOf({"compare", frames + "/tube-1.obj", frames + "/none.pc2", frames}) == 1);
+  CHECK(test::exitCodeOf({"compare", frames, frames, "--flattening", "--gravity", "0,0,0"}) == 1);
+  CHECK(test::exitCodeOf({"compare", frames, frames, "--flattening"}) == 0);
 }
 
 TEST_CASE("options that name nothing are wrong arguments") {
-  CHECK(run({"compress", "frames", "-o", "x.glb", "--stretch", "rubber"}) == 2);
-  CHECK(run({"compress", "frames"}) == 2);
-  CHECK(run({"compare", "one.glb"}) == 2);
+  CHECK(test::exitCodeOf({"compress", "frames", "-o", "x.glb", "--stretch", "rubber"}) == 2);
+  CHECK(test::exitCodeOf({"compress", "frames"}) == 2);
+  CHECK(test::exitCodeOf({"compare", "one.glb"}) == 2);
 }
 
 TEST_CASE(
@@ -166,7 +159,7 @@ TEST_CASE(
   const auto told = [&](std::vector<std::string> words) {
     words.insert(words.end(), {"-o", output});
     const test::CapturedErrors errors;
-    CHECK(run(words) == 1);
+    CHECK(test::exitCodeOf(words) == 1);
     return errors.text();
   };
   CHECK_THAT(told({"compress", tube.frames(), "--skip", "100"}),

@@ -15,16 +15,6 @@ using namespace stretch::test;
 
 namespace {
 
-SyntheticJoint& jointOf(SyntheticBiped& body, const std::string& key) {
-  return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
-}
-
-SyntheticBiped named(const std::string& scheme, const BodyOptions& options = {}) {
-  SyntheticBiped body = makeBody(options);
-  applyNames(body, namingScheme(scheme));
-  return body;
-}
-
 // Turns a joint and all that hangs on it about the joint, as a bind pose that is none of the usual has it.
 void pose(SyntheticBiped& body, const std::string& key, const Quat& turn) {
   const Vec3 pivot = jointOf(body, key).position;
@@ -52,7 +42,7 @@ TEST_CASE("well-named limbs are found in any bind pose") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int i = 0; i < 60; ++i) {
-    SyntheticBiped body = named(scheme, {.clavicles = clavicles});
+    SyntheticBiped body = makeNamedBody(scheme, {.clavicles = clavicles});
     const bool alike = i % 2 == 0; // both arms and both legs the same
     double drop = 0.0;
     double swing = 0.0;
@@ -76,7 +66,7 @@ TEST_CASE("well-named limbs are found in any bind pose") {
 }
 
 TEST_CASE("an arm of two joints is found beside one of three") {
-  SyntheticBiped body = named("Unreal", {.fingers = false});
+  SyntheticBiped body = makeNamedBody("Unreal", {.fingers = false});
   if (GENERATE(true, false)) {
     body.names.clear();
   }
@@ -194,7 +184,7 @@ TEST_CASE("a neck ends at the head, not at the cap on it") {
 }
 
 TEST_CASE("the spine is read from the joints that deform, not from weightless ones beside them") {
-  SyntheticBiped body = named("Mixamo");
+  SyntheticBiped body = makeNamedBody("Mixamo");
   const bool clearNames = GENERATE(true, false);
   // Controls in the skin: the chain that carries arms and head, each with its deforming joint beside it.
   for (int i = 0; i < 3; ++i) {
@@ -212,7 +202,7 @@ TEST_CASE("the spine is read from the joints that deform, not from weightless on
 }
 
 TEST_CASE("rigid arms on a skinned body are found, whether the skin lists their joints or not") {
-  SyntheticBiped body = named("Unreal", {.fingers = false});
+  SyntheticBiped body = makeNamedBody("Unreal", {.fingers = false});
   const bool listed = GENERATE(true, false);
   for (SyntheticJoint& joint : body.joints) {
     const std::string stem = joint.key.substr(0, joint.key.find('.'));

@@ -22,12 +22,6 @@ bool warnsOf(const Biped& biped, const std::string& words) {
       biped.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
-SyntheticBiped named(const std::string& scheme, const BodyOptions& options = {}) {
-  SyntheticBiped body = makeBody(options);
-  applyNames(body, namingScheme(scheme));
-  return body;
-}
-
 } // namespace
 
 TEST_CASE("twist joints beside and inside a limb's bones are not joints of the limb") {
@@ -51,7 +45,7 @@ TEST_CASE("twist joints beside and inside a limb's bones are not joints of the l
 }
 
 TEST_CASE("limbs split in two keep the first half as their joint, disconnected deform bones included") {
-  SyntheticBiped body = named("Rigify deform bones");
+  SyntheticBiped body = makeNamedBody("Rigify deform bones");
   for (const std::string side : {".l", ".r"}) {
     const std::string mark = side == ".l" ? ".L" : ".R";
     for (const auto& [key, child, name] :
@@ -82,7 +76,7 @@ TEST_CASE("limbs split in two keep the first half as their joint, disconnected d
 }
 
 TEST_CASE("clavicles under the neck and thighs under the spine leave spine and neck where names put them") {
-  SyntheticBiped body = named("3ds Max Biped");
+  SyntheticBiped body = makeNamedBody("3ds Max Biped");
   for (const std::string side : {".l", ".r"}) {
     joint(body, "clavicle" + side).parent = "neck0";
     joint(body, "thigh" + side).parent = "spine0";
@@ -97,7 +91,7 @@ TEST_CASE("clavicles under the neck and thighs under the spine leave spine and n
 }
 
 TEST_CASE("legs that hang from a pelvis beside the spine belong to the joint that carries both") {
-  SyntheticBiped body = named("Character Creator");
+  SyntheticBiped body = makeNamedBody("Character Creator");
   body.joints.push_back({"pelvis", "hips", Vec3(0, 0.97, 0)});
   body.names["pelvis"] = "CC_Base_Pelvis";
   joint(body, "thigh.l").parent = "pelvis";
@@ -128,7 +122,7 @@ TEST_CASE("limbs of two joints end where their mesh does") {
 }
 
 TEST_CASE("palms without a hand make the end of the arm their mean") {
-  SyntheticBiped body = named("glued lower case", {.hands = false});
+  SyntheticBiped body = makeNamedBody("glued lower case", {.hands = false});
   for (const std::string side : {".l", ".r"}) {
     const double sign = side == ".l" ? 1.0 : -1.0;
     for (int palm = 0; palm < 2; ++palm) {
@@ -157,7 +151,7 @@ TEST_CASE("a foot under the root is the leg's end all the same") {
 }
 
 TEST_CASE("handles of the animator's in the skin are never limb joints") {
-  SyntheticBiped body = named("Unreal");
+  SyntheticBiped body = makeNamedBody("Unreal");
   for (const std::string side : {".l", ".r"}) {
     const double sign = side == ".l" ? 1.0 : -1.0;
     for (const auto& [key, position] :
@@ -173,7 +167,7 @@ TEST_CASE("handles of the animator's in the skin are never limb joints") {
 }
 
 TEST_CASE("helper nodes between joints are not listed") {
-  SyntheticBiped body = named("French");
+  SyntheticBiped body = makeNamedBody("French");
   for (const std::string side : {".l", ".r"}) {
     addTwist(body, "foreArmHelper" + side, "upperArm" + side, "foreArm" + side, 1.0, true);
     body.joints.back().isJoint = false;
@@ -197,20 +191,20 @@ TEST_CASE(
 }
 
 TEST_CASE("names that agree win over feet whose mesh points back; the sides are asked for and doubted") {
-  SyntheticBiped body = named("Mixamo", {.toes = GENERATE(true, false)});
+  SyntheticBiped body = makeNamedBody("Mixamo", {.toes = GENERATE(true, false)});
   body.feetPointBack = true;
   body.facesBackwards = GENERATE(true, false);
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(warnsOf(biped, "are the sides right?"));
-  const Biped sure = detectBiped(build(named("Mixamo")).scene);
+  const Biped sure = detectBiped(build(makeNamedBody("Mixamo")).scene);
   CHECK(findLimb(biped, LimbKind::leftArm)->confidence <
         0.85 * findLimb(sure, LimbKind::leftArm)->confidence);
 }
 
 TEST_CASE("two arms both named left are told apart by where they are, with a warning") {
-  SyntheticBiped body = named("Mixamo");
+  SyntheticBiped body = makeNamedBody("Mixamo");
   body.names["upperArm.r"] = "mixamorig:LeftArm";
   body.names["foreArm.r"] = "mixamorig:LeftForeArm";
   body.names["hand.r"] = "mixamorig:LeftHand";
@@ -221,7 +215,7 @@ TEST_CASE("two arms both named left are told apart by where they are, with a war
 }
 
 TEST_CASE("a well-named biped is found without a warning and with more confidence than one without names") {
-  const BuiltBiped withNames = build(named("Unreal"));
+  const BuiltBiped withNames = build(makeNamedBody("Unreal"));
   const BuiltBiped without = build(makeBody());
   const Biped sure = detectBiped(withNames.scene);
   const Biped guessed = detectBiped(without.scene);
@@ -237,7 +231,7 @@ TEST_CASE("a well-named biped is found without a warning and with more confidenc
 }
 
 TEST_CASE("a character with one arm has that arm only") {
-  SyntheticBiped body = named("Unreal");
+  SyntheticBiped body = makeNamedBody("Unreal");
   std::erase_if(body.joints, [](const SyntheticJoint& each) {
     const bool right = each.key.ends_with(".r");
     return right && (each.key.starts_with("clavicle") || each.key.starts_with("upperArm") ||
@@ -253,7 +247,7 @@ TEST_CASE("a character with one arm has that arm only") {
 }
 
 TEST_CASE("without a neck the head sits on the chest and there is no neck limb") {
-  const BuiltBiped built = build(named("Unreal", {.neckJoints = 0}));
+  const BuiltBiped built = build(makeNamedBody("Unreal", {.neckJoints = 0}));
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, LimbKind::neck) == "none");
@@ -262,9 +256,9 @@ TEST_CASE("without a neck the head sits on the chest and there is no neck limb")
 
 TEST_CASE(
     "a spine of one joint ends at the base of the neck, a body without one starts its spine at the hips") {
-  const BuiltBiped one = build(named("Unreal", {.spineJoints = 1}));
+  const BuiltBiped one = build(makeNamedBody("Unreal", {.spineJoints = 1}));
   CHECK(describe(one, detectBiped(one.scene), LimbKind::spine) == "spine0 -> neck0");
-  const BuiltBiped none = build(named("Unreal", {.spineJoints = 0}));
+  const BuiltBiped none = build(makeNamedBody("Unreal", {.spineJoints = 0}));
   CHECK(describe(none, detectBiped(none.scene), LimbKind::spine) == "hips -> neck0");
 }
 

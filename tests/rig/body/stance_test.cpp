@@ -117,10 +117,6 @@ const NamingScheme animal{"animal",
                            {"foot", "Bip01 % Foot"},
                            {"toe", "Bip01 % Toe0"}}};
 
-SyntheticJoint& jointOf(SyntheticBiped& body, const std::string& key) {
-  return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
-}
-
 } // namespace
 
 TEST_CASE("a horse stands on four legs, whatever its joints are called") {

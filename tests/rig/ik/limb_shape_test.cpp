@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "tests/support/rig/described_limbs.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -41,10 +42,6 @@ std::vector<Vec3> shapedPoints(const LimbShapeProblem& problem, const LimbShape&
                      shape.stretch * (shape.turns[i - 1] * (problem.points[i] - problem.points[i - 1])));
   }
   return points;
-}
-
-double innerAngle(const std::vector<Vec3>& points) {
-  return angleBetween(points[0] - points[1], points[2] - points[1]);
 }
 
 void aimAt(LimbShapeProblem& problem, const Vec3& direction, double reach) {
@@ -82,7 +79,7 @@ TEST_CASE("a limb whose target is where its end is stays as it is") {
 TEST_CASE(
     "keeping the bend grows and turns the limb as one: the elbow keeps its angle, the end is at the target") {
   LimbShapeProblem problem = bentLimb({0.3, 0.25}, 0.8);
-  const double elbow = innerAngle(problem.points);
+  const double elbow = test::innerAngle(problem.points);
   for (const double scale : {0.5, 0.8, 1.0, 2.0, 3.0}) {
     for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 1, 0.4), Vec3(-1, 0.2, 0.3), Vec3(0, 0, -1)}) {
       aimAt(problem, direction, scale * reachOf(problem));
@@ -90,7 +87,7 @@ TEST_CASE(
       const LimbShape shape = solveLimbShape(problem);
       const std::vector<Vec3> points = shapedPoints(problem, shape);
       CHECK(shape.stretch == Approx(scale).epsilon(1e-9));
-      CHECK(innerAngle(points) == Approx(elbow).margin(1e-9));
+      CHECK(test::innerAngle(points) == Approx(elbow).margin(1e-9));
       CHECK(glm::length(points.back() - problem.target) < 1e-5 * reachOf(problem));
       CHECK(glm::length(points.back() - shape.end) < 1e-9);
     }

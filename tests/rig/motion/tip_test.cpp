@@ -6,6 +6,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/limb.h"
+#include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
@@ -20,10 +21,6 @@ double ratioAtTip(const MovingBiped& moving, const Trail& trail) {
   const Limb& limb = moving.limb(trail.limb);
   const double frame = motion.trails.front().tipSeconds * moving.clip.framesPerSecond;
   return lengthOf(limb, atFrame(moving, motion, frame)) / lengthOf(limb, sourceAtFrame(moving, frame));
-}
-
-double innerAngle(const std::vector<Vec3>& points) {
-  return angleBetween(points[0] - points[1], points[2] - points[1]);
 }
 
 } // namespace

@@ -8,15 +8,19 @@
 
 namespace stretch::test {
 
-VerbAnswer runVerb(const std::vector<std::string>& words) {
+int exitCodeOf(const std::vector<std::string>& words) {
   std::vector<const char*> arguments{"stretch-engine"};
   for (const std::string& word : words) {
     arguments.push_back(word.c_str());
   }
+  return app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+}
+
+VerbAnswer runVerb(const std::vector<std::string>& words) {
   const CapturedErrors errors;
   const std::ostringstream output;
   std::streambuf* const original = std::cout.rdbuf(output.rdbuf());
-  const int exitCode = app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+  const int exitCode = exitCodeOf(words);
   std::cout.rdbuf(original);
   return {exitCode, output.str(), errors.text()};
 }

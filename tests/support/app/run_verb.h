@@ -14,4 +14,7 @@ struct VerbAnswer {
 /// The program without a window, with these words on its command line.
 [[nodiscard]] VerbAnswer runVerb(const std::vector<std::string>& words);
 
+/// The same, with what it says left where it goes.
+int exitCodeOf(const std::vector<std::string>& words);
+
 } // namespace stretch::test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include <catch2/catch.hpp>
 #include <unistd.h>
 
 #include "core/base/file.h"
@@ -143,6 +144,19 @@ Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes, gltf::Tolerance toleran
   const TemporaryFolder folder;
   writeBytes(folder / "model.glb", bytes);
   return gltf::load(folder / "model.glb", tolerance);
+}
+
+gltf::Loaded loaded(const GlbBuilder& glb) {
+  Result<gltf::Loaded> result = loadBytes(glb.bytes());
+  if (!result) {
+    FAIL(result.error().line());
+  }
+  return std::move(result.value());
+}
+
+bool warnsOf(const gltf::Loaded& file, const std::string& words) {
+  return std::ranges::any_of(file.warnings,
+                             [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
 } // namespace stretch::test

@@ -54,4 +54,10 @@ void writeBytes(const std::filesystem::path& path, const gltf::Bytes& bytes);
 [[nodiscard]] Result<gltf::Loaded> loadBytes(const gltf::Bytes& bytes,
                                              gltf::Tolerance tolerance = gltf::Tolerance::refuse);
 
+/// The file as it loads; fails the test with the error's line where it does not.
+[[nodiscard]] gltf::Loaded loaded(const GlbBuilder& glb);
+
+/// Whether one of the file's warnings holds these words.
+[[nodiscard]] bool warnsOf(const gltf::Loaded& file, const std::string& words);
+
 } // namespace stretch::test

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/math/rotation.h"
+
 namespace stretch::test {
 
 namespace {
@@ -48,6 +50,10 @@ Vec3 endOf(const Scene& scene, const rig::Limb& limb) {
   const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
   return limb.endNode.exists() ? positionOf(worlds[at(limb.endNode)])
                                : transformPoint(worlds[at(limb.joints.back())], limb.endOffset);
+}
+
+double innerAngle(const std::vector<Vec3>& points) {
+  return angleBetween(points[0] - points[1], points[2] - points[1]);
 }
 
 } // namespace stretch::test

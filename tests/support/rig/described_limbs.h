@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rig/body/detection.h"
 #include "tests/support/rig/synthetic_biped.h"
@@ -19,5 +20,8 @@ void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped);
 
 /// World position of a limb's end in the bind pose.
 [[nodiscard]] Vec3 endOf(const Scene& scene, const rig::Limb& limb);
+
+/// The angle at the middle one of the first three points of a limb, radians.
+[[nodiscard]] double innerAngle(const std::vector<Vec3>& points);
 
 } // namespace stretch::test

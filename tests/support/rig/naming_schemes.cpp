@@ -350,4 +350,10 @@ const NamingScheme& namingScheme(const std::string& title) {
   return *std::ranges::find(schemes, title, &NamingScheme::title);
 }
 
+SyntheticBiped makeNamedBody(const std::string& scheme, const BodyOptions& options) {
+  SyntheticBiped body = makeBody(options);
+  applyNames(body, namingScheme(scheme));
+  return body;
+}
+
 } // namespace stretch::test

@@ -14,4 +14,7 @@ namespace stretch::test {
 /// The scheme with this title.
 [[nodiscard]] const NamingScheme& namingScheme(const std::string& title);
 
+/// A body with the joint names of the scheme of that title.
+[[nodiscard]] SyntheticBiped makeNamedBody(const std::string& scheme, const BodyOptions& options = {});
+
 } // namespace stretch::test

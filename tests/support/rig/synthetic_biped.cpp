@@ -170,6 +170,10 @@ void addTwist(SyntheticBiped& body, const std::string& newKey, const std::string
   body.joints.push_back({newKey, key, from + share * (to - from)});
 }
 
+SyntheticJoint& jointOf(SyntheticBiped& body, const std::string& key) {
+  return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
+}
+
 void applyNames(SyntheticBiped& body, const NamingScheme& scheme) {
   for (const SyntheticJoint& joint : body.joints) {
     const std::size_t dot = joint.key.find('.');

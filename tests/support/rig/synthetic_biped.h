@@ -44,6 +44,9 @@ struct BodyOptions {
 
 [[nodiscard]] SyntheticBiped makeBody(const BodyOptions& options = {});
 
+/// The joint of that key, which the body must have.
+[[nodiscard]] SyntheticJoint& jointOf(SyntheticBiped& body, const std::string& key);
+
 /// Puts a joint at `share` of the way from `key` to its child `childKey` and, if `inChain`, hangs the child
 /// from it.
 void addTwist(SyntheticBiped& body, const std::string& newKey, const std::string& key,
