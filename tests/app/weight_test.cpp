@@ -219,7 +219,7 @@ TEST_CASE("the report tells the lengths that the saved file shows, feet in their
   const Folder folder;
   const Document document = heavy();
   REQUIRE(saveDocument(document, folder.file("clean.glb"), {.clean = true}));
-  const Document saved = opened(folder.file("clean.glb"));
+  const Document saved = loadedDocument(folder.file("clean.glb"));
   const Clip& clip = clipOf(document, 0);
   for (const WeightReport& report : weightReports(document, 0)) {
     const rig::Limb& limb = *findLimb(document, report.limb);
