@@ -54,6 +54,11 @@ const Clip& clipOf(const Document& document, int clip) {
   return (*document.clips)[static_cast<std::size_t>(clip)];
 }
 
+bool isLooping(const Document& document, int clip) {
+  return std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
+         document.loopingClips.end();
+}
+
 const WeightedLimb* findWeight(const Document& document, const std::string& limb, int clip) {
   const auto found =
       std::find_if(document.weights.begin(), document.weights.end(),

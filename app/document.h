@@ -56,6 +56,9 @@ struct Document {
 
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
 
+/// Whether the clip is marked as a loop.
+[[nodiscard]] bool isLooping(const Document& document, int clip);
+
 /// Exaggerated trails that the character does not follow: saving keeps them in the work and does not key
 /// them.
 [[nodiscard]] std::size_t disconnectedTrails(const Document& document);

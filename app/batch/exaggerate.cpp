@@ -19,6 +19,7 @@ struct ExaggerateArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
+  bool loops = false;
   bool json = false;
 };
 
@@ -58,6 +59,9 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
   if (!recipe) {
     return recipe.error();
   }
+  if (arguments.loops) {
+    *document = setLooping(*document, recipe->clip, true);
+  }
   const Result<PlacedTrails> placed = appliedRecipe(*document, *recipe);
   if (!placed) {
     return placed.error();
@@ -84,6 +88,8 @@ Verb exaggerateVerb() {
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);
             line.option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");
+            line.flag("--loops", arguments->loops,
+                      "The clip is played as a loop: a limb's way back at its end goes on at its start");
             addTrailOptions(line);
             addJson(line, arguments->json);
             return [arguments, line] { return runExaggerate(*arguments, requestsOf(line)); };

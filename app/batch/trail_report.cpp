@@ -7,6 +7,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/way_back.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
 #include "rig/limb.h"
@@ -35,7 +36,11 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
   const double tipSeconds = solved.tipSeconds;
   Json warnings = solved.warnings;
   for (const std::string& warning : motionWarnings(document, motion, solved)) {
-    warnings.push_back(warning);
+    warnings.push_back(solved.limb.id + ": " + warning);
+  }
+  if (const auto problem = wayBackProblem(document, motion, solved)) {
+    warnings.push_back(solved.limb.id + ": " + problem->what +
+                       (problem->loopHelps ? "; --loops lets the way back go on at the clip's start" : ""));
   }
   const double before = rig::limbLength(solved.limb, evaluateOriginal(document, motion.clip, tipSeconds));
   const double after = rig::limbLength(solved.limb, evaluate(document, motion, tipSeconds));

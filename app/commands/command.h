@@ -18,6 +18,8 @@ struct Command {
   std::vector<std::string> keys; ///< Default keys, "Ctrl+Shift+Z"; may be empty.
   std::function<bool(const Context&)> enabled;
   std::function<Status(Context&)> run;
+  std::string needs = {};     ///< What there has to be for it, told while it is off; may be empty.
+  std::string otherwise = {}; ///< Id of the command that its keys run while it is off; may be empty.
 };
 
 /// A command of what is open. It says what it means for each kind of document; for one that it has no
@@ -31,6 +33,8 @@ struct DocumentCommand {
   std::function<Status(Session&)> run = {};
   std::function<bool(const SequenceSession&)> enabledOnSequence = {};
   std::function<Status(SequenceSession&)> runOnSequence = {};
+  std::string needs = {};     ///< As Command::needs.
+  std::string otherwise = {}; ///< As Command::otherwise.
 };
 
 [[nodiscard]] bool isEnabled(const DocumentCommand& command, const OpenDocument& open);

@@ -9,6 +9,7 @@
 #include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/standing_floor.h"
+#include "app/evaluate/way_back.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -47,12 +48,14 @@ Status addTrail(const Session& session, const std::string& limbId, const Vec2& r
                 ExaggerateTargets& targets) {
   const rig::Limb* const limb = findLimb(targets.document, limbId);
   if (limb == nullptr) {
-    return Error{"the character has no such limb", limbId, "pick a limb that was found"};
+    return Error{"the character has no such limb", limbTitle(targets.document, limbId),
+                 "pick a limb that was found"};
   }
   const ViewState& view = session.view();
   const auto free = freeRange(targets.document, limbId, view.clip, range, view.frame);
   if (!free) {
-    return Error{"a trail of this limb is there already", limbId, "select it, or set another range"};
+    return Error{"a trail is there already", limbTitle(targets.document, limbId),
+                 "select it, or set another range"};
   }
   rig::TrailSettings settings = newTrailSettings(session, *limb, *free);
   settings.scale = exaggerated ? firstScale : 1.0;
@@ -116,6 +119,26 @@ Status joinOtherLimbs(const Session& session, const rig::Trail& selected, Exagge
   return Success{};
 }
 
+/// Whether every target was made just now.
+bool areNew(const Document& before, const ExaggerateTargets& targets) {
+  return std::none_of(targets.trailIds.begin(), targets.trailIds.end(),
+                      [&](int id) { return findTrail(before, id) != nullptr; });
+}
+
+/// The first trail of a clip says how it is meant; what is marked or not after it stays so. Weight that is
+/// there already would move otherwise on a loop.
+void loopWhereItHelps(const Document& before, int clip, ExaggerateTargets& targets) {
+  const bool isFirst = std::none_of(before.trails.begin(), before.trails.end(),
+                                    [&](const rig::Trail& trail) { return trail.clip == clip; });
+  const rig::TrailSettings& settings = findTrail(targets.document, targets.trailIds.front())->settings;
+  const double room = lastFrame(before, clip) - settings.endFrame;
+  if (isFirst && !isLooping(before, clip) && !hasWeight(before, clip) &&
+      room < settings.endFrame - settings.startFrame && endsMeet(before, clip)) {
+    targets.document = setLooping(targets.document, clip, true);
+    targets.madeLoop = true;
+  }
+}
+
 /// Exaggerates and connects one trail; one at scale 1 that never was gets the first scale.
 void exaggerate(rig::Trail& trail) {
   if (!trail.exaggerated && trail.settings.scale == 1.0) {
@@ -165,7 +188,9 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   return targets;
 }
 
-Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoice choice) {
+namespace {
+
+Result<ExaggerateTargets> foundOrMade(const Session& session, OverlapChoice choice) {
   ExaggerateTargets targets{session.document(), {}};
   if (const rig::Trail* const selected = selectedTrail(session)) {
     targets.trailIds = targetTrails(session);
@@ -198,6 +223,63 @@ Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoic
     return grouped.error();
   }
   return targets;
+}
+
+} // namespace
+
+Result<ExaggerateTargets> exaggerateTargets(const Session& session, OverlapChoice choice) {
+  Result<ExaggerateTargets> targets = foundOrMade(session, choice);
+  if (targets) {
+    loopWhereItHelps(session.document(), session.view().clip, *targets);
+  }
+  return targets;
+}
+
+std::optional<Vec2> nextStroke(const Session& session, const ExaggerateTargets& targets, bool forwards) {
+  const Document& before = session.atBegin();
+  const rig::Trail& leading = *findTrail(targets.document, targets.trailIds.front());
+  const rig::Limb* const limb = findLimb(before, leading.limb);
+  if (limb == nullptr || !areNew(before, targets)) {
+    return std::nullopt;
+  }
+  std::vector<Vec2> free;
+  for (const rig::Stroke& stroke : session.strokesOf(*limb)) {
+    const double end = std::min(stroke.endFrame, lastFrame(before, leading.clip));
+    if (overlappingTrail(before, leading.limb, leading.clip, stroke.startFrame, end) == nullptr) {
+      free.emplace_back(stroke.startFrame, end);
+    }
+  }
+  const double here = leading.settings.startFrame;
+  std::erase_if(free, [&](const Vec2& range) {
+    return range == Vec2(leading.settings.startFrame, leading.settings.endFrame);
+  });
+  if (free.empty()) {
+    return std::nullopt;
+  }
+  const auto after = std::find_if(free.begin(), free.end(), [&](const Vec2& r) { return r.x > here; });
+  return forwards ? (after == free.end() ? free.front() : *after)
+                  : (after == free.begin() ? free.back() : *(after - 1));
+}
+
+Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTargets& targets,
+                                  const Vec2& range) {
+  ExaggerateTargets moved = targets;
+  if (targets.madeLoop) {
+    moved.document = setLooping(moved.document, session.view().clip, false);
+    moved.madeLoop = false;
+  }
+  for (const int id : targets.trailIds) {
+    const rig::Trail& trail = *findTrail(targets.document, id);
+    rig::TrailSettings settings = newTrailSettings(session, *findLimb(targets.document, trail.limb), range);
+    settings.scale = trail.settings.scale;
+    Result<Document> changed = setTrailSettings(moved.document, id, settings);
+    if (!changed) {
+      return changed.error();
+    }
+    moved.document = std::move(changed).value();
+  }
+  loopWhereItHelps(session.atBegin(), session.view().clip, moved);
+  return moved;
 }
 
 Result<Document> exaggeratedWith(const ExaggerateTargets& targets, const ExaggerateModal& modal) {

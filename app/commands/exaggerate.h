@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/commands/exaggerate_modal.h"
@@ -11,6 +12,7 @@ namespace stretch::app {
 struct ExaggerateTargets {
   Document document;         ///< With the trails made, exaggerated and connected.
   std::vector<int> trailIds; ///< Those that the modal acts on, the leading one first; at least one.
+  bool madeLoop = false;     ///< The clip was marked as a loop with them.
 };
 
 /// Scale of a trail that was not exaggerated before: the thesis's simple punch.
@@ -25,9 +27,20 @@ enum class OverlapChoice {
 /// The selected trail with those of the other selected limbs that share time with it. Without one, for each
 /// selected limb: its trail in the range that was set (else at the playhead), or a new one over the working
 /// range. All are exaggerated and connected; new ones that
-/// are made at once become a group. An error when no limb is selected, or no frame is free.
+/// are made at once become a group. Where the clip's first trail ends so near to the clip's end that its way
+/// back has no room, and the clip's last pose is its first, the clip is marked as a loop. An error when no
+/// limb is selected, or no frame is free.
 [[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session,
                                                           OverlapChoice choice = OverlapChoice::edit);
+
+/// The stroke after (else before) the range of the leading target, round and round, in which no other trail
+/// of the limb lies; nothing where there is none, or where the targets were there before.
+[[nodiscard]] std::optional<Vec2> nextStroke(const Session& session, const ExaggerateTargets& targets,
+                                             bool forwards);
+
+/// The targets, which were made just now, over another range, as new trails would start there.
+[[nodiscard]] Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTargets& targets,
+                                                const Vec2& range);
 
 /// The document with the modal's settings on every target.
 [[nodiscard]] Result<Document> exaggeratedWith(const ExaggerateTargets& targets,

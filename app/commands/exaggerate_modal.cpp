@@ -291,7 +291,10 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
   std::vector<ModalHint> hints;
   switch (modal.field) {
   case ExaggerateField::scale:
-    hints = {{"0-9", "scale"}, {"Up Down", "scale by 0.05"}};
+    hints = {{"0-9", "scale"}, {"Up Down", "by 0.05"}};
+    if (modal.hasStrokes) {
+      hints.push_back({"N", "next stroke"});
+    }
     break;
   case ExaggerateField::easeIn:
   case ExaggerateField::easeOut:
@@ -304,9 +307,9 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
     hints = {{"0-9", "percent"}, {"Up Down", "volume"}};
     break;
   }
-  const std::vector<ModalHint> common{{"X Y Z", "axis on, off"}, {"R", "pivot"},  {"I O", "ease"},
-                                      {"L", "release"},          {"V", "volume"}, {"Enter", "keep"},
-                                      {"Esc", "restore"}};
+  const std::vector<ModalHint> common{{"Enter", "keep"}, {"Esc", "restore"}, {"X Y Z", "axis"},
+                                      {"R", "pivot"},    {"I O", "ease"},    {"L", "release"},
+                                      {"V", "volume"}};
   hints.insert(hints.end(), common.begin(), common.end());
   return hints;
 }

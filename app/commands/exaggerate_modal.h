@@ -19,8 +19,9 @@ struct ExaggerateModal {
   rig::TrailSettings settings;       ///< As edited so far.
   double defaultReleaseFrames = 0.0; ///< What the arrows start from while no release is set.
   ExaggerateField field = ExaggerateField::scale;
-  TypedNumber typed;   ///< The number being typed for `field`.
-  bool typing = false; ///< Whether the next digit goes on with `typed`.
+  TypedNumber typed;       ///< The number being typed for `field`.
+  bool hasStrokes = false; ///< N goes to another stroke.
+  bool typing = false;     ///< Whether the next digit goes on with `typed`.
 };
 
 [[nodiscard]] ExaggerateModal beginExaggerate(const rig::TrailSettings& settings,

@@ -46,7 +46,7 @@ Result<HeldLimb> holdLimb(const Session& session, const std::string& limbId) {
   const Document& document = session.document();
   const rig::Limb* const limb = findLimb(document, limbId);
   if (limb == nullptr || !hasClip(document, session.view().clip)) {
-    return Error{"there is nothing to pull here", limbId, "open a file with a clip"};
+    return Error{"there is nothing to pull here", limbTitle(document, limbId), "open a file with a clip"};
   }
   if (const rig::Trail* const trail = trailThere(session, limbId)) {
     Result<Document> connected = setConnected(document, trail->id, true);
@@ -56,7 +56,8 @@ Result<HeldLimb> holdLimb(const Session& session, const std::string& limbId) {
   const auto range =
       freeRange(document, limbId, session.view().clip, rangeAround(session, *limb), session.view().frame);
   if (!range) {
-    return Error{"there is no room for a trail at this frame", limbId, "move the playhead"};
+    return Error{"there is no room for a trail at this frame", limbTitle(document, limbId),
+                 "move the playhead"};
   }
   rig::TrailSettings settings = newTrailSettings(session, *limb, *range);
   settings.scale = 1.0;

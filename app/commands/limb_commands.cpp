@@ -31,10 +31,11 @@ DocumentCommand selectCommand(const LimbKey& limb, bool add) {
   command.help = add ? "Adds the " + title + " to the selection, or takes it away."
                      : "Selects the " + title + ", with its trail at the playhead.";
   command.keys = {(add ? "Shift+" : "") + std::string(limb.key)};
+  command.needs = "this character has no " + title;
   command.enabled = [id](const Session& session) { return findLimb(session.document(), id) != nullptr; };
   command.run = [id, title, add](Session& session) -> Status {
     if (findLimb(session.document(), id) == nullptr) {
-      return Error{"no " + title + " was found on this character", "", "correct the limbs in the rig panel"};
+      return Error{"this character has no " + title, "", "correct the limbs in the rig panel"};
     }
     selectLimb(session, id, add);
     return Success{};

@@ -7,6 +7,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
 #include "app/edits/place_trails.h"
+#include "app/evaluate/way_back.h"
 
 namespace stretch::app {
 
@@ -41,10 +42,33 @@ bool isSameRange(const rig::TrailSettings& settings, const Vec2& range) {
 
 } // namespace
 
+const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb) {
+  const std::vector<rig::Stroke>& strokes = session.strokesOf(limb);
+  const double frame = session.view().frame;
+  if (frame < 0.5) {
+    return rig::strongestStroke(strokes); // Nobody looked for a place in time yet.
+  }
+  constexpr double nearSeconds = 0.25;
+  const double rate = clipOf(session.document(), session.view().clip).framesPerSecond;
+  return rig::strokeAt(strokes, frame, nearSeconds * rate);
+}
+
+bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke) {
+  const std::vector<rig::Stroke>& strokes = session.strokesOf(limb);
+  const double last = lastFrame(session.document(), session.view().clip);
+  const auto beginsThere = [](const rig::Stroke& one) { return one.startFrame < 0.5; };
+  const auto endsThere = [&](const rig::Stroke& one) { return one.endFrame > last - 0.5; };
+  const bool wholeClip = beginsThere(stroke) && endsThere(stroke);
+  return (beginsThere(stroke) || endsThere(stroke)) && !wholeClip &&
+         std::any_of(strokes.begin(), strokes.end(), beginsThere) &&
+         std::any_of(strokes.begin(), strokes.end(), endsThere) &&
+         endsMeet(session.document(), session.view().clip);
+}
+
 Vec2 proposedRange(const Session& session, const rig::Limb& limb) {
   const ViewState& view = session.view();
   const double last = lastFrame(session.document(), view.clip);
-  if (const rig::Stroke* const stroke = rig::strokeAt(session.strokesOf(limb), view.frame)) {
+  if (const rig::Stroke* const stroke = proposedStroke(session, limb)) {
     return {stroke->startFrame, std::min(stroke->endFrame, last)};
   }
   const double half =

@@ -8,11 +8,15 @@
 namespace stretch::app {
 
 // Which frames the next trail takes. One rule: selecting a trail makes its range the working range; a range
-// that is set by hand deselects a trail that does not lie in it; without either the limb's stroke around the
-// playhead is proposed.
+// that is set by hand deselects a trail that does not lie in it; without either one of the limb's strokes is
+// proposed.
 
-/// The range that is proposed for a limb: its stroke around the playhead (rig/motion/stroke.h), or half a
-/// second about the playhead where the limb makes none. At least one frame long where the clip is.
+/// The stroke that is proposed for a limb (rig/motion/stroke.h): the one at the playhead, the strongest near
+/// it, or the clip's strongest while the playhead stands at its start. Null where the limb makes none.
+[[nodiscard]] const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb);
+
+/// The range that is proposed for a limb: its proposed stroke, or half a second about the playhead where it
+/// makes none. At least one frame long where the clip is.
 [[nodiscard]] Vec2 proposedRange(const Session& session, const rig::Limb& limb);
 
 /// Whether the working range was set, by hand or by selecting a trail.
@@ -20,6 +24,10 @@ namespace stretch::app {
 
 /// The working range (x start, y end) within the clip, or the proposed one when none is set.
 [[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
+
+/// Whether the stroke goes on where the clip begins again: a limb that is in full swing at both ends of a
+/// clip whose last pose is its first makes one stroke there, of which a range holds a part.
+[[nodiscard]] bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke);
 
 /// Sets the working range by hand: a selected trail that does not lie in it is selected no longer.
 void setRangeByHand(Session& session, const Vec2& range);

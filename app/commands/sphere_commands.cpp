@@ -140,13 +140,16 @@ struct Direction {
   const char* id;
   const char* title;
   Key key;
+  const char* otherwise;     ///< What the key does while no sphere is selected: a command;
+  const char* otherwiseDoes; ///< and its words.
 };
-constexpr std::array<Direction, 6> directions{{{"left", "left", Key::left},
-                                               {"right", "right", Key::right},
-                                               {"up", "up", Key::up},
-                                               {"down", "down", Key::down},
-                                               {"away", "away", Key::pageUp},
-                                               {"towards", "towards the viewer", Key::pageDown}}};
+constexpr std::array<Direction, 6> directions{
+    {{"left", "left", Key::left, command::timeBack, "steps a frame back"},
+     {"right", "right", Key::right, command::timeForward, "steps a frame on"},
+     {"up", "up", Key::up, command::timeNextKey, "jumps to the next key"},
+     {"down", "down", Key::down, command::timePreviousKey, "jumps to the key before"},
+     {"away", "away", Key::pageUp, "", ""},
+     {"towards", "towards the viewer", Key::pageDown, "", ""}}};
 
 struct Reach {
   const char* idSuffix;
@@ -166,6 +169,10 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
   command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
                  reach.title + ".";
   command.keys = {chordText(chord)};
+  if (direction.otherwise[0] != '\0' && reach.idSuffix[0] == '\0') {
+    command.otherwise = direction.otherwise;
+    command.help += std::string(" Without one the key ") + direction.otherwiseDoes + ".";
+  }
   command.enabled = hasSpheres;
   command.run = [chord](Session& session) { return nudge(session, chord); };
   return command;
@@ -210,7 +217,8 @@ std::vector<DocumentCommand> sphereCommands() {
       commands.push_back(nudgeCommand(direction, reach));
     }
   }
-  return commands;
+  return needing("select a control sphere first: click one, or go to it with Next sphere",
+                 std::move(commands));
 }
 
 } // namespace stretch::app

@@ -34,7 +34,18 @@ namespace stretch::app {
           std::move(enabled),
           std::move(run),
           std::move(enabledOnSequence),
-          std::move(runOnSequence)};
+          std::move(runOnSequence),
+          {},
+          {}};
+}
+
+/// The rows, and what each of them needs that does not say it itself: "select a trail first".
+[[nodiscard]] inline std::vector<DocumentCommand> needing(const std::string& needs,
+                                                          std::vector<DocumentCommand> rows) {
+  for (DocumentCommand& row : rows) {
+    row.needs = row.needs.empty() ? needs : row.needs;
+  }
+  return rows;
 }
 
 /// Runs what cannot fail.

@@ -7,14 +7,13 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
-#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {
 
 namespace {
 
-constexpr double sameFrameTolerance = 1e-4;
+constexpr double sameFrameTolerance = 1e-3; ///< Key times are single precision.
 
 bool hasViewedClip(const Session& session) {
   return hasClip(session.document(), session.view().clip);
@@ -35,12 +34,7 @@ Status stepForward(Session& session) {
 
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
-  if (ownRate(session.document(), view.clip) != clipOf(session.document(), view.clip).framesPerSecond) {
-    // Keys lie between the frames of a rate of the user's choice: the frame nearest to each counts.
-    std::transform(frames.begin(), frames.end(), frames.begin(),
-                   [](double frame) { return std::round(frame); });
-  }
+  const std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });
@@ -93,8 +87,7 @@ Status setRange(Session& session, bool start) {
 Status toggleLoop(Session& session) {
   const Document& document = session.document();
   const int clip = session.view().clip;
-  const bool loops = std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
-                     document.loopingClips.end();
+  const bool loops = isLooping(document, clip);
   return finish(session, setLooping(document, clip, !loops), loops ? "Clip does not loop" : "Clip loops");
 }
 
@@ -138,8 +131,8 @@ std::vector<DocumentCommand> timeCommands() {
           [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
           alwaysOnSequence, [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }),
       entry(command::clipLoop, "Clip loops",
-            "Marks the clip as a loop: a release at its end goes on at its start.", {}, hasViewedClip,
-            toggleLoop),
+            "The clip is played as a loop: a limb's way back at its end goes on at its start.", {},
+            hasViewedClip, toggleLoop),
   };
 }
 

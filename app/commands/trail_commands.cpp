@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/exaggerate.h"
@@ -108,17 +109,6 @@ Status applyTargets(Session& session) {
   });
 }
 
-/// Ids of the viewed clip's trails that the character follows and that wait to be applied.
-std::vector<int> waitingTrails(const Session& session) {
-  std::vector<int> waiting;
-  for (const rig::Trail& trail : session.document().trails) {
-    if (trail.clip == session.view().clip && trail.connected && !trail.applied) {
-      waiting.push_back(trail.id);
-    }
-  }
-  return waiting;
-}
-
 /// What is disconnected stays out: that is how the artist keeps it aside.
 Status applyAll(Session& session) {
   Document document = session.document();
@@ -222,51 +212,56 @@ bool canDelete(const Session& session) {
 } // namespace
 
 std::vector<DocumentCommand> trailCommands() {
-  return {
-      entry(command::trailToggle, "Motion trail",
-            "Shows the path of the limb's end over the range; again hides it.", {"T"}, hasLimb, toggleTrails),
-      entry(command::trailExaggerateOnce, "Exaggerate at 2",
-            "Makes the trail if there is none, exaggerates it to twice the length and "
-            "connects the limb.",
-            {}, hasLimb, exaggerateOnce),
-      entry(command::trailConnect, "Connect", "Lets the limb follow the exaggerated trail; again lets it go.",
-            {"C"}, hasTarget, toggleConnected),
-      entry(command::trailFollow, "Follow",
-            "The limb follows while its spheres are dragged, or waits until it is connected.", {"Shift+C"},
-            hasTarget, toggleFollow),
-      entry(command::trailBlend, "Blend",
-            "Goes on from exaggerated to half-way, to original, and round again.", {"B"}, hasTarget,
-            cycleBlend),
-      entry(
-          command::trailApply, "Apply new motion",
-          "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
-          "and "
-          "can be changed.",
-          {"Enter", "Numpad Enter"}, hasTarget, applyTargets),
-      entry(
-          command::trailApplyAll, "Apply all",
-          "Applies every connected trail of the clip; disconnected ones stay as they are.",
-          {"Ctrl+Enter", "Ctrl+Numpad Enter"},
-          [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
-      entry(command::trailNextColour, "Next colour", "Gives the trail the next colour of the palette.", {},
-            hasTarget, nextColour),
-      entry(
-          command::editDelete, "Delete",
-          "Takes the selected spheres away (the first and the last are put back); with none selected deletes "
-          "the trail.",
-          {"Delete"}, canDelete, deleteSelection),
-      entry(command::trailDelete, "Delete trail",
-            "Deletes the trail and gives its range back as the file had it.", {}, hasTarget, deleteTargets),
-      entry(command::trailDeleteAll, "Delete all trails of the limb",
-            "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"}, hasLimb,
-            deleteAllOfLimbs),
-      entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
-            hasSelectedTrail, copySelected),
-      entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.", {"Ctrl+V"},
-            canPaste, pasteOnLimbs),
-      entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
-            {"Ctrl+M"}, hasTarget, mirrorTargets),
-  };
+  return needing(
+      "select a trail first, or a limb that has one",
+      {
+          entry(command::trailToggle, "Motion trail",
+                "Shows the path of the limb's end over the range; again hides it.", {"T"}, hasLimb,
+                toggleTrails),
+          entry(command::trailExaggerateOnce, "Exaggerate at 2",
+                "Makes the trail if there is none, exaggerates it to twice the length and "
+                "connects the limb.",
+                {}, hasLimb, exaggerateOnce),
+          entry(command::trailConnect, "Connect",
+                "Lets the limb follow the exaggerated trail; again lets it go.", {"C"}, hasTarget,
+                toggleConnected),
+          entry(command::trailFollow, "Follow",
+                "The limb follows while its spheres are dragged, or waits until it is connected.",
+                {"Shift+C"}, hasTarget, toggleFollow),
+          entry(command::trailBlend, "Blend",
+                "Goes on from exaggerated to half-way, to original, and round again.", {"B"}, hasTarget,
+                cycleBlend),
+          entry(command::trailApply, "Apply new motion",
+                "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, "
+                "stays, "
+                "and "
+                "can be changed.",
+                {"Enter", "Numpad Enter"}, hasTarget, applyTargets),
+          entry(
+              command::trailApplyAll, "Apply all",
+              "Applies every connected trail of the clip; disconnected ones stay as they are.",
+              {"Ctrl+Enter", "Ctrl+Numpad Enter"},
+              [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
+          entry(command::trailNextColour, "Next colour", "Gives the trail the next colour of the palette.",
+                {}, hasTarget, nextColour),
+          entry(command::editDelete, "Delete",
+                "Takes the selected spheres away (the first and the last are put back); with none selected "
+                "deletes "
+                "the trail.",
+                {"Delete"}, canDelete, deleteSelection),
+          entry(command::trailDelete, "Delete trail",
+                "Deletes the trail and gives its range back as the file had it.", {}, hasTarget,
+                deleteTargets),
+          entry(command::trailDeleteAll, "Delete all trails of the limb",
+                "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"}, hasLimb,
+                deleteAllOfLimbs),
+          entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
+                hasSelectedTrail, copySelected),
+          entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.",
+                {"Ctrl+V"}, canPaste, pasteOnLimbs),
+          entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
+                {"Ctrl+M"}, hasTarget, mirrorTargets),
+      });
 }
 
 } // namespace stretch::app

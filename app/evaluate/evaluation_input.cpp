@@ -4,7 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "core/base/index.h"
+#include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -53,13 +56,19 @@ const TrailPaths* stillTrue(const Scene& scene, const EarlierPaths& earlier, con
   return same ? &(*earlier.paths)[*before] : nullptr;
 }
 
+// Where the body stays where it is: on one that travels the next turn begins elsewhere.
+bool isDrawnAcrossSeam(const EvaluationGround& ground) {
+  const auto travel = ground.loops
+                          ? rig::loopTravel(*ground.scene, clipOf(ground), ground.hips, ground.height)
+                          : std::nullopt;
+  return travel && glm::length(*travel) < 0.05 * ground.height;
+}
+
 } // namespace
 
 EvaluationInput evaluationInput(const Document& document, int clip) {
-  const bool loops = std::find(document.loopingClips.begin(), document.loopingClips.end(), clip) !=
-                     document.loopingClips.end();
   return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
-           allLimbs(document), loops},
+           allLimbs(document), isLooping(document, clip)},
           ofClip(document.trails, clip),
           ofClip(document.weights, clip)};
 }
@@ -91,6 +100,7 @@ void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weight
 std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::MotionState& motion,
                                   std::size_t samplesPerFrame, const EarlierPaths& earlier) {
   const Clip& clip = clipOf(ground);
+  const bool acrossSeam = isDrawnAcrossSeam(ground);
   std::vector<TrailPaths> paths(motion.trails.size());
   std::vector<rig::PathRequest> requests;
   std::vector<rig::DrawnTrail*> answers;
@@ -99,7 +109,7 @@ std::vector<TrailPaths> drawPaths(const EvaluationGround& ground, const rig::Mot
       paths[i] = *kept;
       continue;
     }
-    requests.push_back({i, rig::drawnFrames(clip, motion.trails[i], samplesPerFrame)});
+    requests.push_back({i, rig::drawnFrames(clip, motion.trails[i], samplesPerFrame, acrossSeam)});
     answers.push_back(&paths[i].drawn);
     requests.push_back({i, motion.trails[i].controlFrames});
     answers.push_back(&paths[i].spheres);

@@ -138,10 +138,10 @@ std::vector<std::string> partsLeftBehind(const Document& document, const rig::Li
   }
   for (const Part& part : Search(document, limb, moved).all()) {
     const NodeIndex end = limb.endNode.exists() ? limb.endNode : limb.joints.back();
-    warnings.push_back(fmt::format(
-        "{}: the mesh \"{}\" stands at the limb's end but hangs on \"{}\", so it stays where it is; "
-        "hang it on \"{}\" where the file was made",
-        limb.id, part.name, nameOf(*document.scene, part.hangsOn), nameOf(*document.scene, end)));
+    warnings.push_back(
+        fmt::format("the mesh \"{}\" stands at the limb's end but hangs on \"{}\", so it stays where it is; "
+                    "hang it on \"{}\" where the file was made",
+                    part.name, nameOf(*document.scene, part.hangsOn), nameOf(*document.scene, end)));
   }
   return warnings;
 }

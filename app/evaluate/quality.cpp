@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -63,11 +64,6 @@ public:
     if (early > trail_.settings.startFrame && early < trail_.settings.endFrame) {
       tipAt(early, "");
     }
-    constexpr int steps = 8;
-    for (int step = steps - 1; trail_.settings.scale > 1.0 && step > 0; --step) {
-      const double scale = std::round(100.0 + 100.0 * (trail_.settings.scale - 1.0) * step / steps) / 100.0;
-      add([&](rig::TrailSettings& s) { s.scale = scale; }, fmt::format("lower the scale to {:g}", scale));
-    }
     return std::move(remedies_);
   }
 
@@ -104,23 +100,67 @@ private:
   std::vector<Remedy> remedies_;
 };
 
-// Tried before it is told: what keeps the trail in bounds.
+// Tries what an artist would try.
+class Trial {
+public:
+  Trial(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
+        const TrailLook& look)
+      : document_(document), motion_(motion), trail_(trail), look_(look) {}
+
+  // The largest scale, in quarters, that leaves nothing: the same one from whatever scale above it.
+  [[nodiscard]] std::optional<double> smallerScale() const {
+    constexpr double quarter = 0.25;
+    int worksAt = 4; // quarters: no exaggeration, which is not worth advising
+    int failsAt = static_cast<int>(std::ceil(trail_.settings.scale / quarter - 1e-9));
+    while (failsAt - worksAt > 1) {
+      const int middle = (worksAt + failsAt) / 2;
+      rig::TrailSettings settings = trail_.settings;
+      settings.scale = quarter * middle;
+      (helps(settings) ? worksAt : failsAt) = middle;
+    }
+    return worksAt > 4 ? std::optional(quarter * worksAt) : std::nullopt;
+  }
+
+  [[nodiscard]] std::string other(const Findings& findings) const {
+    for (const Remedy& remedy : Remedies(document_, motion_, trail_).against(findings)) {
+      if (helps(remedy.settings)) {
+        return remedy.advice;
+      }
+    }
+    return {};
+  }
+
+private:
+  [[nodiscard]] bool helps(const rig::TrailSettings& settings) const {
+    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings);
+    return !other.trails.empty() && !look_.findings(other, true).any();
+  }
+
+  const Document& document_;
+  const rig::MotionState& motion_;
+  const rig::SolvedTrail& trail_;
+  const TrailLook& look_;
+};
+
+// The smaller scale comes first, whatever else would help as well: advice that stays the same while a number
+// is changed.
 std::string adviceFor(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
                       const TrailLook& look, const Findings& findings) {
-  for (const Remedy& remedy : Remedies(document, motion, trail).against(findings)) {
-    const rig::MotionState other = solvedWith(document, motion.clip, trail, remedy.settings);
-    if (!other.trails.empty() && !look.findings(other, true).any()) {
-      return remedy.advice;
-    }
+  const Trial trial(document, motion, trail, look);
+  const std::optional<double> scale = trial.smallerScale();
+  const std::string other = trial.other(findings);
+  const std::string smaller = scale ? fmt::format("lower the scale to {:g}", *scale) : std::string();
+  if (smaller.empty() && other.empty()) {
+    return "shorten the range, or pull the control spheres there";
   }
-  return "shorten the range, or pull the control spheres there";
+  return smaller + (smaller.empty() || other.empty() ? "" : ", or ") + other;
 }
 
 std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, const std::string& advice) {
   std::vector<std::string> warnings;
   const auto warn = [&](const Finding& finding, const std::string& found) {
     if (finding.any()) {
-      warnings.push_back(fmt::format("{}: {} {}; {}", limb.id, found, finding.frames(), advice));
+      warnings.push_back(fmt::format("{} {}; {}", found, finding.frames(), advice));
     }
   };
   warn(findings.lengths, fmt::format("the limb is {:.3g} times its own length", findings.lengths.worst));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double room = 1.5;
 constexpr double farthestTurn = 120.0 * pi / 180.0; // beyond it an arm or a leg looks torn out and put back
-constexpr double longestEdge = 4.0;                 // times its length; of a limb three times as long
+constexpr double longestEdge = 4.0;                 // times its length, on a limb that is hardly longer
 constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
 constexpr double placeMargin = 0.02;                // of the height
 
@@ -246,7 +246,7 @@ private:
     if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
       findings_.vertices.add(frame, farthest, farthest);
     }
-    const double most = std::max(longestEdge, longestEdge / 3.0 * trail_.settings.scale);
+    const double most = std::max(longestEdge, room * trail_.settings.scale);
     double worst = 0.0;
     for (std::size_t i = 0; i < look_.edgeLengths_.size(); ++i) {
       const skinning::SurfacePart::Edge& edge = look_.surface_.edges()[i];

@@ -28,8 +28,9 @@ struct SettingRow {
   std::string label = {};             ///< Empty: made from the name.
   std::optional<double> minimum = {}; ///< What dragging offers; typing takes the whole range.
   std::optional<double> maximum = {};
-  double step = 0.01;
-  bool percent = false; ///< A fraction that is shown in per cent.
+  double step = 0.01;    ///< Dragged values are multiples of it,
+  double fineStep = 0.0; ///< or with Shift of this; 0: of the step.
+  bool percent = false;  ///< A fraction that is shown in per cent.
   std::string prefix = {};
   std::string shownUnit = {}; ///< Instead of the setting's unit, where that makes unhandy numbers: "kPa".
   double shownFactor = 1.0;   ///< From the setting's unit to the shown one.

@@ -10,6 +10,7 @@
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
 #include "rig/motion/limb_deform.h"
+#include "rig/motion/range_offset.h"
 
 namespace stretch::rig {
 
@@ -26,16 +27,6 @@ Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target)
     return after <= 0.0 ? target : original;
   }
   return original + (target - original) * (before / (before - after));
-}
-
-// w(r) E(c) with pull and spheres, world space, at a time of the range, from the source's sample there.
-Vec3 rangeOffset(const SolvedTrail& solved, const LimbSample& sample, double frame, double weight) {
-  const Vec3 original = solved.path.toSpace(sample, sample.end);
-  Vec3 offset(0.0);
-  if (solved.tip.outcome != TipOutcome::nothingToScale) {
-    offset = weight * (exaggeratePoint(solved.tip, original) - original) + weight * solved.tip.pull;
-  }
-  return solved.path.axes * (offset + solved.offsets.at(frame));
 }
 
 // Key times are stored in single precision: a time nearer than this to a border is at it.
@@ -92,10 +83,9 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
   // Where a loop starts again the tip's frame counts as the first of the release.
   if (outside.pastTip > rounding || timeSeconds != sample.timeSeconds) {
     // The tip's own offset, which decays: the limb goes on with the clip below it.
-    const bool forwards = solved.settings.pivot == Pivot::start;
-    const LimbSample& tip = forwards ? solved.path.samples.back() : solved.path.samples.front();
     const double decay = solved.release.at(outside.pastTip);
-    return {1.0, decay, decay * rangeOffset(solved, tip, solved.tipSeconds * framesPerSecond, 1.0)};
+    return {1.0, decay,
+            decay * rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0)};
   }
   const double weight = solved.remap.at(solved.path.ratioAt(timeSeconds));
   return {weight, 1.0, rangeOffset(solved, sample, timeSeconds * framesPerSecond, weight)};

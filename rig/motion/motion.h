@@ -29,6 +29,8 @@ struct SolvedTrail {
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
+  double wantedReleaseSeconds = 0.0; ///< The release where the clip had room for it.
+  double calmReleaseSeconds = 0.0;   ///< A shorter one takes the limb back faster than it came.
   BendNormal bend;
   double startSeconds = 0.0; ///< The range.
   double endSeconds = 0.0;

@@ -52,6 +52,17 @@ std::vector<double> framesOfAll(const std::vector<PathRequest>& requests) {
   return frames;
 }
 
+// On a loop, a time past the clip's end is one of its next turn, and one before its start of the last.
+double insideLoop(const MotionState& motion, double timeSeconds) {
+  const double turn = motion.endSeconds - motion.startSeconds;
+  const bool isPast = timeSeconds > motion.endSeconds;
+  const bool isBefore = timeSeconds < std::min(0.0, motion.startSeconds);
+  if (!motion.loops || !(isPast || isBefore)) {
+    return timeSeconds;
+  }
+  return isPast ? timeSeconds - turn : timeSeconds + turn;
+}
+
 // Walks through all frames once: a frame that several paths ask for is sampled once.
 class PathSweep {
 public:
@@ -83,7 +94,7 @@ public:
 
 private:
   void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
-    sampler_.sample(frameNumber / motion_.framesPerSecond, frame_);
+    sampler_.sample(insideLoop(motion_, frameNumber / motion_.framesPerSecond), frame_);
     source_ = frame_;
     auto next = inner_.begin();
     for (const std::size_t i : order_) {
@@ -135,10 +146,15 @@ DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& moti
   return pathsAt(scene, clip, motion, std::vector<PathRequest>{{trail, frames}}).front();
 }
 
-std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std::size_t samplesPerFrame) {
+std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved, std::size_t samplesPerFrame,
+                                bool acrossSeam) {
   const double fps = clip.framesPerSecond;
-  const double start = fps * std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
-  const double end = std::max(start, fps * std::min(solved.windowEndSeconds, clip.endSeconds));
+  const double first = acrossSeam ? solved.windowStartSeconds
+                                  : std::max(solved.windowStartSeconds, std::min(0.0, clip.startSeconds));
+  const double start = fps * first;
+  const double last =
+      acrossSeam ? solved.windowEndSeconds : std::min(solved.windowEndSeconds, clip.endSeconds);
+  const double end = std::max(start, fps * last);
   const auto perFrame = static_cast<double>(std::max<std::size_t>(1, samplesPerFrame));
   const auto count = static_cast<std::size_t>(std::floor((end - start) * perFrame + 1e-6)) + 1;
   std::vector<double> frames;

@@ -38,8 +38,9 @@ struct PathRequest {
                               std::size_t outer);
 
 /// The frames at which a path is drawn: evenly `samplesPerFrame` per frame over range and release. At least
-/// one.
+/// one. `acrossSeam`: those of the release that a loop's next or last turn has, too, counted on past the
+/// clip's end or before its start.
 [[nodiscard]] std::vector<double> drawnFrames(const Clip& clip, const SolvedTrail& solved,
-                                              std::size_t samplesPerFrame);
+                                              std::size_t samplesPerFrame, bool acrossSeam = false);
 
 } // namespace stretch::rig

@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "rig/motion/range_offset.h"
+
 namespace stretch::rig {
 
 namespace {
@@ -23,8 +25,7 @@ bool endsInLastFrame(const SolvedTrail& solved) {
 } // namespace
 
 void solveTipOf(SolvedTrail& solved) {
-  const bool pivotAtStart = solved.settings.pivot == Pivot::start;
-  const LimbSample& tipSample = pivotAtStart ? solved.path.samples.back() : solved.path.samples.front();
+  const LimbSample& tip = tipSample(solved);
   TipProblem problem;
   for (const LimbSample& sample : solved.path.samples) {
     problem.points.push_back(solved.path.toSpace(sample, sample.end));
@@ -32,8 +33,8 @@ void solveTipOf(SolvedTrail& solved) {
   for (const LimbSample& sample : solved.path.between) {
     problem.between.push_back(solved.path.toSpace(sample, sample.end));
   }
-  const double poseLength = glm::length(tipSample.end - tipSample.base);
-  problem.basePosition = solved.path.toSpace(tipSample, tipSample.base);
+  const double poseLength = glm::length(tip.end - tip.base);
+  problem.basePosition = solved.path.toSpace(tip, tip.base);
   problem.limbLength = solved.settings.reference == Reference::pose ? poseLength : solved.limb.restLength;
   problem.scale = solved.settings.scale;
   problem.axes = solved.settings.axes;

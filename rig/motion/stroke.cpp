@@ -20,6 +20,10 @@ constexpr double turningShare = 0.5;       // Of the peak: so slow, a turn back 
 constexpr double risenShare = 0.2;         // Of the peak: another stroke begins.
 constexpr double smoothingSeconds = 0.025; // Either side: what trembles between frames at 120 a second.
 
+double strengthOf(const Stroke& stroke) {
+  return stroke.travel * stroke.peakSpeed;
+}
+
 /// Positions of the limb's end seen from its base at every frame, in limb lengths.
 std::vector<Vec3> reachOf(const Scene& scene, const Clip& clip, const Limb& limb) {
   const double last = std::floor(std::min(clip.endSeconds * clip.framesPerSecond, longestFrames) + 1e-3);
@@ -140,14 +144,22 @@ std::vector<Stroke> strokesOf(const Scene& scene, const Clip& clip, const Limb& 
   return strokes;
 }
 
-const Stroke* strokeAt(const std::vector<Stroke>& strokes, double frame) {
+const Stroke* strokeAt(const std::vector<Stroke>& strokes, double frame, double nearFrames) {
   const auto gap = [&](const Stroke& stroke) {
-    return std::max({0.0, stroke.startFrame - frame, frame - stroke.endFrame});
+    const double frames = std::max({0.0, stroke.startFrame - frame, frame - stroke.endFrame});
+    return frames > 0.0 ? std::max(frames, nearFrames) : 0.0;
   };
   const auto nearer = [&](const Stroke& a, const Stroke& b) {
-    return gap(a) != gap(b) ? gap(a) < gap(b) : a.travel * a.peakSpeed > b.travel * b.peakSpeed;
+    return gap(a) != gap(b) ? gap(a) < gap(b) : strengthOf(a) > strengthOf(b);
   };
   const auto found = std::min_element(strokes.begin(), strokes.end(), nearer);
+  return found == strokes.end() ? nullptr : &*found;
+}
+
+const Stroke* strongestStroke(const std::vector<Stroke>& strokes) {
+  const auto found = std::max_element(strokes.begin(), strokes.end(), [](const Stroke& a, const Stroke& b) {
+    return strengthOf(a) < strengthOf(b);
+  });
   return found == strokes.end() ? nullptr : &*found;
 }
 

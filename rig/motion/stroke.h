@@ -23,8 +23,12 @@ struct Stroke {
 /// creeps is none. Measured in limb lengths and seconds, so that size and frame rate do not matter.
 [[nodiscard]] std::vector<Stroke> strokesOf(const Scene& scene, const Clip& clip, const Limb& limb);
 
-/// The stroke in which the frame lies; between strokes the nearest one; of two that meet there the stronger.
-/// Null without strokes.
-[[nodiscard]] const Stroke* strokeAt(const std::vector<Stroke>& strokes, double frame);
+/// The stroke in which the frame lies; of two that meet there the stronger. Between strokes the strongest of
+/// those within `nearFrames`, else the nearest one. Null without strokes.
+[[nodiscard]] const Stroke* strokeAt(const std::vector<Stroke>& strokes, double frame,
+                                     double nearFrames = 0.0);
+
+/// The one that goes farthest, fastest; null without strokes.
+[[nodiscard]] const Stroke* strongestStroke(const std::vector<Stroke>& strokes);
 
 } // namespace stretch::rig

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 
 #include <glm/geometric.hpp>
@@ -220,6 +221,10 @@ std::string shortNumber(double value, int decimals) {
   return result == "-0" ? "0" : result;
 }
 
+int frameDecimals(double frame) {
+  return std::abs(frame - std::round(frame)) < 5e-3 ? 0 : 2;
+}
+
 TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved) {
   TipLengths lengths;
   if (solved.path.samples.empty()) {
@@ -253,8 +258,14 @@ void tell(UiState& ui, ToastKind kind, const std::string& text) {
   const auto same = std::ranges::find(ui.toasts, text, &Toast::text);
   if (same != ui.toasts.end()) {
     same->secondsLeft = seconds;
-  } else {
-    ui.toasts.push_back({kind, text, seconds});
+    return;
+  }
+  ui.toasts.push_back({kind, text, seconds});
+  // They stand over the timeline: of many the oldest that only inform make room.
+  constexpr std::size_t atOnce = 3;
+  const auto oldest = std::ranges::find(ui.toasts, ToastKind::info, &Toast::kind);
+  if (ui.toasts.size() > atOnce && oldest + 1 < ui.toasts.end()) {
+    ui.toasts.erase(oldest);
   }
 }
 

@@ -77,6 +77,9 @@ void editSettings(PanelContext& context, const EditPhase& phase, const std::stri
 /// "24", "12.5": no decimals where none are needed.
 [[nodiscard]] std::string shortNumber(double value, int decimals = 2);
 
+/// Decimals of a field that shows a frame: none on a frame, two between frames.
+[[nodiscard]] int frameDecimals(double frame);
+
 /// How long the limb is at the trail's tip: straight distance from its base to its end, world units.
 struct TipLengths {
   double before = 0.0; ///< In the source clip.

@@ -160,6 +160,7 @@ EditPhase numberSlider(PanelContext& context, const std::string& id, const app::
                   .minimum = setting.row.minimum.value_or(setting.minimum),
                   .maximum = extras.maximum.value_or(setting.row.maximum.value_or(setting.maximum)),
                   .step = setting.kind == app::SettingKind::whole ? 1.0 : setting.row.step,
+                  .fineStep = setting.row.fineStep,
                   .decimals = decimalsOf(setting),
                   .prefix = setting.row.prefix.c_str(),
                   .suffix = suffix.c_str(),

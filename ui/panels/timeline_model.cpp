@@ -46,6 +46,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   bar.label = trailHeading(session.document(), trail);
   bar.selected = session.view().selectedTrail == trail.id;
   bar.active = trail.connected && !trail.applied;
+  bar.applied = trail.applied;
   return bar;
 }
 
@@ -87,7 +88,10 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.rangeIsDefault = session.view().rangeEnd < session.view().rangeStart;
   model.keyRows = keyRows(session, detail);
   model.snap = context.ui.timeline.snapToFrames;
-  const double rate = app::clipOf(document, clip).framesPerSecond;
+  const Clip& shown = app::clipOf(document, clip);
+  const double rate = shown.framesPerSecond;
+  model.loops = app::isLooping(document, clip);
+  model.turn = (shown.endSeconds - shown.startSeconds) * rate;
   for (const rig::Trail& trail : document.trails) {
     if (trail.clip == clip) {
       model.bars.push_back(barOf(session, trail, app::solvedTrail(session, trail.id), rate));

@@ -72,12 +72,29 @@ void tangentRow(PanelContext& context) {
 
 } // namespace
 
+namespace {
+
+/// Of the clip, not of the trail; it stands where its effect is looked for.
+void loopRow(PanelContext& context, int clip) {
+  const app::Document& document = context.character().document();
+  const bool loops = app::isLooping(document, clip);
+  const CommandInfo* const info = findCommand(context, command::clipLoop);
+  const Help help{"Clip loops", info == nullptr ? "" : info->help, keyOf(context, command::clipLoop)};
+  labelledRow(widgetsOf(context), "Clip loops", help);
+  if (toggle(widgetsOf(context), "trail/clip-loops", loops ? "On" : "Off", loops, help)) {
+    request(context, command::clipLoop);
+  }
+}
+
+} // namespace
+
 void releaseRows(PanelContext& context, const rig::Trail& trail) {
   const double rate = app::clipOf(context.character().document(), trail.clip).framesPerSecond;
   const double last = std::max(1.0, app::lastFrame(context.character().document(), trail.clip));
   const double solved = releaseFrames(app::solvedTrail(context.character(), trail.id), rate);
   trailRow(context, trail, "release", {}, {.automatic = solved, .maximum = last});
   trailSection(context, trail, "release", {}, {"release"});
+  loopRow(context, trail.clip);
 }
 
 void sphereRows(PanelContext& context, const rig::Trail& trail) {

@@ -6,6 +6,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/style_edits.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/way_back.h"
 #include "rig/motion/solve.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/trail_sections.h"
@@ -107,19 +108,40 @@ bool bodyTravels(const app::Document& document, const rig::SolvedTrail& solved) 
                             {solved.settings.startFrame, solved.settings.endFrame}) == rig::TrailSpace::root;
 }
 
-/// Looked for once the hand is off: every frame of the trail is posed for it. Nothing during a drag.
-LookState lookAt(PanelContext& context, const rig::SolvedTrail& solved) {
-  app::Session& session = context.character();
+LookState lookNow(const app::Document& document, std::shared_ptr<const rig::MotionState> motion,
+                  const rig::SolvedTrail& solved) {
+  LookState look;
+  look.trailId = solved.trail.id;
+  look.warnings = app::motionWarnings(document, *motion, solved, whatToLookAt(*motion, solved));
+  if (const auto wayBack = app::wayBackProblem(document, *motion, solved)) {
+    look.warnings.push_back(wayBack->what);
+    look.clipCouldLoop = wayBack->loopHelps;
+  }
+  look.bodyTravels = solved.settings.space == rig::TrailSpace::root && bodyTravels(document, solved);
+  look.motion = std::move(motion);
+  return look;
+}
+
+/// Every frame of the trail is posed for it, so during a drag it waits until the hand rests: what was found
+/// last stands until then.
+const LookState& lookAt(PanelContext& context, const rig::SolvedTrail& solved) {
+  constexpr double restSeconds = 0.25;
+  const app::Session& session = context.character();
   LookState& look = context.ui.look;
-  const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
-  if (session.isDragging()) {
-    return {};
+  const std::shared_ptr<const rig::MotionState> motion = context.character().sharedMotion();
+  if (look.motion == motion && look.trailId == solved.trail.id) {
+    return look;
   }
-  if (look.motion != motion || look.trailId != solved.trail.id) {
-    look = {motion, solved.trail.id,
-            app::motionWarnings(session.document(), *motion, solved, whatToLookAt(*motion, solved)),
-            solved.settings.space == rig::TrailSpace::root && bodyTravels(session.document(), solved)};
+  if (look.waiting != motion) {
+    look.waiting = motion;
+    look.waitingSince = ImGui::GetTime();
   }
+  if (session.isDragging() && ImGui::GetTime() - look.waitingSince < restSeconds) {
+    look = look.trailId == solved.trail.id ? look
+                                           : LookState{.waiting = motion, .waitingSince = look.waitingSince};
+    return look;
+  }
+  look = lookNow(session.document(), motion, solved);
   return look;
 }
 
@@ -138,10 +160,8 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
                   .showsFill = false,
                   .width = width};
   spec.help = {"First frame", "Drag, or click and type.", keyOf(context, command::rangeStart)};
-  // Between frames, as after a change of the rate, it says so.
-  const auto decimals = [](double frame) { return std::abs(frame - std::round(frame)) < 1e-3 ? 0 : 2; };
   double start = trail.settings.startFrame;
-  spec.decimals = decimals(start);
+  spec.decimals = frameDecimals(start); // After a change of the rate it may lie between frames.
   EditPhase phase = slider(widgets, spec, start);
   editSettings(context, phase, "Change the range",
                [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
@@ -149,7 +169,7 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
   spec.id = "trail/range-end";
   spec.help = {"Last frame", "Drag, or click and type.", keyOf(context, command::rangeEnd)};
   double end = trail.settings.endFrame;
-  spec.decimals = decimals(end);
+  spec.decimals = frameDecimals(end);
   phase = slider(widgets, spec, end);
   editSettings(context, phase, "Change the range",
                [&](TrailSettings& s) { s.endFrame = std::max(end, s.startFrame + 1.0); });
@@ -189,9 +209,15 @@ void tipMessages(PanelContext& context, int trailId) {
       notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
     }
   }
-  const LookState look = lookAt(context, *solved);
+  const LookState& look = lookAt(context, *solved);
+  const std::string limb = limbHeading(context.character().document(), solved->trail.limb);
   for (const std::string& warning : look.warnings) {
-    notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
+    notice(widgets, NoticeKind::warning, limb + ": " + warning + ".");
+  }
+  if (look.clipCouldLoop) {
+    commandButton(context, {.command = command::clipLoop,
+                            .text = "Let the clip loop",
+                            .width = ImGui::GetContentRegionAvail().x});
   }
   if (look.bodyTravels) {
     notice(widgets, NoticeKind::info,

@@ -20,6 +20,8 @@ namespace stretch::ui {
 
 namespace {
 
+constexpr float clipLoopWidth = 84.0F;
+
 void jumps(PanelContext& context) {
   const bool hasKeys = context.open.sequence() == nullptr;
   iconButton(context, command::timeStart, icon::toStart, "|<");
@@ -54,11 +56,19 @@ void loopSwitch(PanelContext& context) {
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
+/// Whether the clip is played as a loop: another thing than playing it again and again here.
+void clipLoopSwitch(PanelContext& context) {
+  commandButton(
+      context,
+      {.command = command::clipLoop, .emphasis = Emphasis::quiet, .width = context.theme.px(clipLoopWidth)});
+  ImGui::SameLine(0.0F, context.theme.unit());
+}
+
 void frameField(PanelContext& context, const ShownTime& time) {
   SliderSpec spec{.id = "timeline/frame",
                   .maximum = std::max(1.0, time.last),
                   .step = 1.0,
-                  .decimals = 0,
+                  .decimals = frameDecimals(*time.frame),
                   .showsFill = false,
                   .width = context.theme.px(56.0F)};
   spec.help = {"Frame", "Drag, or click and type the frame to go to.", {}};
@@ -205,6 +215,7 @@ void drawTransport(PanelContext& context) {
                              {theme.px(72.0F) + theme.unit(), [&] { speedChooser(context); }}};
   if (context.open.character() != nullptr) {
     parts.push_back({theme.px(84.0F) + theme.unit(), [&] { rateChooser(context); }});
+    parts.push_back({theme.px(clipLoopWidth) + theme.unit(), [&] { clipLoopSwitch(context); }});
     if (context.character().document().clips->size() > 1) {
       parts.push_back({theme.px(150.0F) + theme.unit(), [&] {
                          clipChooser(context, "timeline/clip", context.theme.px(150.0F));

@@ -102,7 +102,10 @@ struct LookState {
   std::shared_ptr<const rig::MotionState> motion; ///< Looked at in this one; null: not yet.
   int trailId = 0;
   std::vector<std::string> warnings;
-  bool bodyTravels = false; ///< Why a new trail there starts in the space root.
+  bool clipCouldLoop = false;                      ///< Marking the clip as a loop mends the way back.
+  std::shared_ptr<const rig::MotionState> waiting; ///< A newer one, while it still changes,
+  double waitingSince = 0.0;                       ///< seconds of the window's clock.
+  bool bodyTravels = false;                        ///< Why a new trail there starts in the space root.
 };
 
 /// Choosing joints from the skeleton tree: a limb's correction or a new chain.

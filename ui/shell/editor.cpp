@@ -126,6 +126,9 @@ void takeKeys(Editor& editor) {
   Shell& shell = editor.shell;
   shell.pressedKey.clear();
   for (const KeyInput& input : editor.window.input().keys) {
+    if (input.down) {
+      hideTooltip();
+    }
     const bool owned = widgetsTakeKeys(shell);
     if (!owned || !input.down) {
       dispatchKey(shell, input);
@@ -247,7 +250,8 @@ bool update(Editor& editor) {
   takeAnswers(editor);
   takeKeys(editor);
   const bool happened = input.anything || wasLoading || shell.ui.timeline.playing ||
-                        !shell.ui.toasts.empty() || isRunning(shell.tool) || editor.hand != nullptr;
+                        !shell.ui.toasts.empty() || isRunning(shell.tool) ||
+                        shell.viewport.tipWatch.secondsLeft > 0.0F || editor.hand != nullptr;
   input.clear();
   editor.liveUntil = happened ? now + liveSeconds : editor.liveUntil;
   return now < editor.liveUntil;

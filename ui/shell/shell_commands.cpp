@@ -8,6 +8,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/ranges.h"
@@ -17,6 +18,7 @@
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/stroke_news.h"
 
 namespace stretch::ui {
 
@@ -48,7 +50,9 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           command.help,
           command.keys,
           [command](const Shell& shell) { return app::isEnabled(command, shell.open); },
-          [command](Shell& shell) { return app::run(command, shell.open); }};
+          [command](Shell& shell) { return app::run(command, shell.open); },
+          command.needs,
+          command.otherwise};
 }
 
 /// What a command shows or hides; null for a command that does something else.
@@ -77,8 +81,19 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
 
 ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
                    std::function<bool(const Shell&)> enabled, std::function<Status(Shell&)> run) {
-  return {std::move(id),   std::move(label),   std::move(help),
-          std::move(keys), std::move(enabled), std::move(run)};
+  return {std::move(id),
+          std::move(label),
+          std::move(help),
+          std::move(keys),
+          std::move(enabled),
+          std::move(run),
+          {},
+          {}};
+}
+
+ShellCommand needing(const char* needs, ShellCommand command) {
+  command.needs = needs;
+  return command;
 }
 
 ShellCommand switchCommand(const char* id, const char* label, const char* help,
@@ -123,20 +138,12 @@ Status runGrab(Shell& shell) {
 
 namespace {
 
-/// Where the limb rests at the playhead, E takes its nearest stroke: that is said.
-std::string elsewhereText(const app::Session& session) {
-  const app::ViewState& view = session.view();
-  const rig::Trail* const trail = app::selectedTrail(session);
-  if (trail == nullptr) {
-    return {};
+/// Where E works, if the playhead is to go there.
+void goToTip(Shell& shell) {
+  app::Session& session = *shell.open.character();
+  if (const std::optional<double> tip = tipFrame(session, shell.tool); tip && shell.ui.exaggerateAtTip) {
+    session.view().frame = *tip;
   }
-  const rig::TrailSettings& settings = trail->settings;
-  const bool here = settings.startFrame - 0.5 <= view.frame && view.frame <= settings.endFrame + 0.5;
-  return here ? std::string()
-              : fmt::format(
-                    "At frame {:.4g} the {} rests: its nearest stroke, frames {:.4g} to {:.4g}, is taken",
-                    view.frame, app::limbTitle(session.document(), trail->limb), settings.startFrame,
-                    settings.endFrame);
 }
 
 } // namespace
@@ -145,13 +152,15 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
   const bool proposes = app::selectedTrail(session) == nullptr && !app::isRangeSet(session.view());
   const Status started = startExaggerate(session, shell.tool, choice);
-  if (const std::string text = started && proposes ? elsewhereText(session) : ""; !text.empty()) {
+  if (!started) {
+    return started;
+  }
+  const auto& tool = std::get<ExaggerateTool>(shell.tool);
+  if (const std::string text = proposes || tool.targets.madeLoop ? strokeNews(session, tool) : "";
+      !text.empty()) {
     tell(shell, ToastKind::info, text);
   }
-  if (const std::optional<double> tip = tipFrame(session, shell.tool);
-      started && tip && shell.ui.exaggerateAtTip) {
-    session.view().frame = *tip;
-  }
+  goToTip(shell);
   return started;
 }
 
@@ -256,20 +265,23 @@ std::vector<ShellCommand> fileCommands() {
 
 std::vector<ShellCommand> toolCommands() {
   return {
-      entry(command::trailExaggerate, "Exaggerate",
-            "Makes the trail if there is none, exaggerates it and connects the limb; "
-            "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-            {"E"}, hasLimb, beginExaggerating),
-      entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"}, hasSpheres,
-            runGrab),
+      needing("select a limb first: click one, or press its number",
+              entry(command::trailExaggerate, "Exaggerate",
+                    "Makes the trail if there is none, exaggerates it and connects the limb; "
+                    "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
+                    {"E"}, hasLimb, beginExaggerating)),
+      needing("select a control sphere first: click one, or go to it with Next sphere",
+              entry(command::sphereGrab, "Grab",
+                    "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
+                    hasSpheres, runGrab)),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, hasPicture,
             doing(showOriginal)),
       entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, hasFile,
             doing(pickChain)),
-      entry(command::trailRename, "Rename the trail", "Gives the selected trail a name of your own.", {"F2"},
-            hasTrail, doing(renameTrail)),
+      needing("select a trail first",
+              entry(command::trailRename, "Rename the trail", "Gives the selected trail a name of your own.",
+                    {"F2"}, hasTrail, doing(renameTrail))),
       entry(command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, doing(togglePlay)),
       switchCommand(command::timeEveryFrame, "Every frame",
                     "Playing shows each frame, however long it takes; else time runs as it is.", {}),
@@ -355,6 +367,8 @@ bool isChecked(const Shell& shell, std::string_view id) {
   const app::Session* const character = shell.open.character();
   const app::SequenceSession* const sequence = shell.open.sequence();
   return (id == command::timePlay && shell.ui.timeline.playing) ||
+         (id == command::clipLoop && character != nullptr &&
+          app::isLooping(character->document(), character->view().clip)) ||
          (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
          (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
          (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
@@ -413,6 +427,17 @@ void tellUndone(Shell& shell, std::string_view commandId, const std::string& lab
   tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
 }
 
+/// The trails that a command is going to apply; none for any other command.
+std::vector<int> trailsToApply(const Shell& shell, std::string_view commandId) {
+  const app::Session* const session = shell.open.character();
+  const bool one = commandId == command::trailApply;
+  const bool all = commandId == command::trailApplyAll;
+  return session == nullptr ? std::vector<int>()
+         : one              ? app::targetTrails(*session)
+         : all              ? app::waitingTrails(*session)
+                            : std::vector<int>();
+}
+
 /// "Undo: Change the scale".
 std::string labelNow(Shell& shell, const ShellCommand& command) {
   const std::string label = undoneLabel(shell, command.id);
@@ -428,14 +453,19 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
   finishWhatIsDragged(shell);
   if (!command->enabled(shell)) {
-    tell(shell, ToastKind::info, command->label + ": nothing to do this with now");
+    tell(shell, ToastKind::info,
+         command->label + ": " + (command->needs.empty() ? "nothing to do this with now" : command->needs));
     return;
   }
   const std::string undone = undoneLabel(shell, commandId);
+  const std::vector<int> applied = trailsToApply(shell, commandId);
   const Status done = command->run(shell);
   tellProblem(shell, done);
   if (done && !undone.empty()) {
     tellUndone(shell, commandId, undone);
+  }
+  if (done && !applied.empty()) {
+    tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));
   }
 }
 
@@ -456,6 +486,40 @@ bool widgetsOwnKeys(const Shell& shell) {
          ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
+namespace {
+
+/// What only moves the camera and leaves a running tool alone.
+bool looksOnly(std::string_view id) {
+  return id == command::viewFrameSelection;
+}
+
+/// The command of the key, or the one that the key means while that is off.
+std::string meantCommand(const Shell& shell, const app::Chord& chord) {
+  const std::string id = shell.keymap.commandOf(chord);
+  const ShellCommand* const command = findCommandOf(shell, id);
+  const bool other = command != nullptr && !command->otherwise.empty() && !command->enabled(shell);
+  return other ? command->otherwise : id;
+}
+
+/// A key of the tool; after one that took another stroke it is told where that is.
+void pressKeyOfTool(Shell& shell, const app::KeyPress& press) {
+  app::Session& session = *shell.open.character();
+  const std::optional<double> tip = tipFrame(session, shell.tool);
+  tellProblem(shell, pressToolKey(session, shell.tool, press));
+  const auto* const tool = std::get_if<ExaggerateTool>(&shell.tool);
+  if (tool == nullptr || app::typedLetter(press) != 'n') {
+    return;
+  }
+  if (tip == tipFrame(session, shell.tool)) {
+    tell(shell, ToastKind::info, "There is no other stroke that is free");
+    return;
+  }
+  goToTip(shell);
+  tell(shell, ToastKind::info, strokeReached(session, *tool));
+}
+
+} // namespace
+
 void dispatchKey(Shell& shell, const KeyInput& input) {
   const app::Chord& chord = input.press.chord;
   if (!input.down) {
@@ -465,11 +529,15 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
     }
     return;
   }
-  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
-    tellProblem(shell, pressToolKey(*shell.open.character(), shell.tool, input.press));
+  if (isRunning(shell.tool) && looksOnly(shell.keymap.commandOf(chord))) {
+    findCommandOf(shell, shell.keymap.commandOf(chord))->run(shell);
     return;
   }
-  const std::string commandId = shell.keymap.commandOf(chord);
+  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
+    pressKeyOfTool(shell, input.press);
+    return;
+  }
+  const std::string commandId = meantCommand(shell, chord);
   if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
     shell.open.character()->view().showOriginal = true;
     shell.heldKey = chord.key;

@@ -118,6 +118,7 @@ Status startExaggerate(app::Session& session, Tool& tool, app::OverlapChoice cho
   app::selectTrail(session, leading);
   session.view().selectedSpheres.clear();
   started.modal = app::beginExaggerate(trail.settings, defaultRelease(session, leading));
+  started.modal.hasStrokes = app::nextStroke(session, *targets, true).has_value();
   started.targets = std::move(targets).value();
   tool = std::move(started);
   return Success{};
@@ -188,6 +189,10 @@ Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbI
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press) {
   app::ModalOutcome outcome = app::ModalOutcome::running;
   if (auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
+    const bool plain = !press.chord.ctrl && !press.chord.alt;
+    if (plain && app::typedLetter(press) == 'n' && goToStroke(session, *exaggerate, !press.chord.shift)) {
+      return Success{};
+    }
     outcome = app::pressKey(exaggerate->modal, press);
   } else if (auto* grab = std::get_if<GrabTool>(&tool)) {
     outcome = app::pressKey(grab->modal, press);
@@ -229,6 +234,24 @@ Status turnFalloff(app::Session& session, Tool& tool, double steps) {
   const double radius = std::max(grab->falloffRadius, smallest) * std::pow(1.2, steps);
   grab->falloffRadius = radius < smallest ? 0.0 : std::min(radius, 10.0 * session.document().biped.height);
   return previewGrab(session, *grab);
+}
+
+bool goToStroke(app::Session& session, ExaggerateTool& tool, bool forwards) {
+  const std::optional<Vec2> range = app::nextStroke(session, tool.targets, forwards);
+  const Result<app::ExaggerateTargets> moved =
+      range ? app::movedTo(session, tool.targets, *range) : Result<app::ExaggerateTargets>(Error{});
+  if (!moved) {
+    return false;
+  }
+  tool.targets = *moved;
+  const rig::TrailSettings& there = app::findTrail(moved->document, moved->trailIds.front())->settings;
+  tool.modal.settings.stopAt = there.stopAt;
+  tool.modal.settings.space = there.space;
+  if (!previewExaggerate(session, tool)) {
+    return false;
+  }
+  tool.modal.defaultReleaseFrames = defaultRelease(session, moved->trailIds.front());
+  return true;
 }
 
 std::optional<double> tipFrame(const app::Session& session, const Tool& tool) {

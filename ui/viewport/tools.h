@@ -75,6 +75,10 @@ Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const 
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);
 
+/// Another stroke for the trails that E made, the next one in time or the one before: the working range goes
+/// along. False where there is none.
+bool goToStroke(app::Session& session, ExaggerateTool& tool, bool forwards);
+
 /// The frame of the tip of the trail that E works on; nothing outside of E.
 [[nodiscard]] std::optional<double> tipFrame(const app::Session& session, const Tool& tool);
 

@@ -53,7 +53,7 @@ std::vector<LegendRow> legendRows(const ViewportContext& context) {
     rows.push_back({originalTrailColour, LegendMark::dashes, "original path"});
   }
   if (lit != nullptr && lit->exaggerated) {
-    rows.push_back({trailColour(lit->colour), LegendMark::line, "exaggerated"});
+    rows.push_back({trailColour(lit->colour), LegendMark::line, lit->applied ? "applied" : "exaggerated"});
   }
   const Palette palette = paletteOf(context.theme.kind);
   if (context.ui.overlays.ghosts) {

@@ -177,18 +177,34 @@ void clickRight(ViewportContext& context) {
   askForMenu(context.ui, target);
 }
 
+/// A click beside everything lets go: of the spheres, and with none selected of all.
+void clickNothing(app::Session& session) {
+  app::ViewState& view = session.view();
+  if (view.selectedSpheres.empty()) {
+    view.selectedLimbs.clear();
+    app::selectTrail(session, 0);
+  }
+  view.selectedSpheres.clear();
+}
+
 void selectInBox(ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();
   const Vec2 low = glm::min(viewport.pressPixels, viewport.mousePixels);
   const Vec2 high = glm::max(viewport.pressPixels, viewport.mousePixels);
+  const bool add = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+  if (glm::distance(low, high) < boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint) {
+    if (!add) {
+      clickNothing(session);
+    }
+    return;
+  }
   std::vector<double>& selected = session.view().selectedSpheres;
-  if (!ImGui::GetIO().KeyShift) {
+  if (!add) {
     selected.clear();
   }
   const ShownTrail* trail = findShown(viewport.shown, session.view().selectedTrail);
-  if (trail == nullptr ||
-      glm::distance(low, high) < boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint) {
+  if (trail == nullptr) {
     return;
   }
   for (const app::PlacedSphere& sphere : trail->spheres) {

@@ -162,9 +162,8 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   handleViewportMouse(context, hovered, held);
   updateView(context);
   updateShown();
-  const std::optional<double> tip = tipFrame(*context.open.character(), context.tool);
-  const bool elsewhere = tip && std::abs(*tip - context.open.character()->view().frame) > 0.5;
-  viewport.tipFrame = elsewhere ? tip : std::nullopt;
+  viewport.tipFrame = tipGhostFrame(context);
+  tellTipOutOfView(context);
   drawScene(context, gpu, picture);
 }
 

@@ -7,6 +7,7 @@
 #include "ui/viewport/limb_hover.h"
 #include "ui/viewport/shown_trails.h"
 #include "ui/viewport/tangent_handles.h"
+#include "ui/viewport/tip_watch.h"
 #include "ui/widgets/control.h"
 
 namespace stretch::ui {
@@ -43,7 +44,8 @@ struct ViewportState {
   std::string hoveredLimb;
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
   LimbHover limbs;
-  std::optional<double> tipFrame; ///< Of the trail that E works on, when the playhead is elsewhere.
+  std::optional<double> tipFrame; ///< Whose pose stands as a ghost (tipGhostFrame).
+  TipWatch tipWatch;
 };
 
 } // namespace stretch::ui

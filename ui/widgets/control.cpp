@@ -94,7 +94,8 @@ Control takePlace(const WidgetContext& context, std::string_view id, const ImVec
 }
 
 void tooltipNow(const WidgetContext& context, const Help& help) {
-  if (help.title.empty() && help.text.empty() && help.keyText.empty()) {
+  const bool empty = help.title.empty() && help.text.empty() && help.keyText.empty();
+  if (empty || ImGui::GetCurrentContext()->HoveredIdTimer < 0.0F) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, tooltipPadding(context.theme));
@@ -115,6 +116,12 @@ void tooltipNow(const WidgetContext& context, const Help& help) {
   ImGui::PopFont();
   ImGui::EndTooltip();
   ImGui::PopStyleVar(4);
+}
+
+void hideTooltip() {
+  // Dear ImGui counts on from here, and from 0 again on the next widget.
+  constexpr float longSeconds = 1e6F;
+  ImGui::GetCurrentContext()->HoveredIdTimer = -longSeconds;
 }
 
 void tooltip(const WidgetContext& context, const Help& help) {

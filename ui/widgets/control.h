@@ -64,6 +64,8 @@ struct Control {
 void tooltip(const WidgetContext& context, const Help& help);
 /// The same at the mouse, for anything that says itself that it is hovered; shown at once.
 void tooltipNow(const WidgetContext& context, const Help& help);
+/// Hides the tooltip that stands, or would come, until the mouse rests on another widget: a key was pressed.
+void hideTooltip();
 
 /// Where a tooltip of a widget goes, so that it covers neither the widget nor the rows below: beside an
 /// upright panel, level with the widget; above the widget in a flat one; below it only where nothing else is

@@ -15,7 +15,8 @@ namespace stretch::ui {
 namespace {
 
 double snapped(const SliderSpec& spec, double value) {
-  const double stepped = spec.step > 0.0 ? std::round(value / spec.step) * spec.step : value;
+  const double step = ImGui::GetIO().KeyShift && spec.fineStep > 0.0 ? spec.fineStep : spec.step;
+  const double stepped = step > 0.0 ? std::round(value / step) * step : value;
   return std::clamp(stepped, spec.minimum, spec.maximum);
 }
 

@@ -15,7 +15,8 @@ struct SliderSpec {
   std::string id;
   double minimum = 0.0;
   double maximum = 1.0;
-  double step = 0.01; ///< Dragged values are multiples of it.
+  double step = 0.01;    ///< Dragged values are multiples of it,
+  double fineStep = 0.0; ///< or with Shift of this; 0: of the step.
   int decimals = 2;
   const char* prefix = "";
   const char* suffix = "";

@@ -18,7 +18,8 @@ struct TimelineBar {
   ImU32 colour = 0;
   std::string label = {};
   bool selected = false;
-  bool active = false; ///< The character follows it, and the artist is not done with it.
+  bool active = false;  ///< The character follows it, and the artist is not done with it.
+  bool applied = false; ///< The artist is done with it.
 };
 
 /// A row of keys, for the dope sheet.
@@ -37,6 +38,8 @@ struct TimelineModel {
   std::vector<KeyRow> keyRows;
   std::vector<TimelineBar> bars;
   std::vector<double> spheres; ///< Frames of the selected trail's control spheres.
+  bool loops = false;          ///< After the clip's end its start comes again: a release goes on there.
+  double turn = 0.0;           ///< Frames from one start to the next.
   bool snap = true;            ///< Frames that the mouse sets are whole ones.
 };
 

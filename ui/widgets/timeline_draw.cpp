@@ -55,6 +55,20 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
   }
 }
 
+/// Arrows at the seam of a loop: out at the clip's end, in at its start.
+void drawSeam(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
+  const Theme& theme = context.theme;
+  const float reach = theme.px(7.0F);
+  const float middle = layout.ruler.min.y + theme.px(9.0F);
+  for (const float x : {layout.frames.toPixel(model.clip.start) - reach,
+                        layout.frames.toPixel(model.clip.end) + theme.px(1.0F)}) {
+    if (model.loops && x >= layout.track.min.x && x + reach <= layout.track.max.x) {
+      ImGui::GetWindowDrawList()->AddTriangleFilled({x, middle - 0.7F * reach}, {x + reach, middle},
+                                                    {x, middle + 0.7F * reach}, theme.colours.accent);
+    }
+  }
+}
+
 void drawRange(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
   const Theme& theme = context.theme;
   const float left = layout.frames.toPixel(model.range.start);
@@ -102,29 +116,64 @@ void drawKeys(const WidgetContext& context, const Layout& layout, const Timeline
   }
 }
 
+/// A release from the bar's edge `from` to `to`, later or earlier: it fades. On a loop what lies past the
+/// clip's end stands at its start, and the other way round.
+void drawRelease(const Layout& layout, const TimelineModel& model, const Rect& box, const TimelineBar& bar,
+                 double from, double to) {
+  const double length = to - from;
+  if (std::abs(length) < 1e-6) {
+    return;
+  }
+  const float strength = bar.active ? 0.45F : 0.25F;
+  const auto piece = [&](double near, double far, double shift) {
+    const auto tint = [&](double frame) {
+      return faded(bar.colour, 0.02F + strength * static_cast<float>((to - frame) / length));
+    };
+    const float x0 = layout.frames.toPixel(near + shift);
+    const float x1 = layout.frames.toPixel(far + shift);
+    const ImU32 left = tint(near < far ? near : far);
+    const ImU32 right = tint(near < far ? far : near);
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
+        {std::min(x0, x1), box.min.y}, {std::max(x0, x1), box.max.y}, left, right, right, left);
+  };
+  const double seam = length > 0.0 ? model.clip.end : model.clip.start;
+  const bool crosses = model.loops && (length > 0.0 ? to > seam : to < seam);
+  piece(from, crosses ? seam : to, 0.0);
+  if (crosses) {
+    piece(seam, to, length > 0.0 ? -model.turn : model.turn);
+  }
+}
+
+/// On a bar of a trail that was applied.
+void drawCheck(const Theme& theme, const Rect& box, ImU32 colour) {
+  const ImVec2 at{box.max.x - theme.px(14.0F), box.centre().y};
+  const ImVec2 points[] = {{at.x - theme.px(4.0F), at.y},
+                           {at.x - theme.px(1.0F), at.y + theme.px(3.5F)},
+                           {at.x + theme.px(5.0F), at.y - theme.px(4.0F)}};
+  if (box.width() > theme.px(26.0F)) {
+    ImGui::GetWindowDrawList()->AddPolyline(points, 3, colour, ImDrawFlags_None, theme.px(2.0F));
+  }
+}
+
 void drawBar(const WidgetContext& context, const Layout& layout, const TimelineModel& model,
              std::size_t row) {
   const Theme& theme = context.theme;
   const TimelineBar& bar = model.bars[row];
   const Rect box = barBox(theme, layout, model, row, {bar.start, bar.end});
-  const Rect whole = barBox(theme, layout, model, row, {bar.windowStart, bar.windowEnd});
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float strength = bar.active ? 0.55F : 0.28F;
   const ImU32 fill = mixed(theme.colours.sunken, bar.colour, strength);
-  const ImU32 clear = faded(bar.colour, 0.02F);
-  const ImU32 tail = faded(bar.colour, bar.active ? 0.45F : 0.25F);
   list->PushClipRect(layout.track.min, layout.track.max, true); // The names stand left of it.
-  if (whole.max.x > box.max.x) {
-    list->AddRectFilledMultiColor({box.max.x, box.min.y}, whole.max, tail, clear, clear, tail);
-  }
-  if (whole.min.x < box.min.x) {
-    list->AddRectFilledMultiColor(whole.min, {box.min.x, box.max.y}, clear, tail, tail, clear);
-  }
+  drawRelease(layout, model, box, bar, bar.end, bar.windowEnd);
+  drawRelease(layout, model, box, bar, bar.start, bar.windowStart);
   list->AddRectFilled(box.min, box.max, fill, theme.corner());
   list->AddRect(box.min, box.max, bar.selected ? theme.colours.text : bar.colour, theme.corner(),
                 ImDrawFlags_None, theme.px(bar.selected ? 1.5F : 1.0F));
   for (const double frame : bar.selected ? model.spheres : std::vector<double>{}) {
     list->AddCircleFilled({layout.frames.toPixel(frame), box.centre().y}, theme.px(3.0F), theme.colours.text);
+  }
+  if (bar.applied) {
+    drawCheck(theme, box, theme.colours.text);
   }
   list->PopClipRect();
   const Rect label{{layout.labelLeft + theme.unit(), box.min.y},
@@ -214,6 +263,7 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
   list->AddRectFilled(layout.box.min, layout.box.max, context.theme.colours.sunken, context.theme.corner());
   list->PushClipRect(layout.box.min, layout.box.max, true);
   drawRuler(context, layout, model);
+  drawSeam(context, layout, model);
   drawRange(context, layout, model);
   drawKeys(context, layout, model);
   for (std::size_t row = 0; row < model.bars.size(); ++row) {

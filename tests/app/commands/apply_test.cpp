@@ -2,9 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/edits/rate_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
@@ -44,6 +46,32 @@ TEST_CASE("An applied trail shows its new keys, until it is changed") {
   changed.scale = 2.0;
   REQUIRE(session.edit(*setTrailSettings(session.document(), 1, changed), "Change the scale"));
   CHECK(shownKeyFrames(session, {"left-arm"}) == source);
+}
+
+TEST_CASE("What applying came to is told: the limb, its frames with the way back, and the keys there") {
+  Session session(withTrail(test::boxer(), "left-arm", true));
+  session.view().selectedLimbs = {"left-arm"};
+  session.view().selectedTrail = 1;
+  REQUIRE(run(session, command::trailApply));
+  const std::vector<double> keys = shownKeyFrames(session, {"left-arm"});
+  const auto inside =
+      std::count_if(keys.begin(), keys.end(), [](double frame) { return frame >= 4.99 && frame <= 20.01; });
+  CHECK(appliedText(session, {1}) == "left arm, frames 5 to 20: " + std::to_string(inside) + " keys");
+}
+
+TEST_CASE("Next key stops at each key, between the frames of the rate that the clip is worked on too") {
+  Session session(workAtRate(test::boxer(), 0, 24.0));
+  session.view().selectedLimbs = {"left-arm"};
+  std::vector<double> stops;
+  for (int i = 0; i < 4; ++i) {
+    REQUIRE(run(session, command::timeNextKey));
+    stops.push_back(session.view().frame);
+  }
+  CHECK(stops == std::vector<double>{4.0, 8.0, 16.0, 16.0});
+  session.edit(workAtRate(session.document(), 0, 25.0), "Change the frame rate");
+  session.view().frame = 0.0;
+  REQUIRE(run(session, command::timeNextKey));
+  CHECK(session.view().frame == Approx(25.0 / 6.0).margin(1e-3));
 }
 
 TEST_CASE("Apply all is one step for every connected trail of the clip, and leaves disconnected ones out") {

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "app/commands/ranges.h"
 #include "app/edits/rate_edits.h"
 #include "app/files/save.h"
 #include "rig/motion/stroke.h"
@@ -27,6 +28,24 @@ TEST_CASE("The stroke of a punch goes from where the arm is wound up to where it
   CHECK(strokeOf(*opened, "right-arm", 41.0).y == 43.0);
   // Back again is another stroke.
   CHECK(strokeOf(*opened, "left-arm", 31.0).x >= 27.0);
+}
+
+TEST_CASE("At the clip's start, where nobody looked for a stroke yet, the strongest one is proposed") {
+  Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  const rig::Limb arm = *findLimb(*opened, "left-arm");
+  Session session(std::move(opened).value());
+  CHECK(proposedRange(session, arm) == Vec2(21.0, 27.0));
+  session.view().frame = 31.0;
+  CHECK(proposedRange(session, arm).x >= 27.0);
+}
+
+TEST_CASE("Between strokes the strongest near the playhead counts, not the nearest") {
+  const std::vector<rig::Stroke> strokes{{0.0, 4.0, 0.3, 1.0}, {8.0, 12.0, 1.0, 6.0}};
+  CHECK(rig::strokeAt(strokes, 5.0)->startFrame == 0.0);
+  CHECK(rig::strokeAt(strokes, 5.0, 4.0)->startFrame == 8.0);
+  CHECK(rig::strokeAt(strokes, 3.0, 4.0)->startFrame == 0.0);
+  CHECK(rig::strongestStroke(strokes)->startFrame == 8.0);
 }
 
 TEST_CASE("A stroke is the same at any frame rate, and a limb that rests makes none") {

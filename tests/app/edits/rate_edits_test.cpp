@@ -162,7 +162,9 @@ TEST_CASE("Playhead and range stay where they are in time when the rate changes,
   CHECK(session.view().rangeEnd == 10.0);
 }
 
-TEST_CASE("Worked on at 24, a clip of 60 frames per second is stepped, keyed and stretched on whole frames") {
+TEST_CASE(
+    "Worked on at 24, a clip of 60 frames per second is stepped and stretched on whole frames, and each "
+    "of its keys is reached") {
   Session session(motionCapture(2320));
   REQUIRE(runCommand(session, "clip.rate-24"));
   CHECK(lastFrame(session.document(), 0) == 928.0);
@@ -170,9 +172,13 @@ TEST_CASE("Worked on at 24, a clip of 60 frames per second is stepped, keyed and
   selectLimb(session, "left-arm", false);
   session.view().frame = 40.0;
   REQUIRE(runCommand(session, "time.next-key"));
-  CHECK(session.view().frame == 41.0);
+  CHECK(session.view().frame == Approx(40.4));
   REQUIRE(runCommand(session, "time.previous-key"));
   CHECK(session.view().frame == 40.0);
+  session.view().frame = 40.4;
+  REQUIRE(runCommand(session, "time.forward"));
+  CHECK(session.view().frame == 41.0);
+  session.view().frame = 40.0;
   const Result<ExaggerateTargets> made = exaggerateTargets(session);
   REQUIRE(made);
   session.edit(made->document, "Exaggerate");

@@ -117,6 +117,29 @@ TEST_CASE("the default release of a densely keyed clip is a third of the range, 
   CHECK(solved(moving, {connectedTrail("left-arm", 6, 24, 2.0)}).trails.front().release.seconds() == 0.0);
 }
 
+TEST_CASE("the default release takes the limb back no faster than it came, and ends on a frame") {
+  MovingBiped moving = punchingBiped();
+  moving.clip = keyedOnEveryFrame(moving.clip);
+  const Trail trail = connectedTrail("left-arm", 9, 12, 4.0);
+  const MotionState motion = solved(moving, {trail});
+  const Limb& arm = moving.limb("left-arm");
+  const auto reachAt = [&](double frame) {
+    const FrameState pose = atFrame(moving, motion, frame);
+    return endPosition(arm, pose.worlds) - positionOf(pose.worlds[at(arm.joints.front())]);
+  };
+  const auto fastest = [&](double from, double to) {
+    double most = 0.0;
+    for (double frame = from; frame < to; frame += 1.0) {
+      most = std::max(most, glm::length(reachAt(frame + 1.0) - reachAt(frame)));
+    }
+    return most;
+  };
+  const double release = motion.trails.front().release.seconds() * 24.0;
+  CHECK(release > 1.5); // A third of the range is a single frame.
+  CHECK(release == Approx(std::round(release)));
+  CHECK(fastest(12.0, 12.0 + release) < 1.15 * fastest(9.0, 12.0)); // The arm goes back by itself as well.
+}
+
 TEST_CASE("a release of no length gives the source back right after the tip") {
   const MovingBiped moving = punchingBiped();
   Trail trail = connectedTrail("left-arm", 0, 12, 2.0);

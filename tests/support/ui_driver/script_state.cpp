@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
@@ -206,6 +207,9 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
+      {"loops", [&] { return yesNo(app::isLooping(session.document(), view.clip)); }},
+      {"warnings", [&] { return std::to_string(shell.ui.look.warnings.size()); }},
+      {"tip-ghost", [&] { return shell.viewport.tipFrame ? number(*shell.viewport.tipFrame) : "none"; }},
       {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session)); }},
       {"weight.limbs", [&] { return heavyLimbs(session); }},
       {"weight.stiffness", [&] { return heavyStiffness(session); }},
@@ -245,6 +249,14 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// In the frame before.
+bool showsTooltip() {
+  const auto& windows = ImGui::GetCurrentContext()->Windows;
+  return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* window) {
+    return window->WasActive && !window->Hidden && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
+  });
 }
 
 /// The file that the dialog's list stands on, as its facts tell of it.
@@ -289,6 +301,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
+      {"tooltip", yesNo(showsTooltip())},
       {"camera.distance", number(shell.viewport.camera.distance)},
       {"camera.yaw", number(shell.viewport.camera.yawRadians)},
   };

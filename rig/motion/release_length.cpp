@@ -1,0 +1,103 @@
+#include "rig/motion/release_length.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "rig/motion/range_offset.h"
+#include "rig/motion/solve_steps.h"
+
+namespace stretch::rig {
+
+namespace {
+
+bool isForwards(const SolvedTrail& solved) {
+  return solved.settings.pivot == Pivot::start;
+}
+
+// Of the limb's end on its exaggerated path, seen from its base: units per second, over half a frame and
+// more.
+double fastestStroke(const SolvedTrail& solved, double framesPerSecond) {
+  double fastest = 0.0;
+  double lastSeconds = 0.0;
+  std::optional<Vec3> last;
+  for (const LimbSample& sample : solved.path.samples) {
+    const double passed = sample.timeSeconds - lastSeconds;
+    if (last && passed < 0.5 / framesPerSecond) {
+      continue;
+    }
+    const double weight = solved.remap.at(solved.path.ratioAt(sample.timeSeconds));
+    const Vec3 reach =
+        sample.end - sample.base + rangeOffset(solved, sample, sample.timeSeconds * framesPerSecond, weight);
+    fastest = last ? std::max(fastest, glm::length(reach - *last) / passed) : fastest;
+    last = reach;
+    lastSeconds = sample.timeSeconds;
+  }
+  return fastest;
+}
+
+// The decay is at most 1.5 times as steep as a straight one, steeper where it swings past the original.
+double calmSeconds(const SolvedTrail& solved, double framesPerSecond) {
+  const double fastest = fastestStroke(solved, framesPerSecond);
+  const double offset =
+      glm::length(rangeOffset(solved, tipSample(solved), solved.tipSeconds * framesPerSecond, 1.0));
+  return fastest > 0.0 ? 1.5 * (1.0 + solved.settings.overshoot) * offset / fastest : 0.0;
+}
+
+// So much longer that the release ends on a frame.
+double toWholeFrame(const SolvedTrail& solved, double seconds, double framesPerSecond) {
+  constexpr double rounding = 1e-3; // frames
+  const double direction = isForwards(solved) ? 1.0 : -1.0;
+  const double edge = (direction * solved.tipSeconds + seconds) * framesPerSecond;
+  return std::max(0.0, std::ceil(edge - rounding) / framesPerSecond - direction * solved.tipSeconds);
+}
+
+// To the limb's next key; nothing on a densely keyed clip, or where no key follows.
+std::optional<double> toNextKey(const Clip& clip, const SolvedTrail& solved,
+                                const std::vector<NodeIndex>& nodes) {
+  const std::vector<double> keys = keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds);
+  if (isDenselyKeyed(keys, clip.startSeconds, clip.endSeconds, clip.framesPerSecond)) {
+    return std::nullopt;
+  }
+  constexpr double later = 1e-5;
+  const auto next = std::upper_bound(keys.begin(), keys.end(), solved.tipSeconds + later);
+  const auto before = std::lower_bound(keys.begin(), keys.end(), solved.tipSeconds - later);
+  if (isForwards(solved)) {
+    return next == keys.end() ? std::nullopt : std::optional(*next - solved.tipSeconds);
+  }
+  return before == keys.begin() ? std::nullopt : std::optional(solved.tipSeconds - *(before - 1));
+}
+
+double roomFor(const MotionInput& input, const SolvedTrail& solved) {
+  const Clip& clip = *input.clip;
+  const double inside = isForwards(solved) ? clip.endSeconds - solved.endSeconds
+                                           : solved.startSeconds - std::min(0.0, clip.startSeconds);
+  const double room = input.loops ? clip.endSeconds - clip.startSeconds : inside;
+  return std::max(0.0, std::min(room, longestFrames / clip.framesPerSecond));
+}
+
+} // namespace
+
+ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved,
+                            const std::vector<NodeIndex>& nodes) {
+  const Clip& clip = *input.clip;
+  ReleaseLength length;
+  length.calmSeconds = calmSeconds(solved, clip.framesPerSecond);
+  if (solved.settings.releaseFrames) {
+    length.wantedSeconds = *solved.settings.releaseFrames / clip.framesPerSecond;
+  } else {
+    const std::optional<double> nextKey = toNextKey(clip, solved, nodes);
+    const double usual = nextKey.value_or((solved.endSeconds - solved.startSeconds) / 3.0);
+    constexpr double hardlyFaster = 0.75; // The artist's own key is worth that much.
+    const bool isLongEnough = nextKey && *nextKey >= hardlyFaster * length.calmSeconds;
+    length.wantedSeconds =
+        isLongEnough ? usual
+                     : toWholeFrame(solved, std::max(usual, length.calmSeconds), clip.framesPerSecond);
+  }
+  length.seconds = std::clamp(length.wantedSeconds, 0.0, roomFor(input, solved));
+  return length;
+}
+
+} // namespace stretch::rig

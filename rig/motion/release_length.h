@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "rig/motion/motion.h"
+#include "rig/motion/solve.h"
+
+namespace stretch::rig {
+
+/// How long a trail's way back to the clip's own motion takes (docs/exaggeration.md, Release).
+struct ReleaseLength {
+  double seconds = 0.0;       ///< As used: within the clip unless that loops.
+  double wantedSeconds = 0.0; ///< Without that limit.
+  double calmSeconds = 0.0;   ///< From this on the limb's end goes back no faster than it came.
+};
+
+/// `solved` with its path, tip, remap and spheres; `nodes`: the limb's joints and its end.
+[[nodiscard]] ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved,
+                                          const std::vector<NodeIndex>& nodes);
+
+} // namespace stretch::rig

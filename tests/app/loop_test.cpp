@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/exaggerate.h"
+#include "app/commands/ranges.h"
+#include "app/edits/trail_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "app/evaluate/way_back.h"
+#include "app/session.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// The boxer with a clip that ends as it begins.
+Document shadowBoxer() {
+  Document document = test::boxer();
+  std::vector<Clip> clips = *document.clips;
+  clips.front().tracks.front().edit(
+      [](Track& turn) { std::copy(turn.values.begin(), turn.values.begin() + 4, turn.values.end() - 4); });
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  return document;
+}
+
+Document withTrailTo(const Document& document, double startFrame, double endFrame) {
+  return test::withNewTrail(document, {.startFrame = startFrame, .endFrame = endFrame, .scale = 3.0});
+}
+
+std::optional<WayBackProblem> problemOf(const Document& document) {
+  const rig::MotionState motion = prepareMotion(document, 0);
+  return wayBackProblem(document, motion, motion.trails.front());
+}
+
+Result<ExaggerateTargets> exaggeratedOver(Session& session, double start, double end) {
+  session.view().selectedLimbs = {"left-arm"};
+  session.view().rangeStart = start;
+  session.view().rangeEnd = end;
+  return exaggerateTargets(session);
+}
+
+} // namespace
+
+TEST_CASE("A clip whose last pose is its first can loop, however far the body got; another one cannot") {
+  CHECK(endsMeet(shadowBoxer(), 0));
+  CHECK_FALSE(endsMeet(test::boxer(), 0));
+}
+
+TEST_CASE(
+    "A stretch that ends at the seam of a clip that could loop is told, and marking the loop mends it") {
+  const Document cut = withTrailTo(shadowBoxer(), 10.0, 20.0);
+  const auto problem = problemOf(cut);
+  REQUIRE(problem);
+  CHECK(problem->loopHelps);
+  CHECK_THAT(problem->what, Contains("last pose is its first") && Contains("at the seam"));
+  const Document looped = setLooping(cut, 0, true);
+  CHECK_FALSE(problemOf(looped));
+  const rig::MotionState motion = prepareMotion(looped, 0);
+  CHECK(motion.trails.front().release.seconds() > 0.0);
+}
+
+TEST_CASE("A way back that the clip's end cuts short is told; a stretch that lasts to the end is held") {
+  const auto problem = problemOf(withTrailTo(test::boxer(), 5.0, 19.5));
+  REQUIRE(problem);
+  CHECK_FALSE(problem->loopHelps);
+  CHECK_THAT(problem->what, Contains("snaps back") && Contains("end the range earlier"));
+  CHECK_FALSE(problemOf(withTrailTo(test::boxer(), 5.0, 20.0)));
+  CHECK_FALSE(problemOf(withTrailTo(test::boxer(), 0.0, 10.0)));
+}
+
+TEST_CASE("The first trail that needs it marks a clip whose ends meet as a loop, in the same step") {
+  Session session(shadowBoxer());
+  const auto early = exaggeratedOver(session, 0.0, 10.0);
+  REQUIRE(early);
+  CHECK_FALSE(early->madeLoop);
+  const auto late = exaggeratedOver(session, 10.0, 20.0);
+  REQUIRE(late);
+  CHECK(late->madeLoop);
+  REQUIRE(session.edit(late->document, "Exaggerate"));
+  CHECK(isLooping(session.document(), 0));
+  session.undo();
+  CHECK_FALSE(isLooping(session.document(), 0));
+  CHECK(session.document().trails.empty());
+}
+
+TEST_CASE("What was decided about the loop is not decided again, and other clips are left alone") {
+  Session decided(withTrailTo(shadowBoxer(), 0.0, 5.0));
+  const auto second = exaggeratedOver(decided, 10.0, 20.0);
+  REQUIRE(second);
+  CHECK_FALSE(second->madeLoop);
+  Session open(test::boxer());
+  const auto held = exaggeratedOver(open, 10.0, 20.0);
+  REQUIRE(held);
+  CHECK_FALSE(held->madeLoop);
+}
+
+TEST_CASE("The strokes of a limb are gone through, round and round, by trails that were made just now") {
+  Session session(test::boxer());
+  session.view().selectedLimbs = {"left-arm"};
+  const Result<ExaggerateTargets> made = exaggerateTargets(session);
+  REQUIRE(made);
+  CHECK(findTrail(made->document, made->trailIds.front())->settings.endFrame == 10.0); // The stronger one.
+  const std::optional<Vec2> back = nextStroke(session, *made, true);
+  REQUIRE(back);
+  CHECK(*back == Vec2(10.0, 20.0));
+  const Result<ExaggerateTargets> moved = movedTo(session, *made, *back);
+  REQUIRE(moved);
+  CHECK(findTrail(moved->document, moved->trailIds.front())->settings.startFrame == 10.0);
+  CHECK(nextStroke(session, *moved, true) == std::optional(Vec2(0.0, 10.0)));
+  CHECK(nextStroke(session, *moved, false) == std::optional(Vec2(0.0, 10.0)));
+  session.edit(made->document, "Exaggerate");
+  CHECK_FALSE(nextStroke(session, *made, true)); // That trail may have been worked on.
+}
