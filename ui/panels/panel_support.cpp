@@ -46,7 +46,7 @@ void carry(PanelContext& context, app::Editing<Document>& session, const EditPha
   if (phase.changed) {
     Result<Document> changed = change(session.atBegin());
     if (!changed) {
-      tell(context.ui, ToastKind::warning, changed.error().line());
+      tell(context.ui, ToastKind::warning, errorLine(context.open, changed.error()));
     } else {
       if (!session.isDragging()) {
         session.begin(label);
@@ -134,7 +134,7 @@ void editSequence(PanelContext& context, const EditPhase& phase, const std::stri
 
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed) {
   if (!changed) {
-    tell(context.ui, ToastKind::warning, changed.error().line());
+    tell(context.ui, ToastKind::warning, errorLine(context.open, changed.error()));
     return;
   }
   if (context.character().isDragging()) {
@@ -269,10 +269,22 @@ void tell(UiState& ui, ToastKind kind, const std::string& text) {
   }
 }
 
-void tellProblem(UiState& ui, const Status& status) {
-  if (!status) {
-    tell(ui, ToastKind::error, status.error().line());
+std::string errorLine(const app::OpenDocument& open, Error error) {
+  const app::Session* const session = open.character();
+  if (session != nullptr && app::findLimb(session->document(), error.where) != nullptr) {
+    error.where = limbHeading(session->document(), error.where);
   }
+  return error.line();
+}
+
+void tellProblem(UiState& ui, const app::OpenDocument& open, const Status& status) {
+  if (!status) {
+    tell(ui, ToastKind::error, errorLine(open, status.error()));
+  }
+}
+
+void tellProblem(PanelContext& context, const Status& status) {
+  tellProblem(context.ui, context.open, status);
 }
 
 } // namespace stretch::ui

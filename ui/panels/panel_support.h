@@ -95,7 +95,11 @@ struct TipLengths {
 /// twice.
 void tell(UiState& ui, ToastKind kind, const std::string& text);
 
+/// The error in one line that calls a limb what people call it: "Left arm", never "left-arm".
+[[nodiscard]] std::string errorLine(const app::OpenDocument& open, Error error);
+
 /// An error as a toast; nothing for success.
-void tellProblem(UiState& ui, const Status& status);
+void tellProblem(UiState& ui, const app::OpenDocument& open, const Status& status);
+void tellProblem(PanelContext& context, const Status& status);
 
 } // namespace stretch::ui

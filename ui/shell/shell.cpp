@@ -29,7 +29,7 @@ void tell(Shell& shell, ToastKind kind, const std::string& text) {
 }
 
 void tellProblem(Shell& shell, const Status& status) {
-  tellProblem(shell.ui, status);
+  tellProblem(shell.ui, shell.open, status);
 }
 
 } // namespace stretch::ui

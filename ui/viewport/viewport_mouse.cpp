@@ -80,7 +80,7 @@ void selectSphere(app::Session& session, double frame, bool add) {
 }
 
 void grabFromPress(ViewportContext& context, const GrabStart& start) {
-  tellProblem(context.ui, startGrab(*context.open.character(), context.tool, start));
+  tellProblem(context, startGrab(*context.open.character(), context.tool, start));
 }
 
 /// The frame at which the selected trail is drawn nearest to the mouse; a whole one where frames snap.
@@ -102,7 +102,7 @@ std::optional<double> frameUnderMouse(const ViewportContext& context) {
 
 void addSphereUnderMouse(ViewportContext& context) {
   if (const std::optional<double> frame = frameUnderMouse(context)) {
-    tellProblem(context.ui, app::addSphere(*context.open.character(), *frame));
+    tellProblem(context, app::addSphere(*context.open.character(), *frame));
   }
 }
 
@@ -117,7 +117,7 @@ void pressLeft(ViewportContext& context) {
     start.startPixels = viewport.pressPixels;
     start.byDrag = true;
     start.falloffRadius = viewport.falloffRadius;
-    tellProblem(context.ui, startTangentGrab(session, context.tool, held.handle, held.tipWorld, start));
+    tellProblem(context, startTangentGrab(session, context.tool, held.handle, held.tipWorld, start));
   } else if (viewport.hoveredAxis) {
     grabFromPress(context, {viewport.pressPixels, std::nullopt, static_cast<int>(*viewport.hoveredAxis), true,
                             viewport.falloffRadius});
@@ -233,8 +233,8 @@ void continueGesture(ViewportContext& context) {
                   {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
   } else if (viewport.gesture == ViewportGesture::pressEnd) {
     viewport.gesture = ViewportGesture::none;
-    tellProblem(context.ui, startLimbGrab(session, context.tool, viewport.hoveredLimb,
-                                          {viewport.pressPixels, std::nullopt, std::nullopt, true, 0.0}));
+    tellProblem(context, startLimbGrab(session, context.tool, viewport.hoveredLimb,
+                                       {viewport.pressPixels, std::nullopt, std::nullopt, true, 0.0}));
   }
 }
 
@@ -262,7 +262,7 @@ void driveTool(ViewportContext& context) {
     return;
   }
   if (viewport.mousePixels != viewport.lastPixels) {
-    tellProblem(context.ui,
+    tellProblem(context,
                 moveToolMouse(*context.open.character(), context.tool, viewport.view, viewport.mousePixels));
   }
   viewport.falloffRadius = grab->falloffRadius;
@@ -274,7 +274,7 @@ void driveTool(ViewportContext& context) {
 
 void turnWheel(ViewportContext& context, double steps) {
   if (std::holds_alternative<GrabTool>(context.tool)) {
-    tellProblem(context.ui, turnFalloff(*context.open.character(), context.tool, steps));
+    tellProblem(context, turnFalloff(*context.open.character(), context.tool, steps));
     return;
   }
   ViewportState& viewport = context.viewport;

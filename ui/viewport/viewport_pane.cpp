@@ -177,7 +177,7 @@ void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn
   }
   const Status done = gpu.renderer.draw(drawn.target, context.viewport.view, picture);
   drawn.contentKey = done ? key : 0;
-  tellProblem(context.ui, done);
+  tellProblem(context, done);
   gpu.drewPicture = true;
 }
 

@@ -58,8 +58,8 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
 /// Arrows at the seam of a loop: out at the clip's end, in at its start.
 void drawSeam(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
   const Theme& theme = context.theme;
-  const float reach = theme.px(7.0F);
-  const float middle = layout.ruler.min.y + theme.px(9.0F);
+  const float reach = theme.px(6.0F);
+  const float middle = layout.ruler.max.y - theme.px(5.0F); // Below the numbers.
   for (const float x : {layout.frames.toPixel(model.clip.start) - reach,
                         layout.frames.toPixel(model.clip.end) + theme.px(1.0F)}) {
     if (model.loops && x >= layout.track.min.x && x + reach <= layout.track.max.x) {

@@ -209,6 +209,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
       {"loops", [&] { return yesNo(app::isLooping(session.document(), view.clip)); }},
       {"warnings", [&] { return std::to_string(shell.ui.look.warnings.size()); }},
+      {"tip-told-out", [&] { return yesNo(shell.viewport.tipWatch.toldOutOfView); }},
       {"tip-ghost", [&] { return shell.viewport.tipFrame ? number(*shell.viewport.tipFrame) : "none"; }},
       {"autosaved", [&] { return yesNo(shell.files.isKeptAside(session)); }},
       {"weight.limbs", [&] { return heavyLimbs(session); }},

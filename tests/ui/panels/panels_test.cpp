@@ -9,6 +9,7 @@
 #include "app/edits/weight_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
+#include "ui/panels/panel_support.h"
 
 using namespace stretch;
 using test::PanelDriver;
@@ -34,6 +35,13 @@ struct TrailPanels {
 };
 
 } // namespace
+
+TEST_CASE("An error calls a limb what people call it, and other places by their name") {
+  const app::OpenDocument open(app::Opened(withTrail()));
+  CHECK(ui::errorLine(open, {"has a trail already", "left-arm", "select it"}) ==
+        "Left arm: has a trail already; select it");
+  CHECK(ui::errorLine(open, {"is no number", "--scale", ""}) == "--scale: is no number");
+}
 
 TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
   PanelDriver driver(PanelDriver::bundledCharacter());
