@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 namespace stretch::skinning {
 
 namespace {
@@ -21,12 +24,45 @@ Mat4 blended(const VertexInfluences& influences, const std::vector<Mat4>& matric
   return sum;
 }
 
-void appendPrimitive(const Primitive& primitive, const std::vector<float>& weights,
-                     const std::vector<Mat4>& joints, const Mat4& rigid, std::vector<Vec3>& out) {
-  const bool skinned = !joints.empty() && !primitive.influences.empty();
-  for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
-    const Vec3 position = morphedPosition(primitive, weights, vertex);
-    out.push_back(transformPoint(skinned ? blended(primitive.influences[vertex], joints) : rigid, position));
+Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
+  Vec3 normal(primitive.normals[vertex]);
+  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
+  for (std::size_t target = 0; target < targets; ++target) {
+    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].normals;
+    if (weights[target] != 0.0F && vertex < offsets.size()) {
+      normal += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
+    }
+  }
+  return normal;
+}
+
+// Normals turn by the inverse transpose, up to their length: the matrix of cofactors, which a flat matrix has
+// as well.
+Vec3 turnedNormal(const Mat4& matrix, const Vec3& normal) {
+  const Mat3 linear(matrix);
+  const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                       glm::cross(linear[0], linear[1]));
+  const Vec3 turned = (glm::determinant(linear) < 0.0 ? -1.0 : 1.0) * (cofactors * normal);
+  const double length = glm::length(turned);
+  return length > 0.0 ? turned / length : Vec3(0.0, 1.0, 0.0);
+}
+
+/// Calls `visit(primitive, weights, vertex, matrix)` for every vertex that is drawn, in order.
+template <typename Visit>
+void eachDrawnVertex(const Scene& scene, const FrameState& frame, const Visit& visit) {
+  for (const NodeIndex node : drawnMeshNodes(scene)) {
+    const Node& holder = scene.nodes[at(node)];
+    const Mesh& mesh = scene.meshes[at(holder.mesh)];
+    const std::vector<Mat4> joints =
+        holder.skin >= 0 ? skinMatrices(scene.skins[at(holder.skin)], frame) : std::vector<Mat4>{};
+    const Mat4 rigid = meshMatrix(frame, node);
+    const std::vector<float>& weights = morphWeights(mesh, frame, node);
+    for (const Primitive& primitive : mesh.primitives) {
+      const bool skinned = !joints.empty() && !primitive.influences.empty();
+      for (std::size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
+        visit(primitive, weights, vertex, skinned ? blended(primitive.influences[vertex], joints) : rigid);
+      }
+    }
   }
 }
 
@@ -67,16 +103,22 @@ Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weigh
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {
   std::vector<Vec3> positions;
-  for (const NodeIndex node : drawnMeshNodes(scene)) {
-    const Node& holder = scene.nodes[at(node)];
-    const Mesh& mesh = scene.meshes[at(holder.mesh)];
-    const std::vector<Mat4> joints =
-        holder.skin >= 0 ? skinMatrices(scene.skins[at(holder.skin)], frame) : std::vector<Mat4>{};
-    for (const Primitive& primitive : mesh.primitives) {
-      appendPrimitive(primitive, morphWeights(mesh, frame, node), joints, meshMatrix(frame, node), positions);
-    }
-  }
+  eachDrawnVertex(scene, frame,
+                  [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
+                      const Mat4& matrix) {
+                    positions.push_back(transformPoint(matrix, morphedPosition(primitive, weights, vertex)));
+                  });
   return positions;
+}
+
+std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame) {
+  std::vector<Vec3> normals;
+  eachDrawnVertex(scene, frame,
+                  [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
+                      const Mat4& matrix) {
+                    normals.push_back(turnedNormal(matrix, morphedNormal(primitive, weights, vertex)));
+                  });
+  return normals;
 }
 
 } // namespace stretch::skinning

@@ -12,6 +12,9 @@ namespace stretch::skinning {
 /// targets before either. The reference that the graphics card's skinning is tested against.
 [[nodiscard]] std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame);
 
+/// Normals of the same vertices in the same order, unit length.
+[[nodiscard]] std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame);
+
 /// A vertex in its mesh's space, moved by the morph targets.
 [[nodiscard]] Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights,
                                    std::size_t vertex);

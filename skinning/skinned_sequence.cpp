@@ -32,6 +32,18 @@ void skinFrame(const SkinnedSequence& sequence, std::size_t frame, std::span<glm
   }
 }
 
+SkinnedSequence withoutBones(const MeshSequence& sequence) {
+  SkinnedSequence skinned;
+  const std::span<const glm::vec3> bind = sequence.frame(0);
+  skinned.name = sequence.name;
+  skinned.clipName = sequence.clipName;
+  skinned.bindPositions.assign(bind.begin(), bind.end());
+  skinned.triangles = sequence.triangles;
+  skinned.framesPerSecond = sequence.framesPerSecond;
+  skinned.surface = sequence.surface;
+  return skinned;
+}
+
 MeshSequence skinAllFrames(const SkinnedSequence& sequence) {
   MeshSequence result;
   result.name = sequence.name;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,12 +43,15 @@ struct BonePose {
 /// A bind mesh with bones and their motion: what a mesh sequence is compressed to.
 struct SkinnedSequence {
   std::string name;
+  std::string clipName; ///< Of the motion; empty: as the sequence.
   std::vector<glm::vec3> bindPositions;
   std::vector<Triangle> triangles;
   std::vector<Influences> influences; ///< One for each vertex.
   std::vector<SkinBone> bones;
   std::vector<BonePose> poses; ///< Frame after frame, one for each bone.
   double framesPerSecond = 30.0;
+  std::shared_ptr<const gltf::MeshSurface> surface; ///< What the mesh looks like; null: nothing but its
+                                                    ///< shape.
   bool chained = false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be
                         ///< stored).
 
@@ -59,6 +63,9 @@ struct SkinnedSequence {
     return poses[frame * bones.size() + bone];
   }
 };
+
+/// The mesh of the first frame as the bind mesh, named and dressed as the sequence; no bones yet.
+[[nodiscard]] SkinnedSequence withoutBones(const MeshSequence& sequence);
 
 /// The affine map of one bone in one frame, bind pose to posed.
 [[nodiscard]] Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose);

@@ -95,13 +95,14 @@ Status runCompare(const CompareArguments& arguments) {
   if (!sides) {
     return sides.error();
   }
-  const Result<MeshSequence> reference = readSide(sides->first, 0.0);
+  Result<MeshSequence> reference = readSide(sides->first, 0.0);
   // Both are looked at on the frames of the reference, whatever keys the other one has.
   const bool hasRate = reference && isGltf(sides->first);
-  const Result<MeshSequence> other = readSide(sides->second, hasRate ? reference->framesPerSecond : 0.0);
+  Result<MeshSequence> other = readSide(sides->second, hasRate ? reference->framesPerSecond : 0.0);
   if (!reference || !other) {
     return reference ? other.error() : reference.error();
   }
+  skinning::joinUntilAlike(*reference, *other);
   const Result<skinning::SequenceMetrics> metrics = skinning::compareSequences(*reference, *other);
   if (!metrics) {
     return metrics.error();

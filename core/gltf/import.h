@@ -37,7 +37,12 @@ private:
 [[nodiscard]] std::vector<Material> importMaterials(const Source& source, Problems& problems);
 [[nodiscard]] std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
                                               Problems& problems);
+/// The bytes of an entry of "images" as they lie in the file; nothing when they cannot be read.
+[[nodiscard]] std::optional<Bytes> encodedImage(const Source& source, const Json& image);
 [[nodiscard]] std::map<std::string, NodeIndex> importHumanoid(const Source& source, Problems& problems);
+
+/// Whether a primitive of "meshes" becomes one of Mesh::primitives: it has positions, and triangles.
+[[nodiscard]] bool holdsTriangles(const Json& primitive);
 
 /// Index of the TEXCOORD set that a texture of the material uses; nothing without that texture.
 [[nodiscard]] std::optional<int> baseColorTexCoord(const Source& source, int material);

@@ -45,13 +45,6 @@ std::optional<Bytes> bytesOfUri(const Source& source, const std::string& uri) {
   return bytes ? std::optional(std::move(bytes.value())) : std::nullopt;
 }
 
-std::optional<Bytes> encodedBytes(const Source& source, const Json& image) {
-  if (const int view = indexOr(image, "bufferView"); view >= 0) {
-    return bytesOfView(source, view);
-  }
-  return find(image, "uri") != nullptr ? bytesOfUri(source, textOr(image, "uri")) : std::nullopt;
-}
-
 // A picture that waits to be decoded.
 struct Encoded {
   Bytes bytes;
@@ -109,7 +102,7 @@ std::vector<Encoded> readEncoded(const Source& source, const std::vector<bool>& 
   std::size_t pixelsLeft = mostPixelsAFile;
   for (std::size_t i = 0; i < encoded.size(); ++i) {
     const Json& json = element(source.json, "images", i);
-    std::optional<Bytes> bytes = shown[i] ? encodedBytes(source, json) : Bytes();
+    std::optional<Bytes> bytes = shown[i] ? encodedImage(source, json) : Bytes();
     if (!bytes) {
       const std::string uri = textOr(json, "uri").substr(0, 200);
       problems.warning(at("images", i), fmt::format("'{}' cannot be read; its texture is not shown", uri));
@@ -123,6 +116,13 @@ std::vector<Encoded> readEncoded(const Source& source, const std::vector<bool>& 
 }
 
 } // namespace
+
+std::optional<Bytes> encodedImage(const Source& source, const Json& image) {
+  if (const int view = indexOr(image, "bufferView"); view >= 0) {
+    return bytesOfView(source, view);
+  }
+  return find(image, "uri") != nullptr ? bytesOfUri(source, textOr(image, "uri")) : std::nullopt;
+}
 
 std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
                                 Problems& problems) {

@@ -50,12 +50,10 @@ public:
 private:
   std::optional<Primitive> primitive(const Json& json, const std::string& where,
                                      std::optional<std::size_t> joints) {
-    if (findPath(json, {"attributes", "POSITION"}) == nullptr) {
-      problems_.warning(where, "has no POSITION and is left out");
-      return std::nullopt;
-    }
-    if (wholeOr(json, "mode", trianglesMode) < trianglesMode) {
-      problems_.warning(where, "holds points or lines, which are not shown");
+    if (!holdsTriangles(json)) {
+      problems_.warning(where, findPath(json, {"attributes", "POSITION"}) == nullptr
+                                   ? "has no POSITION and is left out"
+                                   : "holds points or lines, which are not shown");
       return std::nullopt;
     }
     PrimitiveParts parts(source_, json, where, budget_, problems_);
@@ -122,6 +120,11 @@ void checkSkinnedNodes(const Scene& scene, const std::vector<Mesh>& meshes, Prob
 }
 
 } // namespace
+
+bool holdsTriangles(const Json& primitive) {
+  return findPath(primitive, {"attributes", "POSITION"}) != nullptr &&
+         wholeOr(primitive, "mode", trianglesMode) >= trianglesMode;
+}
 
 std::vector<Mesh> importMeshes(const Source& source, const Scene& scene, Problems& problems) {
   MeshImport import(source, scene, problems);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,17 +14,23 @@
 
 namespace stretch {
 
+namespace gltf {
+struct MeshSurface;
+}
+
 using Triangle = std::array<std::uint32_t, 3>; ///< Vertex indices, counter-clockwise seen from outside.
 
 /// An animated mesh whose topology never changes: one position for each vertex and frame, one list of
 /// triangles. Positions are in the units of their source; memory is 12 bytes for each vertex and frame.
 struct MeshSequence {
   std::string name;
+  std::string clipName; ///< What the source calls the motion; empty where it has no name for it.
   std::size_t vertexCount = 0;
   std::vector<Triangle> triangles;
   std::vector<glm::vec3> positions;    ///< Frame after frame, vertexCount each.
   std::vector<std::string> frameNames; ///< What the source calls each frame (a file, a sample), for messages.
   double framesPerSecond = 30.0;
+  std::shared_ptr<const gltf::MeshSurface> surface; ///< What it looks like; null: nothing but its shape.
   std::vector<std::string> warnings; ///< One line each: what is odd about the source and what was made of it.
 
   [[nodiscard]] std::size_t frameCount() const {

@@ -20,12 +20,7 @@ Quat frameAlong(const Vec3& along, const Vec3& across) {
 
 /// Bones of the centre line; poses follow the segments' own motion, without stretch.
 SkinnedSequence bonesOfBody(const MeshSequence& sequence, const BodyMotion& body, const BodyStretch& load) {
-  SkinnedSequence skinned;
-  const std::span<const glm::vec3> bind = sequence.frame(0);
-  skinned.name = sequence.name;
-  skinned.bindPositions.assign(bind.begin(), bind.end());
-  skinned.triangles = sequence.triangles;
-  skinned.framesPerSecond = sequence.framesPerSecond;
+  SkinnedSequence skinned = withoutBones(sequence);
   for (std::size_t b = 0; b < body.segmentCount(); ++b) {
     const Vec3& start = body.skeleton.joints[b];
     const Vec3& end = body.skeleton.joints[b + 1];

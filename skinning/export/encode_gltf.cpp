@@ -8,6 +8,7 @@
 
 #include "core/gltf/json.h"
 #include "skinning/export/gltf_buffers.h"
+#include "skinning/export/mesh_writer.h"
 
 namespace stretch::skinning {
 namespace {
@@ -69,21 +70,6 @@ struct ScalePlan {
   bool allFactorsOne = false;
 };
 
-using QuantisedWeights = std::array<std::uint16_t, Influences::capacity>;
-
-/// Weights in parts of 65535. The largest takes what rounding leaves, so that they sum to 65535 exactly.
-QuantisedWeights quantised(const Influences& influences) {
-  QuantisedWeights integers{};
-  int left = 65535;
-  for (std::size_t i = 0; i < integers.size(); ++i) {
-    integers[i] = static_cast<std::uint16_t>(std::lround(influences.weights[i] * 65535.0F));
-    left -= integers[i];
-  }
-  auto* const largest = std::max_element(integers.begin(), integers.end());
-  *largest = static_cast<std::uint16_t>(*largest + left);
-  return integers;
-}
-
 class Encoder {
 public:
   Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings)
@@ -93,9 +79,9 @@ public:
   EncodedClip encode() {
     json_["asset"] = {{"version", "2.0"}, {"generator", "Stretch-Engine"}};
     json_["scene"] = 0;
-    json_["scenes"] = Json::array({{{"nodes", {0, 1}}}});
-    addMesh();
+    armature_ = writeMeshes(sequence_, settings_.quantise, json_, buffers_);
     json_["nodes"].push_back({{"name", "armature"}, {"children", Json::array()}});
+    addScene();
     addTimes();
     addBones();
     addSkin();
@@ -103,96 +89,12 @@ public:
   }
 
 private:
-  static constexpr int armature = 1;
-
-  // --- mesh
-  // -------------------------------------------------------------------------------------------------------
-
-  std::vector<float> normals() const {
-    std::vector<Vec3> sums(sequence_.bindPositions.size(), Vec3(0.0));
-    for (const Triangle& t : sequence_.triangles) {
-      const Vec3 a(sequence_.bindPositions[t[0]]);
-      const Vec3 normal =
-          glm::cross(Vec3(sequence_.bindPositions[t[1]]) - a, Vec3(sequence_.bindPositions[t[2]]) - a);
-      for (const std::uint32_t corner : t) {
-        sums[corner] += normal;
-      }
+  void addScene() {
+    Json roots = Json::array();
+    for (std::size_t node = 0; node <= armature_; ++node) {
+      roots.push_back(node);
     }
-    std::vector<float> values;
-    for (const Vec3& sum : sums) {
-      const double length = glm::length(sum);
-      const Vec3 normal = length > 0.0 ? sum / length : Vec3(0.0, 1.0, 0.0);
-      values.insert(values.end(), {static_cast<float>(normal.x), static_cast<float>(normal.y),
-                                   static_cast<float>(normal.z)});
-    }
-    return values;
-  }
-
-  std::size_t addJoints() {
-    std::vector<std::uint16_t> joints;
-    for (const Influences& influences : sequence_.influences) {
-      const QuantisedWeights weights = quantised(influences);
-      for (std::size_t i = 0; i < Influences::capacity; ++i) {
-        // glTF asks for joint 0 where the weight is 0, be it so only after rounding.
-        const bool used = settings_.quantise ? weights[i] > 0 : influences.weights[i] > 0.0F;
-        joints.push_back(used ? influences.bones[i] : std::uint16_t{0});
-      }
-    }
-    if (sequence_.bones.size() <= 256) {
-      const std::vector<std::uint8_t> narrow(joints.begin(), joints.end());
-      return buffers_.addIntegers(narrow, "VEC4", 4, GltfBuffers::Target::vertices, false);
-    }
-    return buffers_.addIntegers(joints, "VEC4", 4, GltfBuffers::Target::vertices, false);
-  }
-
-  std::size_t addWeights() {
-    if (!settings_.quantise) {
-      std::vector<float> weights;
-      for (const Influences& influences : sequence_.influences) {
-        weights.insert(weights.end(), influences.weights.begin(), influences.weights.end());
-      }
-      return buffers_.addFloats(weights, "VEC4", 4, GltfBuffers::Target::vertices, false);
-    }
-    std::vector<std::uint16_t> weights;
-    for (const Influences& influences : sequence_.influences) {
-      const QuantisedWeights integers = quantised(influences);
-      weights.insert(weights.end(), integers.begin(), integers.end());
-    }
-    return buffers_.addIntegers(weights, "VEC4", 4, GltfBuffers::Target::vertices, true);
-  }
-
-  std::size_t addIndices() {
-    std::vector<std::uint32_t> indices;
-    for (const Triangle& t : sequence_.triangles) {
-      indices.insert(indices.end(), t.begin(), t.end());
-    }
-    if (sequence_.bindPositions.size() < 65535) {
-      const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-      return buffers_.addIntegers(narrow, "SCALAR", 1, GltfBuffers::Target::indices, false);
-    }
-    return buffers_.addIntegers(indices, "SCALAR", 1, GltfBuffers::Target::indices, false);
-  }
-
-  void addMesh() {
-    std::vector<float> positions;
-    for (const glm::vec3& p : sequence_.bindPositions) {
-      positions.insert(positions.end(), {p.x, p.y, p.z});
-    }
-    Json attributes;
-    attributes["POSITION"] = buffers_.addFloats(positions, "VEC3", 3, GltfBuffers::Target::vertices, true);
-    attributes["NORMAL"] = buffers_.addFloats(normals(), "VEC3", 3, GltfBuffers::Target::vertices, false);
-    attributes["JOINTS_0"] = addJoints();
-    attributes["WEIGHTS_0"] = addWeights();
-    const std::size_t indices = addIndices();
-    json_["materials"] = Json::array(
-        {{{"name", "body"},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", {0.8, 0.8, 0.78, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.8}}},
-          {"doubleSided", true}}});
-    json_["meshes"] = Json::array(
-        {{{"name", sequence_.name},
-          {"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}});
-    json_["nodes"].push_back({{"name", sequence_.name}, {"mesh", 0}, {"skin", 0}});
+    json_["scenes"] = Json::array({{{"nodes", std::move(roots)}}});
   }
 
   // --- tracks
@@ -204,7 +106,9 @@ private:
       times.push_back(static_cast<float>(static_cast<double>(k) / sequence_.framesPerSecond));
     }
     json_["animations"] =
-        Json::array({{{"name", sequence_.name}, {"channels", Json::array()}, {"samplers", Json::array()}}});
+        Json::array({{{"name", sequence_.clipName.empty() ? sequence_.name : sequence_.clipName},
+                      {"channels", Json::array()},
+                      {"samplers", Json::array()}}});
     times_ = buffers_.addFloats(times, "SCALAR", 1, GltfBuffers::Target::none, true);
     clipBytes_ += buffers_.bytesOf(times_);
   }
@@ -325,7 +229,7 @@ private:
   void addBones() {
     const ScalePlan scales = planScales();
     std::vector<Quat> parents(frames_, Quat(1.0, 0.0, 0.0, 0.0));
-    std::size_t parent = armature;
+    std::size_t parent = armature_;
     for (std::size_t b = 0; b < sequence_.bones.size(); ++b) {
       const std::string number = std::to_string(b);
       const std::size_t joint = addNode("bone_" + number, parent);
@@ -335,7 +239,7 @@ private:
       setProperty(joint, "translation", placeCourse(b), 3, lengthTolerance_);
       setProperty(joint, "rotation", rotationCourse(b, parents), 4, settings_.tolerance);
       bound_.push_back(scales.any ? addStretch(b, joint, scales) : joint);
-      parent = sequence_.chained ? joint : armature;
+      parent = sequence_.chained ? joint : armature_;
     }
   }
 
@@ -392,7 +296,7 @@ private:
     const std::size_t bind = buffers_.addFloats(matrices, "MAT4", 16, GltfBuffers::Target::none, false);
     json_["skins"] = Json::array({{{"name", sequence_.name},
                                    {"inverseBindMatrices", bind},
-                                   {"skeleton", armature},
+                                   {"skeleton", armature_},
                                    {"joints", bound_}}});
   }
 
@@ -425,6 +329,7 @@ private:
   GltfBuffers buffers_;
   std::size_t frames_;
   double lengthTolerance_;
+  std::size_t armature_ = 0; ///< Node that holds the bones, behind those of the meshes.
   std::size_t times_ = 0;
   std::size_t clipBytes_ = 0;
   std::vector<StoredCourse> stored_;

@@ -28,8 +28,7 @@ constexpr int componentTypeOf() {
 
 } // namespace
 
-std::size_t GltfBuffers::add(const void* data, std::size_t size, std::size_t elements, int componentType,
-                             const char* type, Target target, bool normalised) {
+std::size_t GltfBuffers::addView(const void* data, std::size_t size, Target target) {
   while (bytes_.size() % 4 != 0) {
     bytes_.push_back(0);
   }
@@ -43,7 +42,17 @@ std::size_t GltfBuffers::add(const void* data, std::size_t size, std::size_t ele
     view["target"] = static_cast<int>(target);
   }
   json_["bufferViews"].push_back(view);
-  gltf::Json accessor{{"bufferView", json_["bufferViews"].size() - 1}, {"componentType", componentType}};
+  return json_["bufferViews"].size() - 1;
+}
+
+std::size_t GltfBuffers::addView(std::span<const std::uint8_t> bytes) {
+  return addView(bytes.data(), bytes.size(), Target::none);
+}
+
+std::size_t GltfBuffers::add(const void* data, std::size_t size, std::size_t elements, int componentType,
+                             const char* type, Target target, bool normalised) {
+  const std::size_t view = addView(data, size, target);
+  gltf::Json accessor{{"bufferView", view}, {"componentType", componentType}};
   if (normalised) {
     accessor["normalized"] = true;
   }

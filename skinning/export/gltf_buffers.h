@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/gltf/json.h"
@@ -26,11 +27,15 @@ public:
   std::size_t addIntegers(const std::vector<T>& values, const char* type, std::size_t width, Target target,
                           bool normalised);
 
+  /// Index of a new buffer view of bytes that no accessor describes, as an image's.
+  std::size_t addView(std::span<const std::uint8_t> bytes);
+
   /// Bytes of the data of an accessor, its padding left out.
   [[nodiscard]] std::size_t bytesOf(std::size_t accessor) const { return sizes_.at(accessor); }
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
 private:
+  std::size_t addView(const void* data, std::size_t size, Target target);
   std::size_t add(const void* data, std::size_t size, std::size_t elements, int componentType,
                   const char* type, Target target, bool normalised);
 

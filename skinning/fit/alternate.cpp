@@ -219,12 +219,8 @@ void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned) {
 }
 
 SkinnedSequence partsOfMesh(const MeshSequence& sequence, int boneCount) {
-  SkinnedSequence skinned;
+  SkinnedSequence skinned = withoutBones(sequence);
   const std::span<const glm::vec3> positions = sequence.frame(0);
-  skinned.name = sequence.name;
-  skinned.triangles = sequence.triangles;
-  skinned.framesPerSecond = sequence.framesPerSecond;
-  skinned.bindPositions.assign(positions.begin(), positions.end());
   skinned.influences.resize(sequence.vertexCount);
   std::vector<double> nearest(sequence.vertexCount, std::numeric_limits<double>::infinity());
   std::size_t next = 0;

@@ -4,30 +4,18 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/mesh_surface.h"
 #include "skinning/linear_blend_skinning.h"
+#include "skinning/sequence/gltf_surface.h"
 
 namespace stretch::skinning {
 namespace {
-
-/// The triangles of everything that is drawn, in the order of skinnedPositions.
-void addTriangles(const Scene& scene, MeshSequence& sequence) {
-  for (const NodeIndex node : drawnMeshNodes(scene)) {
-    const int mesh = scene.nodes[at(node)].mesh;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
-      const auto first = static_cast<std::uint32_t>(sequence.vertexCount);
-      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-        sequence.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
-                                      first + primitive.indices[i + 2]});
-      }
-      sequence.vertexCount += primitive.positions.size();
-    }
-  }
-}
 
 const Clip* findClip(const std::vector<Clip>& clips, const std::string& name) {
   const auto found = std::find_if(clips.begin(), clips.end(), [&](const Clip& clip) {
@@ -55,14 +43,22 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   const Scene& scene = *loaded->scene;
   MeshSequence sequence;
   sequence.name = path.stem().string();
+  sequence.clipName = clip->name;
   sequence.framesPerSecond = clip->framesPerSecond;
-  addTriangles(scene, sequence);
-  if (sequence.triangles.empty()) {
-    return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
-  }
+  const auto stateAt = [&](std::int64_t frame) {
+    const double seconds = static_cast<double>(frame) / clip->framesPerSecond;
+    return frameOf(scene, samplePose(scene, *clip, seconds), seconds);
+  };
   const std::int64_t last = std::max<std::int64_t>(frameCount(*clip), 1);
   const std::int64_t first =
       std::clamp<std::int64_t>(std::llround(clip->startSeconds * clip->framesPerSecond), 0, last - 1);
+  gltf::MeshSurface surface = surfaceOf(*loaded, stateAt(first), sequence.warnings);
+  sequence.triangles = surface.triangles;
+  sequence.vertexCount = surface.places.size();
+  if (sequence.triangles.empty()) {
+    return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
+  }
+  sequence.surface = std::make_shared<const gltf::MeshSurface>(std::move(surface));
   constexpr std::size_t mostPositions = 400'000'000; // Some 5 GB.
   if (sequence.vertexCount > mostPositions / static_cast<std::size_t>(last - first)) {
     return Error{fmt::format("{} vertices in {} frames are too many", sequence.vertexCount, last - first),
@@ -70,9 +66,7 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   }
   sequence.positions.resize(sequence.vertexCount * static_cast<std::size_t>(last - first));
   for (std::int64_t frame = first; frame < last; ++frame) {
-    const double seconds = static_cast<double>(frame) / clip->framesPerSecond;
-    const FrameState state = frameOf(scene, samplePose(scene, *clip, seconds), seconds);
-    const std::vector<Vec3> posed = skinnedPositions(scene, state);
+    const std::vector<Vec3> posed = skinnedPositions(scene, stateAt(frame));
     std::copy(posed.begin(), posed.end(), sequence.frame(static_cast<std::size_t>(frame - first)).begin());
     sequence.frameNames.push_back(fmt::format("frame {}", frame));
     if (progress) {
@@ -130,7 +124,28 @@ std::size_t joinDuplicates(MeshSequence& sequence) {
       corner = renumbered[corner];
     }
   }
+  if (sequence.surface != nullptr) {
+    gltf::MeshSurface surface = *sequence.surface;
+    for (std::uint32_t& place : surface.places) {
+      place = renumbered[place];
+    }
+    sequence.surface = std::make_shared<const gltf::MeshSurface>(std::move(surface));
+  }
   return count - kept;
+}
+
+void joinUntilAlike(MeshSequence& a, MeshSequence& b) {
+  if (a.vertexCount == b.vertexCount) {
+    return;
+  }
+  MeshSequence joinedA = a;
+  MeshSequence joinedB = b;
+  joinDuplicates(joinedA);
+  joinDuplicates(joinedB);
+  if (joinedA.vertexCount == joinedB.vertexCount) {
+    a = std::move(joinedA);
+    b = std::move(joinedB);
+  }
 }
 
 } // namespace stretch::skinning

@@ -125,6 +125,7 @@ Result<MeshSequence> readFrameFolder(const std::filesystem::path& folder, const 
       return mesh.error();
     }
     if (i == 0) {
+      sequence.surface = surfaceOfMeshFile(path, *mesh, sequence.warnings);
       sequence.positions.reserve(mesh->positions.size() * files->size());
     }
     const auto added = addFrame(sequence, *mesh, path.filename().string());

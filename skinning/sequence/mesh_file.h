@@ -2,10 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
@@ -17,6 +21,10 @@ namespace stretch::skinning {
 struct MeshFile {
   std::vector<glm::vec3> positions;
   std::vector<Triangle> triangles;
+  // Of PLY, one for each vertex, empty where the file has none (an OBJ's: see surfaceOfObj).
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> texCoords; ///< As the file counts: v upwards.
+  std::vector<glm::vec4> colors;    ///< Linear.
 };
 
 /// Wavefront OBJ: `v` and `f` lines (indices from 1, or negative from the end); everything else is ignored.
@@ -32,6 +40,11 @@ struct MeshFile {
 
 /// .obj or .ply, by the extension.
 [[nodiscard]] Result<MeshFile> readMeshFile(const std::filesystem::path& path);
+
+/// What a mesh looks like that readMeshFile read from `path`; null where the file says nothing of it.
+[[nodiscard]] std::shared_ptr<const gltf::MeshSurface> surfaceOfMeshFile(const std::filesystem::path& path,
+                                                                         const MeshFile& mesh,
+                                                                         std::vector<std::string>& warnings);
 
 /// Whether the extension is .pc2.
 [[nodiscard]] bool isPointCache(const std::filesystem::path& path);

@@ -5,8 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <optional>
 #include <string>
+
+#include <glm/geometric.hpp>
 
 #include "core/base/number.h"
 #include "skinning/sequence/text.h"
@@ -220,6 +223,68 @@ bool addVertex(const Element& element, const std::vector<std::vector<double>>& r
   return found == 3;
 }
 
+double linearLight(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// What exporters call the parts of a vertex beyond its place.
+struct VertexColumns {
+  std::array<std::optional<std::size_t>, 3> normal;
+  std::array<std::optional<std::size_t>, 2> texCoord;
+  std::array<std::optional<std::size_t>, 4> color;
+};
+
+VertexColumns columnsOf(const Element& element) {
+  const auto column = [&](std::initializer_list<std::string_view> names) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (!element.properties[i].listCount &&
+          std::find(names.begin(), names.end(), element.properties[i].name) != names.end()) {
+        return i;
+      }
+    }
+    return std::nullopt;
+  };
+  return {{column({"nx"}), column({"ny"}), column({"nz"})},
+          {column({"s", "u", "texture_u"}), column({"t", "v", "texture_v"})},
+          {column({"red", "r"}), column({"green", "g"}), column({"blue", "b"}), column({"alpha", "a"})}};
+}
+
+/// A colour as linear light: integers stand for 0 to 1, red, green and blue encoded as sRGB.
+glm::vec4 colorOf(const Element& element, const std::vector<std::vector<double>>& row,
+                  const VertexColumns& columns) {
+  glm::vec4 color(1.0F);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!columns.color[i]) {
+      continue;
+    }
+    const Number type = element.properties[*columns.color[i]].type;
+    const double largest = type == Number::uint8 ? 255.0 : type == Number::uint16 ? 65535.0 : 1.0;
+    const double part = row[*columns.color[i]][0] / largest;
+    const double value = part > 0.0 ? std::min(part, 1.0) : 0.0; // No number is black.
+    color[static_cast<glm::length_t>(i)] = static_cast<float>(i < 3 ? linearLight(value) : value);
+  }
+  return color;
+}
+
+void addLook(const Element& element, const std::vector<std::vector<double>>& row,
+             const VertexColumns& columns, MeshFile& mesh) {
+  const auto number = [&](const std::optional<std::size_t>& column) {
+    const double value = row[*column][0];
+    return std::isfinite(value) ? static_cast<float>(value) : 0.0F;
+  };
+  if (columns.normal[0] && columns.normal[1] && columns.normal[2]) {
+    const glm::vec3 normal(number(columns.normal[0]), number(columns.normal[1]), number(columns.normal[2]));
+    const float length = glm::length(normal);
+    mesh.normals.push_back(length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F));
+  }
+  if (columns.texCoord[0] && columns.texCoord[1]) {
+    mesh.texCoords.emplace_back(number(columns.texCoord[0]), number(columns.texCoord[1]));
+  }
+  if (columns.color[0] && columns.color[1] && columns.color[2]) {
+    mesh.colors.push_back(colorOf(element, row, columns));
+  }
+}
+
 bool addFace(const Element& element, const std::vector<std::vector<double>>& row, MeshFile& mesh) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!element.properties[i].listCount || element.properties[i].name.rfind("vertex_ind", 0) != 0) {
@@ -241,6 +306,7 @@ bool addFace(const Element& element, const std::vector<std::vector<double>>& row
 }
 
 Status readElement(NumberReader& reader, const Element& element, MeshFile& mesh, std::string_view name) {
+  const VertexColumns columns = columnsOf(element);
   for (std::size_t i = 0; i < element.count; ++i) {
     const std::string place = std::string(name) + ", " + element.name + " " + std::to_string(i);
     std::vector<std::vector<double>> row;
@@ -254,6 +320,9 @@ Status readElement(NumberReader& reader, const Element& element, MeshFile& mesh,
     }
     if (element.name == "vertex" && !addVertex(element, row, mesh)) {
       return Error{"a vertex needs finite x, y and z", place, "export the frame again"};
+    }
+    if (element.name == "vertex") {
+      addLook(element, row, columns, mesh);
     }
     if (element.name == "face" && !addFace(element, row, mesh)) {
       return Error{"a face needs three or more corners that exist", place, "export the frame again"};

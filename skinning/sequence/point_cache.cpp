@@ -118,6 +118,7 @@ Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std
   MeshSequence sequence;
   sequence.name = cache.stem().string();
   sequence.vertexCount = mesh->positions.size();
+  sequence.surface = surfaceOfMeshFile(base, *mesh, sequence.warnings);
   sequence.triangles = std::move(mesh->triangles);
   const auto read = readSamples(stream, place, sequence, static_cast<std::size_t>(header->samples), progress);
   if (!read) {

@@ -44,6 +44,10 @@ using Progress = std::function<void(double)>;
 /// Returns the number of vertices that went.
 std::size_t joinDuplicates(MeshSequence& sequence);
 
+/// Files split vertices along seams: where the numbers of vertices differ, those that lie at one place in
+/// every frame are joined in both, if that makes them agree.
+void joinUntilAlike(MeshSequence& a, MeshSequence& b);
+
 /// What a user names, as readSequence takes it: a cache alone stands for itself and the mesh beside it that
 /// has as many vertices, one of several numbered meshes for its folder, a cache and its mesh may come in any
 /// order. Everything else stays as it is.

@@ -185,7 +185,7 @@ Status renderSequence(const RenderArguments& arguments) {
                  "leave --clip, --trails, --ghosts and --skeleton out"};
   }
   Result<PictureOptions> options = optionsOf(arguments);
-  const Result<MeshSequence> sequence = skinning::readSequence({arguments.input.file});
+  Result<MeshSequence> sequence = skinning::readSequence({arguments.input.file});
   if (!options || !sequence) {
     return options ? sequence.error() : options.error();
   }
@@ -196,6 +196,7 @@ Status renderSequence(const RenderArguments& arguments) {
       return read.error();
     }
     over = std::move(read).value();
+    skinning::joinUntilAlike(*sequence, *over);
   }
   const Result<std::vector<double>> frames =
       framesOf(arguments, static_cast<double>(sequence->frameCount() - 1));

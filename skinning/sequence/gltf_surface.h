@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include "core/anim/frame_state.h"
+#include "core/gltf/mesh_surface.h"
+#include "core/gltf/source.h"
+
+namespace stretch::skinning {
+
+/// What the drawn meshes of a file look like, vertices in the order of skinnedPositions, each a place of its
+/// own; normals as they are in `first`. Images that cannot be read are told in `warnings`.
+[[nodiscard]] gltf::MeshSurface surfaceOf(const gltf::Loaded& loaded, const FrameState& first,
+                                          std::vector<std::string>& warnings);
+
+} // namespace stretch::skinning
