@@ -37,7 +37,7 @@ struct TrailPanels {
 } // namespace
 
 TEST_CASE("An error calls a limb what people call it, and other places by their name") {
-  const app::OpenDocument open(app::Opened(withTrail()));
+  const app::OpenDocument open{app::Opened(withTrail())};
   CHECK(ui::errorLine(open, {"has a trail already", "left-arm", "select it"}) ==
         "Left arm: has a trail already; select it");
   CHECK(ui::errorLine(open, {"is no number", "--scale", ""}) == "--scale: is no number");
