@@ -141,7 +141,7 @@ Status runElastic(const ElasticArguments& arguments) {
   Json report;
   report["clip"] = clipOf(*document, *clip).name;
   report["elastic"] = weightJson(*document, *clip);
-  report["warnings"] = document->warnings;
+  report["warnings"] = documentWarnings(*document);
   if (!cut->empty()) {
     report["warnings"].push_back(*cut);
   }
@@ -152,9 +152,7 @@ Status runElastic(const ElasticArguments& arguments) {
     std::cout << report.dump(1) << '\n';
   } else {
     printWeight(report["elastic"]);
-    if (!cut->empty()) {
-      fmt::print(stderr, "warning: {}\n", *cut);
-    }
+    printWarnings(report["warnings"]);
   }
   return Success{};
 }

@@ -6,6 +6,7 @@
 #include "app/batch/extension_report.h"
 #include "app/batch/options.h"
 #include "app/batch/sequence_report.h"
+#include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "core/gltf/json.h"
@@ -91,10 +92,7 @@ Json infoOf(const Document& document) {
     info["limbs"].push_back(limbJson(scene, limb));
   }
   info["extensions"] = extensionsJson(gltf::extensionsOf(document.source->json));
-  info["warnings"] = document.warnings;
-  for (const std::string& warning : document.biped.warnings) {
-    info["warnings"].push_back(warning);
-  }
+  info["warnings"] = documentWarnings(document);
   return info;
 }
 

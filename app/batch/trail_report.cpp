@@ -84,7 +84,7 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
   if (hasWeight(document, clip)) {
     report["elastic"] = weightJson(document, clip);
   }
-  report["warnings"] = document.warnings;
+  report["warnings"] = documentWarnings(document);
   return report;
 }
 
@@ -95,12 +95,25 @@ void printExaggeration(const Json& report) {
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
                trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "");
-    for (const Json& warning : trail["warnings"]) {
-      fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
-    }
+    printWarnings(trail["warnings"]);
   }
   if (report.contains("elastic")) {
     printWeight(report["elastic"]);
+  }
+  printWarnings(report["warnings"]);
+}
+
+gltf::Json documentWarnings(const Document& document) {
+  gltf::Json warnings = document.warnings;
+  for (const std::string& warning : document.biped.warnings) {
+    warnings.push_back(warning);
+  }
+  return warnings;
+}
+
+void printWarnings(const gltf::Json& warnings) {
+  for (const gltf::Json& warning : warnings) {
+    fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
   }
 }
 
@@ -126,9 +139,7 @@ void printWeight(const gltf::Json& limbs) {
                limb["limb"].get<std::string>(), limb["shortest"].get<double>(), limb["longest"].get<double>(),
                limb["shortest_frame"].get<double>(), limb["longest_frame"].get<double>(),
                limb["young"].get<double>());
-    for (const gltf::Json& warning : limb["warnings"]) {
-      fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
-    }
+    printWarnings(limb["warnings"]);
   }
 }
 

@@ -13,6 +13,12 @@ namespace stretch::app {
 /// The same as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);
 
+/// The document's warnings and those about its body, as verbs report them.
+[[nodiscard]] gltf::Json documentWarnings(const Document& document);
+
+/// Each of the list on standard error.
+void printWarnings(const gltf::Json& warnings);
+
 /// What the weight of each limb of a clip comes to, as `elastic` and `exaggerate` report it.
 [[nodiscard]] gltf::Json weightJson(const Document& document, int clip);
 

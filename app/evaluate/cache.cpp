@@ -41,7 +41,12 @@ std::shared_ptr<const rig::MotionState> EvaluationCache::motion(const Document& 
 }
 
 const std::vector<WeightReport>& EvaluationCache::weightReports(const Document& document, int clip) {
-  return weighted(document, clip).reports;
+  const Weighted& made = weighted(document, clip);
+  return reports_.of(made.motion, [&](const auto*) {
+    std::vector<WeightReport> reports = made.reports;
+    measureLengths(weightInput(evaluationInput(document, clip)), *made.motion, reports);
+    return reports;
+  });
 }
 
 const FrameState& EvaluationCache::frame(const Document& document, int clip, double timeSeconds) {

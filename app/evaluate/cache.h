@@ -75,7 +75,7 @@ private:
   };
   struct Weighted {
     Motion motion;
-    std::vector<WeightReport> reports;
+    std::vector<WeightReport> reports; ///< Without lengths.
   };
   struct FrameKey {
     Motion motion;
@@ -104,6 +104,7 @@ private:
   LastAnswer<SampleKey, SampledClip> sampled_;
   LimbSizes sizes_;
   LastAnswer<WeightKey, Weighted> weighted_;
+  LastAnswer<Motion, std::vector<WeightReport>> reports_;
   LastAnswer<FrameKey, FrameState> frame_;
   LastAnswer<OriginalKey, FrameState> original_;
   LastAnswer<PathsKey, std::vector<TrailPaths>> paths_;

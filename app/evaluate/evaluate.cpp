@@ -28,7 +28,11 @@ rig::MotionState prepareMotion(const Document& document, int clip) {
 
 std::vector<WeightReport> weightReports(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
-  return weightOn(input, solveTrails(input, nullptr)).reports;
+  rig::MotionState motion = solveTrails(input, nullptr);
+  WeightMotion made = weightOn(input, motion);
+  addWeight(input, std::move(made.weights), motion);
+  measureLengths(weightInput(input), motion, made.reports);
+  return std::move(made.reports);
 }
 
 FrameState evaluate(const Document& document, const rig::MotionState& motion, double timeSeconds) {

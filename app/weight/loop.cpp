@@ -1,9 +1,13 @@
 #include "app/weight/loop.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stretch::app {
 
-LoopRoom loopRoom(bool loops, std::size_t samples) {
-  constexpr std::size_t smoothed = 6;
+LoopRoom loopRoom(bool loops, std::size_t samples, double samplesPerSecond) {
+  constexpr double smoothedSeconds = 0.2;
+  const auto smoothed = static_cast<std::size_t>(std::ceil(smoothedSeconds * samplesPerSecond));
   const std::size_t period = samples - 1;
   return loops && samples > 2 ? LoopRoom{period, std::min(smoothed, period)} : LoopRoom{};
 }

@@ -15,7 +15,7 @@ struct LoopRoom {
 };
 
 /// For `samples` samples, the last of which shows the first again.
-[[nodiscard]] LoopRoom loopRoom(bool loops, std::size_t samples);
+[[nodiscard]] LoopRoom loopRoom(bool loops, std::size_t samples, double samplesPerSecond);
 
 /// One entry for each sample, with the room filled in.
 template <typename T>

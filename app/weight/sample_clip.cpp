@@ -16,16 +16,12 @@ namespace stretch::app {
 
 namespace {
 
-// Samples per frame, or frames per sample, so that there are about 24 to 40 samples per second: the model's
-// smoothing is made for that.
+// Samples per frame, or frames per sample, so that there are 48 to 96 samples per second: what the model
+// makes of them then hardly depends on the rate.
 double samplesPerFrame(double framesPerSecond) {
-  constexpr double fewest = 24.0;
-  constexpr double most = 40.0;
-  if (framesPerSecond > most) {
-    return 1.0 / std::max(1.0, std::floor(framesPerSecond / fewest));
-  }
-  constexpr double rough = 20.0;
-  return framesPerSecond < rough ? std::ceil(fewest / framesPerSecond) : 1.0;
+  constexpr double fewest = 48.0;
+  return framesPerSecond < fewest ? std::ceil(fewest / framesPerSecond)
+                                  : 1.0 / std::floor(framesPerSecond / fewest);
 }
 
 std::vector<double> evenSeconds(const Clip& clip, double samplesPerSecond) {

@@ -30,8 +30,8 @@ struct WeightInput {
 /// character of characterHeightMetres, and how its space lies.
 struct SampledClip {
   double samplesPerSecond = 30.0;
-  std::vector<double> seconds; ///< Of the samples, even; about 24 to 40 of them per second, frames among
-                               ///< them.
+  std::vector<double> seconds; ///< Of the samples, even; 48 to 96 of them per second; every frame is one
+                               ///< of them unless there are more frames than that.
   struct OfLimb {
     rig::Limb limb;
     std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.

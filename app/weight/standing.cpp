@@ -26,9 +26,11 @@ Standing standingOf(const SampledClip& sampled, double metresPerUnit) {
     std::vector<Vec3> heights;
     std::transform(one.lowest.begin(), one.lowest.end(), std::back_inserter(heights),
                    [&](double height) { return height * up; });
+    const double length = one.limb.restLength * metresPerUnit;
+    const double rate = sampled.samplesPerSecond;
     standing.legs.push_back(one.limb.id);
-    standing.planted.push_back(skinning::plantedWeights(heights, sampled.samplesPerSecond,
-                                                        one.limb.restLength * metresPerUnit, up, settings));
+    standing.planted.push_back(skinning::plantedWeights(heights, rate, length, up, settings));
+    standing.kept.push_back(skinning::touchingWeights(heights, rate, length, up, settings));
   }
   standing.shares = skinning::sharedMass(standing.planted, 1.0);
   return standing;

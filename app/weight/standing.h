@@ -12,6 +12,7 @@ namespace stretch::app {
 struct Standing {
   std::vector<std::string> legs;
   std::vector<std::vector<double>> planted; ///< 0..1.
+  std::vector<std::vector<double>> kept;    ///< How much the foot keeps its place, 0..1: 1 where it touches.
   std::vector<std::vector<double>> shares;  ///< Of the body above, 0..1.
 
   /// `legs.size()` for a limb that is not a leg.
@@ -22,7 +23,7 @@ struct Standing {
 
 /// A foot stands when its lowest joint is near the lowest place that any foot gets to along +Y and does not
 /// shoot up or down: on a clip that walks in place it slides, and at a landing the body brakes while the foot
-/// still comes down. Without a leg nothing stands.
+/// still comes down. It touches the ground wherever it is that low. Without a leg nothing stands.
 [[nodiscard]] Standing standingOf(const SampledClip& sampled, double metresPerUnit);
 
 } // namespace stretch::app

@@ -168,11 +168,12 @@ void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::
       first, first + static_cast<std::ptrdiff_t>(input.sampled.seconds.size()));
   std::vector<std::vector<Mat3>> strains = skinning::boneStrains(shown, one.toJoint);
   const std::size_t leg = input.standing.indexOf(one.limb.id);
-  ReportWriter writer(report, segments, input.weight.clip->framesPerSecond);
+  const bool isLeg = leg < input.standing.legs.size();
+  ReportWriter writer(report, input.weight.clip->framesPerSecond);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const double seconds = input.sampled.seconds[k];
-    const double planted = leg < input.standing.legs.size() ? input.standing.planted[leg][k] : 0.0;
-    weight.samples.push_back({seconds, std::move(strains[k]), planted});
+    weight.samples.push_back({seconds, std::move(strains[k]), isLeg ? input.standing.planted[leg][k] : 0.0,
+                              isLeg ? input.standing.kept[leg][k] : 0.0});
     if (seconds >= weight.startSeconds - 1e-6 && seconds <= weight.endSeconds + 1e-6) {
       writer.add(seconds, shown[k]);
     }
@@ -180,6 +181,33 @@ void addLimb(const Shared& input, const WeightedLimb& entry, const SampledClip::
   writer.finish();
   motion.weights.push_back(std::move(weight));
   motion.reports.push_back(std::move(report));
+}
+
+bool hasWeight(const std::vector<rig::LimbWeight>& weights, const std::string& limb) {
+  return std::any_of(weights.begin(), weights.end(),
+                     [&](const rig::LimbWeight& one) { return one.limb == limb; });
+}
+
+// Legs without weight of their own do not give way, but know where their feet touch the ground while the
+// other one moves the hips.
+void addStiffLegs(const Shared& input, std::vector<rig::LimbWeight>& weights) {
+  const std::vector<rig::LimbWeight> given = weights;
+  const auto isGivenLeg = [&](const rig::LimbWeight& one) {
+    return input.standing.indexOf(one.limb) < input.standing.legs.size();
+  };
+  const auto first = std::find_if(given.begin(), given.end(), isGivenLeg);
+  for (std::size_t leg = 0; leg < input.standing.legs.size() && first != given.end(); ++leg) {
+    const std::string& id = input.standing.legs[leg];
+    if (hasWeight(given, id)) {
+      continue;
+    }
+    rig::LimbWeight stiff{id, {}, first->startSeconds, first->endSeconds, 0.0, 0.0};
+    const std::vector<Mat3> still(limbIn(input.sampled, id)->limb.joints.size(), Mat3(0.0));
+    for (std::size_t k = 0; k < input.sampled.seconds.size(); ++k) {
+      stiff.samples.push_back({input.sampled.seconds[k], still, 0.0, input.standing.kept[leg][k]});
+    }
+    weights.push_back(std::move(stiff));
+  }
 }
 
 } // namespace
@@ -200,7 +228,8 @@ const LimbSize& LimbSizes::of(const WeightInput& input, const rig::Limb& limb) {
 
 WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled, LimbSizes& sizes) {
   const Shared shared{input, sampled, standingOf(sampled, input.metresPerUnit()),
-                      loopRoom(input.loops, sampled.seconds.size()), volumeAboveLegs(input, sizes)};
+                      loopRoom(input.loops, sampled.seconds.size(), sampled.samplesPerSecond),
+                      volumeAboveLegs(input, sizes)};
   WeightMotion motion;
   for (const std::size_t i : activeWeights(input)) {
     const WeightedLimb& entry = input.weights[i];
@@ -208,6 +237,7 @@ WeightMotion weightMotion(const WeightInput& input, const SampledClip& sampled, 
       addLimb(shared, entry, *one, sizes, motion);
     }
   }
+  addStiffLegs(shared, motion.weights);
   return motion;
 }
 

@@ -23,8 +23,9 @@ private:
 };
 
 struct WeightMotion {
-  std::vector<rig::LimbWeight> weights;
-  std::vector<WeightReport> reports; ///< In the order of WeightInput::weights.
+  std::vector<rig::LimbWeight> weights; ///< With legs that do not give way but know where they stand.
+  std::vector<WeightReport> reports;    ///< In the order of WeightInput::weights; without lengths
+                                        ///< (measureLengths).
 };
 
 /// How the limbs of a clip that have weight give way (skinning::limbElasticity): legs that stand share the

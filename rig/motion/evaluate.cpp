@@ -203,7 +203,7 @@ FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionStat
                           double timeSeconds) {
   FrameState frame = sampledFrame(scene, clip, timeSeconds);
   applyTrails(scene, motion, frame);
-  applyWeight(scene, motion.weights, motion.hips, frame);
+  applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
   frame.timeSeconds = timeSeconds;
   return frame;
 }

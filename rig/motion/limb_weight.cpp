@@ -2,6 +2,7 @@
 #include "rig/limb.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -37,6 +38,7 @@ WeightSample between(const WeightSample& a, const WeightSample& b, double timeSe
   const double t = length > 0.0 ? (timeSeconds - a.timeSeconds) / length : 0.0;
   WeightSample sample = a;
   sample.planted += t * (b.planted - a.planted);
+  sample.kept += t * (b.kept - a.kept);
   for (std::size_t i = 0; i < sample.strains.size(); ++i) {
     sample.strains[i] += (b.strains[i] - a.strains[i]) * t;
   }
@@ -70,13 +72,29 @@ std::vector<Mat3> stretchesOf(const SolvedWeight& solved, const WeightSample& sa
   return stretches;
 }
 
-// A leg on its way through applyWeight.
-struct Leg {
+// A limb on its way through applyWeight.
+struct Moving {
   const SolvedWeight* solved = nullptr;
   double planted = 0.0;
-  Vec3 footBefore{0.0};
-  Vec3 footMove{0.0}; // By its own strain alone.
+  double kept = 0.0;
+  Vec3 endBefore{0.0};
+  Vec3 endMove{0.0};  // by its own strain alone
+  double depth = 0.0; // from the end down to the lowest point of the hand or foot
+  double floor = 0.0; // how low that may get
 };
+
+bool isArm(const Limb& limb) {
+  return limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm;
+}
+
+Moving movingOf(const SolvedWeight& solved, const WeightSample& sample, const BodyOutline& outline,
+                double floor, const FrameState& frame) {
+  Moving moving{&solved, sample.planted, sample.kept, endPosition(solved.limb, frame), {}, 0.0, floor};
+  const double lowest = lowestOf(outline, solved.ends, frame).value_or(moving.endBefore.y);
+  moving.depth = moving.endBefore.y - lowest;
+  moving.floor = std::min(floor, lowest);
+  return moving;
+}
 
 void giveWay(const Scene& scene, const SolvedWeight& solved, const WeightSample& sample, FrameState& frame) {
   if (!std::all_of(sample.strains.begin(), sample.strains.end(), isZero)) {
@@ -84,32 +102,63 @@ void giveWay(const Scene& scene, const SolvedWeight& solved, const WeightSample&
   }
 }
 
-// How far along +Y the hips move: what the legs that stand lost on average.
-double hipsMove(const std::vector<Leg>& legs) {
+// What the legs that stand lost on average along +Y, negative: the hips go down by it.
+double lostByLegs(const std::vector<Moving>& limbs) {
   double lost = 0.0;
   double standing = 0.0;
-  for (const Leg& leg : legs) {
-    lost += leg.planted * glm::dot(leg.footMove, up);
+  for (const Moving& leg : limbs) {
+    lost += leg.planted * leg.endMove.y;
     standing += leg.planted;
   }
   return standing > 0.0 ? -lost / standing * std::min(1.0, standing) : 0.0;
 }
 
-// Brings a leg onto its foot again, from wherever its hip went.
-void putDown(const Scene& scene, const Leg& leg, FrameState& frame) {
+// How far up the hips have to go, once moved by `move`, so that no foot that hangs free gets too low.
+double liftOfFeet(const std::vector<Moving>& limbs, double move) {
+  double lift = 0.0;
+  double touching = 0.0;
+  for (const Moving& leg : limbs) {
+    if (isLeg(leg.solved->limb)) {
+      lift = std::max(lift, leg.floor - (leg.endBefore.y - leg.depth + leg.endMove.y + move));
+      touching = std::max(touching, leg.kept);
+    }
+  }
+  return (1.0 - touching) * lift;
+}
+
+double hipsMove(const std::vector<Moving>& limbs, double floor, double lowestRiding) {
+  const bool anyLeg =
+      std::any_of(limbs.begin(), limbs.end(), [](const Moving& one) { return isLeg(one.solved->limb); });
+  if (!anyLeg) {
+    return 0.0;
+  }
+  const double lost = lostByLegs(limbs);
+  return std::max(lost + liftOfFeet(limbs, lost), floor - lowestRiding);
+}
+
+// Brings a limb's end to a place from wherever it went.
+void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target, FrameState& frame) {
   constexpr double shortestReachOfRest = 1e-3;
   LimbShapeProblem problem;
-  problem.points = limbPoints(leg.solved->limb, frame);
-  problem.target = leg.footBefore + (1.0 - leg.planted) * leg.footMove;
-  problem.shortestReach = shortestReachOfRest * leg.solved->limb.restLength;
-  problem.restLength = leg.solved->limb.restLength;
+  problem.points = limbPoints(solved.limb, frame);
+  problem.target = target;
+  problem.shortestReach = shortestReachOfRest * solved.limb.restLength;
+  problem.restLength = solved.limb.restLength;
   if (glm::length(problem.target - problem.points.back()) <= 0.0) {
     return;
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, leg.solved->limb, leg.solved->topology, shape, {}, frame);
+    deformLimb(scene, solved.limb, solved.topology, shape, {}, frame);
   }
+}
+
+// A foot on the ground where it was, another one and a hand no lower than allowed.
+void putDown(const Scene& scene, const Moving& moving, FrameState& frame) {
+  const Vec3 now = endPosition(moving.solved->limb, frame);
+  Vec3 target = isLeg(moving.solved->limb) ? now + moving.kept * (moving.endBefore - now) : now;
+  target.y = std::max(target.y, moving.floor + moving.depth);
+  bringTo(scene, *moving.solved, target, frame);
 }
 
 void moveHips(const Scene& scene, NodeIndex hips, double move, FrameState& frame) {
@@ -123,9 +172,8 @@ void moveHips(const Scene& scene, NodeIndex hips, double move, FrameState& frame
 } // namespace
 
 WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
-  const double fade = fadeAt(weight, timeSeconds);
-  if (weight.samples.empty() || fade <= 0.0) {
-    return {timeSeconds, {}, 0.0};
+  if (weight.samples.empty()) {
+    return {timeSeconds, {}, 0.0, 1.0};
   }
   const auto after = std::lower_bound(
       weight.samples.begin(), weight.samples.end(), timeSeconds,
@@ -137,6 +185,10 @@ WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
     sample = between(*(after - 1), *after, timeSeconds);
   }
   sample.timeSeconds = timeSeconds;
+  const double fade = fadeAt(weight, timeSeconds);
+  if (fade <= 0.0) {
+    return {timeSeconds, {}, 0.0, sample.kept};
+  }
   for (Mat3& strain : sample.strains) {
     strain *= fade;
   }
@@ -144,19 +196,31 @@ WeightSample weightAt(const LimbWeight& weight, double timeSeconds) {
 }
 
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
-                 FrameState& frame) {
-  std::vector<Leg> legs;
+                 const BodyOutline& outline, FrameState& frame) {
+  constexpr double bottomless = -std::numeric_limits<double>::infinity();
+  std::vector<WeightSample> samples;
+  bool anyGives = false;
   for (const SolvedWeight& solved : weights) {
-    const WeightSample sample = weightAt(solved.weight, frame.timeSeconds);
-    const Vec3 before = endPosition(solved.limb, frame);
-    giveWay(scene, solved, sample, frame);
-    if (isLeg(solved.limb)) {
-      legs.push_back({&solved, sample.planted, before, endPosition(solved.limb, frame) - before});
-    }
+    samples.push_back(weightAt(solved.weight, frame.timeSeconds));
+    const std::vector<Mat3>& strains = samples.back().strains;
+    anyGives = anyGives || !std::all_of(strains.begin(), strains.end(), isZero);
   }
-  moveHips(scene, hips, hipsMove(legs), frame);
-  for (const Leg& leg : legs) {
-    putDown(scene, leg, frame);
+  if (!anyGives) {
+    return;
+  }
+  const double floor = lowestOf(outline, outline.body, frame).value_or(bottomless);
+  std::vector<Moving> limbs;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    limbs.push_back(movingOf(weights[i], samples[i], outline, floor, frame));
+    giveWay(scene, weights[i], samples[i], frame);
+    limbs.back().endMove = endPosition(weights[i].limb, frame) - limbs.back().endBefore;
+  }
+  const double lowestRiding = lowestOf(outline, outline.riding, frame).value_or(-bottomless);
+  moveHips(scene, hips, hipsMove(limbs, floor, lowestRiding), frame);
+  for (const Moving& moving : limbs) {
+    if (isLeg(moving.solved->limb) || isArm(moving.solved->limb)) {
+      putDown(scene, moving, frame);
+    }
   }
 }
 

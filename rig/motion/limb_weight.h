@@ -6,6 +6,7 @@
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
 #include "rig/limb.h"
+#include "rig/motion/body_outline.h"
 #include "rig/motion/limb_topology.h"
 
 namespace stretch::rig {
@@ -16,7 +17,8 @@ struct WeightSample {
   /// One for each bone: K - I in the space of the bone's joint, symmetric; zero where nothing gives way. What
   /// it does across the bone need not be the same in all directions.
   std::vector<Mat3> strains;
-  double planted = 0.0; ///< 0..1: how much the limb stands on its end.
+  double planted = 0.0; ///< 0..1: how much the limb stands on its end and carries the body.
+  double kept = 0.0;    ///< 0..1: how much the end keeps its place; 1 wherever it touches the ground.
 };
 
 /// How one limb gives way over a clip: linear between the samples, held before and after them.
@@ -34,6 +36,7 @@ struct SolvedWeight {
   LimbWeight weight;
   Limb limb;
   LimbTopology topology;
+  std::vector<NodeIndex> ends; ///< What of the hand or foot has a mesh (BodyOutline).
 };
 
 /// The weight at one time, its fades applied; no strains where nothing happens.
@@ -41,10 +44,11 @@ struct SolvedWeight {
 
 /// Lets the limbs of a frame, its trails applied, give way. Each bone is stretched by its K (on top of a
 /// trail's: both have the bone as an axis), what hangs on it moves with it, hands and feet keep orientation
-/// and size. A leg that stands keeps its foot where it was: the hips go up or down along +Y by what the
-/// standing legs lost on average, and each leg is turned and scaled as a whole onto its foot; a leg in the
-/// air does not follow the hips either. Zero strains change nothing at all.
+/// and size. The hips go up or down along +Y by what the legs that stand lost on average, and everything that
+/// hangs on them follows, a leg in the air too: it keeps its bend. A foot that touches the ground keeps its
+/// place: its leg is turned and scaled as a whole onto it. Nothing gets lower than the lowest point of the
+/// body was: in the air the hips rise instead, a hand is held up. Zero strains change nothing at all.
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
-                 FrameState& frame);
+                 const BodyOutline& outline, FrameState& frame);
 
 } // namespace stretch::rig

@@ -7,6 +7,7 @@
 
 #include "rig/limb.h"
 #include "rig/motion/bend_normal.h"
+#include "rig/motion/body_outline.h"
 #include "rig/motion/limb_topology.h"
 #include "rig/motion/limb_weight.h"
 #include "rig/trail/exaggeration.h"
@@ -52,6 +53,7 @@ struct MotionState {
   NodeIndex hips; ///< What the space "root" is measured from.
   std::vector<SolvedTrail> trails;
   std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the trails (setWeight).
+  BodyOutline outline;               ///< Empty without weights.
 };
 
 /// Place in MotionState::trails of the trail with this id; empty when it is not there.

@@ -13,6 +13,7 @@ namespace {
 void addGround(const Scene& scene, const MotionState& motion, std::vector<NodeIndex>& nodes) {
   const std::vector<NodeIndex> moved = movedNodes(scene, motion);
   nodes.insert(nodes.end(), moved.begin(), moved.end());
+  nodes.insert(nodes.end(), motion.outline.body.begin(), motion.outline.body.end());
   if (motion.hips.exists()) {
     nodes.push_back(motion.hips);
   }
@@ -43,7 +44,7 @@ void PartMotion::moved(double timeSeconds, FrameState& frame) const {
 
 void PartMotion::move(FrameState& frame) const {
   applyTrails(skeleton_, motion_, frame);
-  applyWeight(skeleton_, motion_.weights, motion_.hips, frame);
+  applyWeight(skeleton_, motion_.weights, motion_.hips, motion_.outline, frame);
 }
 
 std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {

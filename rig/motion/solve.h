@@ -24,8 +24,8 @@ struct MotionInput {
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// Lets limbs give way on top of the trails. A leg that has no weight of its own keeps its foot where it is
-/// when the other one moves the hips. Weight of limbs that are missing, or that has not one strain for each
+/// Lets limbs give way on top of the trails. A leg that is not among them keeps its foot where it is when the
+/// other one moves the hips. Weight of limbs that are missing, or that has not one strain for each
 /// bone, is left out.
 void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion);
 

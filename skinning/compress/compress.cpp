@@ -98,7 +98,8 @@ void fitPoses(const MeshSequence& sequence, const CompressSettings& settings, co
     fit.fitStretch = false;
   }
   if (skinned.chained) {
-    fitChainedBones(sequence, skinned);
+    const bool rigid = settings.stretch == StretchOption::none;
+    fitChainedBones(sequence, skinned, rigid ? RowHold::firm : RowHold::loose);
   } else {
     fitFreeBones(sequence, skinned, fit, partOf(proceed, measuredShare, fittedShare));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -29,21 +30,35 @@ Vec3 extended(const Path& path, std::ptrdiff_t frame) {
   return at(frame);
 }
 
-/// Second derivative of the path, smoothed over about five frames: single keys that are a hair off would
-/// otherwise shake the limb.
+/// Weights of the frames around one that smooth a path, the frame itself in the middle. Single keys that are
+/// a hair off would otherwise shake the limb. The second difference smooths too, by a sixth of a frame's
+/// variance: what is left for the weights makes the two together last as long at every frame rate.
+std::vector<double> smoothingWeights(double framesPerSecond) {
+  constexpr double smoothedSeconds = 0.0423; // standard deviation of the two together
+  constexpr double ofSecondDifference = 1.0 / 6.0;
+  constexpr double least = 0.1;
+  const double frames = smoothedSeconds * framesPerSecond;
+  const double variance = std::max(least, frames * frames - ofSecondDifference);
+  const auto reach = static_cast<int>(std::ceil(3.5 * std::sqrt(variance)));
+  std::vector<double> weights;
+  for (int d = -reach; d <= reach; ++d) {
+    weights.push_back(std::exp(-0.5 * d * d / variance));
+  }
+  return weights;
+}
+
+/// Second derivative of the path, smoothed.
 Path accelerationOf(const Path& path, double framesPerSecond) {
-  constexpr double sigma = 1.2;
-  constexpr std::ptrdiff_t reach = 4;
+  const std::vector<double> weights = smoothingWeights(framesPerSecond);
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const auto reach = static_cast<std::ptrdiff_t>(weights.size() / 2);
   Path smooth;
   for (std::ptrdiff_t k = -1; k <= static_cast<std::ptrdiff_t>(path.size()); ++k) {
     Vec3 sum(0.0);
-    double weight = 0.0;
     for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
-      const double w = std::exp(-0.5 * static_cast<double>(d * d) / (sigma * sigma));
-      sum += w * extended(path, k + d);
-      weight += w;
+      sum += weights[static_cast<std::size_t>(d + reach)] * extended(path, k + d);
     }
-    smooth.push_back(sum / weight);
+    smooth.push_back(sum / total);
   }
   Path acceleration;
   for (std::size_t k = 1; k + 1 < smooth.size(); ++k) {
@@ -57,7 +72,8 @@ Path accelerationOf(const Path& path, double framesPerSecond) {
 /// between frames would need cases by damping; small implicit steps are stable for all of them.
 Path throughSpring(const Path& load, double framesPerSecond, const LimbElasticity& settings) {
   constexpr double baseFrequencyHz = 6.0;
-  constexpr int stepsPerFrame = 8;
+  constexpr double stepsPerSecond = 1920.0;
+  const auto stepsPerFrame = std::max(1, static_cast<int>(std::ceil(stepsPerSecond / framesPerSecond)));
   const double omega = 2.0 * pi * baseFrequencyHz * std::sqrt(settings.stiffness);
   const double dt = 1.0 / (framesPerSecond * stepsPerFrame);
   Path result;
@@ -151,6 +167,41 @@ private:
   std::vector<Path> loads_;
 };
 
+/// Between the frames whose distance says how fast an end is.
+constexpr double speedSeconds = 1.0 / 30.0;
+
+std::ptrdiff_t framesOf(double seconds, double framesPerSecond, std::ptrdiff_t fewest) {
+  return std::max(fewest, static_cast<std::ptrdiff_t>(std::lround(seconds * framesPerSecond)));
+}
+
+std::vector<bool> lowFrames(const std::vector<Vec3>& end, double limbLength, const Vec3& up,
+                            const PlantedSettings& settings) {
+  double lowest = end.empty() ? 0.0 : glm::dot(end.front(), up);
+  for (const Vec3& position : end) {
+    lowest = std::min(lowest, glm::dot(position, up));
+  }
+  lowest = settings.ground.value_or(lowest);
+  std::vector<bool> low;
+  for (const Vec3& position : end) {
+    low.push_back(glm::dot(position, up) - lowest <= settings.height * limbLength);
+  }
+  return low;
+}
+
+/// Means over as many frames before as after each.
+std::vector<double> meanAround(const std::vector<double>& values, std::ptrdiff_t reach) {
+  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+  std::vector<double> means;
+  for (std::ptrdiff_t k = 0; k <= last; ++k) {
+    double sum = 0.0;
+    for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
+      sum += values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k + d, 0, last))];
+    }
+    means.push_back(sum / static_cast<double>(2 * reach + 1));
+  }
+  return means;
+}
+
 Status checkMotion(const std::vector<LimbSegment>& segments, const LimbMotion& motion) {
   const std::size_t frames = motion.joints.size();
   const bool listsFit = (motion.planted.empty() || motion.planted.size() == frames) &&
@@ -218,30 +269,31 @@ Result<std::vector<std::vector<LimbStretch>>> limbElasticity(const std::vector<L
 std::vector<double> plantedWeights(const std::vector<Vec3>& end, double framesPerSecond, double limbLength,
                                    const Vec3& up, const PlantedSettings& settings) {
   const auto frames = static_cast<std::ptrdiff_t>(end.size());
-  double lowest = frames > 0 ? glm::dot(end.front(), up) : 0.0;
-  for (const Vec3& position : end) {
-    lowest = std::min(lowest, glm::dot(position, up));
-  }
-  lowest = settings.ground.value_or(lowest);
+  const std::vector<bool> low = lowFrames(end, limbLength, up, settings);
+  const std::ptrdiff_t step = framesOf(speedSeconds, framesPerSecond, 1);
   std::vector<double> stands;
   for (std::ptrdiff_t k = 0; k < frames; ++k) {
-    const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(k - 1, 0));
-    const auto after = static_cast<std::size_t>(std::min(k + 1, frames - 1));
+    const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(k - step, 0));
+    const auto after = static_cast<std::size_t>(std::min(k + step, frames - 1));
     const double seconds = static_cast<double>(std::max<std::size_t>(after - before, 1)) / framesPerSecond;
     const bool slow = glm::length(end[after] - end[before]) / seconds <= settings.speed * limbLength;
-    const bool low = glm::dot(end[static_cast<std::size_t>(k)], up) - lowest <= settings.height * limbLength;
-    stands.push_back(slow && low ? 1.0 : 0.0);
+    stands.push_back(slow && low[static_cast<std::size_t>(k)] ? 1.0 : 0.0);
   }
-  std::vector<double> weights;
-  const std::ptrdiff_t fade = std::max(settings.crossFadeFrames, 0);
+  return meanAround(stands, framesOf(settings.fadeSeconds, framesPerSecond, 0));
+}
+
+std::vector<double> touchingWeights(const std::vector<Vec3>& end, double framesPerSecond, double limbLength,
+                                    const Vec3& up, const PlantedSettings& settings) {
+  const std::vector<bool> low = lowFrames(end, limbLength, up, settings);
+  const auto frames = static_cast<std::ptrdiff_t>(end.size());
+  const std::ptrdiff_t fade = framesOf(settings.fadeSeconds, framesPerSecond, 0);
+  std::vector<double> near(end.size(), 0.0);
   for (std::ptrdiff_t k = 0; k < frames; ++k) {
-    double sum = 0.0;
-    for (std::ptrdiff_t d = -fade; d <= fade; ++d) {
-      sum += stands[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k + d, 0, frames - 1))];
+    for (std::ptrdiff_t d = -fade; d <= fade && low[static_cast<std::size_t>(k)]; ++d) {
+      near[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k + d, 0, frames - 1))] = 1.0;
     }
-    weights.push_back(sum / static_cast<double>(2 * fade + 1));
   }
-  return weights;
+  return meanAround(near, fade);
 }
 
 std::vector<std::vector<double>> sharedMass(const std::vector<std::vector<double>>& planted,

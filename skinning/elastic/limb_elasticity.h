@@ -52,26 +52,33 @@ struct LimbStretch {
 
 /// Stretch of every segment in every frame (frame first). The load is gravity minus the segment's
 /// acceleration: across the segment it flattens (Eq. 6), along it a free limb hangs from its base with all
-/// segments beyond, a planted one stands on its end under all before it and what it carries. The load passes
-/// through a damped spring that starts at rest, so a landing squashes and rings out, a swing stretches, a
-/// still pose sags and stays. Errors: frames whose joints do not match the segments, no finite numbers,
-/// settings out of range.
+/// segments beyond, a planted one stands on its end under all before it and what it carries. The acceleration
+/// is smoothed over a tenth of a second, whatever the frame rate; it should be 24 frames per second or more.
+/// The load passes through a damped spring that starts at rest, so a landing squashes and rings out, a swing
+/// stretches, a still pose sags and stays. Errors: frames whose joints do not match the segments, no finite
+/// numbers, settings out of range.
 [[nodiscard]] Result<std::vector<std::vector<LimbStretch>>>
 limbElasticity(const std::vector<LimbSegment>& segments, const LimbMotion& motion,
                const LimbElasticity& settings);
 
 struct PlantedSettings {
-  double speed = 0.35;          ///< Limb lengths per second: a planted end moves slower.
-  double height = 0.06;         ///< Limb lengths: and is no higher than this above its lowest.
-  std::optional<double> ground; ///< Height of the ground along `up`; empty: the lowest that the end gets.
-  int crossFadeFrames = 2;      ///< Frames over which planted and free fade into each other, on either side.
+  double speed = 0.35;             ///< Limb lengths per second: a planted end moves slower.
+  double height = 0.06;            ///< Limb lengths: and is no higher than this above its lowest.
+  std::optional<double> ground;    ///< Height of the ground along `up`; empty: the lowest that the end gets.
+  double fadeSeconds = 1.0 / 15.0; ///< Over which planted and free fade into each other, on either side.
 };
 
 /// How much the end of a limb stands on the ground in each frame, 0..1: slow and near its lowest height along
-/// `up`.
+/// `up`. Half of the fade lies within the time that it stands.
 [[nodiscard]] std::vector<double> plantedWeights(const std::vector<Vec3>& end, double framesPerSecond,
                                                  double limbLength, const Vec3& up,
                                                  const PlantedSettings& settings = {});
+
+/// How much the end of a limb touches the ground in each frame, 0..1: 1 wherever it is near its lowest height
+/// along `up`, however fast; the fade lies before and after that. Of `settings` speed does not count.
+[[nodiscard]] std::vector<double> touchingWeights(const std::vector<Vec3>& end, double framesPerSecond,
+                                                  double limbLength, const Vec3& up,
+                                                  const PlantedSettings& settings = {});
 
 /// What each limb carries of a body, frame by frame, when the limbs stand as much as their weights say: the
 /// mass is shared among them in that proportion. One list of weights for each limb, all of one length.

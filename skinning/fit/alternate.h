@@ -31,10 +31,16 @@ struct FitSettings {
 void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings,
                   const Proceed& proceed = {});
 
+/// How firmly the bones of a row are held to the rotations of the material around them.
+enum class RowHold {
+  loose, ///< For a row as long as the body.
+  firm,  ///< For one that is not: it would fold up in the body, each frame in another way.
+};
+
 /// Poses of bones that hang together (SkinnedSequence::chained), influences given: their stretches stay, the
 /// place of the first bone and the rotations are fitted, the latter held near those of the poses, which
 /// should be measured ones.
-void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned);
+void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, RowHold hold);
 
 /// Parts of a mesh for bones without a skeleton: centres as far from each other as can be, every vertex with
 /// the nearest in the first frame. Bones have no direction: their axes are the mesh's.

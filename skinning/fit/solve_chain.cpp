@@ -93,14 +93,13 @@ public:
   }
 
 private:
-  /// How strongly a bone is held to the rotation that it starts with: a share of its own resistance to being
-  /// turned. A chain that is too long for the body would otherwise fold up, each frame in another way.
+  /// How strongly a bone is held to the rotation that it starts with: so many times its own resistance to
+  /// being turned.
   [[nodiscard]] double hold(std::size_t bone) const {
-    constexpr double share = 0.5;
     const Eigen::Matrix4d& own = bind_.own(bone);
     const Eigen::Vector3d& pivot = chain_.pivots[bone];
-    return share * (own.block<3, 3>(0, 0).trace() - 2.0 * pivot.dot(own.block<3, 1>(0, 3)) +
-                    own(3, 3) * pivot.squaredNorm());
+    return chain_.hold * (own.block<3, 3>(0, 0).trace() - 2.0 * pivot.dot(own.block<3, 1>(0, 3)) +
+                          own(3, 3) * pivot.squaredNorm());
   }
 
   static void addPair(Eigen::MatrixXd& free, const std::vector<Eigen::Matrix<double, 3, 4>>& arms,

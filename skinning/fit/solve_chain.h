@@ -13,6 +13,8 @@ struct Chain {
   std::vector<Eigen::Matrix3d> rotations; ///< Frame after frame, one for each bone: read as the start,
                                           ///< written.
   std::vector<Eigen::Vector3d> roots;     ///< Where pivots[0] is in each frame: read as the start, written.
+  double hold = 0.5; ///< How firmly bones are held to the rotations of the start, in their own resistance to
+                     ///< being turned.
 };
 
 /// Lowers the squared error over all vertices frame by frame, over the rotations and the root, by

@@ -45,3 +45,18 @@ TEST_CASE("a foot that is held up all the time does not stand, however still it 
   CHECK(legs.planted[legs.indexOf("left-leg")][10] == 1.0);
   CHECK(legs.planted[legs.indexOf("right-leg")][10] == 0.0);
 }
+
+TEST_CASE("a foot keeps its place as long as it touches the ground, however short and hard that is") {
+  std::vector<double> running(40, 0.4);
+  running[19] = 0.02; // comes down and goes up at more than ten legs a second
+  running[20] = 0.0;
+  const Standing legs = standing(running, std::vector<double>(40, 0.4));
+  const std::vector<double>& kept = legs.kept[legs.indexOf("left-leg")];
+  CHECK(legs.planted[legs.indexOf("left-leg")][20] < 1.0);
+  CHECK(kept[19] == 1.0);
+  CHECK(kept[20] == 1.0);
+  CHECK(kept[17] > 0.0);
+  CHECK(kept[17] < 1.0);
+  CHECK(kept[10] == 0.0);
+  CHECK(legs.kept[legs.indexOf("right-leg")][20] == 0.0);
+}

@@ -85,6 +85,15 @@ double worstSkinDifference(const Document& a, const Document& b) {
   return worst / a.biped.height;
 }
 
+double lengthAlong(const rig::Limb& limb, const FrameState& frame) {
+  const std::vector<Vec3> points = rig::limbPoints(limb, frame);
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += glm::length(points[i] - points[i - 1]);
+  }
+  return length;
+}
+
 std::string bytesOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
@@ -204,6 +213,41 @@ TEST_CASE("a model that is too soft says at which frame it no longer holds") {
   REQUIRE(reports.size() == 1);
   REQUIRE_FALSE(reports.front().warnings.empty());
   CHECK_THAT(reports.front().warnings.front(), Catch::Contains("frame"));
+}
+
+TEST_CASE("the report tells the lengths that the saved file shows, feet in their places") {
+  const Folder folder;
+  const Document document = heavy();
+  REQUIRE(saveDocument(document, folder.file("clean.glb"), {.clean = true}));
+  const Document saved = loadedDocument(folder.file("clean.glb"));
+  const Clip& clip = clipOf(document, 0);
+  for (const WeightReport& report : weightReports(document, 0)) {
+    const rig::Limb& limb = *findLimb(document, report.limb);
+    double shortest = 10.0;
+    double longest = 0.0;
+    for (double frame = 0.0; frame <= clip.endSeconds * clip.framesPerSecond + 1e-6; frame += 1.0) {
+      const double seconds = frame / clip.framesPerSecond;
+      const double ratio = lengthAlong(limb, evaluateOriginal(saved, 0, seconds)) /
+                           lengthAlong(limb, evaluateOriginal(document, 0, seconds));
+      shortest = std::min(shortest, ratio);
+      longest = std::max(longest, ratio);
+    }
+    CAPTURE(report.limb);
+    CHECK(report.shortest == Approx(shortest).margin(1e-3));
+    CHECK(report.longest == Approx(longest).margin(1e-3));
+  }
+}
+
+TEST_CASE("a bone that changes its length by more than the model is made for is told with its frame") {
+  WeightSettings soft;
+  soft.stiffness = 0.2;
+  const std::vector<WeightReport> reports = weightReports(heavy(soft, {"right-arm"}), 0);
+  REQUIRE(reports.front().longest > 1.2);
+  REQUIRE(reports.front().longest < 2.0);
+  const std::vector<std::string>& warnings = reports.front().warnings;
+  CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("times its length at frame") != std::string::npos;
+  }));
 }
 
 TEST_CASE("recipes hold weight and give it to another document") {

@@ -8,6 +8,7 @@
 #include "core/gltf/json.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/core/glb_builder.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"
@@ -130,4 +131,23 @@ TEST_CASE("A folder of meshes and a file that moves morph targets alone point to
   const rig::Biped biped = rig::detectBiped(scene);
   REQUIRE(biped.warnings.size() == 1);
   CHECK_THAT(biped.warnings.front(), Catch::Contains("compress"));
+}
+
+TEST_CASE("What is no biped is stretched by name, and told by every verb that does it") {
+  const TemporaryFolder folder;
+  armBuilder().write(folder / "in.glb");
+  const std::string file = (folder / "in.glb").string();
+  const std::string output = (folder / "out.glb").string();
+  const std::vector<std::vector<std::string>> verbs = {
+      {"elastic", file, "-o", output, "--limb", "root..lower"},
+      {"exaggerate", file, "-o", output, "--limb", "root..lower", "--clip", "wave", "--scale", "2"}};
+  for (const std::vector<std::string>& words : verbs) {
+    CAPTURE(words.front());
+    const VerbAnswer answer = runVerb(words);
+    CHECK(answer.exitCode == 0);
+    CHECK_THAT(answer.told, Catch::Contains("no biped found"));
+    std::vector<std::string> json = words;
+    json.emplace_back("--json");
+    CHECK_THAT(runVerb(json).output, Catch::Contains("no biped found"));
+  }
 }

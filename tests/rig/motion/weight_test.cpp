@@ -2,11 +2,13 @@
 #include "rig/motion/limb_weight.h"
 
 #include <cmath>
+#include <optional>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/math/rotation.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/soft_limbs.h"
 
@@ -28,10 +30,16 @@ SoftBones longer(double /*frame*/) {
   return {1.2, 0.9, 1.0, Vec3(0.3, 1.0, 0.2), 0.0};
 }
 
+SoftBones touching(double /*frame*/) {
+  SoftBones bones;
+  bones.kept = 1.0;
+  return bones;
+}
+
 // A leg that stands and gives way more and more.
 SoftBones squashed(double frame) {
   const double along = 1.0 - 0.006 * frame;
-  return {along, 1.0 / std::sqrt(along), 1.0 / std::sqrt(along), Vec3(0.0, 0.0, 1.0), 1.0};
+  return {along, 1.0 / std::sqrt(along), 1.0 / std::sqrt(along), Vec3(0.0, 0.0, 1.0), 1.0, 1.0};
 }
 
 } // namespace
@@ -93,8 +101,8 @@ TEST_CASE("on top of a trail both stretches multiply and stay free of shear") {
 
 TEST_CASE("a leg that stands and gives way lowers the hips and keeps its foot") {
   const MovingBiped moving = punchingBiped();
-  const MotionState motion =
-      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", none)});
+  const MotionState motion = softMotion(
+      moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", touching)});
   for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState soft = atFrame(moving, motion, frame);
@@ -115,6 +123,51 @@ TEST_CASE("a leg without weight keeps its foot when the other one lowers the hip
   CHECK(soft.worlds[at(moving.biped.hips)][3].y < source.worlds[at(moving.biped.hips)][3].y);
   CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
         1e-6 * moving.biped.height);
+}
+
+TEST_CASE("a leg in the air keeps its bend and goes down with the hips") {
+  const MovingBiped moving = punchingBiped();
+  const Limb& left = moving.limb("left-leg");
+  const MotionState motion =
+      softMotion(moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", none)});
+  const std::vector<Vec3> before = limbPoints(left, sourceAtFrame(moving, 12.0)); // kicks
+  const std::vector<Vec3> after = limbPoints(left, atFrame(moving, motion, 12.0));
+  const Vec3 hipsMove = after.front() - before.front();
+  CHECK(hipsMove.y < -0.02 * moving.biped.height);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(glm::length(after[i] - before[i] - hipsMove) < 1e-9);
+  }
+}
+
+TEST_CASE("a hand that gets through the floor is held up to it") {
+  MovingBiped moving = still(namedBody());
+  const Limb arm = moving.limb("left-arm");
+  // Down along the body; three times as long it would end below the feet.
+  const Quat down = axisAngle(Vec3(0.0, 0.0, 1.0), -0.45 * pi);
+  moving.clip.tracks.emplace_back(
+      rotationTrack(arm.joints.front(), Interpolation::linear, {{0.0, down}, {1.0, down}}));
+  moving.clip.endSeconds = 1.0;
+  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-arm", [](double) {
+                                          return SoftBones{3.0, 0.6, 0.6};
+                                        })});
+  const FrameState source = sourceAtFrame(moving, 6.0);
+  const FrameState soft = atFrame(moving, motion, 6.0);
+  const std::optional<double> floor = lowestOf(motion.outline, motion.outline.body, source);
+  REQUIRE(floor);
+  CHECK(*lowestOf(motion.outline, motion.weights.front().ends, soft) == Approx(*floor).margin(1e-9));
+  CHECK(lengthOf(arm, soft) > 1.5 * lengthOf(arm, source));
+}
+
+TEST_CASE("legs that get longer in the air lift the hips: no foot gets lower than the body was") {
+  const MovingBiped moving = still(namedBody());
+  const MotionState motion =
+      softMotion(moving, {}, {softLimb(moving, "left-leg", longer), softLimb(moving, "right-leg", longer)});
+  const FrameState source = sourceAtFrame(moving, 0.0);
+  const FrameState soft = atFrame(moving, motion, 0.0);
+  const Limb& leg = moving.limb("left-leg");
+  CHECK(lengthOf(leg, soft) == Approx(1.2 * lengthOf(leg, source)).epsilon(1e-6));
+  CHECK(*lowestOf(motion.outline, motion.outline.body, soft) ==
+        Approx(*lowestOf(motion.outline, motion.outline.body, source)).margin(1e-9));
 }
 
 TEST_CASE("a leg in the air is stretched without moving the hips") {

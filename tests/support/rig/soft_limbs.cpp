@@ -7,7 +7,7 @@
 namespace stretch::test {
 
 rig::WeightSample softSample(const rig::Limb& limb, const FrameState& frame, const SoftBones& bones) {
-  rig::WeightSample sample{frame.timeSeconds, {}, bones.planted};
+  rig::WeightSample sample{frame.timeSeconds, {}, bones.planted, bones.kept};
   const std::vector<Vec3> points = rig::limbPoints(limb, frame.worlds);
   for (std::size_t i = 0; i < limb.joints.size(); ++i) {
     const Mat4 toJoint = glm::inverse(frame.worlds[at(limb.joints[i])]);

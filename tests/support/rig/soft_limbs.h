@@ -12,6 +12,7 @@ struct SoftBones {
   double sideways = 1.0;
   Vec3 acrossWorld{0.0, 1.0, 0.0};
   double planted = 0.0;
+  double kept = 0.0;
 };
 
 /// The weight of a limb over the whole clip, one sample for each frame; `bonesAt(frame)` answers its
