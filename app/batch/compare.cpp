@@ -8,6 +8,7 @@
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
+#include "core/base/number.h"
 #include "core/gltf/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
@@ -21,6 +22,7 @@ struct CompareArguments {
   std::vector<std::string> words;
   bool flattening = false;
   SettingTexts body;
+  skinning::StedSettings sted;
   bool json = false;
 };
 
@@ -103,7 +105,8 @@ Status runCompare(const CompareArguments& arguments) {
     return reference ? other.error() : reference.error();
   }
   skinning::joinUntilAlike(*reference, *other);
-  const Result<skinning::SequenceMetrics> metrics = skinning::compareSequences(*reference, *other);
+  const Result<skinning::SequenceMetrics> metrics =
+      skinning::compareSequences(*reference, *other, arguments.sted);
   if (!metrics) {
     return metrics.error();
   }
@@ -124,6 +127,36 @@ Status runCompare(const CompareArguments& arguments) {
   return Success{};
 }
 
+void addStedOptions(CommandLine& line, skinning::StedSettings& sted) {
+  const auto check = [](double least, const char* what) {
+    return [least, what](const std::string& text) {
+      const auto number = stretch::parseNumber(text);
+      return number && *number >= least ? std::string() : "'" + text + "' is no " + what;
+    };
+  };
+  line.option("--sted-rings", sted.rings, "Rings of triangles around a vertex that are its neighbourhood")
+      .between(1, 8)
+      .showDefault()
+      .group("STED");
+  line.option("--sted-window", sted.window, "Frame steps of the temporal part, odd")
+      .check([](const std::string& text) {
+        const auto number = stretch::parseNumber<int>(text);
+        return number && *number >= 1 && *number % 2 == 1 ? std::string()
+                                                          : "'" + text + "' is no odd number from 1 on";
+      })
+      .showDefault()
+      .group("STED");
+  line.option("--sted-dt", sted.timeStep,
+              "Length that a step in time counts for; 0: a tenth of the mean edge")
+      .check(check(0.0, "number from 0 on"))
+      .showDefault()
+      .group("STED");
+  line.option("--sted-c", sted.c, "Weight of the temporal part")
+      .check(check(0.0, "number from 0 on"))
+      .showDefault()
+      .group("STED");
+}
+
 } // namespace
 
 Verb compareVerb() {
@@ -140,6 +173,7 @@ Verb compareVerb() {
             for (const char* const name : {"gravity", "mass", "metres_per_unit"}) {
               addSettingOption(line, *findSetting(sequenceSchema(), name), arguments->body, "Flattening");
             }
+            addStedOptions(line, arguments->sted);
             addJson(line, arguments->json);
             return [arguments] { return runCompare(*arguments); };
           }};

@@ -10,6 +10,7 @@
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
+#include "core/base/file.h"
 #include "core/gltf/edits.h"
 #include "core/gltf/json.h"
 #include "skinning/compress/compress.h"
@@ -25,6 +26,7 @@ struct CompressArguments {
   OutputFile output;
   SettingTexts settings;
   std::string moduli;
+  std::string table;
   double framesPerSecond = 0.0;
   bool quantise = false;
   bool json = false;
@@ -62,10 +64,26 @@ skinning::Proceed terminalProgress() {
   };
 }
 
+Status writeTable(const CompressArguments& arguments, const MeshSequence& sequence,
+                  const skinning::CompressedSequence& compressed) {
+  if (arguments.table.empty()) {
+    return Success{};
+  }
+  if (!compressed.model) {
+    return Error{"the body has no centre line, so there is no curvature to write", "--curvature",
+                 "leave it out, or give a body without branches"};
+  }
+  return writeText(arguments.table, curvatureTable(sequence, *compressed.model), MissingFolder::isError);
+}
+
 Status runCompress(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
   if (Status apart = checkOutput(arguments.output, read); !apart) {
+    return apart;
+  }
+  read.push_back(arguments.output.path);
+  if (Status apart = checkOutput({arguments.table}, read); !apart) {
     return apart;
   }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
@@ -95,6 +113,9 @@ Status runCompress(const CompressArguments& arguments) {
   skinning::EncodeSettings encoding;
   encoding.quantise = arguments.quantise;
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
+  if (Status written = writeTable(arguments, *sequence, *compressed); !written) {
+    return written;
+  }
   if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
     return saved;
   }
@@ -121,6 +142,8 @@ Verb compressVerb() {
             addOutputFile(line, arguments->output, "The .glb to write");
             addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
             line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
+            line.option("--curvature", arguments->table,
+                        "CSV to write: curvature and length of the centre line, frame by frame");
             addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
             line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
             addJson(line, arguments->json);

@@ -46,6 +46,17 @@ Json lengthJson(const skinning::BodyStretch& model) {
             {"r_squared", length.monotone.rSquared}}}};
 }
 
+/// Curvature (radians) and length of the centre line, frame by frame.
+Json framesJson(const skinning::BodyStretch& model) {
+  Json curvatures = Json::array();
+  Json lengths = Json::array();
+  for (const skinning::CurvatureLength& frame : model.measured) {
+    curvatures.push_back(frame.curvatureRadians);
+    lengths.push_back(frame.length);
+  }
+  return {{"curvatures", std::move(curvatures)}, {"lengths", std::move(lengths)}};
+}
+
 /// The physics that explains the frames, whether the bones are stretched by it or not.
 void printModel(const Json& report) {
   const Json& length = report["length_by_curvature"];
@@ -108,6 +119,7 @@ Json compressionJson(const MeshSequence& sequence, const skinning::CompressedSeq
     report["young_fitted"] = compressed.model->modulusFitted;
     report["mass"] = compressed.model->mass;
     report["gravity_compression"] = compressed.model->compressions;
+    report["curvature_and_length"] = framesJson(*compressed.model);
   }
   report["warnings"] = sequence.warnings;
   for (const std::string& warning : compressed.warnings) {
@@ -133,6 +145,18 @@ void printCompression(const Json& report) {
   for (const Json& warning : report["warnings"]) {
     fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
   }
+}
+
+std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStretch& model) {
+  std::string table = "frame,name,curvature_radians,length,modelled_length\n";
+  for (std::size_t k = 0; k < model.measured.size(); ++k) {
+    const skinning::CurvatureLength& frame = model.measured[k];
+    std::string name = k < sequence.frameNames.size() ? sequence.frameNames[k] : std::string();
+    std::ranges::replace(name, '"', '\''); // What a name may hold must not end its cell.
+    table += fmt::format("{},\"{}\",{},{},{}\n", k, name, frame.curvatureRadians, frame.length,
+                         model.length.at(frame.curvatureRadians));
+  }
+  return table;
 }
 
 Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words) {

@@ -24,6 +24,10 @@ void printMetrics(const gltf::Json& report);
 /// The same as lines of text, from the JSON; warnings go to standard error.
 void printCompression(const gltf::Json& report);
 
+/// Curvature and length of the centre line as CSV, a line for each frame: measured, and the length that the
+/// model gives for the curvature.
+[[nodiscard]] std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStretch& model);
+
 /// A mesh sequence by the words of a command line: one path, or a base mesh and its cache.
 [[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words);
 

@@ -31,5 +31,6 @@ struct Verb {
 [[nodiscard]] Verb compressVerb();
 [[nodiscard]] Verb compareVerb();
 [[nodiscard]] Verb elasticVerb();
+[[nodiscard]] Verb flattenVerb();
 
 } // namespace stretch::app

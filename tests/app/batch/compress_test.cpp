@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
@@ -168,4 +169,43 @@ TEST_CASE(
              Catch::Contains("names bone 6, and the last one is 5"));
   CHECK_THAT(told({"compress", tube.file("none")}), Catch::Contains("there is no such file or folder"));
   CHECK_FALSE(fs::exists(output));
+}
+
+TEST_CASE("curvature and length of every frame are in the report and in a table") {
+  const BendingTube tube(6);
+  const std::string table = tube.file("curvature.csv");
+  const test::VerbAnswer answer = test::runVerb({"compress", tube.frames(), "-o", tube.file("tube.glb"),
+                                                 "--bones", "8", "--curvature", table, "--json"});
+  REQUIRE(answer.exitCode == 0);
+  const gltf::Json frames = gltf::Json::parse(answer.output)["curvature_and_length"];
+  REQUIRE(frames["curvatures"].size() == 6);
+  CHECK(frames["curvatures"][5].get<double>() > 2.0 * frames["curvatures"][0].get<double>());
+  std::ifstream file(table);
+  std::string line;
+  std::getline(file, line);
+  CHECK(line == "frame,name,curvature_radians,length,modelled_length");
+  std::getline(file, line);
+  CHECK_THAT(line, Catch::StartsWith("0,\"tube-1.obj\","));
+  CHECK_THAT(line, Catch::Contains(fmt::format("{}", frames["lengths"][0].get<double>())));
+}
+
+TEST_CASE("STED is measured with the parameters that are asked for, and names them") {
+  const BendingTube tube(6);
+  const std::string output = tube.file("tube.glb");
+  REQUIRE(test::exitCodeOf({"compress", tube.frames(), "-o", output, "--bones", "4", "--stretch", "none"}) ==
+          0);
+  const auto measured = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"compare", tube.frames(), output, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    return gltf::Json::parse(test::runVerb(words).output);
+  };
+  const gltf::Json usual = measured({});
+  const gltf::Json spatial = measured({"--sted-c", "0"});
+  CHECK(spatial["sted"].get<double>() == Approx(usual["sted_spatial"].get<double>()));
+  CHECK(spatial["sted"].get<double>() < usual["sted"].get<double>());
+  const gltf::Json wide = measured({"--sted-rings", "2", "--sted-window", "5", "--sted-dt", "0.5"});
+  CHECK(wide["sted_parameters"]["rings"] == 2);
+  CHECK(wide["sted_parameters"]["window"] == 5);
+  CHECK(wide["sted_spatial"].get<double>() != usual["sted_spatial"].get<double>());
+  CHECK(test::exitCodeOf({"compare", tube.frames(), output, "--sted-window", "4"}) == 2);
 }
