@@ -151,43 +151,66 @@ std::vector<double> equalStations(const std::vector<Vec3>& line, const std::vect
   return stations;
 }
 
-/// Largest number of pieces, each a fair share of its slice, that slices across the body fall into for most
-/// of the length.
-bool isBranched(const std::vector<double>& along, const std::vector<Triangle>& triangles) {
-  constexpr int slices = 40;
-  std::vector<std::uint32_t> parents(along.size());
-  std::iota(parents.begin(), parents.end(), 0U);
-  const auto rootOf = [&](std::uint32_t v) {
-    while (parents[v] != v) {
-      parents[v] = parents[parents[v]];
-      v = parents[v];
+/// A third of the area of the triangles around each vertex.
+std::vector<double> vertexAreas(std::span<const glm::vec3> positions,
+                                const std::vector<Triangle>& triangles) {
+  std::vector<double> areas(positions.size(), 0.0);
+  for (const Triangle& t : triangles) {
+    const Vec3 a(positions[t[0]]);
+    const double area = 0.5 * glm::length(glm::cross(Vec3(positions[t[1]]) - a, Vec3(positions[t[2]]) - a));
+    for (const std::uint32_t corner : t) {
+      areas[corner] += area / 3.0;
+    }
+  }
+  return areas;
+}
+
+/// Pieces of a surface that is cut across, by union and find.
+class Pieces {
+public:
+  explicit Pieces(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+  [[nodiscard]] std::uint32_t of(std::uint32_t v) {
+    while (parents_[v] != v) {
+      parents_[v] = parents_[parents_[v]];
+      v = parents_[v];
     }
     return v;
-  };
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parents_[of(a)] = of(b); }
+
+private:
+  std::vector<std::uint32_t> parents_;
+};
+
+/// Whether slices across the body fall into several pieces, each a fair share of its slice's area, for a
+/// fifth of the length.
+bool isBranched(const std::vector<double>& along, const std::vector<double>& areas,
+                const std::vector<Triangle>& triangles) {
+  constexpr int slices = 20;
+  constexpr double fairShare = 0.1;
   const auto sliceOf = [&](std::uint32_t v) {
-    return std::clamp(static_cast<int>(along[v] * slices), 0, slices - 1);
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(along[v] * slices), 0, slices - 1));
   };
+  Pieces pieces(along.size());
   for (const Triangle& triangle : triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = triangle[c];
-      const std::uint32_t b = triangle[(c + 1) % 3];
-      if (std::abs(sliceOf(a) - sliceOf(b)) <= 1 && sliceOf(a) / 2 == sliceOf(b) / 2) {
-        parents[rootOf(a)] = rootOf(b);
+      if (sliceOf(triangle[c]) == sliceOf(triangle[(c + 1) % 3])) {
+        pieces.join(triangle[c], triangle[(c + 1) % 3]);
       }
     }
   }
-  std::vector<double> sizes(along.size(), 0.0);
-  std::vector<double> totals(slices / 2, 0.0);
+  std::vector<double> ofPiece(along.size(), 0.0);
+  std::vector<double> ofSlice(slices, 0.0);
   for (std::uint32_t v = 0; v < along.size(); ++v) {
-    sizes[rootOf(v)] += 1.0;
-    totals[static_cast<std::size_t>(sliceOf(v) / 2)] += 1.0;
+    ofPiece[pieces.of(v)] += areas[v];
+    ofSlice[sliceOf(v)] += areas[v];
   }
-  std::vector<int> pieces(slices / 2, 0);
+  std::vector<int> counts(slices, 0);
   for (std::uint32_t v = 0; v < along.size(); ++v) {
-    const auto slice = static_cast<std::size_t>(sliceOf(v) / 2);
-    pieces[slice] += sizes[v] > 0.15 * totals[slice] ? 1 : 0;
+    counts[sliceOf(v)] += ofPiece[v] > fairShare * ofSlice[sliceOf(v)] ? 1 : 0;
   }
-  return std::count_if(pieces.begin(), pieces.end(), [](int count) { return count > 1; }) > slices / 2 / 5;
+  const auto several = std::count_if(counts.begin(), counts.end(), [](int count) { return count > 1; });
+  return several > slices / 5;
 }
 
 std::vector<Vec3> movedInwards(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
@@ -229,6 +252,11 @@ std::uint32_t farthest(const std::vector<double>& distances) {
   return best;
 }
 
+Error branches() {
+  return {"the body branches: it has no linear skeleton", "",
+          "use --stretch measured --weights fitted, which needs none, or give a body without limbs"};
+}
+
 /// Share of the body's length that each vertex lies at, by distance over the surface from one end.
 Result<std::vector<double>> orderAlong(std::span<const glm::vec3> positions,
                                        const std::vector<Triangle>& triangles) {
@@ -240,14 +268,13 @@ Result<std::vector<double>> orderAlong(std::span<const glm::vec3> positions,
   const auto unreached = std::count_if(u.begin(), u.end(), [](double d) { return !std::isfinite(d); });
   if (!(reach > 0.0) || static_cast<double>(unreached) > 0.05 * static_cast<double>(positions.size())) {
     return Error{"the mesh is in several parts, so it has no single centre line", "",
-                 "give a body in one piece"};
+                 "use --stretch measured --weights fitted, which needs none, or give a body in one piece"};
   }
   for (double& value : u) {
     value = std::isfinite(value) ? value / reach : 0.5;
   }
-  if (isBranched(u, triangles)) {
-    return Error{"the body branches: it has no linear skeleton", "",
-                 "use --stretch measured --weights fitted, which needs none, or give a body without limbs"};
+  if (isBranched(u, vertexAreas(positions, triangles), triangles)) {
+    return branches();
   }
   return u;
 }
@@ -284,6 +311,23 @@ CentreLine fitCentreLine(std::span<const glm::vec3> positions, const std::vector
   return line;
 }
 
+/// Share of the surface that is farther from the centre line than the body is thick there: none of it in a
+/// body that has just one cross-section everywhere.
+double shareFarFrom(const CentreLine& line, std::span<const glm::vec3> positions,
+                    const std::vector<Triangle>& triangles, const std::vector<double>& vertexDiameters) {
+  constexpr double farthest = 1.5; // thicknesses
+  const std::vector<double> areas = vertexAreas(positions, triangles);
+  double whole = 0.0;
+  double away = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double distance =
+        glm::length(Vec3(positions[v]) - pointAt(line.points, line.lengths, line.along[v]));
+    whole += areas[v];
+    away += distance > farthest * vertexDiameters[v] ? areas[v] : 0.0;
+  }
+  return whole > 0.0 ? away / whole : 0.0;
+}
+
 } // namespace
 
 Result<BodySkeleton> skeletonOfBody(std::span<const glm::vec3> positions,
@@ -300,6 +344,10 @@ Result<BodySkeleton> skeletonOfBody(std::span<const glm::vec3> positions,
   }
   const std::vector<Vec3> inner = movedInwards(positions, triangles, vertexDiameters);
   CentreLine line = fitCentreLine(positions, inner, *order, std::clamp(segmentCount / 2 + 4, 8, 40));
+  constexpr double mostBesideTheLine = 0.05;
+  if (shareFarFrom(line, positions, triangles, vertexDiameters) > mostBesideTheLine) {
+    return branches();
+  }
   const auto [low, high] = std::minmax_element(line.along.begin(), line.along.end());
   BodySkeleton skeleton;
   skeleton.stations = equalStations(line.points, line.lengths, *low, *high, segmentCount);

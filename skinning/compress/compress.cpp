@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "skinning/compress/usable_mesh.h"
 #include "skinning/weights/geodesic_weights.h"
 
 namespace stretch::skinning {
@@ -157,24 +158,25 @@ Status addMetrics(const MeshSequence& sequence, CompressedSequence& result) {
   return Success{};
 }
 
-} // namespace
+/// Tells of an error that is out of proportion, and what helps.
+void judge(const CompressSettings& settings, CompressedSequence& result) {
+  constexpr double mostPercent = 1.0;
+  if (result.metrics.rmsePercent <= mostPercent) {
+    return;
+  }
+  const char* const remedy =
+      settings.stretch == StretchOption::none
+          ? "bones without stretch do not follow a body that changes its length; use --stretch elastic or "
+            "--stretch measured"
+      : settings.stretch == StretchOption::elastic
+          ? "the elastic model does not explain this motion; use --stretch measured"
+          : "give more --bones";
+  result.warnings.push_back(fmt::format("the result is off by {:.2g} % of the body's size on average: {}",
+                                        result.metrics.rmsePercent, remedy));
+}
 
-Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings,
-                                    const Proceed& proceed) {
-  constexpr int mostBones = 1000;
-  if (sequence.frameCount() == 0 || sequence.triangles.empty()) {
-    return Error{"the sequence has no frames or no triangles", sequence.name, "give a sequence with both"};
-  }
-  if (sequence.vertexCount < 4) {
-    return Error{fmt::format("{} vertices are too few for a bone", sequence.vertexCount), sequence.name,
-                 "give a mesh of at least 4 vertices"};
-  }
-  if (settings.bones < 1 || settings.bones > mostBones ||
-      static_cast<std::size_t>(settings.bones) * 4 > sequence.vertexCount) {
-    return Error{
-        fmt::format("{} bones for {} vertices", settings.bones, sequence.vertexCount), sequence.name,
-        fmt::format("ask for 1 to {} bones", std::min<std::size_t>(mostBones, sequence.vertexCount / 4))};
-  }
+Result<CompressedSequence> compressUsable(const MeshSequence& sequence, const CompressSettings& settings,
+                                          const Proceed& proceed) {
   CompressedSequence result;
   result.firstFittedFrame = std::min(settings.body.firstFittedFrame, sequence.frameCount() - 1);
   const auto body = analyseBody(sequence, settings.bones);
@@ -193,8 +195,37 @@ Result<CompressedSequence> compress(const MeshSequence& sequence, const Compress
   if (!measured) {
     return measured.error();
   }
+  judge(settings, result);
   if (!goesOn(proceed, 1.0)) {
     return stopped(sequence);
+  }
+  return result;
+}
+
+} // namespace
+
+Result<CompressedSequence> compress(const MeshSequence& sequence, const CompressSettings& settings,
+                                    const Proceed& proceed) {
+  constexpr int mostBones = 1000;
+  if (sequence.frameCount() == 0 || sequence.triangles.empty()) {
+    return Error{"the sequence has no frames or no triangles", sequence.name, "give a sequence with both"};
+  }
+  if (sequence.vertexCount < 4) {
+    return Error{fmt::format("{} vertices are too few for a bone", sequence.vertexCount), sequence.name,
+                 "give a mesh of at least 4 vertices"};
+  }
+  if (settings.bones < 1 || settings.bones > mostBones ||
+      static_cast<std::size_t>(settings.bones) * 4 > sequence.vertexCount) {
+    return Error{
+        fmt::format("{} bones for {} vertices", settings.bones, sequence.vertexCount), sequence.name,
+        fmt::format("ask for 1 to {} bones", std::min<std::size_t>(mostBones, sequence.vertexCount / 4))};
+  }
+  const UsableMesh usable = usableMesh(sequence);
+  auto result = compressUsable(usable.changed ? *usable.changed : sequence, settings, proceed);
+  if (result) {
+    giveBackVertices(usable, sequence, result.value().skinned);
+    std::vector<std::string>& warnings = result.value().warnings;
+    warnings.insert(warnings.begin(), usable.warnings.begin(), usable.warnings.end());
   }
   return result;
 }

@@ -157,6 +157,7 @@ TopologyReport inspectTopology(std::span<const glm::vec3> positions, const std::
   forEachEdge(sides, [&](std::size_t first, std::size_t last) {
     report.boundaryEdges += last - first == 1 ? 1 : 0;
     report.crowdedEdges += last - first > 2 ? 1 : 0;
+    report.unlikeEdges += last - first == 2 && sides[first].forward == sides[first + 1].forward ? 1 : 0;
   });
   report.degenerateTriangles =
       static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), isDegenerate));

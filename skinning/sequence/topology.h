@@ -14,6 +14,8 @@ struct TopologyReport {
   std::size_t components = 0;    ///< Parts that no shared vertex joins; vertices of no triangle are left out.
   std::size_t boundaryEdges = 0; ///< Edges of one triangle.
   std::size_t crowdedEdges = 0;  ///< Edges of three or more triangles.
+  std::size_t unlikeEdges = 0; ///< Edges of two triangles that are wound against each other; no oddity where
+                               ///< triangles are oriented anyway.
   std::size_t degenerateTriangles = 0; ///< With a repeated corner.
   std::size_t duplicatePositions = 0;  ///< Vertices at the very place of an earlier one.
   std::size_t looseVertices = 0;       ///< Vertices of no triangle.

@@ -201,6 +201,92 @@ TEST_CASE("a body that branches (a ring) can be measured, but has no elastic mod
   CHECK_FALSE(measured->warnings.empty());
 }
 
+TEST_CASE("an arm of a few large triangles makes a body branch") {
+  MeshSequence body = test::shorteningTube(6, 1.0, 0.05, 0.1);
+  const MeshSequence rest = body;
+  for (std::size_t i = 0; i < body.positions.size(); ++i) {
+    const glm::vec3 at = rest.frame(0)[i % body.vertexCount];
+    if (std::abs(at.x - 4.0F) < 0.35F && at.y > 0.3F) {
+      body.positions[i].y += 4.0F;
+    }
+  }
+  CompressSettings settings;
+  settings.bones = 10;
+  const auto elastic = compress(body, settings);
+  REQUIRE_FALSE(elastic);
+  CHECK_THAT(elastic.error().line(),
+             Catch::Contains("branches") && Catch::Contains("--stretch measured --weights fitted"));
+  settings.stretch = StretchOption::measured;
+  CHECK(compress(body, settings));
+}
+
+TEST_CASE("bodies of several parts are refused with what helps") {
+  MeshSequence two = test::still(test::tube(10.0, 0.5, 40, 10));
+  const auto count = static_cast<std::uint32_t>(two.vertexCount);
+  const std::vector<Triangle> triangles = two.triangles;
+  for (const Triangle& t : triangles) {
+    two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  }
+  for (std::uint32_t v = 0; v < count; ++v) {
+    two.positions.push_back(two.positions[v] + glm::vec3(0.0F, 3.0F, 0.0F));
+  }
+  two.vertexCount *= 2;
+  CompressSettings settings;
+  settings.bones = 8;
+  const auto refused = compress(two, settings);
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().line(), Catch::Contains("--stretch measured --weights fitted"));
+}
+
+TEST_CASE("an error out of proportion is told with what helps") {
+  const MeshSequence sequence = test::shorteningTube(12, 2.0, 0.06, 0.1);
+  const auto rigid = compressed(sequence, 12, StretchOption::none, WeightOption::geodesic);
+  REQUIRE(rigid.metrics.rmsePercent > 1.0);
+  REQUIRE_FALSE(rigid.warnings.empty());
+  CHECK_THAT(rigid.warnings.back(), Catch::Contains("off by") && Catch::Contains("--stretch elastic"));
+  CHECK(compressed(sequence, 12, StretchOption::measured, WeightOption::fitted).warnings.empty());
+}
+
+TEST_CASE("triangles wound at random change neither mass nor fit, and that is told") {
+  const MeshSequence sequence = test::shorteningTube(8, 2.0, 0.06, 0.1);
+  MeshSequence random = sequence;
+  for (std::size_t t = 0; t < random.triangles.size(); ++t) {
+    if ((t * 2654435761U >> 7U) % 2 == 0) {
+      std::swap(random.triangles[t][0], random.triangles[t][1]);
+    }
+  }
+  const auto wanted = compressed(sequence, 10, StretchOption::elastic, WeightOption::geodesic);
+  const auto result = compressed(random, 10, StretchOption::elastic, WeightOption::geodesic);
+  CHECK(result.model->mass == Approx(wanted.model->mass).epsilon(1e-6));
+  CHECK(result.model->length.line.rSquared == Approx(wanted.model->length.line.rSquared).margin(1e-6));
+  CHECK(result.metrics.mse == Approx(wanted.metrics.mse).epsilon(1e-3));
+  REQUIRE_FALSE(result.warnings.empty());
+  CHECK_THAT(result.warnings.front(), Catch::Contains("turned outwards"));
+}
+
+TEST_CASE("vertices of no triangle count in no fit and in no error") {
+  const MeshSequence sequence = test::shorteningTube(8, 2.0, 0.06, 0.1);
+  MeshSequence loose = sequence;
+  loose.positions.clear();
+  loose.vertexCount += 1;
+  for (Triangle& triangle : loose.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      ++corner;
+    }
+  }
+  for (std::size_t k = 0; k < sequence.frameCount(); ++k) {
+    loose.positions.emplace_back(0.0F, 100.0F + 10.0F * static_cast<float>(k), 0.0F);
+    loose.positions.insert(loose.positions.end(), sequence.frame(k).begin(), sequence.frame(k).end());
+  }
+  const auto wanted = compressed(sequence, 10, StretchOption::measured, WeightOption::fitted);
+  const auto result = compressed(loose, 10, StretchOption::measured, WeightOption::fitted);
+  CHECK(result.metrics.rmsePercent == Approx(wanted.metrics.rmsePercent).epsilon(1e-9));
+  REQUIRE(result.skinned.bindPositions.size() == loose.vertexCount);
+  CHECK(result.skinned.triangles == loose.triangles);
+  CHECK(result.skinned.influences[1] == wanted.skinned.influences[0]);
+  CHECK_THAT(result.warnings.front(), Catch::Contains("1 vertices of no triangle"));
+}
+
 TEST_CASE("a mesh with open and crowded edges still compresses") {
   MeshSequence sequence = test::shorteningTube(6, 1.0, 0.05, 0.1);
   sequence.triangles.resize(sequence.triangles.size() - 3);
