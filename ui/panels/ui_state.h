@@ -68,8 +68,8 @@ struct RenameState {
   bool open = false;
   int trail = 0; ///< Id; of one in the group.
   bool ofGroup = false;
-  std::string present; ///< What it is called.
-  std::string typed;
+  std::string present = {}; ///< What it is called.
+  std::string typed = {};
   bool wasOpen = false; ///< In the frame before.
 };
 
@@ -108,9 +108,9 @@ struct GraphState {
 
 /// What an animator would stumble over in the selected trail, as last looked for.
 struct LookState {
-  std::shared_ptr<const rig::MotionState> motion; ///< Looked at in this one; null: not yet.
+  std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
   int trailId = 0;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = {};
   bool clipCouldLoop = false;                      ///< Marking the clip as a loop mends the way back.
   std::shared_ptr<const rig::MotionState> waiting; ///< A newer one, while it still changes,
   double waitingSince = 0.0;                       ///< seconds of the window's clock.

@@ -219,7 +219,7 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
     return;
   }
   if (isRunning(shell.tool) && looksOnly(shell.keymap.commandOf(chord))) {
-    findCommandOf(shell, shell.keymap.commandOf(chord))->run(shell);
+    tellProblem(shell, findCommandOf(shell, shell.keymap.commandOf(chord))->run(shell));
     return;
   }
   if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {

@@ -63,6 +63,16 @@ std::string resultText(const app::SequenceDocument& document) {
                      document.result->compressed.metrics.rmsePercent, app::exported(document).bytesPerFrame);
 }
 
+app::Command<Shell> moduliCommand(const char* id, const char* label, const char* help, FilePurpose purpose) {
+  app::Command<Shell> made;
+  made.id = id;
+  made.label = label;
+  made.help = help;
+  made.enabled = hasSequence;
+  made.run = [purpose](Shell& shell) { return ask(shell, purpose); };
+  return made;
+}
+
 } // namespace
 
 void showSequence(Shell& shell) {
@@ -100,20 +110,11 @@ void answerSequenceFile(Shell& shell, const FileChoice& choice) {
 }
 
 std::vector<app::Command<Shell>> moduliCommands() {
-  return {
-      {command::moduliLoad,
-       "Load moduli",
-       "Reads Young's moduli by segment from JSON.",
-       {},
-       hasSequence,
-       [](Shell& shell) { return ask(shell, FilePurpose::openModuli); }},
-      {command::moduliSave,
-       "Save moduli",
-       "Writes Young's moduli by segment as JSON, as `compress --moduli` reads them.",
-       {},
-       hasSequence,
-       [](Shell& shell) { return ask(shell, FilePurpose::saveModuli); }},
-  };
+  return {moduliCommand(command::moduliLoad, "Load moduli", "Reads Young's moduli by segment from JSON.",
+                        FilePurpose::openModuli),
+          moduliCommand(command::moduliSave, "Save moduli",
+                        "Writes Young's moduli by segment as JSON, as `compress --moduli` reads them.",
+                        FilePurpose::saveModuli)};
 }
 
 } // namespace stretch::ui
