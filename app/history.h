@@ -57,6 +57,8 @@ public:
     }
     return all;
   }
+  /// The state that a label led to.
+  [[nodiscard]] const Document& at(std::size_t index) const { return entries_[index].document; }
   /// Index into labels() of what is shown.
   [[nodiscard]] std::size_t position() const { return index_; }
   /// Undoes or redoes as far as there, at most to the last one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/batch/options.h"
+#include "app/edits/trail_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
@@ -81,6 +82,7 @@ Result<Recipe> recipeOf(const std::vector<TrailRequest>& requests, int clip, Doc
     if (!trail) {
       return trail.error();
     }
+    trail->colour = static_cast<int>(recipe.trails.size()) % dealtColours;
     recipe.trails.push_back(std::move(*trail));
   }
   return recipe;

@@ -7,6 +7,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/commands/needs.h"
 #include "app/commands/tables.h"
 #include "app/edits/rate_edits.h"
 
@@ -29,14 +30,26 @@ Status stepClip(Session& session, int direction) {
   return Success{};
 }
 
+Need severalClipsNeeded() {
+  return {hasSeveralClips, "the file has one clip"};
+}
+
+bool isWorkedAt(const Session& session, double framesPerSecond) {
+  return isClipShown(session) &&
+         std::abs(clipOf(session.document(), session.view().clip).framesPerSecond - framesPerSecond) < 1e-6;
+}
+
 DocumentCommand rateCommand(const char* id, double framesPerSecond) {
-  return entry(id, fmt::format("Work at {:g} frames per second", framesPerSecond),
-               fmt::format("Counts the clip's frames at {:g} per second; its keys stay where they are.",
-                           framesPerSecond),
-               {}, isClipShown, [framesPerSecond](Session& session) {
-                 return finish(session, workAtRate(session.document(), session.view().clip, framesPerSecond),
-                               "Change the frame rate");
-               });
+  return ticked(
+      entry(id, fmt::format("Work at {:g} frames per second", framesPerSecond),
+            fmt::format("Counts the clip's frames at {:g} per second; its keys stay where they are.",
+                        framesPerSecond),
+            {}, clipNeeded(),
+            [framesPerSecond](Session& session) {
+              return finish(session, workAtRate(session.document(), session.view().clip, framesPerSecond),
+                            "Change the frame rate");
+            }),
+      [framesPerSecond](const Session& session) { return isWorkedAt(session, framesPerSecond); });
 }
 
 } // namespace
@@ -58,19 +71,24 @@ void showClip(Session& session, int clip) {
 std::vector<DocumentCommand> clipCommands() {
   return {
       entry(command::clipNext, "Next clip", "Goes to the next clip of the file.", {"Alt+Page Down"},
-            hasSeveralClips, [](Session& session) { return stepClip(session, 1); }),
+            severalClipsNeeded(), [](Session& session) { return stepClip(session, 1); }),
       entry(command::clipPrevious, "Previous clip", "Goes to the clip before.", {"Alt+Page Up"},
-            hasSeveralClips, [](Session& session) { return stepClip(session, -1); }),
+            severalClipsNeeded(), [](Session& session) { return stepClip(session, -1); }),
       rateCommand(command::clipRate24, 24.0),
       rateCommand(command::clipRate25, 25.0),
       rateCommand(command::clipRate30, 30.0),
-      entry(command::clipRateOwn, "Work at the clip's own rate",
-            "Counts frames at the rate that the clip's keys suggest.", {}, isClipShown,
-            [](Session& session) {
-              const int clip = session.view().clip;
-              return finish(session, workAtRate(session.document(), clip, ownRate(session.document(), clip)),
-                            "Change the frame rate");
-            }),
+      ticked(entry(command::clipRateOwn, "Work at the clip's own rate",
+                   "Counts frames at the rate that the clip's keys suggest.", {}, clipNeeded(),
+                   [](Session& session) {
+                     const int clip = session.view().clip;
+                     return finish(session,
+                                   workAtRate(session.document(), clip, ownRate(session.document(), clip)),
+                                   "Change the frame rate");
+                   }),
+             [](const Session& session) {
+               return isClipShown(session) &&
+                      isWorkedAt(session, ownRate(session.document(), session.view().clip));
+             }),
   };
 }
 

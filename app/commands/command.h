@@ -18,8 +18,16 @@ struct Command {
   std::vector<std::string> keys; ///< Default keys, "Ctrl+Shift+Z"; may be empty.
   std::function<bool(const Context&)> enabled;
   std::function<Status(Context&)> run;
-  std::string needs = {};     ///< What there has to be for it, told while it is off; may be empty.
-  std::string otherwise = {}; ///< Id of the command that its keys run while it is off; may be empty.
+  std::function<bool(const Context&)> checked;         ///< A switch: whether it is on.
+  std::function<std::string(const Context&)> labelNow; ///< Where the label is not always the same.
+  std::function<std::string(const Context&)> needs;    ///< What to do first while it is off.
+  std::string otherwise; ///< Id of the command that its keys run while it is off; may be empty.
+};
+
+/// When a command of a character is on, and what to do first while it is off.
+struct Need {
+  std::function<bool(const Session&)> holds = {};
+  std::string text = {}; ///< "select a limb first".
 };
 
 /// A command of what is open. It says what it means for each kind of document; for one that it has no
@@ -33,11 +41,18 @@ struct DocumentCommand {
   std::function<Status(Session&)> run = {};
   std::function<bool(const SequenceSession&)> enabledOnSequence = {};
   std::function<Status(SequenceSession&)> runOnSequence = {};
-  std::string needs = {};     ///< As Command::needs.
-  std::string otherwise = {}; ///< As Command::otherwise.
+  std::string needs = {};                                   ///< What to do first while it is off.
+  std::string otherwise = {};                               ///< As Command::otherwise.
+  std::function<bool(const Session&)> checked = {};         ///< A switch: whether it is on.
+  std::function<std::string(const Session&)> labelNow = {}; ///< Where the label depends on what is open.
 };
 
 [[nodiscard]] bool isEnabled(const DocumentCommand& command, const OpenDocument& open);
+/// Of a switch of the character that is open; false for every other command.
+[[nodiscard]] bool isChecked(const DocumentCommand& command, const OpenDocument& open);
+[[nodiscard]] std::string labelNow(const DocumentCommand& command, const OpenDocument& open);
+/// Why it is off, as what to do first; empty while it is on.
+[[nodiscard]] std::string whyOff(const DocumentCommand& command, const OpenDocument& open);
 /// What is open must be of a kind that the command has a meaning for.
 Status run(const DocumentCommand& command, OpenDocument& open);
 

@@ -21,6 +21,29 @@ bool isEnabled(const DocumentCommand& command, const OpenDocument& open) {
   return sequence != nullptr && command.enabledOnSequence && command.enabledOnSequence(*sequence);
 }
 
+bool isChecked(const DocumentCommand& command, const OpenDocument& open) {
+  const Session* const character = open.character();
+  return character != nullptr && command.checked && command.checked(*character);
+}
+
+std::string labelNow(const DocumentCommand& command, const OpenDocument& open) {
+  const Session* const character = open.character();
+  return character != nullptr && command.labelNow ? command.labelNow(*character) : command.label;
+}
+
+std::string whyOff(const DocumentCommand& command, const OpenDocument& open) {
+  if (isEnabled(command, open)) {
+    return {};
+  }
+  if (open.isEmpty()) {
+    return "open a file first";
+  }
+  if (open.character() == nullptr) {
+    return command.enabledOnSequence ? command.needs : "needs a character";
+  }
+  return command.enabled ? command.needs : "needs a mesh sequence";
+}
+
 Status run(const DocumentCommand& command, OpenDocument& open) {
   if (Session* const character = open.character()) {
     return command.run(*character);
@@ -32,9 +55,10 @@ std::vector<DocumentCommand> historyCommands() {
   const auto undo = doing([](auto& session) { session.undo(); });
   const auto redo = doing([](auto& session) { session.redo(); });
   return {
-      entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"}, canUndo, undo, canUndo, undo),
+      entry(command::undo, "Undo", "Takes the last change back.", {"Ctrl+Z"},
+            {canUndo, "nothing was done yet"}, undo, canUndo, undo),
       entry(command::redo, "Redo", "Brings the change that was taken back again.", {"Ctrl+Shift+Z", "Ctrl+Y"},
-            canRedo, redo, canRedo, redo),
+            {canRedo, "nothing was undone"}, redo, canRedo, redo),
   };
 }
 

@@ -307,10 +307,9 @@ std::vector<ModalHint> modalHints(const ExaggerateModal& modal) {
     hints = {{"0-9", "percent"}, {"Up Down", "volume"}};
     break;
   }
-  const std::vector<ModalHint> common{{"Enter", "keep"}, {"Esc", "restore"}, {"X Y Z", "axis"},
-                                      {"R", "pivot"},    {"I O", "ease"},    {"L", "release"},
-                                      {"V", "volume"}};
-  hints.insert(hints.end(), common.begin(), common.end());
+  hints.insert(hints.begin(), {{"Enter", "keep"}, {"Esc", "restore"}});
+  hints.insert(hints.end(),
+               {{"X Y Z", "axes"}, {"R", "pivot"}, {"I O", "ease"}, {"L", "release"}, {"V", "volume"}});
   return hints;
 }
 

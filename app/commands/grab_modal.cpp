@@ -108,12 +108,12 @@ std::string modalText(const GrabModal& modal, std::size_t sphereCount) {
 }
 
 std::vector<ModalHint> modalHints(const GrabModal& modal) {
-  return {{"Mouse", modal.axis ? "along the axis" : "in the view plane"},
-          {"Wheel", "falloff"},
+  return {{"Enter", "keep"},
+          {"Esc", "restore"},
+          {"Mouse", modal.axis ? "along the axis" : "in the view plane"},
           {"X Y Z", "lock an axis"},
           {"0-9", "amount"},
-          {"Enter", "keep"},
-          {"Esc", "restore"}};
+          {"Wheel", "falloff"}};
 }
 
 Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits) {

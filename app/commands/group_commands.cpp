@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
@@ -8,13 +10,23 @@ namespace stretch::app {
 
 namespace {
 
-bool canGroup(const Session& session) {
-  return targetTrails(session).size() > 1;
-}
-
 bool isInGroup(const Session& session) {
   const rig::Trail* const trail = selectedTrail(session);
   return trail != nullptr && !groupMembers(session.document(), trail->id).empty();
+}
+
+bool canGroup(const Session& session) {
+  const std::vector<int> targets = targetTrails(session);
+  const std::vector<int> members =
+      targets.empty() ? std::vector<int>{} : groupMembers(session.document(), targets.front());
+  const bool isGroup = members.size() == targets.size() &&
+                       std::is_permutation(members.begin(), members.end(), targets.begin());
+  return targets.size() > 1 && !isGroup;
+}
+
+bool isPartOfGroup(const Session& session) {
+  return isInGroup(session) &&
+         targetTrails(session).size() < groupMembers(session.document(), session.view().selectedTrail).size();
 }
 
 Status group(Session& session) {
@@ -38,13 +50,13 @@ std::vector<DocumentCommand> groupCommands() {
       entry(command::trailGroup, "Group the trails",
             "Makes one group of the trails of the selected limbs: they are listed, chosen and changed "
             "together.",
-            {"Ctrl+G"}, canGroup, group),
+            {"Ctrl+G"}, {canGroup, "select limbs with trails that are no group yet"}, group),
       entry(command::trailTakeApart, "Take the group apart",
             "Lets every trail of the group stand alone again; the trails stay as they are.", {"Ctrl+Shift+G"},
-            isInGroup, takeGroupApart),
+            {isInGroup, "select a trail of a group"}, takeGroupApart),
       entry(command::trailSelectGroup, "Select the whole group",
             "Selects the trail with all others of its group, so that what is set is set for all of them.",
-            {"Shift+G"}, isInGroup, selectWholeGroup),
+            {"Shift+G"}, {isPartOfGroup, "select a trail of a group"}, selectWholeGroup),
   };
 }
 

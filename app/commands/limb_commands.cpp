@@ -33,6 +33,7 @@ DocumentCommand selectCommand(const LimbKey& limb, bool add) {
   command.keys = {(add ? "Shift+" : "") + std::string(limb.key)};
   command.needs = "this character has no " + title;
   command.enabled = [id](const Session& session) { return findLimb(session.document(), id) != nullptr; };
+  command.checked = [id](const Session& session) { return isSelected(session, id); };
   command.run = [id, title, add](Session& session) -> Status {
     if (findLimb(session.document(), id) == nullptr) {
       return Error{"this character has no " + title, "", "correct the limbs in the rig panel"};
@@ -41,6 +42,10 @@ DocumentCommand selectCommand(const LimbKey& limb, bool add) {
     return Success{};
   };
   return command;
+}
+
+bool hasSelection(const Session& session) {
+  return !session.view().selectedLimbs.empty() || session.view().selectedTrail != 0;
 }
 
 Status selectNone(Session& session) {
@@ -81,15 +86,16 @@ std::vector<DocumentCommand> limbCommands() {
     commands.push_back(selectCommand(limb, true));
   }
   commands.push_back(entry(command::selectNone, "Select nothing",
-                           "Takes limbs, trail and spheres out of the selection.", {"0"}, always,
-                           selectNone));
+                           "Takes limbs, trail and spheres out of the selection.", {"0"},
+                           {hasSelection, "nothing is selected"}, selectNone));
   commands.push_back(entry(
       command::selectAllLimbs, "Select every limb", "Selects all limbs, so that E exaggerates them as one.",
-      {"Ctrl+Shift+A"}, [](const Session& session) { return !allLimbs(session.document()).empty(); },
+      {"Ctrl+Shift+A"},
+      {[](const Session& session) { return !allLimbs(session.document()).empty(); }, "no limb was found"},
       selectAllLimbs));
   commands.push_back(entry(command::detectAgain, "Find the limbs again",
                            "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
-                           {}, always, detectAgain));
+                           {}, {always}, detectAgain));
   return commands;
 }
 

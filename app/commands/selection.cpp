@@ -196,6 +196,34 @@ std::string trailTitle(const Document& document, const rig::Trail& trail) {
   return trail.name.empty() ? limbTitle(document, trail.limb) : trail.name;
 }
 
+std::string groupTitle(const Document& document, const std::vector<int>& members) {
+  std::vector<std::string> limbs;
+  for (const int id : members) {
+    const rig::Trail& trail = *findTrail(document, id);
+    if (!trail.groupName.empty()) {
+      return trail.groupName;
+    }
+    limbs.push_back(limbTitle(document, trail.limb));
+  }
+  return listed(limbs);
+}
+
+std::vector<int> wholeGroupSelected(const Session& session) {
+  const std::vector<int> members = groupMembers(session.document(), session.view().selectedTrail);
+  const bool all = std::all_of(members.begin(), members.end(), [&](int id) {
+    return isSelected(session, findTrail(session.document(), id)->limb);
+  });
+  return all ? members : std::vector<int>{};
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
 double nudgeUnits(const Document& document) {
   return document.biped.height / 200.0;
 }

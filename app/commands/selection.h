@@ -50,6 +50,15 @@ void selectGroup(Session& session, int trailId);
 /// What a trail is called: its own name, else that of its limb.
 [[nodiscard]] std::string trailTitle(const Document& document, const rig::Trail& trail);
 
+/// What a group is called: its own name, else its limbs: "left arm, right arm and spine".
+[[nodiscard]] std::string groupTitle(const Document& document, const std::vector<int>& members);
+
+/// The members of the selected trail's group while the limbs of all of them are selected; else none.
+[[nodiscard]] std::vector<int> wholeGroupSelected(const Session& session);
+
+/// "left arm, right arm and spine".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
 /// World units that one arrow key nudges a sphere: a two-hundredth of the character's height.
 [[nodiscard]] double nudgeUnits(const Document& document);
 

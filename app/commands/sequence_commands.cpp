@@ -19,13 +19,15 @@ std::vector<DocumentCommand> sequenceCommands() {
        .help = "Makes a skinned clip of the mesh sequence, with the settings of the panel.",
        .keys = {"Shift+Enter"},
        .enabledOnSequence = [](const SequenceSession& session) { return !session.isCompressing(); },
-       .runOnSequence = [](SequenceSession& session) { return session.startCompression(); }},
+       .runOnSequence = [](SequenceSession& session) { return session.startCompression(); },
+       .needs = "it is being compressed"},
       {.id = command::sequenceCancel,
        .label = "Cancel the compression",
        .help = "Stops it; what was compressed before stays.",
        .keys = {},
        .enabledOnSequence = [](const SequenceSession& session) { return session.isCompressing(); },
-       .runOnSequence = doing([](SequenceSession& session) { session.cancelCompression(); })},
+       .runOnSequence = doing([](SequenceSession& session) { session.cancelCompression(); }),
+       .needs = "nothing is being compressed"},
       {.id = command::sequenceOriginal,
        .label = "Show the original sequence",
        .help = "Shows the meshes as they were simulated, in red.",
@@ -39,7 +41,8 @@ std::vector<DocumentCommand> sequenceCommands() {
        .keys = {},
        .enabledOnSequence = hasResult,
        .runOnSequence =
-           doing([](SequenceSession& session) { session.view().showSkinned = !session.view().showSkinned; })},
+           doing([](SequenceSession& session) { session.view().showSkinned = !session.view().showSkinned; }),
+       .needs = "compress the sequence first"},
   };
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/grab_modal.h"
+#include "app/commands/needs.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/commands/tables.h"
@@ -18,6 +19,10 @@ namespace {
 
 bool hasSpheres(const Session& session) {
   return hasSelectedTrail(session) && !session.view().selectedSpheres.empty();
+}
+
+Need sphereNeeded() {
+  return {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"};
 }
 
 Error noSphere() {
@@ -63,16 +68,26 @@ Status putBack(Session& session) {
       "Put the spheres back");
 }
 
-bool hasTangents(const Session& session) {
+/// Whether a selected sphere was pulled or turned, and `counts`.
+template <typename Counts>
+bool anySelected(const Session& session, Counts&& counts) {
   const rig::Trail* const trail = selectedTrail(session);
   if (trail == nullptr) {
     return false;
   }
   const std::vector<double>& selected = session.view().selectedSpheres;
   return std::any_of(trail->settings.spheres.begin(), trail->settings.spheres.end(), [&](const auto& sphere) {
-    return sphere.tangent && std::any_of(selected.begin(), selected.end(),
+    return counts(sphere) && std::any_of(selected.begin(), selected.end(),
                                          [&](double frame) { return sameFrame(frame, sphere.frame); });
   });
+}
+
+bool hasPulledSpheres(const Session& session) {
+  return anySelected(session, [](const rig::SphereOffset&) { return true; });
+}
+
+bool hasTangents(const Session& session) {
+  return anySelected(session, [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); });
 }
 
 Status resetTangents(Session& session) {
@@ -169,11 +184,13 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
   command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
                  reach.title + ".";
   command.keys = {chordText(chord)};
+  Need need = sphereNeeded();
+  command.enabled = std::move(need.holds);
+  command.needs = std::move(need.text);
   if (direction.otherwise[0] != '\0' && reach.idSuffix[0] == '\0') {
     command.otherwise = direction.otherwise;
     command.help += std::string(" Without one the key ") + direction.otherwiseDoes + ".";
   }
-  command.enabled = hasSpheres;
   command.run = [chord](Session& session) { return nudge(session, chord); };
   return command;
 }
@@ -183,42 +200,41 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
       entry(command::sphereNext, "Next sphere", "Selects the next control sphere; the playhead jumps there.",
-            {"Tab"}, hasSelectedTrail, [](Session& session) { return stepSphere(session, true); }),
+            {"Tab"}, selectedTrailNeeded(), [](Session& session) { return stepSphere(session, true); }),
       entry(command::spherePrevious, "Previous sphere",
-            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"}, hasSelectedTrail,
-            [](Session& session) { return stepSphere(session, false); }),
+            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"},
+            selectedTrailNeeded(), [](Session& session) { return stepSphere(session, false); }),
       entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
-            hasSelectedTrail, selectAll),
+            selectedTrailNeeded(), selectAll),
       entry(
           command::sphereAdd, "Add a sphere",
           "Adds a control sphere to the selected trail at the playhead; a double click on the trail adds one "
           "there.",
-          {"Insert"}, hasSelectedTrail,
+          {"Insert"}, selectedTrailNeeded(),
           [](Session& session) { return addSphere(session, session.view().frame); }),
       entry(command::sphereReset, "Put the spheres back",
-            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"}, hasSpheres,
-            putBack),
+            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"},
+            {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
       entry(command::sphereSmooth, "Reset the tangents",
             "Lets the path run through the selected spheres as their neighbours say, without a tangent of "
             "their "
             "own.",
-            {}, hasTangents, resetTangents),
+            {}, {hasTangents, "select a sphere with a tangent of its own"}, resetTangents),
       entry(command::sphereAlongBack, "Slide back along the path",
             "Moves the selected spheres back along the path: closer spacing "
             "before, wider after.",
-            {"Alt+Left"}, hasSpheres, [](Session& session) { return nudgeAlong(session, -1.0); }),
+            {"Alt+Left"}, sphereNeeded(), [](Session& session) { return nudgeAlong(session, -1.0); }),
       entry(command::sphereAlongForward, "Slide on along the path",
             "Moves the selected spheres on along the path: wider spacing "
             "before, closer after.",
-            {"Alt+Right"}, hasSpheres, [](Session& session) { return nudgeAlong(session, 1.0); }),
+            {"Alt+Right"}, sphereNeeded(), [](Session& session) { return nudgeAlong(session, 1.0); }),
   };
   for (const Reach& reach : reaches) {
     for (const Direction& direction : directions) {
       commands.push_back(nudgeCommand(direction, reach));
     }
   }
-  return needing("select a control sphere first: click one, or go to it with Next sphere",
-                 std::move(commands));
+  return commands;
 }
 
 } // namespace stretch::app

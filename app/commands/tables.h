@@ -22,30 +22,33 @@ namespace stretch::app {
 
 /// One row of a table: a command of a character, and what it means for a sequence where it means something.
 [[nodiscard]] inline DocumentCommand entry(std::string id, std::string label, std::string help,
-                                           std::vector<std::string> keys,
-                                           std::function<bool(const Session&)> enabled,
+                                           std::vector<std::string> keys, Need need,
                                            std::function<Status(Session&)> run,
                                            std::function<bool(const SequenceSession&)> enabledOnSequence = {},
                                            std::function<Status(SequenceSession&)> runOnSequence = {}) {
-  return {std::move(id),
-          std::move(label),
-          std::move(help),
-          std::move(keys),
-          std::move(enabled),
-          std::move(run),
-          std::move(enabledOnSequence),
-          std::move(runOnSequence),
-          {},
-          {}};
+  return {.id = std::move(id),
+          .label = std::move(label),
+          .help = std::move(help),
+          .keys = std::move(keys),
+          .enabled = std::move(need.holds),
+          .run = std::move(run),
+          .enabledOnSequence = std::move(enabledOnSequence),
+          .runOnSequence = std::move(runOnSequence),
+          .needs = std::move(need.text)};
 }
 
-/// The rows, and what each of them needs that does not say it itself: "select a trail first".
-[[nodiscard]] inline std::vector<DocumentCommand> needing(const std::string& needs,
-                                                          std::vector<DocumentCommand> rows) {
-  for (DocumentCommand& row : rows) {
-    row.needs = row.needs.empty() ? needs : row.needs;
-  }
-  return rows;
+/// A command that is a switch.
+[[nodiscard]] inline DocumentCommand ticked(DocumentCommand command,
+                                            std::function<bool(const Session&)> checked) {
+  command.checked = std::move(checked);
+  return command;
+}
+
+/// A command whose label says what it would do now.
+[[nodiscard]] inline DocumentCommand labelled(DocumentCommand command,
+                                              std::function<std::string(const Session&)> labelNow) {
+  command.labelNow = std::move(labelNow);
+  return command;
 }
 
 /// Runs what cannot fail.

@@ -4,6 +4,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/commands/needs.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
@@ -14,10 +15,6 @@ namespace stretch::app {
 namespace {
 
 constexpr double sameFrameTolerance = 1e-3; ///< Key times are single precision.
-
-bool hasViewedClip(const Session& session) {
-  return hasClip(session.document(), session.view().clip);
-}
 
 Status goTo(Session& session, double frame) {
   session.view().frame = std::clamp(frame, 0.0, lastFrame(session.document(), session.view().clip));
@@ -84,11 +81,15 @@ Status setRange(Session& session, bool start) {
   return finish(session, std::move(document), "Change the range");
 }
 
+bool loops(const Session& session) {
+  return isLooping(session.document(), session.view().clip);
+}
+
 Status toggleLoop(Session& session) {
   const Document& document = session.document();
   const int clip = session.view().clip;
-  const bool loops = isLooping(document, clip);
-  return finish(session, setLooping(document, clip, !loops), loops ? "Clip does not loop" : "Clip loops");
+  const bool looped = isLooping(document, clip);
+  return finish(session, setLooping(document, clip, !looped), looped ? "Clip does not loop" : "Clip loops");
 }
 
 } // namespace
@@ -97,42 +98,44 @@ std::vector<DocumentCommand> timeCommands() {
   return {
       entry(command::rangeStart, "Range starts here",
             "Starts the range at the playhead: of the selected trail, else of the next one.", {"[", "Alt+,"},
-            hasViewedClip, [](Session& session) { return setRange(session, true); }),
+            clipNeeded(), [](Session& session) { return setRange(session, true); }),
       entry(command::rangeEnd, "Range ends here",
             "Ends the range at the playhead: of the selected trail, else of the next one.", {"]", "Alt+."},
-            hasViewedClip, [](Session& session) { return setRange(session, false); }),
+            clipNeeded(), [](Session& session) { return setRange(session, false); }),
       entry(command::rangeDefault, "Forget the range",
-            "The next trail takes the stroke around the playhead again.", {}, always,
+            "The next trail takes the stroke around the playhead again.", {},
+            {[](const Session& session) { return isRangeSet(session.view()); }, "no range was set"},
             doing([](Session& session) {
               session.view().rangeStart = 0.0;
               session.view().rangeEnd = -1.0;
             })),
       entry(
-          command::timeBack, "Frame back", "Steps to the frame before.", {","}, hasViewedClip, stepBack,
+          command::timeBack, "Frame back", "Steps to the frame before.", {","}, clipNeeded(), stepBack,
           alwaysOnSequence,
           [](SequenceSession& session) { return goToFrame(session, std::ceil(session.view().frame) - 1.0); }),
-      entry(command::timeForward, "Frame forward", "Steps to the next frame.", {"."}, hasViewedClip,
+      entry(command::timeForward, "Frame forward", "Steps to the next frame.", {"."}, clipNeeded(),
             stepForward, alwaysOnSequence,
             [](SequenceSession& session) {
               return goToFrame(session, std::floor(session.view().frame) + 1.0);
             }),
       entry(command::timePreviousKey, "Previous key",
-            "Jumps to the key before, of the selected limbs if there are any.", {"Ctrl+,"}, hasViewedClip,
+            "Jumps to the key before, of the selected limbs if there are any.", {"Ctrl+,"}, clipNeeded(),
             [](Session& session) { return goToKey(session, false); }),
       entry(command::timeNextKey, "Next key",
-            "Jumps to the next key, of the selected limbs if there are any.", {"Ctrl+."}, hasViewedClip,
+            "Jumps to the next key, of the selected limbs if there are any.", {"Ctrl+."}, clipNeeded(),
             [](Session& session) { return goToKey(session, true); }),
       entry(
-          command::timeStart, "To the start", "Jumps to the clip's first frame.", {"Home"}, hasViewedClip,
+          command::timeStart, "To the start", "Jumps to the clip's first frame.", {"Home"}, clipNeeded(),
           [](Session& session) { return goTo(session, 0.0); }, alwaysOnSequence,
           [](SequenceSession& session) { return goToFrame(session, 0.0); }),
       entry(
-          command::timeEnd, "To the end", "Jumps to the clip's last frame.", {"End"}, hasViewedClip,
+          command::timeEnd, "To the end", "Jumps to the clip's last frame.", {"End"}, clipNeeded(),
           [](Session& session) { return goTo(session, lastFrame(session.document(), session.view().clip)); },
           alwaysOnSequence, [](SequenceSession& session) { return goToFrame(session, lastFrame(session)); }),
-      entry(command::clipLoop, "Clip loops",
-            "The clip is played as a loop: a limb's way back at its end goes on at its start.", {},
-            hasViewedClip, toggleLoop),
+      ticked(entry(command::clipLoop, "Clip loops",
+                   "The clip is played as a loop: a limb's way back at its end goes on at its start.", {},
+                   clipNeeded(), toggleLoop),
+             loops),
   };
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/exaggerate.h"
 #include "app/commands/frames.h"
+#include "app/commands/needs.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/commands/tables.h"
@@ -122,15 +123,11 @@ Status applyAll(Session& session) {
   return finish(session, std::move(document), "Apply all trails");
 }
 
-/// The next colour of the palette for the first trail, the same for all.
+/// Each trail goes on by one, so that those that stood apart stay apart.
 Status nextColour(Session& session) {
-  const std::vector<int> targets = targetTrails(session);
-  if (targets.empty()) {
-    return noTrail();
-  }
-  const int colour = (findTrail(session.document(), targets.front())->colour + 1) % dealtColours;
   return editTargets(session, "Change the trail's colour",
                      [&](const Document& document, const rig::Trail& trail) {
+                       const int colour = (trail.colour + 1) % dealtColours;
                        return setTrailDisplay(document, trail.id, {colour, trail.visible, trail.pinned});
                      });
 }
@@ -208,60 +205,101 @@ bool canPaste(const Session& session) {
 bool canDelete(const Session& session) {
   return hasTarget(session) || !session.view().selectedSpheres.empty();
 }
+bool isToBeApplied(const Session& session) {
+  return hasTarget(session) && !allTargets(session, [](const rig::Trail& trail) { return trail.applied; });
+}
+bool isExaggerated(const Session& session) {
+  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.exaggerated; });
+}
+bool hasTrailsOfLimbs(const Session& session) {
+  const std::vector<rig::Trail>& trails = session.document().trails;
+  return std::any_of(trails.begin(), trails.end(), [&](const rig::Trail& trail) {
+    return trail.clip == session.view().clip && isSelected(session, trail.limb);
+  });
+}
+bool canMirror(const Session& session) {
+  return hasTarget(session) && allTargets(session, [&](const rig::Trail& trail) {
+           return static_cast<bool>(otherSide(session.document(), trail.limb));
+         });
+}
+bool isConnected(const Session& session) {
+  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.connected; });
+}
+bool isFollowing(const Session& session) {
+  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.follow; });
+}
+bool isShown(const Session& session) {
+  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.visible; });
+}
+
+/// "Blend: half-way", of the first trail.
+std::string blendLabel(const Session& session) {
+  const std::vector<int> targets = targetTrails(session);
+  if (targets.empty()) {
+    return "Blend";
+  }
+  const double blend = findTrail(session.document(), targets.front())->settings.blend;
+  return blend > 1.0 ? "Blend: exaggerated" : blend > 0.0 ? "Blend: half-way" : "Blend: original";
+}
 
 } // namespace
 
 std::vector<DocumentCommand> trailCommands() {
-  return needing(
-      "select a trail first, or a limb that has one",
-      {
-          entry(command::trailToggle, "Motion trail",
-                "Shows the path of the limb's end over the range; again hides it.", {"T"}, hasLimb,
-                toggleTrails),
-          entry(command::trailExaggerateOnce, "Exaggerate at 2",
-                "Makes the trail if there is none, exaggerates it to twice the length and "
-                "connects the limb.",
-                {}, hasLimb, exaggerateOnce),
-          entry(command::trailConnect, "Connect",
-                "Lets the limb follow the exaggerated trail; again lets it go.", {"C"}, hasTarget,
-                toggleConnected),
-          entry(command::trailFollow, "Follow",
-                "The limb follows while its spheres are dragged, or waits until it is connected.",
-                {"Shift+C"}, hasTarget, toggleFollow),
-          entry(command::trailBlend, "Blend",
-                "Goes on from exaggerated to half-way, to original, and round again.", {"B"}, hasTarget,
-                cycleBlend),
-          entry(command::trailApply, "Apply new motion",
-                "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, "
-                "stays, "
-                "and "
-                "can be changed.",
-                {"Enter", "Numpad Enter"}, hasTarget, applyTargets),
-          entry(
-              command::trailApplyAll, "Apply all",
-              "Applies every connected trail of the clip; disconnected ones stay as they are.",
-              {"Ctrl+Enter", "Ctrl+Numpad Enter"},
-              [](const Session& session) { return !waitingTrails(session).empty(); }, applyAll),
-          entry(command::trailNextColour, "Next colour", "Gives the trail the next colour of the palette.",
-                {}, hasTarget, nextColour),
-          entry(command::editDelete, "Delete",
-                "Takes the selected spheres away (the first and the last are put back); with none selected "
-                "deletes "
-                "the trail.",
-                {"Delete"}, canDelete, deleteSelection),
-          entry(command::trailDelete, "Delete trail",
-                "Deletes the trail and gives its range back as the file had it.", {}, hasTarget,
-                deleteTargets),
-          entry(command::trailDeleteAll, "Delete all trails of the limb",
-                "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"}, hasLimb,
-                deleteAllOfLimbs),
-          entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
-                hasSelectedTrail, copySelected),
-          entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.",
-                {"Ctrl+V"}, canPaste, pasteOnLimbs),
-          entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
-                {"Ctrl+M"}, hasTarget, mirrorTargets),
-      });
+  return {
+      ticked(entry(command::trailToggle, "Motion trail",
+                   "Shows the path of the limb's end over the range; again hides it.", {"T"}, limbNeeded(),
+                   toggleTrails),
+             isShown),
+      entry(command::trailExaggerateOnce, "Exaggerate at 2",
+            "Makes the trail if there is none, exaggerates it to twice the length and "
+            "connects the limb.",
+            {}, limbNeeded(), exaggerateOnce),
+      labelled(entry(command::trailConnect, "Connect",
+                     "Lets the limb follow the exaggerated trail; again lets it go.", {"C"}, targetNeeded(),
+                     toggleConnected),
+               [](const Session& session) -> std::string {
+                 return isConnected(session) ? "Disconnect" : "Connect";
+               }),
+      ticked(entry(command::trailFollow, "Follow",
+                   "The limb follows while its spheres are dragged, or waits until it is connected.",
+                   {"Shift+C"}, targetNeeded(), toggleFollow),
+             isFollowing),
+      labelled(entry(command::trailBlend, "Blend",
+                     "Goes on from exaggerated to half-way, to original, and round again.", {"B"},
+                     {isExaggerated, "exaggerate the trail first"}, cycleBlend),
+               blendLabel),
+      entry(
+          command::trailApply, "Apply new motion",
+          "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
+          "and "
+          "can be changed.",
+          {"Enter", "Numpad Enter"}, {isToBeApplied, "select a trail that is not applied yet"}, applyTargets),
+      entry(command::trailApplyAll, "Apply all",
+            "Applies every connected trail of the clip; disconnected ones stay as they are.",
+            {"Ctrl+Enter", "Ctrl+Numpad Enter"},
+            {[](const Session& session) { return !waitingTrails(session).empty(); },
+             "no connected trail waits to be applied"},
+            applyAll),
+      entry(command::trailNextColour, "Next colour", "Gives each trail the next colour of the palette.", {},
+            targetNeeded(), nextColour),
+      entry(
+          command::editDelete, "Delete",
+          "Takes the selected spheres away (the first and the last are put back); with none selected deletes "
+          "the trail.",
+          {"Delete"}, {canDelete, "select a trail or its spheres first"}, deleteSelection),
+      entry(command::trailDelete, "Delete trail",
+            "Deletes the trail and gives its range back as the file had it.", {}, targetNeeded(),
+            deleteTargets),
+      entry(command::trailDeleteAll, "Delete all trails of the limb",
+            "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"},
+            {hasTrailsOfLimbs, "select a limb that has trails"}, deleteAllOfLimbs),
+      entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
+            {hasSelectedTrail, "select a trail first"}, copySelected),
+      entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.", {"Ctrl+V"},
+            {canPaste, "copy a trail and select a limb first"}, pasteOnLimbs),
+      entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
+            {"Ctrl+M"}, {canMirror, "select a trail of an arm or a leg first"}, mirrorTargets),
+  };
 }
 
 } // namespace stretch::app

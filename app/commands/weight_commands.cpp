@@ -2,6 +2,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/needs.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/document.h"
@@ -25,13 +26,18 @@ bool isOn(const Session& session, const std::string& limb) {
   return entry != nullptr && entry->on;
 }
 
+bool allTargetsHaveWeightOn(const Session& session) {
+  const std::vector<std::string> limbs = targetLimbs(session);
+  return hasTargets(session) && std::all_of(limbs.begin(), limbs.end(),
+                                            [&](const std::string& limb) { return isOn(session, limb); });
+}
+
 Status toggleWeight(Session& session) {
   const std::vector<std::string> limbs = targetLimbs(session);
   if (!hasTargets(session)) {
     return Error{"no limb is selected", "", "select one first"};
   }
-  const bool allOn =
-      std::all_of(limbs.begin(), limbs.end(), [&](const std::string& limb) { return isOn(session, limb); });
+  const bool allOn = allTargetsHaveWeightOn(session);
   return finish(session, switchWeight(session.document(), limbs, session.view().clip, !allOn),
                 allOn ? "Switch weight off" : "Give weight");
 }
@@ -72,15 +78,16 @@ Status weightForAll(Session& session) {
 
 std::vector<DocumentCommand> weightCommands() {
   return {
-      entry(command::weightToggle, "Weight on or off",
-            "Lets the selected limbs sag, squash and stretch by their own load, or stops that.", {},
-            hasTargets, toggleWeight),
+      ticked(entry(command::weightToggle, "Weight",
+                   "Lets the selected limbs sag, squash and stretch by their own load, or stops that.", {},
+                   {hasTargets, "select a limb first"}, toggleWeight),
+             allTargetsHaveWeightOn),
       entry(command::weightAll, "Weight for arms and legs",
-            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {}, viewsClip,
-            weightForAll),
+            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {},
+            clipNeeded(), weightForAll),
       entry(command::weightRemove, "Take the weight away",
-            "Takes the weight of the selected limbs away, with its settings.", {}, targetsHaveWeight,
-            takeWeightAway),
+            "Takes the weight of the selected limbs away, with its settings.", {},
+            {targetsHaveWeight, "select a limb that has weight"}, takeWeightAway),
   };
 }
 

@@ -45,6 +45,7 @@ Result<Document> groupTrails(const Document& document, std::span<const int> trai
                    "leave one of them out"};
     }
     trail->group = group;
+    trail->groupName.clear();
     members.push_back(trail);
   }
   return changed;
@@ -55,6 +56,7 @@ Document takeApart(const Document& document, std::span<const int> trailIds) {
   for (const int id : trailIds) {
     for (const int member : groupMembers(document, id)) {
       findTrail(changed, member)->group = 0;
+      findTrail(changed, member)->groupName.clear();
     }
   }
   return changed;

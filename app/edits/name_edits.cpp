@@ -1,5 +1,6 @@
 #include "app/edits/name_edits.h"
 
+#include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
 
 namespace stretch::app {
@@ -35,6 +36,18 @@ Result<Document> renameTrail(const Document& document, int trailId, const std::s
     return missingTrail(trailId);
   }
   trail->name = shortened(trimmed(name));
+  return changed;
+}
+
+Result<Document> renameGroup(const Document& document, int trailId, const std::string& name) {
+  const std::vector<int> members = groupMembers(document, trailId);
+  if (members.empty()) {
+    return Error{"the trail stands alone", "trail " + std::to_string(trailId), "group it with another one"};
+  }
+  Document changed = document;
+  for (const int id : members) {
+    findTrail(changed, id)->groupName = shortened(trimmed(name));
+  }
   return changed;
 }
 

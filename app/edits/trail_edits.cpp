@@ -1,6 +1,7 @@
 #include "app/edits/trail_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/edits/place_trails.h"
@@ -52,6 +53,20 @@ Error missingTrail(int trailId) {
   return Error{"there is no such trail", "trail " + std::to_string(trailId), "select a trail"};
 }
 
+int freeColour(const Document& document, int clip) {
+  std::array<int, dealtColours> uses{};
+  for (const rig::Trail& trail : document.trails) {
+    uses[static_cast<std::size_t>(trail.colour % dealtColours)] += trail.clip == clip ? 1 : 0;
+  }
+  const int turn = (document.nextTrailId - 1) % dealtColours;
+  int best = turn;
+  for (int i = 1; i < dealtColours; ++i) {
+    const int next = (turn + i) % dealtColours;
+    best = uses[static_cast<std::size_t>(next)] < uses[static_cast<std::size_t>(best)] ? next : best;
+  }
+  return best;
+}
+
 Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted) {
   rig::Trail trail;
   trail.limb = wanted.limb;
@@ -59,7 +74,7 @@ Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wante
   trail.settings = wanted.settings;
   trail.exaggerated = wanted.exaggerated || wanted.connected;
   trail.connected = wanted.connected;
-  trail.colour = (document.nextTrailId - 1) % dealtColours;
+  trail.colour = freeColour(document, wanted.clip);
   Result<PlacedTrails> placed = placeTrails(document, {&trail, 1}, Entry::hand);
   return placed ? Result<CreatedTrail>(CreatedTrail{std::move(placed->document), placed->trailIds.front()})
                 : Result<CreatedTrail>(placed.error());

@@ -27,6 +27,9 @@ struct CreatedTrail {
 
 inline constexpr int dealtColours = 5;
 
+/// The colour of the palette that the clip's trails use least, the next in turn of those that are equal.
+[[nodiscard]] int freeColour(const Document& document, int clip);
+
 /// Colours are dealt in turn, so that trails beside each other stay apart.
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 

@@ -23,9 +23,9 @@ constexpr double metres = 1.0;
 constexpr double fastestRate = 1e6; ///< Frames per second.
 
 const std::vector<std::string>& keysBesideSettings() {
-  static const std::vector<std::string> keys{"id",      "limb",   "clip",    "exaggerated", "connected",
-                                             "applied", "colour", "visible", "pinned",      "control_frames",
-                                             "follow",  "group",  "name"};
+  static const std::vector<std::string> keys{
+      "id",      "limb",   "clip",           "exaggerated", "connected", "applied",    "colour",
+      "visible", "pinned", "control_frames", "follow",      "group",     "group_name", "name"};
   return keys;
 }
 
@@ -47,6 +47,9 @@ Json savedTrail(const rig::Trail& trail) {
   }
   if (trail.group > 0) {
     json["group"] = trail.group;
+  }
+  if (trail.group > 0 && !trail.groupName.empty()) {
+    json["group_name"] = trail.groupName;
   }
   return json;
 }
@@ -127,6 +130,7 @@ Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   trail.follow = json.at("follow").get<bool>();
   trail.name = json.value("name", std::string());
   trail.group = std::clamp(json.value("group", 0), 0, 1000000);
+  trail.groupName = json.value("group_name", std::string());
   if (const Status read = readApplied(json.at("applied"), trail); !read) {
     return read.error();
   }

@@ -87,7 +87,7 @@ Schema<TrailSettings> releaseSettings() {
            .maximum = 100000.0,
            .unit = "frames",
            .help = "Frames after the tip over which the limb comes back to the original motion; default: "
-                   "to the next key.",
+                   "to the next key, or longer where the limb would go back faster than it came.",
            .row = {.section = "release", .step = 1.0}},
           &TrailSettings::releaseFrames),
       setting<TrailSettings>({.name = "overshoot",

@@ -95,9 +95,10 @@ struct Trail {
   /// Control spheres that the user set by hand, as frames; empty: chosen from the keys (docs/exaggeration.md,
   /// Control spheres).
   std::vector<double> controlFrames;
-  bool follow = true; ///< The character follows while a sphere is dragged.
-  std::string name;   ///< The user's own; empty: the limb's.
-  int group = 0;      ///< Trails of one number (above 0) were made as one; 0: stands alone.
+  bool follow = true;    ///< The character follows while a sphere is dragged.
+  std::string name;      ///< The user's own; empty: the limb's.
+  int group = 0;         ///< Trails of one number (above 0) were made as one; 0: stands alone.
+  std::string groupName; ///< The user's own for the group, the same in all of its trails; empty: their limbs.
 
   friend bool operator==(const Trail&, const Trail&) = default;
 };

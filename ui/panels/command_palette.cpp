@@ -15,21 +15,26 @@ struct Match {
   int score;
 };
 
-/// Commands that answer what was typed, the best first; a match in the help counts less than one in the
-/// label.
+/// Commands that answer what was typed, the best first and those that are off last; a match in the help
+/// counts less than one in the label.
 std::vector<Match> matchesOf(const PanelContext& context) {
   const std::string& typed = context.ui.palette.typed;
   std::vector<Match> matches;
   for (const CommandInfo& command : context.commands) {
+    if (typed.empty()) {
+      matches.push_back({&command, 0}); // In the order of the menus.
+      continue;
+    }
     const std::optional<int> label = fuzzyScore(typed, command.label);
     const std::optional<int> help = typed.size() < 3 ? std::nullopt : fuzzyScore(typed, command.help);
     if (label || help) {
       const int score = std::max(label.value_or(-1000), help.value_or(-1000) / 2 - 20);
-      matches.push_back({&command, score + (command.enabled ? 4 : 0)});
+      matches.push_back({&command, score});
     }
   }
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.score > b.score; });
+  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
+    return a.command->enabled == b.command->enabled ? a.score > b.score : a.command->enabled;
+  });
   return matches;
 }
 
@@ -39,26 +44,25 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
   const WidgetContext widgets = widgetsOf(context);
   const Control row = takePlace(widgets, "palette/" + command.id,
                                 {ImGui::GetContentRegionAvail().x, theme.px(32.0F)}, command.enabled);
+  const std::string key = keyOf(context, command.id);
   if (row.visible) {
     const ThemeColours& colours = theme.colours;
     if (highlighted || row.hovered) {
       ImGui::GetWindowDrawList()->AddRectFilled(
           row.box.min, row.box.max, highlighted ? colours.accentQuiet : colours.raised, theme.corner());
     }
-    const float opacity = command.enabled ? 1.0F : 0.4F;
+    const float opacity = command.enabled ? 1.0F : 0.5F;
     const float left = row.box.min.x + theme.unit();
     const float labelWidth = std::min(textSize(theme.fonts.body, command.label).x, row.box.width() * 0.6F);
     drawText(widgets, theme.fonts.body, {{left, row.box.min.y}, {left + labelWidth, row.box.max.y}},
              faded(colours.text, opacity), command.label);
-    const float keyWidth =
-        command.keyText.empty() ? 0.0F : textSize(theme.fonts.label, command.keyText).x + theme.px(26.0F);
+    const float keyWidth = key.empty() ? 0.0F : textSize(theme.fonts.label, key).x + theme.px(26.0F);
     drawText(widgets, theme.fonts.label,
              {{left + labelWidth + theme.px(14.0F), row.box.min.y},
               {row.box.max.x - keyWidth - theme.unit(), row.box.max.y}},
-             faded(colours.quietText, opacity), command.help);
-    if (!command.keyText.empty()) {
-      keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)},
-             command.keyText);
+             colours.quietText, command.enabled ? command.help : capitalised(command.reason));
+    if (!key.empty()) {
+      keyCap(widgets, {row.box.max.x - keyWidth + theme.unit(), row.box.min.y + theme.px(7.0F)}, key);
     }
   }
   if (highlighted && ImGui::IsWindowAppearing()) {

@@ -1,6 +1,9 @@
 #include "ui/panels/context_menu.h"
 
+#include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include "app/commands/selection.h"
@@ -13,6 +16,12 @@ namespace stretch::ui {
 namespace {
 
 using CommandIds = std::initializer_list<const char*>;
+
+/// Entries by command id; an empty id is a separator.
+struct MenuEntries {
+  MenuTarget target;
+  CommandIds ids;
+};
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
@@ -33,15 +42,24 @@ CommandIds entriesOf(MenuTarget target) {
                                     trailTakeApart,
                                     "",
                                     copyTrail,
+                                    pasteTrail,
                                     mirrorTrail,
+                                    "",
+                                    trailToggle,
                                     viewFrameSelection,
                                     "",
                                     trailDelete};
+  static constexpr CommandIds group{
+      trailExaggerate, trailConnect,       trailApply, trailFollow,    trailBlend,  "",
+      trailRename,     trailNextColour,    "",         trailTakeApart, mirrorTrail, "",
+      trailToggle,     viewFrameSelection, "",         trailDelete};
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
-  static constexpr CommandIds key{rangeStart,  rangeEnd, rangeDefault,    "",         timePreviousKey,
-                                  timeNextKey, "",       trailExaggerate, trailToggle};
+  static constexpr CommandIds key{rangeStart,  rangeEnd,  rangeDefault,    "",          timePreviousKey,
+                                  timeNextKey, "",        trailExaggerate, trailToggle, sphereAdd,
+                                  "",          copyTrail, trailDelete};
+  static constexpr CommandIds range{rangeStart, rangeEnd, rangeDefault, "", trailExaggerate, trailToggle};
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
@@ -49,22 +67,41 @@ CommandIds entriesOf(MenuTarget target) {
                                        viewTop,       viewPerspective,    "",       viewSkeleton,   viewWire,
                                        viewHeatMap,   viewGhosts,         viewGrid, viewSideBySide, "",
                                        viewNavigation};
-  switch (target) {
-  case MenuTarget::limb:
-    return limb;
-  case MenuTarget::trail:
-    return trail;
-  case MenuTarget::sphere:
-    return sphere;
-  case MenuTarget::key:
-    return key;
-  case MenuTarget::time:
-    return time;
-  case MenuTarget::viewport:
-  case MenuTarget::nothing:
-    break;
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},   {MenuTarget::trail, trail},
+                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere},
+                                          {MenuTarget::key, key},     {MenuTarget::range, range},
+                                          {MenuTarget::time, time}};
+  for (const MenuEntries& menu : menus) {
+    if (menu.target == target) {
+      return menu.ids;
+    }
   }
   return viewport;
+}
+
+/// What is about a moment of the timeline: the playhead goes there when one of its entries is chosen.
+bool isOfTime(MenuTarget target) {
+  return target == MenuTarget::key || target == MenuTarget::range || target == MenuTarget::time;
+}
+
+/// Entries that act at the playhead.
+bool actsAtPlayhead(std::string_view id) {
+  using namespace command;
+  constexpr std::array<std::string_view, 7> atPlayhead{
+      rangeStart, rangeEnd, timePreviousKey, timeNextKey, trailExaggerate, trailToggle, sphereAdd};
+  return std::find(atPlayhead.begin(), atPlayhead.end(), id) != atPlayhead.end();
+}
+
+/// "Go to this key": the one entry that is no command.
+void goToEntry(PanelContext& context) {
+  const UiState& ui = context.ui;
+  const bool isKey = ui.menuTarget == MenuTarget::key;
+  const std::string text = isKey ? "Go to this key" : "Go to this frame";
+  if (ImGui::MenuItem(text.c_str())) {
+    context.character().view().frame = ui.menuFrame;
+  }
+  context.items.add("context/go-to", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  tooltip(widgetsOf(context), {text, "The playhead goes to frame " + shortNumber(ui.menuFrame, 1) + ".", {}});
 }
 
 std::string spheresText(const app::ViewState& view) {
@@ -82,12 +119,16 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
     return view.selectedLimbs.empty() ? "Limb" : limbHeading(session.document(), view.selectedLimbs.back());
   case MenuTarget::trail:
     return trail == nullptr ? "Trail" : trailHeading(session.document(), *trail);
+  case MenuTarget::group:
+    return capitalised(app::groupTitle(session.document(), app::wholeGroupSelected(session)));
   case MenuTarget::sphere:
     return spheresText(view);
   case MenuTarget::key:
-    return "Key at frame " + shortNumber(view.frame, 1);
+    return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
+  case MenuTarget::range:
+    return "Range, frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::time:
-    return "Frame " + shortNumber(view.frame, 1);
+    return "Frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::viewport:
   case MenuTarget::nothing:
     break;
@@ -102,19 +143,45 @@ void swatches(PanelContext& context) {
   }
 }
 
+/// The title, what goes beside commands, and the commands.
+void entries(PanelContext& context) {
+  const MenuTarget target = context.ui.menuTarget;
+  const std::string title = titleOf(context, target);
+  ImGui::PushFont(context.theme.fonts.label);
+  ImGui::TextDisabled("%s", title.c_str());
+  ImGui::PopFont();
+  if (isOfTime(target)) {
+    goToEntry(context);
+  }
+  for (const char* id : entriesOf(target)) {
+    if (id[0] == '\0') {
+      ImGui::Separator();
+    } else if (commandEntry(context, "context/", id) && isOfTime(target) && actsAtPlayhead(id)) {
+      context.character().view().frame = context.ui.menuFrame; // The command runs after the panels.
+    }
+    if (std::string_view(id) == command::trailNextColour && target == MenuTarget::trail) {
+      swatches(context);
+    }
+  }
+}
+
 } // namespace
 
-void commandEntry(PanelContext& context, const std::string& prefix, const char* commandId) {
+bool commandEntry(PanelContext& context, const std::string& prefix, const char* commandId) {
   const CommandInfo* info = findCommand(context, commandId);
   if (info == nullptr) {
-    return;
+    return false;
   }
-  if (ImGui::MenuItem(info->label.c_str(), info->keyText.empty() ? nullptr : info->keyText.c_str(),
-                      info->checked, info->enabled)) {
+  const std::string key = keyOf(context, commandId);
+  const bool chosen =
+      ImGui::MenuItem(info->label.c_str(), key.empty() ? nullptr : key.c_str(), info->checked, info->enabled);
+  if (chosen) {
     request(context, commandId);
   }
   context.items.add(prefix + commandId, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), info->enabled);
-  tooltip(widgetsOf(context), {info->label, info->help, info->keyText});
+  const std::string why = info->enabled ? "" : " Off: " + info->reason + ".";
+  tooltip(widgetsOf(context), {info->label, info->help + why, key});
+  return chosen;
 }
 
 void askForMenu(UiState& ui, MenuTarget target) {
@@ -136,20 +203,7 @@ void drawContextMenu(PanelContext& context) {
     if (context.open.character() == nullptr || keyPressed(ImGuiKey_Escape)) {
       ImGui::CloseCurrentPopup();
     } else {
-      const std::string title = titleOf(context, ui.menuTarget);
-      ImGui::PushFont(theme.fonts.label);
-      ImGui::TextDisabled("%s", title.c_str());
-      ImGui::PopFont();
-      for (const char* id : entriesOf(ui.menuTarget)) {
-        if (id[0] == '\0') {
-          ImGui::Separator();
-        } else {
-          commandEntry(context, "context/", id);
-        }
-        if (std::string_view(id) == command::trailNextColour) {
-          swatches(context);
-        }
-      }
+      entries(context);
     }
     ImGui::EndPopup();
   }

@@ -6,8 +6,9 @@
 
 namespace stretch::ui {
 
-/// One command as an entry of a menu: its label, key, mark and tooltip; the item is `prefix` and its id.
-void commandEntry(PanelContext& context, const std::string& prefix, const char* commandId);
+/// One command as an entry of a menu: its label, key, mark and tooltip; the item is `prefix` and its id. True
+/// when it was chosen: the command was requested.
+bool commandEntry(PanelContext& context, const std::string& prefix, const char* commandId);
 
 /// Asks for the menu of what lies under the mouse, which was selected before: its commands act on the
 /// selection.

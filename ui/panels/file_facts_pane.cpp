@@ -51,6 +51,7 @@ void fileFacts(PanelContext& context, const std::filesystem::path& path) {
     dialog.factsPath = path;
     dialog.facts = path.empty() ? app::FileFacts{} : app::factsOf(path);
   }
+  verticalSpace(widgets, 16.0F); // Apart from the button above.
   if (path.empty()) {
     note(widgets,
          "Click a file to see what it holds, double click it to open it. Typing jumps to a name, Backspace "

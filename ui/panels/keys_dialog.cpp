@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "ui/panels/dialog_frame.h"
 #include "ui/widgets/dropdown.h"
@@ -10,8 +12,67 @@ namespace stretch::ui {
 
 namespace {
 
+/// Not what the command would do now.
+const std::string& nameOf(const CommandInfo& command) {
+  return command.name.empty() ? command.label : command.name;
+}
+
+/// Headings by the first part of a command's id, in the order of the list.
+struct KeyGroup {
+  std::string_view prefix;
+  const char* title;
+};
+constexpr KeyGroup keyGroups[] = {{"file", "File"},
+                                  {"recipe", "Recipes"},
+                                  {"edit", "Edit"},
+                                  {"limb", "Limbs"},
+                                  {"rig", "Limbs"},
+                                  {"range", "Range"},
+                                  {"trail", "Trails"},
+                                  {"sphere", "Control spheres"},
+                                  {"weight", "Weight"},
+                                  {"time", "Time"},
+                                  {"play", "Time"},
+                                  {"clip", "Clips"},
+                                  {"view", "View"},
+                                  {"sequence", "Mesh sequences"},
+                                  {"help", "Help and settings"},
+                                  {"keys", "Help and settings"}};
+
 std::string groupOf(const std::string& commandId) {
-  return capitalised(commandId.substr(0, commandId.find('.')));
+  const std::string_view prefix = std::string_view(commandId).substr(0, commandId.find('.'));
+  const auto* const found = std::ranges::find(keyGroups, prefix, &KeyGroup::prefix);
+  return found == std::end(keyGroups) ? capitalised(std::string(prefix)) : found->title;
+}
+
+bool answersFilter(const std::string& filter, const CommandInfo& command) {
+  return filter.empty() || fuzzyScore(filter, nameOf(command)).has_value() || command.keyText == filter;
+}
+
+/// Commands that answer the filter under their heading, which each stands once.
+struct GroupedCommands {
+  std::string title;
+  std::vector<const CommandInfo*> commands;
+};
+
+std::vector<GroupedCommands> groupedCommands(const PanelContext& context) {
+  std::vector<GroupedCommands> groups;
+  for (const KeyGroup& group : keyGroups) {
+    if (groups.empty() || groups.back().title != group.title) {
+      groups.push_back({group.title, {}});
+    }
+  }
+  for (const CommandInfo& command : context.commands) {
+    const std::string title = groupOf(command.id);
+    auto group = std::ranges::find(groups, title, &GroupedCommands::title);
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {title, {}});
+    }
+    if (answersFilter(context.ui.keys.filter, command)) {
+      group->commands.push_back(&command);
+    }
+  }
+  return groups;
 }
 
 void keyCell(PanelContext& context, const CommandInfo& command) {
@@ -30,21 +91,29 @@ void keyCell(PanelContext& context, const CommandInfo& command) {
   }
 }
 
+/// Label, what it does on as many lines as it takes, and the key.
 void commandRow(PanelContext& context, const CommandInfo& command) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const float keyWidth = theme.px(136.0F);
   const float width = ImGui::GetContentRegionAvail().x - keyWidth - theme.unit();
-  const Control row = takePlace(widgets, "keys/label/" + command.id, {width, theme.rowHeight()}, false);
+  const float split = std::floor(width * 0.36F);
+  ImFont* const font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  const float wrap = width - split - 2.0F * theme.unit();
+  const ImVec2 help = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, command.help.c_str());
+  const float height = std::max(theme.rowHeight(), help.y + theme.px(8.0F));
+  const Control row = takePlace(widgets, "keys/label/" + command.id, {width, height}, false);
   if (row.visible) {
-    const float split = row.box.min.x + std::floor(width * 0.38F);
+    const float line = row.box.min.y + theme.rowHeight();
     drawText(widgets, theme.fonts.body,
-             {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}}, theme.colours.text,
-             command.label);
-    drawText(widgets, theme.fonts.label, {{split + theme.unit(), row.box.min.y}, row.box.max},
-             theme.colours.quietText, command.help);
+             {{row.box.min.x + theme.unit(), row.box.min.y}, {row.box.min.x + split, line}},
+             theme.colours.text, nameOf(command));
+    const ImVec2 at(row.box.min.x + split + theme.unit(),
+                    row.box.min.y + std::floor((theme.rowHeight() - font->FontSize) * 0.5F));
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, theme.colours.quietText,
+                                        command.help.c_str(), nullptr, wrap);
   }
-  tooltip(widgets, {command.label, command.help, command.keyText});
+  tooltip(widgets, {nameOf(command), command.help, command.keyText});
   ImGui::SameLine(0.0F, theme.unit());
   keyCell(context, command);
 }
@@ -69,24 +138,20 @@ void takeKey(PanelContext& context) {
   keys.waitingFor.clear();
 }
 
-bool matches(const std::string& filter, const CommandInfo& command) {
-  return filter.empty() || fuzzyScore(filter, command.label).has_value() || command.keyText == filter;
-}
-
 void commandList(PanelContext& context) {
   ImGui::BeginChild("keys/list", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(44.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.unit(), context.theme.px(2.0F)));
-  std::string group;
-  for (const CommandInfo& command : context.commands) {
-    if (!matches(context.ui.keys.filter, command)) {
+  for (const GroupedCommands& group : groupedCommands(context)) {
+    if (group.commands.empty()) {
       continue;
     }
-    if (groupOf(command.id) != group) {
-      group = groupOf(command.id);
-      verticalSpace(widgetsOf(context), 10.0F);
-      note(widgetsOf(context), group);
+    verticalSpace(widgetsOf(context), 10.0F);
+    ImGui::PushFont(context.theme.fonts.strong);
+    ImGui::TextUnformatted(group.title.c_str());
+    ImGui::PopFont();
+    for (const CommandInfo* command : group.commands) {
+      commandRow(context, *command);
     }
-    commandRow(context, command);
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -98,7 +163,7 @@ void drawKeysOverview(PanelContext& context) {
   KeysOverviewState& keys = context.ui.keys;
   const bool awaiting = !keys.waitingFor.empty();
   DialogSpec spec{
-      .id = "keys", .icon = icon::keyboard, .title = "All keys", .width = 860.0F, .height = 600.0F};
+      .id = "keys", .icon = icon::keyboard, .title = "All keys", .width = 940.0F, .height = 600.0F};
   spec.closable = !awaiting; // Esc ends the waiting first
   takeKey(context);
   if (!beginDialog(context, spec, keys.open)) {

@@ -50,7 +50,7 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   state.selected = app::isSelected(session, state.id);
   state.lowConfidence = limb->confidence < doubtful;
   if (const rig::Trail* trail = trailOf(session, state.id)) {
-    state.trail = trailColour(trail->colour);
+    state.trail = trailColour(trail->colour, context.theme.kind);
   }
   const app::WeightedLimb* const weight = app::findWeight(session.document(), state.id, session.view().clip);
   state.hasWeight = weight != nullptr && weight->on;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <initializer_list>
 
 #include "app/commands/command_ids.h"
@@ -5,6 +6,7 @@
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets/icons.h"
 
 namespace stretch::ui {
 
@@ -51,6 +53,43 @@ void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndMenu();
+}
+
+/// What is open, whether it holds work that no file has, and the button that saves it: at the bar's right
+/// end, where they are seen in full screen as well.
+void openFileName(PanelContext& context) {
+  const EditorStatus& status = context.status;
+  const Theme& theme = context.theme;
+  if (status.fileName.empty()) {
+    return;
+  }
+  const WidgetContext widgets = widgetsOf(context);
+  const float saveWidth = theme.px(72.0F);
+  const float gap = theme.unit();
+  const float markWidth = status.unsaved ? theme.px(14.0F) : 0.0F;
+  const float free = ImGui::GetContentRegionAvail().x - saveWidth - gap;
+  const float width =
+      std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
+  if (width < theme.px(40.0F)) {
+    return;
+  }
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
+  const Control place = takePlace(widgets, "menu-bar/file", {width, ImGui::GetFrameHeight()}, false);
+  if (status.unsaved) {
+    ImGui::GetWindowDrawList()->AddCircleFilled({place.box.min.x + theme.px(5.0F), place.box.centre().y},
+                                                theme.px(4.0F), theme.colours.accent);
+  }
+  drawText(widgets, theme.fonts.body, {{place.box.min.x + markWidth, place.box.min.y}, place.box.max},
+           theme.colours.text, cutInMiddle(theme.fonts.body, status.fileName, width - markWidth));
+  tooltip(
+      widgets,
+      {status.fileName, status.unsaved ? "Holds work that is not saved yet." : "Everything is saved.", {}});
+  ImGui::SameLine(0.0F, gap);
+  commandButton(context, {.command = command::fileSave,
+                          .icon = icon::save,
+                          .text = "Save",
+                          .emphasis = status.unsaved ? Emphasis::primary : Emphasis::normal,
+                          .width = saveWidth});
 }
 
 } // namespace
@@ -110,6 +149,7 @@ void drawMenuBar(PanelContext& context) {
         viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
       false);
   drawMenu(context, {"Help", {palette, keys, about}}, false);
+  openFileName(context);
   ImGui::PopStyleVar(2);
 }
 

@@ -21,7 +21,9 @@ struct CommandInfo {
   std::string help;
   std::string keyText; ///< The real key, as the user's layout names it; empty without one.
   bool enabled = true;
-  bool checked = false; ///< A switch that is on.
+  bool checked = false;    ///< A switch that is on.
+  std::string reason = {}; ///< What to do first while it is off.
+  std::string name = {};   ///< The label as it is always, whatever the command would do now.
 };
 
 /// Everything a panel may see and touch. Panels draw, read what is open, make edits through it (begin,

@@ -89,7 +89,8 @@ void commandButton(PanelContext& context, const CommandButton& spec) {
   drawn.fallback = spec.fallback;
   const std::string label = info != nullptr ? info->label : spec.text;
   drawn.text = std::string_view(spec.text) == " " ? "" : spec.text[0] != '\0' ? spec.text : label;
-  drawn.help = {label, info != nullptr ? info->help : "", info != nullptr ? info->keyText : ""};
+  const std::string why = info != nullptr && !info->enabled ? " Off: " + info->reason + "." : "";
+  drawn.help = {label, info != nullptr ? info->help + why : "", keyOf(context, spec.command)};
   drawn.emphasis = spec.emphasis;
   drawn.on = info != nullptr && info->checked;
   drawn.enabled = info != nullptr && info->enabled;
@@ -114,7 +115,12 @@ void iconButton(PanelContext& context, const char* command, const char* icon, co
 
 std::string keyOf(const PanelContext& context, std::string_view commandId) {
   const CommandInfo* info = findCommand(context, commandId);
-  return info != nullptr ? info->keyText : std::string();
+  const std::string key = info != nullptr ? info->keyText : std::string();
+  const app::Session* const character = context.open.character();
+  // The key of Delete deletes the trail as long as no sphere is selected.
+  const bool isDelete = key.empty() && commandId == command::trailDelete && character != nullptr &&
+                        character->view().selectedSpheres.empty();
+  return isDelete ? keyOf(context, command::editDelete) : key;
 }
 
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,

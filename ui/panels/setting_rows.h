@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/schema/schema.h"
+#include "core/gltf/json.h"
 #include "ui/panels/panel_support.h"
 
 namespace stretch::ui {

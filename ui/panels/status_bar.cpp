@@ -9,12 +9,30 @@ namespace stretch::ui {
 
 namespace {
 
+float hintWidth(const PanelContext& context, const KeyHint& hint) {
+  const Theme& theme = context.theme;
+  const float cap =
+      std::max(theme.px(18.0F), std::ceil(textSize(theme.fonts.label, hint.key).x + theme.px(10.0F)));
+  return cap + theme.px(6.0F) + textSize(theme.fonts.label, hint.does).x + theme.px(14.0F);
+}
+
+/// What texts leave free at the row's end while a tool runs: room for its first hints, which end it.
+float roomForHints(const PanelContext& context) {
+  constexpr std::size_t needed = 4;
+  float room = 0.0F;
+  const std::vector<KeyHint>& hints = context.status.keyHints;
+  for (std::size_t i = 0; i < std::min(needed, hints.size()); ++i) {
+    room += hintWidth(context, hints[i]);
+  }
+  return room;
+}
+
 /// Draws text at the cursor as wide as it is and moves on; nothing once the row is full.
 void statusText(PanelContext& context, const std::string& id, const std::string& text, ImU32 colour,
                 const Help& help) {
   const WidgetContext widgets = widgetsOf(context);
-  const float width =
-      std::min(textSize(context.theme.fonts.label, text).x + 2.0F, ImGui::GetContentRegionAvail().x);
+  const float width = std::min(textSize(context.theme.fonts.label, text).x + 2.0F,
+                               ImGui::GetContentRegionAvail().x - roomForHints(context));
   if (width < context.theme.px(24.0F)) {
     return;
   }
@@ -100,13 +118,6 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
   return hints;
 }
 
-float hintWidth(const PanelContext& context, const KeyHint& hint) {
-  const Theme& theme = context.theme;
-  const float cap =
-      std::max(theme.px(18.0F), std::ceil(textSize(theme.fonts.label, hint.key).x + theme.px(10.0F)));
-  return cap + theme.px(6.0F) + textSize(theme.fonts.label, hint.does).x + theme.px(14.0F);
-}
-
 /// As many hints as fit, the first ones first, at the right end of the row.
 void hintPart(PanelContext& context) {
   const Theme& theme = context.theme;
@@ -127,6 +138,8 @@ void hintPart(PanelContext& context) {
     const float cap = keyCap(widgets, {x, corner.y + theme.px(4.0F)}, hint.key);
     const Rect text{{x + cap + theme.px(6.0F), corner.y},
                     {x + hintWidth(context, hint), corner.y + theme.rowHeight()}};
+    context.items.add("status/hint/" + hint.key, {x, corner.y}, text.max);
+    context.items.items.back().explained = true; // By itself.
     drawText(widgets, theme.fonts.label, text, theme.colours.quietText, hint.does);
     x += hintWidth(context, hint);
   }

@@ -31,7 +31,7 @@ std::vector<KeyRow> keyRows(app::Session& session, RowDetail detail) {
 }
 
 TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const rig::SolvedTrail* solved,
-                  double framesPerSecond) {
+                  double framesPerSecond, ThemeKind theme) {
   TimelineBar bar;
   bar.id = trail.id;
   bar.start = bar.windowStart = trail.settings.startFrame;
@@ -42,7 +42,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
     bar.windowEnd += tipIsEnd ? release : 0.0;
     bar.windowStart -= tipIsEnd ? 0.0 : release;
   }
-  bar.colour = trailColour(trail.colour);
+  bar.colour = trailColour(trail.colour, theme);
   bar.label = trailHeading(session.document(), trail);
   bar.selected = session.view().selectedTrail == trail.id;
   bar.active = trail.connected && !trail.applied;
@@ -94,7 +94,8 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.turn = (shown.endSeconds - shown.startSeconds) * rate;
   for (const rig::Trail& trail : document.trails) {
     if (trail.clip == clip) {
-      model.bars.push_back(barOf(session, trail, app::solvedTrail(session, trail.id), rate));
+      model.bars.push_back(
+          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
     }
   }
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {

@@ -18,8 +18,6 @@ namespace stretch::ui {
 
 namespace {
 
-constexpr float labelWidth = 112.0F;
-
 void applyRange(app::Session& session, const TimelineOutcome& outcome) {
   if (outcome.rangeChanged) {
     app::setRangeByHand(session, {outcome.range.start, outcome.range.end});
@@ -98,15 +96,17 @@ void applyView(PanelContext& context, const TimelineOutcome& outcome) {
   }
 }
 
-/// A right click: what lies there is selected, and the playhead goes to a key or a moment.
+/// A right click: the trail that lies there is selected; the playhead stays until an entry is chosen.
 void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.menuBar != 0) {
     app::selectTrail(session, outcome.menuBar);
     askForMenu(context.ui, MenuTarget::trail);
   } else if (outcome.menuAsked) {
-    session.view().frame = outcome.menuFrame;
-    askForMenu(context.ui, outcome.menuOnKey ? MenuTarget::key : MenuTarget::time);
+    context.ui.menuFrame = outcome.menuFrame;
+    askForMenu(context.ui, outcome.menuOnRange ? MenuTarget::range
+                           : outcome.menuOnKey ? MenuTarget::key
+                                               : MenuTarget::time);
   }
   if (outcome.doubleClickedBar != 0) {
     app::selectTrail(session, outcome.doubleClickedBar);
@@ -138,7 +138,7 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
                     ImGuiWindowFlags_NoScrollWithMouse); // the wheel zooms
   const float height = std::max(timelineHeight(context.theme, model), ImGui::GetContentRegionAvail().y);
   const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
-                                           context.theme.px(labelWidth), height);
+                                           timelineLabelWidth(context.theme, model), height);
   ImGui::EndChild();
   applyRange(context.character(), outcome);
   applyBars(context, outcome);

@@ -16,7 +16,7 @@ bool trailColours(PanelContext& context, const rig::Trail& trail, const std::str
     const Control swatch = takePlace(widgets, prefix + std::to_string(i), {side, side});
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddCircleFilled(swatch.box.centre(), context.theme.px(swatch.hovered ? 10.0F : 8.0F),
-                          trailColour(i));
+                          trailColour(i, context.theme.kind));
     if (i == trail.colour) {
       list->AddCircle(swatch.box.centre(), context.theme.px(11.0F), context.theme.colours.text, 0,
                       context.theme.px(1.5F));

@@ -6,28 +6,17 @@
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/trail_edits.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/trail_list_row.h"
 #include "ui/widgets/icons.h"
 
 namespace stretch::ui {
 
 namespace {
 
-constexpr float groupRowHeight = 42.0F;
-
 const rig::Trail& trailOf(const PanelContext& context, int id) {
   return *app::findTrail(context.open.character()->document(), id);
-}
-
-/// "Left arm, right arm and spine".
-std::string groupTitle(const PanelContext& context, const std::vector<int>& members) {
-  const app::Document& document = context.open.character()->document();
-  std::string title;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    title += i == 0 ? "" : i + 1 == members.size() ? " and " : ", ";
-    title += app::limbTitle(document, trailOf(context, members[i]).limb);
-  }
-  return capitalised(title);
 }
 
 /// "3 trails, 21-27, x3": range and scale where all of them share it.
@@ -59,39 +48,25 @@ void editMembers(PanelContext& context, const std::vector<int>& members, const c
   editOnce(context, label, document);
 }
 
-bool groupButton(PanelContext& context, const std::string& id, const char* iconText, const char* fallback,
-                 const Help& help) {
-  ButtonSpec spec;
-  spec.id = id;
-  spec.icon = iconText;
-  spec.fallback = fallback;
-  spec.emphasis = Emphasis::quiet;
-  spec.help = help;
-  spec.width = context.theme.px(26.0F);
-  const bool clicked = button(widgetsOf(context), spec);
-  ImGui::SameLine(0.0F, 0.0F);
-  return clicked;
-}
-
 void groupButtons(PanelContext& context, const std::string& id, const std::vector<int>& members) {
   const bool visible = std::all_of(members.begin(), members.end(),
                                    [&](int member) { return trailOf(context, member).visible; });
-  if (groupButton(context, id + "/visible", visible ? icon::visible : icon::hidden, visible ? "o" : "-",
-                  {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
+  if (rowButton(context, id + "/visible", visible ? icon::visible : icon::hidden, visible ? "o" : "-", false,
+                {"Visible", "Shows or hides every trail of the group in the viewport.", {}})) {
     editMembers(context, members, visible ? "Hide the trails" : "Show the trails",
                 [&](const app::Document& document, int member) {
                   const rig::Trail& trail = *app::findTrail(document, member);
                   return app::setTrailDisplay(document, member, {trail.colour, !visible, trail.pinned});
                 });
   }
-  if (groupButton(context, id + "/apart", icon::unlink, "/",
-                  {"Take the group apart", "The trails stay as they are, each by itself.",
-                   keyOf(context, command::trailTakeApart)})) {
+  if (rowButton(context, id + "/apart", icon::unlink, "/", false,
+                {"Take the group apart", "The trails stay as they are, each by itself.",
+                 keyOf(context, command::trailTakeApart)})) {
     editOnce(context, "Take the group apart", app::takeApart(context.character().document(), members));
   }
-  if (groupButton(context, id + "/delete", icon::trash, "x",
-                  {"Delete the trails of this group", "Gives their range back exactly as the source has it.",
-                   keyOf(context, command::trailDelete)})) {
+  if (rowButton(context, id + "/delete", icon::trash, "x", false,
+                {"Delete the trails of this group", "Gives their range back exactly as the source has it.",
+                 keyOf(context, command::trailDelete)})) {
     editMembers(context, members, "Delete the trails", app::deleteTrail);
   }
 }
@@ -124,62 +99,45 @@ bool foldArrow(PanelContext& context, const std::string& id, float height) {
   return open;
 }
 
-void groupText(PanelContext& context, const std::string& id, const std::vector<int>& members, bool selected,
-               const ImVec2& size) {
-  const WidgetContext widgets = widgetsOf(context);
+void groupText(PanelContext& context, const std::string& id, const std::vector<int>& members, bool selected) {
   const Theme& theme = context.theme;
-  const Control row = takePlace(widgets, id, size);
-  const float middle = row.box.centre().y + theme.px(1.0F);
-  const std::string title = groupTitle(context, members);
+  const std::string title = capitalised(app::groupTitle(context.open.character()->document(), members));
   const std::string detail = groupDetail(context, members);
-  drawText(widgets, theme.fonts.body,
-           {{row.box.min.x, row.box.min.y + theme.px(4.0F)}, {row.box.max.x, middle}},
-           selected ? theme.colours.accent : theme.colours.text, title);
-  drawText(widgets, theme.fonts.label,
-           {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
-           theme.colours.quietText, detail);
-  tooltip(widgets, {title, detail + ". Click selects all of them: what is set then is set for each.",
-                    keyOf(context, command::trailSelectGroup)});
-  if (row.clicked) {
+  const RowClicks mouse =
+      rowText(context,
+              {.id = id,
+               .title = title,
+               .detail = detail,
+               .colour = selected ? theme.colours.accent : theme.colours.text,
+               .help = {title,
+                        detail + ". Click selects all of them: what is set then is set for each. A double "
+                                 "click renames the group, a right click opens its menu.",
+                        keyOf(context, command::trailSelectGroup)}},
+              3);
+  if (mouse.clicked || mouse.renames || mouse.asksMenu) {
     app::selectGroup(context.character(), members.front());
   }
-}
-
-bool isWholeGroupSelected(const PanelContext& context, const std::vector<int>& members) {
-  const app::Session& session = *context.open.character();
-  return std::find(members.begin(), members.end(), session.view().selectedTrail) != members.end() &&
-         std::all_of(members.begin(), members.end(),
-                     [&](int id) { return app::isSelected(session, trailOf(context, id).limb); });
+  if (mouse.renames) {
+    request(context, command::trailRename);
+  }
+  if (mouse.asksMenu) {
+    askForMenu(context.ui, MenuTarget::group);
+  }
 }
 
 } // namespace
 
-void fillRow(PanelContext& context, float height, bool selected) {
-  const Theme& theme = context.theme;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 end{corner.x + ImGui::GetContentRegionAvail().x, corner.y + height};
-  const bool hovered = ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered();
-  if (selected || hovered) {
-    const ImU32 fill = selected ? faded(theme.colours.accentQuiet, 0.7F) : theme.colours.raised;
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, end, fill, theme.corner());
-  }
-}
-
 bool trailGroupRow(PanelContext& context, const std::vector<int>& members) {
   const Theme& theme = context.theme;
   const std::string id = "trails/group-" + std::to_string(trailOf(context, members.front()).group);
-  const float height = theme.px(groupRowHeight);
+  const float height = rowLines(theme).whole;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const bool selected = isWholeGroupSelected(context, members);
-  fillRow(context, height, selected);
+  const bool selected = app::wholeGroupSelected(*context.open.character()) == members;
+  fillRow(context, selected);
   ImGui::BeginGroup();
   const bool open = foldArrow(context, id, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));
-  const float buttons = theme.px(26.0F) * 3.0F + theme.px(4.0F);
-  groupText(context, id, members, selected, {width - theme.px(28.0F) - buttons, height});
-  ImGui::SameLine(0.0F, theme.px(2.0F));
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (height - theme.rowHeight()) * 0.5F);
+  groupText(context, id, members, selected);
   groupButtons(context, id, members);
   ImGui::EndGroup();
   ImGui::SetCursorScreenPos({corner.x, corner.y + height});

@@ -10,7 +10,4 @@ namespace stretch::ui {
 /// selects all of them. False: its trails are folded away.
 [[nodiscard]] bool trailGroupRow(PanelContext& context, const std::vector<int>& members);
 
-/// The ground of a row that starts at the cursor, where it is selected or under the mouse.
-void fillRow(PanelContext& context, float height, bool selected);
-
 } // namespace stretch::ui

@@ -28,8 +28,8 @@ void remapRows(PanelContext& context, const rig::Trail& trail) {
   };
   const float height = std::min(ImGui::GetContentRegionAvail().x * 0.72F, context.theme.px(180.0F));
   const EditPhase phase = remapEditor(
-      widgets, "trail/remap-curve", [&](double r) { return curve.at(r); }, points, trailColour(trail.colour),
-      height);
+      widgets, "trail/remap-curve", [&](double r) { return curve.at(r); }, points,
+      trailColour(trail.colour, context.theme.kind), height);
   editSettings(context, phase, "Shape the transition", [&](TrailSettings& s) { set(points, s); });
   trailSection(context, trail, "transition", [&](TrailSettings& s) {
     set(clampedRemap({{s.easeIn.percent, s.easeIn.value}, {s.easeOut.percent, s.easeOut.value}}), s);

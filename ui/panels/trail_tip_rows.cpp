@@ -145,6 +145,59 @@ const LookState& lookAt(PanelContext& context, const rig::SolvedTrail& solved) {
   return look;
 }
 
+struct Message {
+  NoticeKind kind = NoticeKind::warning;
+  std::string text;
+};
+
+/// What there is to know of a trail, what matters most first.
+std::vector<Message> messagesOf(PanelContext& context, const rig::SolvedTrail& solved) {
+  std::vector<Message> messages;
+  const std::string reach = reachProblem(context, solved);
+  if (!reach.empty()) {
+    messages.push_back({NoticeKind::warning, reach});
+  }
+  for (const std::string& warning : solved.warnings) {
+    // Said in full already, or below.
+    const bool isTold =
+        (!reach.empty() && warning.starts_with("not reachable")) || warning.starts_with("nothing to scale");
+    if (!isTold) {
+      messages.push_back({NoticeKind::warning, capitalised(warning) + "."});
+    }
+  }
+  const LookState& look = lookAt(context, solved);
+  const std::string limb = limbHeading(context.character().document(), solved.trail.limb);
+  for (const std::string& warning : look.warnings) {
+    messages.push_back({NoticeKind::warning, limb + ": " + warning + "."});
+  }
+  if (const std::string problem = tipProblem(solved); !problem.empty()) {
+    messages.push_back({NoticeKind::info, problem});
+  }
+  if (look.bodyTravels) {
+    messages.push_back(
+        {NoticeKind::info,
+         "Seen from the hips (space Root): in this range the body travels farther than half of the limb's "
+         "own way, which would drag the path along."});
+  }
+  return messages;
+}
+
+/// One line for all messages, so that the settings below keep their place; a click lists them in full.
+void messageRows(PanelContext& context, const std::vector<Message>& messages) {
+  if (messages.empty()) {
+    return;
+  }
+  const std::size_t others = messages.size() - 1;
+  const bool open = context.ui.allWarnings;
+  const std::string more = open ? "less" : others > 0 ? "+" + std::to_string(others) + " more" : "more";
+  if (noticeLine(widgetsOf(context), "trail/messages", messages.front().kind, messages.front().text, more)) {
+    context.ui.allWarnings = !open;
+  }
+  for (std::size_t i = 0; open && i < messages.size(); ++i) {
+    notice(widgetsOf(context), messages[i].kind, messages[i].text);
+  }
+}
+
 } // namespace
 
 void rangeRow(PanelContext& context, const rig::Trail& trail) {
@@ -182,47 +235,22 @@ void scaleRows(PanelContext& context, const rig::Trail& trail) {
 }
 
 void tipMessages(PanelContext& context, int trailId) {
-  const WidgetContext widgets = widgetsOf(context);
   const rig::SolvedTrail* solved = app::solvedTrail(context.character(), trailId);
   if (solved == nullptr) {
     return;
   }
   const TipLengths lengths = tipLengths(context.character(), *solved);
-  valueRow(widgets, "Tip length", lengthsText(lengths),
+  valueRow(widgetsOf(context), "Tip length", lengthsText(lengths),
            {.title = "Length of the limb at the tip",
             .text = "Straight from its base to its end: in the source clip, and as it is now."});
   if (!solved->trail.exaggerated) {
     return;
   }
-  if (const std::string problem = tipProblem(*solved); !problem.empty()) {
-    notice(widgets, NoticeKind::info, problem);
-  }
-  const std::string reach = reachProblem(context, *solved);
-  if (!reach.empty()) {
-    notice(widgets, NoticeKind::warning, reach);
-  }
-  for (const std::string& warning : solved->warnings) {
-    // Said in full above.
-    const bool isTold =
-        (!reach.empty() && warning.starts_with("not reachable")) || warning.starts_with("nothing to scale");
-    if (!isTold) {
-      notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
-    }
-  }
-  const LookState& look = lookAt(context, *solved);
-  const std::string limb = limbHeading(context.character().document(), solved->trail.limb);
-  for (const std::string& warning : look.warnings) {
-    notice(widgets, NoticeKind::warning, limb + ": " + warning + ".");
-  }
-  if (look.clipCouldLoop) {
+  messageRows(context, messagesOf(context, *solved));
+  if (lookAt(context, *solved).clipCouldLoop) {
     commandButton(context, {.command = command::clipLoop,
                             .text = "Let the clip loop",
                             .width = ImGui::GetContentRegionAvail().x});
-  }
-  if (look.bodyTravels) {
-    notice(widgets, NoticeKind::info,
-           "Seen from the hips (space Root): in this range the body travels farther than half of the limb's "
-           "own way, which would drag the path along.");
   }
   if (solved->tip.moved) {
     proposeRangeEnd(context, *solved);

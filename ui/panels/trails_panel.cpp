@@ -9,14 +9,13 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/trail_colours.h"
 #include "ui/panels/trail_group_row.h"
+#include "ui/panels/trail_list_row.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
 namespace stretch::ui {
 
 namespace {
-
-constexpr float trailRowHeight = 42.0F;
 
 std::string stateText(const rig::Trail& trail) {
   if (trail.applied) {
@@ -48,8 +47,8 @@ void actions(PanelContext& context) {
   const std::string next = nextStep(context.character());
   const auto emphasis = [&](const char* id) { return next == id ? Emphasis::primary : Emphasis::normal; };
   const float width = columnWidth(2);
-  const rig::Trail* trail = app::selectedTrail(context.character());
-  const bool connected = trail != nullptr && trail->connected;
+  const CommandInfo* const connect = findCommand(context, command::trailConnect);
+  const bool connected = connect != nullptr && connect->label == "Disconnect";
   commandButton(context,
                 {.command = command::trailToggle, .icon = icon::plus, .text = "Trail", .width = width});
   ImGui::SameLine();
@@ -60,7 +59,7 @@ void actions(PanelContext& context) {
                           .width = width});
   commandButton(context, {.command = command::trailConnect,
                           .icon = connected ? icon::unlink : icon::link,
-                          .text = connected ? "Disconnect" : "Connect",
+                          .text = "",
                           .emphasis = emphasis(command::trailConnect),
                           .width = width});
   ImGui::SameLine();
@@ -90,9 +89,9 @@ void colourSwatch(PanelContext& context, const rig::Trail& trail, float height) 
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float radius = theme.px(swatch.hovered ? 7.0F : 6.0F);
   if (trail.visible) {
-    list->AddCircleFilled(swatch.box.centre(), radius, trailColour(trail.colour));
+    list->AddCircleFilled(swatch.box.centre(), radius, trailColour(trail.colour, theme.kind));
   } else {
-    list->AddCircle(swatch.box.centre(), radius - theme.px(1.0F), trailColour(trail.colour), 0,
+    list->AddCircle(swatch.box.centre(), radius - theme.px(1.0F), trailColour(trail.colour, theme.kind), 0,
                     theme.px(1.5F));
   }
   tooltip(widgets, {.title = "Colour", .text = "Click to choose another one."});
@@ -102,54 +101,39 @@ void colourSwatch(PanelContext& context, const rig::Trail& trail, float height) 
   colourPopup(context, trail, popup);
 }
 
-void trailText(PanelContext& context, const rig::Trail& trail, float width, float height) {
-  const WidgetContext widgets = widgetsOf(context);
+void trailText(PanelContext& context, const rig::Trail& trail) {
   const Theme& theme = context.theme;
   app::Session& session = context.character();
-  const bool selected = session.view().selectedTrail == trail.id;
-  const Control row = takePlace(widgets, "trails/" + std::to_string(trail.id), {width, height});
-  const float middle = row.box.centre().y + theme.px(1.0F);
-  const ImU32 colour = selected        ? theme.colours.accent
-                       : trail.visible ? theme.colours.text
-                                       : theme.colours.quietText;
-  drawText(widgets, theme.fonts.body,
-           {{row.box.min.x, row.box.min.y + theme.px(4.0F)}, {row.box.max.x, middle}}, colour,
-           trailHeading(session.document(), trail));
-  drawText(widgets, theme.fonts.label,
-           {{row.box.min.x, middle}, {row.box.max.x, row.box.max.y - theme.px(4.0F)}},
-           theme.colours.quietText, detailText(trail));
+  const std::string title = trailHeading(session.document(), trail);
   const std::string limb = trail.name.empty() ? "" : limbHeading(session.document(), trail.limb) + ", ";
-  tooltip(
-      widgets,
-      {.title = trailHeading(session.document(), trail),
-       .text =
-           limb + detailText(trail) +
-           ". Click selects this trail, Ctrl+click adds it, a double click renames it, a right click opens "
-           "its menu."});
-  if (row.clicked) {
+  const RowClicks mouse =
+      rowText(context,
+              {.id = "trails/" + std::to_string(trail.id),
+               .title = title,
+               .detail = detailText(trail),
+               .colour = session.view().selectedTrail == trail.id ? theme.colours.accent
+                         : trail.visible                          ? theme.colours.text
+                                                                  : theme.colours.quietText,
+               .help = {.title = title,
+                        .text = limb + detailText(trail) +
+                                ". Click selects this trail, Ctrl+click adds it, a double click renames it, "
+                                "a right click opens its menu."}},
+              3);
+  if (mouse.clicked) {
     const ImGuiIO& io = ImGui::GetIO();
     app::selectTrailInList(session, trail.id, io.KeyShift || io.KeyCtrl);
   }
-  if (row.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+  if (mouse.renames) {
     request(context, command::trailRename);
   }
-  if (row.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
-    app::selectTrail(session, trail.id);
+  if (mouse.asksMenu) {
+    if (app::isSelected(session, trail.limb)) {
+      app::selectTrail(session, trail.id); // With what else is selected.
+    } else {
+      app::selectTrailInList(session, trail.id, false);
+    }
     askForMenu(context.ui, MenuTarget::trail);
   }
-}
-
-bool rowButton(PanelContext& context, const std::string& id, const char* iconText, const char* fallback,
-               bool on, const Help& help) {
-  ButtonSpec spec;
-  spec.id = id;
-  spec.icon = iconText;
-  spec.fallback = fallback;
-  spec.emphasis = Emphasis::quiet;
-  spec.on = on;
-  spec.help = help;
-  spec.width = context.theme.px(26.0F);
-  return button(widgetsOf(context), spec);
 }
 
 void trailButtons(PanelContext& context, const rig::Trail& trail) {
@@ -161,13 +145,11 @@ void trailButtons(PanelContext& context, const rig::Trail& trail) {
     editOnce(context, trail.visible ? "Hide the trail" : "Show the trail",
              app::setTrailDisplay(document, trail.id, {trail.colour, !trail.visible, trail.pinned}));
   }
-  ImGui::SameLine(0.0F, 0.0F);
   if (rowButton(context, id + "/pinned", icon::pin, "p", trail.pinned,
                 {"Pinned", "A pinned trail is drawn even when its limb is not selected.", {}})) {
     editOnce(context, trail.pinned ? "Unpin the trail" : "Pin the trail",
              app::setTrailDisplay(document, trail.id, {trail.colour, trail.visible, !trail.pinned}));
   }
-  ImGui::SameLine(0.0F, 0.0F);
   if (rowButton(context, id + "/delete", icon::trash, "x", false,
                 {"Delete this trail", "Gives its range back exactly as the source has it.",
                  keyOf(context, command::trailDelete)})) {
@@ -177,18 +159,13 @@ void trailButtons(PanelContext& context, const rig::Trail& trail) {
 
 void trailRow(PanelContext& context, const rig::Trail& trail) {
   const Theme& theme = context.theme;
-  const float height = theme.px(trailRowHeight);
+  const float height = rowLines(theme).whole;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  const bool selected = context.character().view().selectedTrail == trail.id;
-  fillRow(context, height, selected);
+  fillRow(context, context.character().view().selectedTrail == trail.id);
   ImGui::BeginGroup();
   colourSwatch(context, trail, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));
-  const float buttons = theme.px(26.0F) * 3.0F + theme.px(4.0F);
-  trailText(context, trail, width - theme.px(28.0F) - buttons, height);
-  ImGui::SameLine(0.0F, theme.px(2.0F));
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (height - theme.rowHeight()) * 0.5F);
+  trailText(context, trail);
   trailButtons(context, trail);
   ImGui::EndGroup();
   ImGui::SetCursorScreenPos({corner.x, corner.y + height});

@@ -193,6 +193,20 @@ std::string workText(const app::Document& document, int clip) {
   return text + (app::hasWeight(document, clip) ? ", weight" : "");
 }
 
+/// As wide as the shown clip's name asks for, in what the other parts leave of the row.
+float clipChooserWidth(const PanelContext& context, const std::vector<RowPart>& others, float available) {
+  const Theme& theme = context.theme;
+  const app::Session& session = *context.open.character();
+  const int clip = session.view().clip;
+  const std::string name = clipName(app::clipOf(session.document(), clip), static_cast<std::size_t>(clip));
+  float left = available - theme.px(60.0F); // Of the text at the row's end.
+  for (const RowPart& part : others) {
+    left -= part.width;
+  }
+  const float wanted = textSize(theme.fonts.body, name).x + theme.px(42.0F);
+  return std::clamp(wanted, theme.px(110.0F), std::max(theme.px(150.0F), left));
+}
+
 } // namespace
 
 ShownTime shownTime(PanelContext& context) {
@@ -217,8 +231,9 @@ void drawTransport(PanelContext& context) {
     parts.push_back({theme.px(84.0F) + theme.unit(), [&] { rateChooser(context); }});
     parts.push_back({theme.px(clipLoopWidth) + theme.unit(), [&] { clipLoopSwitch(context); }});
     if (context.character().document().clips->size() > 1) {
-      parts.push_back({theme.px(150.0F) + theme.unit(), [&] {
-                         clipChooser(context, "timeline/clip", context.theme.px(150.0F));
+      const float width = clipChooserWidth(context, parts, ImGui::GetContentRegionAvail().x);
+      parts.push_back({width + theme.unit(), [&context, width] {
+                         clipChooser(context, "timeline/clip", width);
                          ImGui::SameLine(0.0F, context.theme.unit());
                        }});
     }

@@ -61,13 +61,22 @@ struct TimelineState {
 };
 
 /// What a menu at the mouse is about.
-enum class MenuTarget { nothing, limb, trail, sphere, key, time, viewport };
+enum class MenuTarget { nothing, limb, trail, group, sphere, key, range, time, viewport };
 
-/// A trail that is given a name.
+/// A trail, or a group of trails, that is given a name.
 struct RenameState {
   bool open = false;
-  int trail = 0; ///< Id.
+  int trail = 0; ///< Id; of one in the group.
+  bool ofGroup = false;
+  std::string present; ///< What it is called.
   std::string typed;
+  bool wasOpen = false; ///< In the frame before.
+};
+
+/// The list of what was done.
+struct HistoryState {
+  bool open = false;
+  int highlighted = -1; ///< Row that the keys are on.
   bool wasOpen = false; ///< In the frame before.
 };
 
@@ -207,6 +216,8 @@ struct UiAnswers {
 
 /// What is going on in this frame, as the panels show it: made anew for each one.
 struct EditorStatus {
+  std::string fileName;          ///< Of what is open; empty: nothing is.
+  bool unsaved = false;          ///< It holds work that no file has.
   app::FileQuestion question;    ///< Answered by UiAnswers::question.
   std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
   std::vector<KeyHint> keyHints; ///< What the keys do in a modal.
@@ -232,9 +243,10 @@ struct UiState {
   KeysOverviewState keys;
   MenuTarget menuAsked = MenuTarget::nothing;  ///< To be opened in this frame.
   MenuTarget menuTarget = MenuTarget::nothing; ///< Of the menu that was opened last.
+  double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
   RenameState rename;
   std::string clipFilter; ///< Typed into the list of clips.
-  bool historyOpen = false;
+  HistoryState history;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;
   bool aboutOpen = false;
@@ -244,6 +256,7 @@ struct UiState {
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.
   std::vector<std::string> closedSections; ///< Ids of collapsed sections of panels.
+  bool allWarnings = false;                ///< Every warning of the trail is listed, not the first alone.
 
   UiAnswers answers;
 

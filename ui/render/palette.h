@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -30,11 +31,15 @@ struct Palette {
   glm::vec3 floorLine{};
   glm::vec3 shadow{};
   glm::vec4 wire{};
-  glm::vec3 highlight{}; ///< The selected limb.
+  glm::vec3 highlight{};                          ///< The selected limb.
+  glm::vec3 otherHighlight = rgb(okabe::skyBlue); ///< The same, where its surface has that hue itself.
   glm::vec4 bone{};
   glm::vec4 boneSelected{};
   glm::vec4 outline{}; ///< Around lines and marks, so that they read on any ground.
   glm::vec4 label{};
+  glm::vec4 original = rgba(okabe::skyBlue); ///< The original path.
+  std::array<glm::vec4, 5> trails{rgba(okabe::orange), rgba(okabe::bluishGreen), rgba(okabe::reddishPurple),
+                                  rgba(okabe::yellow), rgba(okabe::blue)};
   glm::vec4 ghostBefore = rgba(0x7A6FD6); ///< The character at frames before, and after: no trail's colours.
   glm::vec4 ghostAfter = rgba(0xD9D2B0);
 };

@@ -180,6 +180,7 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
   surface_.set("shading", static_cast<int>(look.shading));
   surface_.set("stretchRange", glm::vec2(std::log2(smallestShownStretch), std::log2(largestShownStretch)));
   surface_.set("highlightColor", look.palette.highlight);
+  surface_.set("otherHighlightColor", look.palette.otherHighlight);
   surface_.set("keyDirection", glm::vec3(lights.key));
   surface_.set("fillDirection", glm::vec3(lights.fill));
   surface_.set("rimDirection", glm::vec3(lights.rim));

@@ -197,12 +197,14 @@ void addEnds(Overlay& overlay, const TrailPicture& trail, const TrailStyle& styl
   }
 }
 
+/// Thinner and without force, but readable on every ground: what is done and what is not selected.
 TrailStyle quieter(TrailStyle style) {
-  constexpr float quiet = 0.55F;
-  style.originalColor = withAlpha(style.originalColor, quiet);
+  constexpr float quietOriginal = 0.6F;
+  constexpr float quiet = 0.85F;
+  style.originalColor = withAlpha(style.originalColor, quietOriginal);
   style.exaggeratedColor = withAlpha(style.exaggeratedColor, quiet);
   style.currentColor = withAlpha(style.currentColor, quiet);
-  style.exaggeratedWidthPoints *= 0.6F;
+  style.exaggeratedWidthPoints *= 0.7F;
   return style;
 }
 

@@ -231,11 +231,17 @@ std::string windowTitle(const Shell& shell) {
   if (shell.open.isEmpty()) {
     return program;
   }
-  const app::Session* const character = shell.open.character();
-  const fs::path& path =
-      character == nullptr || character->savePath().empty() ? shell.files.path() : character->savePath();
-  return (app::hasUnsavedWork(shell.open) ? "\xE2\x97\x8F " : "") + app::shownName(path) + " \xE2\x80\x93 " +
+  return (app::hasUnsavedWork(shell.open) ? "\xE2\x97\x8F " : "") + openFileName(shell) + " \xE2\x80\x93 " +
          program;
+}
+
+std::string openFileName(const Shell& shell) {
+  if (shell.open.isEmpty()) {
+    return {};
+  }
+  const app::Session* const character = shell.open.character();
+  const bool isSaved = character != nullptr && !character->savePath().empty();
+  return app::shownName(isSaved ? character->savePath() : shell.files.path());
 }
 
 void saveRecipeFile(Shell& shell, const std::filesystem::path& path) {

@@ -29,6 +29,9 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds);
 /// Writes how the file was looked at, and forgets the autosave: the program ends in peace.
 void closeFile(Shell& shell);
 
+/// "punch.glb": the file of what is open, or where it was saved to; empty while nothing is.
+[[nodiscard]] std::string openFileName(const Shell& shell);
+
 /// "punch.glb" with a dot in front of it while there is unsaved work.
 [[nodiscard]] std::string windowTitle(const Shell& shell);
 

@@ -1,12 +1,15 @@
 #include "ui/shell/shell.h"
 
 #include "ui/panels/panel_support.h"
+#include "ui/shell/file_work.h"
 
 namespace stretch::ui {
 
 EditorStatus statusOf(const Shell& shell) {
   EditorStatus status;
   status.question = shell.files.question();
+  status.fileName = openFileName(shell);
+  status.unsaved = app::hasUnsavedWork(shell.open);
   status.pressedKey = shell.pressedKey;
   describeTool(shell.tool, status);
   const app::SequenceSession* const sequence = shell.open.sequence();

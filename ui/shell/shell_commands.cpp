@@ -1,19 +1,17 @@
 #include "ui/shell/shell_commands.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include <fmt/core.h>
-#include <imgui.h>
-#include <imgui_internal.h>
 
-#include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
@@ -51,7 +49,9 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           command.keys,
           [command](const Shell& shell) { return app::isEnabled(command, shell.open); },
           [command](Shell& shell) { return app::run(command, shell.open); },
-          command.needs,
+          [command](const Shell& shell) { return app::isChecked(command, shell.open); },
+          [command](const Shell& shell) { return app::labelNow(command, shell.open); },
+          [command](const Shell& shell) { return app::whyOff(command, shell.open); },
           command.otherwise};
 }
 
@@ -79,34 +79,43 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
   return found == std::end(switches) ? nullptr : found->second;
 }
 
-ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
-                   std::function<bool(const Shell&)> enabled, std::function<Status(Shell&)> run) {
-  return {std::move(id),
-          std::move(label),
-          std::move(help),
-          std::move(keys),
-          std::move(enabled),
-          std::move(run),
-          {},
-          {}};
-}
+/// When a command of the window is on, and what to do first while it is off.
+struct ShellNeed {
+  bool (*holds)(const Shell&) = always;
+  const char* text = "";
+};
+constexpr ShellNeed nothingNeeded{};
+constexpr ShellNeed characterNeeded{hasFile, "open a character first"};
+constexpr ShellNeed pictureNeeded{hasPicture, "open a file first"};
+constexpr ShellNeed exportNeeded{canExport, "open a character, or compress a sequence, first"};
 
-ShellCommand needing(const char* needs, ShellCommand command) {
-  command.needs = needs;
-  return command;
+ShellCommand entry(std::string id, std::string label, std::string help, std::vector<std::string> keys,
+                   const ShellNeed& need, std::function<Status(Shell&)> run) {
+  return {.id = std::move(id),
+          .label = std::move(label),
+          .help = std::move(help),
+          .keys = std::move(keys),
+          .enabled = need.holds,
+          .run = std::move(run),
+          .checked = nullptr,
+          .labelNow = nullptr,
+          .needs = [need](const Shell& shell) { return need.holds(shell) ? "" : need.text; },
+          .otherwise = {}};
 }
 
 ShellCommand switchCommand(const char* id, const char* label, const char* help,
                            std::vector<std::string> keys) {
-  return entry(id, label, help, std::move(keys), always, doing([id](Shell& shell) {
-                 bool& shown = *switchOf(shell, id);
-                 shown = !shown;
-               }));
+  ShellCommand command = entry(id, label, help, std::move(keys), nothingNeeded, doing([id](Shell& shell) {
+                                 bool& shown = *switchOf(shell, id);
+                                 shown = !shown;
+                               }));
+  command.checked = [id](const Shell& shell) { return *switchOf(shell, id); };
+  return command;
 }
 
 ShellCommand directionCommand(const char* id, const char* label, const char* help, const char* key,
                               ViewDirection direction) {
-  return entry(id, label, help, {key}, hasPicture, doing([direction](Shell& shell) {
+  return entry(id, label, help, {key}, pictureNeeded, doing([direction](Shell& shell) {
                  shell.viewport.camera =
                      lookFrom(shell.viewport.camera, direction, shell.viewport.facingYawRadians);
                }));
@@ -136,17 +145,12 @@ Status runGrab(Shell& shell) {
 
 } // namespace
 
-namespace {
-
-/// Where E works, if the playhead is to go there.
 void goToTip(Shell& shell) {
   app::Session& session = *shell.open.character();
   if (const std::optional<double> tip = tipFrame(session, shell.tool); tip && shell.ui.exaggerateAtTip) {
     session.view().frame = *tip;
   }
 }
-
-} // namespace
 
 Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
@@ -181,6 +185,30 @@ bool hasLimb(const Shell& shell) {
   return hasFile(shell) && !shell.open.character()->view().selectedLimbs.empty();
 }
 
+bool viewsClip(const Shell& shell) {
+  return hasFile(shell) &&
+         app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
+}
+
+bool canExaggerate(const Shell& shell) {
+  return hasLimb(shell) && viewsClip(shell);
+}
+
+bool canPlay(const Shell& shell) {
+  return shell.open.sequence() != nullptr || viewsClip(shell);
+}
+
+/// Whether the viewed clip has anything that a recipe holds.
+bool hasWork(const Shell& shell) {
+  if (!viewsClip(shell)) {
+    return false;
+  }
+  const app::Document& document = shell.open.character()->document();
+  const int clip = shell.open.character()->view().clip;
+  return app::hasWeight(document, clip) ||
+         std::ranges::any_of(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
+}
+
 void showOriginal(Shell& shell) {
   bool& shown = shell.open.character() != nullptr ? shell.open.character()->view().showOriginal
                                                   : shell.open.sequence()->view().showOriginal;
@@ -205,9 +233,15 @@ bool hasTrail(const Shell& shell) {
   return hasFile(shell) && app::hasSelectedTrail(*shell.open.character());
 }
 
-void renameTrail(Shell& shell) {
-  const rig::Trail& trail = *app::selectedTrail(*shell.open.character());
-  shell.ui.rename = {true, trail.id, trail.name, false};
+/// Of the selected trail, or of its group while the whole of it is selected.
+void rename(Shell& shell) {
+  const app::Session& session = *shell.open.character();
+  const rig::Trail& trail = *app::selectedTrail(session);
+  const std::vector<int> group = app::wholeGroupSelected(session);
+  shell.ui.rename = {.open = true, .trail = trail.id, .ofGroup = !group.empty()};
+  shell.ui.rename.present = group.empty() ? trailHeading(session.document(), trail)
+                                          : capitalised(app::groupTitle(session.document(), group));
+  shell.ui.rename.typed = shell.ui.rename.present;
 }
 
 void openPalette(Shell& shell) {
@@ -220,12 +254,6 @@ void toggleNavigation(Shell& shell) {
   shell.ui.navigation = maya ? NavigationStyle::blender : NavigationStyle::maya;
   tell(shell, ToastKind::info,
        maya ? "Navigation as in Blender: middle button" : "Navigation as in Maya: Alt and mouse");
-}
-
-const ShellCommand* findCommandOf(const Shell& shell, std::string_view id) {
-  const auto found = std::find_if(shell.commands.begin(), shell.commands.end(),
-                                  [&](const ShellCommand& command) { return command.id == id; });
-  return found == shell.commands.end() ? nullptr : &*found;
 }
 
 void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
@@ -241,54 +269,67 @@ auto askingFor(FilePurpose purpose) {
 std::vector<ShellCommand> fileCommands() {
   return {
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
-            {"Ctrl+O"}, always, askingFor(FilePurpose::openModel)),
+            {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
-            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"}, canExport,
-            doing([](Shell& shell) { saveFile(shell); })),
-      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, canExport,
+            "Saves the file with the work inside; the first time it asks for a name.", {"Ctrl+S"},
+            exportNeeded, doing([](Shell& shell) { saveFile(shell); })),
+      entry(command::fileSaveAs, "Save as", "Saves under another name.", {"Ctrl+Shift+S"}, exportNeeded,
             askingFor(FilePurpose::saveModel)),
       entry(command::fileSaveIncremental, "Save incremental",
-            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, hasFile,
+            "Saves under the next free number and leaves older files alone.", {"Ctrl+Alt+S"}, characterNeeded,
             doing([](Shell& shell) { saveIncremental(shell); })),
       entry(command::fileExportClean, "Export clean",
-            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, canExport,
+            "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
       entry(command::recipeSave, "Save a recipe",
-            "Writes the clip's trails, to be replayed on another clip or character.", {}, hasFile,
-            askingFor(FilePurpose::saveRecipe)),
+            "Writes the clip's trails, to be replayed on another clip or character.", {},
+            {hasWork, "make a trail first"}, askingFor(FilePurpose::saveRecipe)),
       entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
-            hasFile, askingFor(FilePurpose::openRecipe)),
+            characterNeeded, askingFor(FilePurpose::openRecipe)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
-            {"Ctrl+Q"}, always, doing([](Shell& shell) { askToQuit(shell); })),
+            {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
 }
 
+namespace {
+
+ShellCommand renameCommand() {
+  ShellCommand command = entry(command::trailRename, "Rename the trail",
+                               "Gives the selected trail, or the group that is selected, a name of your own.",
+                               {"F2"}, {hasTrail, "select a trail first"}, doing(rename));
+  command.labelNow = [](const Shell& shell) -> std::string {
+    const app::Session* const session = shell.open.character();
+    const bool isGroup = session != nullptr && !app::wholeGroupSelected(*session).empty();
+    return isGroup ? "Rename the group" : "Rename the trail";
+  };
+  return command;
+}
+
+} // namespace
+
 std::vector<ShellCommand> toolCommands() {
   return {
-      needing("select a limb first: click one, or press its number",
-              entry(command::trailExaggerate, "Exaggerate",
-                    "Makes the trail if there is none, exaggerates it and connects the limb; "
-                    "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
-                    {"E"}, hasLimb, beginExaggerating)),
-      needing("select a control sphere first: click one, or go to it with Next sphere",
-              entry(command::sphereGrab, "Grab",
-                    "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
-                    hasSpheres, runGrab)),
+      entry(command::trailExaggerate, "Exaggerate",
+            "Makes the trail if there is none, exaggerates it and connects the limb; "
+            "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
+            {"E"}, {canExaggerate, "select a limb first: click one, or press its number"}, beginExaggerating),
+      entry(command::sphereGrab, "Grab",
+            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
+            {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"}, runGrab),
       entry(command::trailShowOriginal, "Show the original",
-            "While the key is held the character moves as in the file.", {"`", "O"}, hasPicture,
+            "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
-      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"}, hasFile,
-            doing(pickChain)),
-      needing("select a trail first",
-              entry(command::trailRename, "Rename the trail", "Gives the selected trail a name of your own.",
-                    {"F2"}, hasTrail, doing(renameTrail))),
-      entry(command::timePlay, "Play", "Plays and stops.", {"Space"}, hasPicture, doing(togglePlay)),
+      entry(command::pickChain, "Any chain", "Makes a limb of any chain, by its two joints.", {"J"},
+            characterNeeded, doing(pickChain)),
+      renameCommand(),
+      entry(command::timePlay, "Play", "Plays and stops.", {"Space"},
+            {canPlay, "open a file with a clip first"}, doing(togglePlay)),
       switchCommand(command::timeEveryFrame, "Every frame",
                     "Playing shows each frame, however long it takes; else time runs as it is.", {}),
       switchCommand(command::timeOnTwos, "On twos",
                     "Playing holds every second frame for two, as cartoons do.", {}),
       entry(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
-            hasPicture, doing([](Shell& shell) { shell.ui.historyOpen = true; })),
+            pictureNeeded, doing([](Shell& shell) { shell.ui.history = {.open = true}; })),
   };
 }
 
@@ -306,10 +347,10 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewSideBySide, "Side by side",
                     "Shows the original beside the exaggerated motion.", {}),
       entry(command::viewFrameSelection, "Frame the selection",
-            "Moves the camera to the selected limb and trail.", {"F"}, hasPicture,
+            "Moves the camera to the selected limb and trail.", {"F"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.frameSelectionPending = true; })),
       entry(command::viewFrameAll, "Frame everything",
-            "Moves the camera so that the whole character is seen.", {"A"}, hasPicture,
+            "Moves the camera so that the whole character is seen.", {"A"}, pictureNeeded,
             doing([](Shell& shell) { shell.viewport.framePending = true; })),
       directionCommand(command::viewFront, "Front view", "Looks at the character's front.", "Numpad 1",
                        ViewDirection::front),
@@ -324,27 +365,27 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewBottomPane, "Bottom pane", "Shows or folds timeline and graph.", {"Ctrl+2"}),
       switchCommand(command::viewRightPane, "Right pane", "Shows or folds trails and settings.", {"Ctrl+3"}),
       entry(command::viewViewportOnly, "Viewport only", "Folds every pane, or brings them back.",
-            {"Ctrl+Space"}, always, doing(toggleViewportOnly)),
+            {"Ctrl+Space"}, nothingNeeded, doing(toggleViewportOnly)),
       entry(command::viewNavigation, "Navigation of Maya or Blender", "Changes how the mouse turns the view.",
-            {}, always, doing(toggleNavigation)),
+            {}, nothingNeeded, doing(toggleNavigation)),
   };
 }
 
 std::vector<ShellCommand> helpCommands() {
   return {
-      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"}, always,
-            doing(openPalette)),
-      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, always,
+      entry(command::palette, "Find a command", "Lists every command with its key.", {"Ctrl+P", "F3"},
+            nothingNeeded, doing(openPalette)),
+      entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, nothingNeeded,
             doing([](Shell& shell) {
               shell.ui.keys = {};
               shell.ui.keys.open = true;
             })),
-      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, always,
+      entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
-      entry(command::about, "About", "What this program is.", {}, always,
+      entry(command::about, "About", "What this program is.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
       entry(command::keysExport, "Export the keys",
-            "Writes every key to a file in your configuration folder.", {}, always, exportKeys),
+            "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
   };
 }
 
@@ -358,192 +399,6 @@ std::vector<ShellCommand> editorCommands() {
   append(all, viewCommands());
   append(all, helpCommands());
   return all;
-}
-
-bool isChecked(const Shell& shell, std::string_view id) {
-  if (const bool* const shown = switchOf(shell, id)) {
-    return *shown;
-  }
-  const app::Session* const character = shell.open.character();
-  const app::SequenceSession* const sequence = shell.open.sequence();
-  return (id == command::timePlay && shell.ui.timeline.playing) ||
-         (id == command::clipLoop && character != nullptr &&
-          app::isLooping(character->document(), character->view().clip)) ||
-         (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
-         (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
-         (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
-}
-
-bool hasCommand(const Shell& shell, std::string_view commandId) {
-  return findCommandOf(shell, commandId) != nullptr;
-}
-
-namespace {
-
-/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
-void finishWhatIsDragged(Shell& shell) {
-  if (isRunning(shell.tool)) {
-    finishTool(*shell.open.character(), shell.tool, true);
-    shell.viewport.gesture = ViewportGesture::none;
-  }
-  if (std::exchange(shell.ui.panelDrag, false)) {
-    shell.ui.panelDrag = shell.open.with(false, [](auto& session) {
-      if (session.isDragging()) {
-        session.commit();
-      }
-      return false;
-    });
-    ImGui::ClearActiveID();
-  }
-}
-
-/// What answers in the middle of a tool or a drag too.
-bool answersAlways(std::string_view id) {
-  constexpr std::array<std::string_view, 6> always{
-      command::fileSave, command::fileSaveAs, command::fileSaveIncremental,
-      command::undo,     command::redo,       command::fileQuit};
-  return std::find(always.begin(), always.end(), id) != always.end();
-}
-
-} // namespace
-
-namespace {
-
-std::string undoneLabel(Shell& shell, std::string_view commandId) {
-  return shell.open.with(std::string(), [&](auto& session) {
-    return commandId == command::undo   ? session.history().undoLabel()
-           : commandId == command::redo ? session.history().redoLabel()
-                                        : std::string();
-  });
-}
-
-/// What undo or redo did; the last one takes the place of those before.
-void tellUndone(Shell& shell, std::string_view commandId, const std::string& label) {
-  constexpr std::string_view undone = "Undone: ";
-  constexpr std::string_view redone = "Redone: ";
-  std::erase_if(shell.ui.toasts, [&](const Toast& toast) {
-    return toast.text.starts_with(undone) || toast.text.starts_with(redone);
-  });
-  tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
-}
-
-/// The trails that a command is going to apply; none for any other command.
-std::vector<int> trailsToApply(const Shell& shell, std::string_view commandId) {
-  const app::Session* const session = shell.open.character();
-  const bool one = commandId == command::trailApply;
-  const bool all = commandId == command::trailApplyAll;
-  return session == nullptr ? std::vector<int>()
-         : one              ? app::targetTrails(*session)
-         : all              ? app::waitingTrails(*session)
-                            : std::vector<int>();
-}
-
-/// "Undo: Change the scale".
-std::string labelNow(Shell& shell, const ShellCommand& command) {
-  const std::string label = undoneLabel(shell, command.id);
-  return label.empty() ? command.label : command.label + ": " + label;
-}
-
-} // namespace
-
-void runCommand(Shell& shell, std::string_view commandId) {
-  const ShellCommand* command = findCommandOf(shell, commandId);
-  if (command == nullptr) {
-    return;
-  }
-  finishWhatIsDragged(shell);
-  if (!command->enabled(shell)) {
-    tell(shell, ToastKind::info,
-         command->label + ": " + (command->needs.empty() ? "nothing to do this with now" : command->needs));
-    return;
-  }
-  const std::string undone = undoneLabel(shell, commandId);
-  const std::vector<int> applied = trailsToApply(shell, commandId);
-  const Status done = command->run(shell);
-  tellProblem(shell, done);
-  if (done && !undone.empty()) {
-    tellUndone(shell, commandId, undone);
-  }
-  if (done && !applied.empty()) {
-    tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));
-  }
-}
-
-void describeCommands(Shell& shell) {
-  shell.commandInfos.clear();
-  for (const ShellCommand& command : shell.commands) {
-    const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
-    shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
-                                  chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isChecked(shell, command.id)});
-  }
-}
-
-bool widgetsOwnKeys(const Shell& shell) {
-  const UiState& ui = shell.ui;
-  return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.historyOpen || ui.jointPick.open || ui.navigationChoiceOpen ||
-         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
-}
-
-namespace {
-
-/// What only moves the camera and leaves a running tool alone.
-bool looksOnly(std::string_view id) {
-  return id == command::viewFrameSelection;
-}
-
-/// The command of the key, or the one that the key means while that is off.
-std::string meantCommand(const Shell& shell, const app::Chord& chord) {
-  const std::string id = shell.keymap.commandOf(chord);
-  const ShellCommand* const command = findCommandOf(shell, id);
-  const bool other = command != nullptr && !command->otherwise.empty() && !command->enabled(shell);
-  return other ? command->otherwise : id;
-}
-
-/// A key of the tool; after one that took another stroke it is told where that is.
-void pressKeyOfTool(Shell& shell, const app::KeyPress& press) {
-  app::Session& session = *shell.open.character();
-  const std::optional<double> tip = tipFrame(session, shell.tool);
-  tellProblem(shell, pressToolKey(session, shell.tool, press));
-  const auto* const tool = std::get_if<ExaggerateTool>(&shell.tool);
-  if (tool == nullptr || app::typedLetter(press) != 'n') {
-    return;
-  }
-  if (tip == tipFrame(session, shell.tool)) {
-    tell(shell, ToastKind::info, "There is no other stroke that is free");
-    return;
-  }
-  goToTip(shell);
-  tell(shell, ToastKind::info, strokeReached(session, *tool));
-}
-
-} // namespace
-
-void dispatchKey(Shell& shell, const KeyInput& input) {
-  const app::Chord& chord = input.press.chord;
-  if (!input.down) {
-    if (chord.key == shell.heldKey && shell.open.character() != nullptr) {
-      shell.open.character()->view().showOriginal = false;
-      shell.heldKey = app::Key::none;
-    }
-    return;
-  }
-  if (isRunning(shell.tool) && looksOnly(shell.keymap.commandOf(chord))) {
-    findCommandOf(shell, shell.keymap.commandOf(chord))->run(shell);
-    return;
-  }
-  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
-    pressKeyOfTool(shell, input.press);
-    return;
-  }
-  const std::string commandId = meantCommand(shell, chord);
-  if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
-    shell.open.character()->view().showOriginal = true;
-    shell.heldKey = chord.key;
-  } else if (!commandId.empty()) {
-    runCommand(shell, commandId);
-  }
 }
 
 } // namespace stretch::ui

@@ -36,6 +36,9 @@ void dispatchKey(Shell& shell, const KeyInput& input);
 /// Whether a dialog or text field takes the keys.
 [[nodiscard]] bool widgetsOwnKeys(const Shell& shell);
 
+/// While E is on: the playhead to the tip of its trail, if the settings want it there.
+void goToTip(Shell& shell);
+
 /// Begins E, where the settings say at the trail's tip. A character is open.
 Status startExaggerating(Shell& shell, app::OverlapChoice choice);
 

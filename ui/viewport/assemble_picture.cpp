@@ -128,8 +128,8 @@ TrailPicture pathOf(const ShownTrail& trail, double frame, const PictureSelectio
 TrailStyle trailStyleOf(const ShownTrail& trail, const PictureSelection& selection,
                         const ViewportOverlays& overlays, const Palette& palette) {
   TrailStyle style;
-  style.originalColor = toColour(originalTrailColour);
-  style.exaggeratedColor = toColour(trailColour(trail.colour));
+  style.originalColor = palette.original;
+  style.exaggeratedColor = palette.trails[static_cast<std::size_t>(trail.colour) % palette.trails.size()];
   style.currentColor = palette.label;
   style.exaggeratedWidthPoints = overlays.trailThickness;
   style.originalWidthPoints = std::max(1.0F, 0.5F * overlays.trailThickness);
@@ -223,15 +223,14 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
 }
 
 Palette paletteOf(ThemeKind theme) {
-  switch (theme) {
-  case ThemeKind::light:
-    return lightPalette();
-  case ThemeKind::highContrast:
-    return highContrastPalette();
-  case ThemeKind::dark:
-    break;
+  Palette palette = theme == ThemeKind::light          ? lightPalette()
+                    : theme == ThemeKind::highContrast ? highContrastPalette()
+                                                       : darkPalette();
+  palette.original = toColour(originalColour(theme));
+  for (std::size_t i = 0; i < palette.trails.size(); ++i) {
+    palette.trails[i] = toColour(trailColour(static_cast<int>(i), theme));
   }
-  return darkPalette();
+  return palette;
 }
 
 glm::vec4 toColour(ImU32 colour) {

@@ -254,8 +254,8 @@ void drawEaseCurve(ViewportContext& context) {
   for (int i = 0; i < pieces; ++i) {
     const double from = static_cast<double>(i) / pieces;
     const double to = static_cast<double>(i + 1) / pieces;
-    draw->AddLine(place(from, remap.at(from)), place(to, remap.at(to)), trailColour(trail->colour),
-                  theme.px(2.0F));
+    draw->AddLine(place(from, remap.at(from)), place(to, remap.at(to)),
+                  trailColour(trail->colour, context.theme.kind), theme.px(2.0F));
   }
   const bool in = tool->modal.field == app::ExaggerateField::easeIn;
   const double ratio = in ? settings.easeIn.percent : 1.0 - settings.easeOut.percent;
@@ -268,7 +268,7 @@ void drawStateLabels(ViewportContext& context) {
   const float inset = context.theme.unit() * 1.5F;
   const ImVec2 corner{box.min.x + inset, box.max.y - inset - context.theme.px(16.0F)};
   // The colour of original paths, but apart enough from the label's ground in every theme.
-  const ImU32 original = mixed(originalTrailColour, context.theme.colours.text, 0.5F);
+  const ImU32 original = mixed(originalColour(context.theme.kind), context.theme.colours.text, 0.5F);
   if (context.ui.overlays.sideBySide) {
     const float left = 2.0F * box.min.x - box.max.x; // The other half's edge.
     label(context, {left + inset, corner.y}, "Original", original);

@@ -50,10 +50,11 @@ std::vector<LegendRow> legendRows(const ViewportContext& context) {
   std::vector<LegendRow> rows;
   const ShownTrail* const lit = explainedTrail(context);
   if (lit != nullptr) {
-    rows.push_back({originalTrailColour, LegendMark::dashes, "original path"});
+    rows.push_back({originalColour(context.theme.kind), LegendMark::dashes, "original path"});
   }
   if (lit != nullptr && lit->exaggerated) {
-    rows.push_back({trailColour(lit->colour), LegendMark::line, lit->applied ? "applied" : "exaggerated"});
+    rows.push_back({trailColour(lit->colour, context.theme.kind), LegendMark::line,
+                    lit->applied ? "applied" : "exaggerated"});
   }
   const Palette palette = paletteOf(context.theme.kind);
   if (context.ui.overlays.ghosts) {

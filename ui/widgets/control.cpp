@@ -163,6 +163,26 @@ ImVec2 textSize(ImFont* font, std::string_view text) {
   return used->CalcTextSizeA(used->FontSize, FLT_MAX, 0.0F, text.data(), text.data() + text.size());
 }
 
+std::string cutInMiddle(ImFont* font, const std::string& text, float width) {
+  constexpr const char* dots = "\xE2\x80\xA6";
+  const auto isWithinLetter = [&](std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  std::string cut = text;
+  for (std::size_t kept = text.size(); kept > 2 && textSize(font, cut).x > width; --kept) {
+    std::size_t head = kept - kept / 2;
+    std::size_t tail = text.size() - kept / 2;
+    while (isWithinLetter(head)) {
+      --head;
+    }
+    while (isWithinLetter(tail)) {
+      ++tail;
+    }
+    cut = text.substr(0, head) + dots + text.substr(tail);
+  }
+  return cut;
+}
+
 void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32 colour,
               std::string_view text, float alignment) {
   if (text.empty() || box.width() <= 0.0F) {

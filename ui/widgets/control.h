@@ -76,6 +76,8 @@ void hideTooltip();
 /// Text with its vertical centre in the box, cut with an ellipsis where it does not fit.
 void drawText(const WidgetContext& context, ImFont* font, const Rect& box, ImU32 colour,
               std::string_view text, float alignment = 0.0F);
+/// The text cut in its middle where it is wider: names of files and clips differ at their ends.
+[[nodiscard]] std::string cutInMiddle(ImFont* font, const std::string& text, float width);
 [[nodiscard]] ImVec2 textSize(ImFont* font, std::string_view text);
 
 /// Width of one column of `count` that share the available width with the style's spacing.

@@ -23,10 +23,10 @@ void drawClosed(const WidgetContext& context, const Control& control, const std:
   const ImVec2 mark(control.box.max.x - theme.px(14.0F), control.box.centre().y);
   list->AddTriangleFilled({mark.x - half, mark.y - half * 0.6F}, {mark.x + half, mark.y - half * 0.6F},
                           {mark.x, mark.y + half * 0.8F}, colours.quietText);
-  drawText(
-      context, theme.fonts.body,
-      {{control.box.min.x + theme.unit(), control.box.min.y}, {mark.x - theme.unit(), control.box.max.y}},
-      colours.text, text);
+  const Rect place{{control.box.min.x + theme.unit(), control.box.min.y},
+                   {mark.x - theme.unit(), control.box.max.y}};
+  drawText(context, theme.fonts.body, place, colours.text,
+           cutInMiddle(theme.fonts.body, text, place.width()));
 }
 
 int choiceList(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,

@@ -155,6 +155,27 @@ void notice(const WidgetContext& context, NoticeKind kind, const std::string& te
                 theme.colours.text, text.c_str(), nullptr, wrap);
 }
 
+bool noticeLine(const WidgetContext& context, const std::string& id, NoticeKind kind, const std::string& text,
+                const std::string& more) {
+  const Theme& theme = context.theme;
+  const Control line = takePlace(context, id, {ImGui::GetContentRegionAvail().x, theme.rowHeight()});
+  const ImU32 colour = noticeColour(theme.colours, kind);
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(line.box.min, line.box.max,
+                      mixed(theme.colours.panel, colour, line.hovered ? 0.22F : 0.10F), theme.corner());
+  list->AddRectFilled(line.box.min, {line.box.min.x + theme.px(3.0F), line.box.max.y}, colour, theme.corner(),
+                      ImDrawFlags_RoundCornersLeft);
+  const float right = line.box.max.x - theme.unit();
+  const float moreLeft = right - textSize(theme.fonts.label, more).x;
+  drawText(context, theme.fonts.label,
+           {{line.box.min.x + theme.px(11.0F), line.box.min.y}, {moreLeft - theme.unit(), line.box.max.y}},
+           theme.colours.text, text);
+  drawText(context, theme.fonts.label, {{moreLeft, line.box.min.y}, {right, line.box.max.y}},
+           line.hovered ? theme.colours.text : theme.colours.quietText, more);
+  tooltip(context, {{}, text, {}});
+  return line.clicked;
+}
+
 void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
                 const std::string& text) {
   const Theme& theme = context.theme;

@@ -31,6 +31,11 @@ enum class NoticeKind { info, success, warning, error };
 /// Wrapped text with a coloured edge: something the user should know.
 void notice(const WidgetContext& context, NoticeKind kind, const std::string& text);
 
+/// The same on one line, cut where it is long, with `more` at its end; the whole of it in its tooltip. True
+/// when it was clicked.
+[[nodiscard]] bool noticeLine(const WidgetContext& context, const std::string& id, NoticeKind kind,
+                              const std::string& text, const std::string& more);
+
 /// What a panel says while it has nothing to show: an icon, a title, and what to do.
 void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
                 const std::string& text);

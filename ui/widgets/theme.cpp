@@ -221,9 +221,17 @@ void applyStyle(const Theme& theme) {
   ImGui::GetIO().FontDefault = theme.fonts.body;
 }
 
-ImU32 trailColour(int index) {
+ImU32 trailColour(int index, ThemeKind theme) {
   const int count = static_cast<int>(trailPalette.size());
-  return trailPalette[static_cast<std::size_t>(((index % count) + count) % count)];
+  const auto place = static_cast<std::size_t>(((index % count) + count) % count);
+  if (theme == ThemeKind::highContrast && place + 1 == trailPalette.size()) {
+    return contrastBlueTrailColour;
+  }
+  return theme == ThemeKind::light ? lightTrailPalette[place] : trailPalette[place];
+}
+
+ImU32 originalColour(ThemeKind theme) {
+  return theme == ThemeKind::light ? lightOriginalTrailColour : originalTrailColour;
 }
 
 ImU32 faded(ImU32 colour, float opacity) {

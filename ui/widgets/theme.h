@@ -75,9 +75,19 @@ inline constexpr ImU32 skinnedMeshColour = IM_COL32(0x4C, 0xA8, 0x5F, 255);
 inline constexpr std::array<ImU32, 5> trailPalette{
     IM_COL32(0xE6, 0x9F, 0x00, 255), IM_COL32(0x00, 0x9E, 0x73, 255), IM_COL32(0xCC, 0x79, 0xA7, 255),
     IM_COL32(0xF0, 0xE4, 0x42, 255), IM_COL32(0x00, 0x72, 0xB2, 255)};
+/// The same hues, dark enough for a light ground.
+inline constexpr std::array<ImU32, 5> lightTrailPalette{
+    IM_COL32(0xB2, 0x6E, 0x00, 255), IM_COL32(0x00, 0x7A, 0x59, 255), IM_COL32(0xA3, 0x43, 0x7B, 255),
+    IM_COL32(0x86, 0x7C, 0x00, 255), IM_COL32(0x00, 0x5C, 0x94, 255)};
+inline constexpr ImU32 lightOriginalTrailColour = IM_COL32(0x16, 0x74, 0xAD, 255);
+/// On a black ground the blue is brighter.
+inline constexpr ImU32 contrastBlueTrailColour = IM_COL32(0x4D, 0xA3, 0xFF, 255);
 
-/// Colour of a trail by its index into the palette, which repeats.
-[[nodiscard]] ImU32 trailColour(int index);
+/// Colour of a trail by its index into the palette, which repeats; on the light theme's ground a darker one
+/// of the same hue.
+[[nodiscard]] ImU32 trailColour(int index, ThemeKind theme);
+/// Colour of the original path on that ground.
+[[nodiscard]] ImU32 originalColour(ThemeKind theme);
 
 /// The colour with its opacity multiplied by `opacity` (0..1).
 [[nodiscard]] ImU32 faded(ImU32 colour, float opacity);

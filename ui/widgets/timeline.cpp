@@ -175,6 +175,11 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   outcome.menuAsked = true;
   outcome.menuBar = hit.bar;
   outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
+  if (hit.part == TimelinePart::rangeStart || hit.part == TimelinePart::rangeEnd) {
+    outcome.menuOnRange = true;
+    outcome.menuFrame = hit.part == TimelinePart::rangeStart ? model.range.start : model.range.end;
+    return;
+  }
   const std::size_t row = keyRowAt(theme, layout, model, mouse.y);
   float nearest = theme.px(grabWidth);
   for (const double frame : row < model.keyRows.size() ? model.keyRows[row].frames : std::vector<double>{}) {

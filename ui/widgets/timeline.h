@@ -68,15 +68,19 @@ struct TimelineOutcome {
   bool gestureEnded = false;
   bool viewChanged = false;
   Span view;
-  bool menuAsked = false; ///< A right click:
-  int menuBar = 0;        ///< on a bar, else
-  double menuFrame = 0.0; ///< at this frame,
-  bool menuOnKey = false; ///< where a key is.
+  bool menuAsked = false;   ///< A right click:
+  int menuBar = 0;          ///< on a bar, else
+  double menuFrame = 0.0;   ///< at this frame,
+  bool menuOnKey = false;   ///< where a key is,
+  bool menuOnRange = false; ///< or an end of the working range.
   int doubleClickedBar = 0;
 };
 
 /// Height that the rows need, in screen pixels.
 [[nodiscard]] float timelineHeight(const Theme& theme, const TimelineModel& model);
+
+/// Width of the column of labels in which none is cut, within limits; screen pixels.
+[[nodiscard]] float timelineLabelWidth(const Theme& theme, const TimelineModel& model);
 
 /// Ruler, working range, keys and bars, as wide as available; labels of rows in a column on the left.
 [[nodiscard]] TimelineOutcome timeline(const WidgetContext& context, const std::string& id,

@@ -20,6 +20,21 @@ Rect keyRowBox(const Theme& theme, const Layout& layout, std::size_t row) {
   return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
 }
 
+std::string playheadText(const TimelineModel& model) {
+  char text[24];
+  const bool whole = std::abs(model.playhead - std::round(model.playhead)) < 1e-6;
+  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.1f", model.playhead);
+  return text;
+}
+
+/// Where the ruler says the playhead's frame.
+Rect playheadFlag(const Theme& theme, const Layout& layout, const TimelineModel& model) {
+  const float x = std::round(layout.frames.toPixel(model.playhead));
+  const float half =
+      std::max(theme.px(14.0F), textSize(theme.fonts.label, playheadText(model)).x * 0.5F + theme.px(6.0F));
+  return {{x - half, layout.ruler.min.y + theme.px(1.0F)}, {x + half, layout.ruler.min.y + theme.px(18.0F)}};
+}
+
 void drawRuler(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
   const Theme& theme = context.theme;
   const ThemeColours& colours = theme.colours;
@@ -45,11 +60,16 @@ void drawRuler(const WidgetContext& context, const Layout& layout, const Timelin
   const ImU32 outside = faded(colours.background, 0.55F);
   list->AddRectFilled(layout.track.min, {first, layout.track.max.y}, outside);
   list->AddRectFilled({last, layout.track.min.y}, layout.track.max, outside);
+  const Rect flag = playheadFlag(theme, layout, model);
   for (const double frame : marks(layout.frames, numbered)) {
     const float half = theme.px(26.0F);
     const float x = layout.frames.toPixel(frame);
     char text[24];
     std::snprintf(text, sizeof text, "%.0f", frame);
+    const float width = textSize(theme.fonts.label, text).x;
+    if (x + 0.5F * width > flag.min.x - theme.px(3.0F) && x - 0.5F * width < flag.max.x + theme.px(3.0F)) {
+      continue; // The playhead's flag would cover a part of it.
+    }
     const Rect place{{x - half, layout.ruler.min.y}, {x + half, layout.ruler.max.y - theme.px(7.0F)}};
     drawText(context, theme.fonts.label, place, colours.quietText, text, 0.5F);
   }
@@ -193,14 +213,9 @@ void drawPlayhead(const WidgetContext& context, const Layout& layout, const Time
   const ImU32 colour = theme.colours.text;
   list->AddRectFilled({x - theme.px(0.75F), layout.ruler.min.y}, {x + theme.px(0.75F), layout.track.max.y},
                       colour);
-  char text[24];
-  const bool whole = std::abs(model.playhead - std::round(model.playhead)) < 1e-6;
-  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.1f", model.playhead);
-  const float half = std::max(theme.px(14.0F), textSize(theme.fonts.label, text).x * 0.5F + theme.px(6.0F));
-  const Rect flag{{x - half, layout.ruler.min.y + theme.px(1.0F)},
-                  {x + half, layout.ruler.min.y + theme.px(18.0F)}};
+  const Rect flag = playheadFlag(theme, layout, model);
   list->AddRectFilled(flag.min, flag.max, colour, theme.px(3.0F));
-  drawText(context, theme.fonts.label, flag, theme.colours.panel, text, 0.5F);
+  drawText(context, theme.fonts.label, flag, theme.colours.panel, playheadText(model), 0.5F);
 }
 
 } // namespace
@@ -274,6 +289,19 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
 }
 
 } // namespace timeline_detail
+
+float timelineLabelWidth(const Theme& theme, const TimelineModel& model) {
+  constexpr float least = 112.0F;
+  constexpr float most = 240.0F;
+  float width = 0.0F;
+  for (const KeyRow& row : model.keyRows) {
+    width = std::max(width, textSize(theme.fonts.label, row.label).x);
+  }
+  for (const TimelineBar& bar : model.bars) {
+    width = std::max(width, textSize(theme.fonts.label, bar.label).x + theme.px(14.0F));
+  }
+  return std::clamp(std::ceil(width) + theme.px(20.0F), theme.px(least), theme.px(most));
+}
 
 float timelineHeight(const Theme& theme, const TimelineModel& model) {
   using namespace timeline_detail;

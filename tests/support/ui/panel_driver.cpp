@@ -17,8 +17,9 @@ std::vector<ui::CommandInfo> allCommands(const app::OpenDocument& open) {
   std::vector<ui::CommandInfo> infos;
   for (const app::DocumentCommand& command : app::documentCommands()) {
     const bool enabled = app::isEnabled(command, open);
-    infos.push_back({command.id, command.label, command.help,
-                     command.keys.empty() ? "" : command.keys.front(), enabled, false});
+    infos.push_back({command.id, app::labelNow(command, open), command.help,
+                     command.keys.empty() ? "" : command.keys.front(), enabled, app::isChecked(command, open),
+                     app::whyOff(command, open), command.label});
   }
   for (const char* id : {ui::command::fileOpen, ui::command::timePlay, ui::command::trailExaggerate,
                          ui::command::pickChain, ui::command::fileExportClean}) {

@@ -161,6 +161,23 @@ std::string groupLimbs(const app::Session& session) {
   return joined(limbs);
 }
 
+/// What the user called the selected trail's group.
+std::string groupName(const app::Session& session) {
+  const rig::Trail* const trail = app::selectedTrail(session);
+  return trail == nullptr ? "" : trail->groupName;
+}
+
+/// Of all trails of the viewed clip, in their order, by their places in the palette: "0 1".
+std::string coloursOf(const app::Session& session) {
+  std::vector<std::string> colours;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == session.view().clip) {
+      colours.push_back(std::to_string(trail.colour));
+    }
+  }
+  return joined(colours);
+}
+
 /// Of all trails of the viewed clip, in their order: "3 3 2".
 std::string scalesOf(const app::Session& session) {
   std::vector<std::string> scales;
@@ -187,6 +204,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"trails", [&] { return std::to_string(session.document().trails.size()); }},
       {"frame", [&] { return number(view.frame); }},
       {"on-a-frame", [&] { return yesNo(view.frame > 0.0 && view.frame == std::round(view.frame)); }},
+      {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
@@ -202,6 +220,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"fps", [&] { return number(app::clipOf(session.document(), view.clip).framesPerSecond); }},
       {"history", [&] { return std::to_string(session.history().position()); }},
       {"group", [&] { return groupLimbs(session); }},
+      {"group.name", [&] { return groupName(session); }},
+      {"colours", [&] { return coloursOf(session); }},
       {"scales", [&] { return scalesOf(session); }},
       {"tangents", [&] { return tangentCount(session); }},
       {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
@@ -296,8 +316,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
+      {"rename.typed", shell.ui.rename.typed},
       {"rename-open", yesNo(shell.ui.rename.open)},
-      {"history-open", yesNo(shell.ui.historyOpen)},
+      {"history-open", yesNo(shell.ui.history.open)},
       {"every-frame", yesNo(shell.ui.timeline.everyFrame)},
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},

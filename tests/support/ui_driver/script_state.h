@@ -15,8 +15,9 @@ namespace stretch::test {
 /// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in,
 /// trail.space, trail.view-axes "0 0 -1 0 1 0 1 0 0" of the document), spheres (selected), modal, undo, redo,
 /// ghosts, navigation, original, tip-ratio (length of the limb at the tip over the source's), group (limbs of
-/// the selected trail's), scales ("3 2", of all trails), shown-spheres and tangents (of the selected trail),
-/// loops (the clip), warnings (in the panel), tip-ghost (the frame whose pose is shown, or none),
+/// the selected trail's), group.name, colours ("0 1", of all trails), rename.typed, on-a-two (the playhead
+/// stands on an even frame), scales ("3 2", of all trails), shown-spheres and tangents (of the selected
+/// trail), loops (the clip), warnings (in the panel), tip-ghost (the frame whose pose is shown, or none),
 /// tip-told-out (of the picture), tooltip, weight.limbs
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,

@@ -1,0 +1,183 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/exaggerate.h"
+#include "app/commands/selection.h"
+#include "app/commands/step_text.h"
+#include "app/edits/group_edits.h"
+#include "app/edits/name_edits.h"
+#include "app/edits/sphere_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/files/saved_work.h"
+#include "app/open_document.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+/// A character that is open, and what its commands say of themselves.
+class Menu {
+public:
+  Menu() { open.open(Opened{Document(test::boxer())}); }
+
+  [[nodiscard]] const DocumentCommand& command(const std::string& id) const {
+    const auto found = std::ranges::find(commands_, id, &DocumentCommand::id);
+    REQUIRE(found != commands_.end());
+    return *found;
+  }
+  [[nodiscard]] bool isOn(const std::string& id) const { return isEnabled(command(id), open); }
+  [[nodiscard]] bool isTicked(const std::string& id) const { return isChecked(command(id), open); }
+  [[nodiscard]] std::string label(const std::string& id) const { return labelNow(command(id), open); }
+  void run(const std::string& id) {
+    REQUIRE(isOn(id));
+    REQUIRE(app::run(command(id), open));
+  }
+  [[nodiscard]] Session& session() { return *open.character(); }
+  [[nodiscard]] const rig::Trail& trail(std::size_t index) { return session().document().trails[index]; }
+  /// Exaggerates limbs at once.
+  void exaggerate(const std::vector<std::string>& limbs) {
+    session().view().selectedTrail = 0;
+    session().view().selectedLimbs = limbs;
+    run(command::trailExaggerateOnce);
+  }
+
+  OpenDocument open;
+  std::vector<DocumentCommand> commands_ = documentCommands();
+};
+
+/// What the last step of the history is called.
+std::string lastStep(Session& session) {
+  return stepTexts(session.history()).back();
+}
+
+} // namespace
+
+TEST_CASE("A command that is off says what to do first") {
+  const Menu menu;
+  for (const DocumentCommand& command : menu.commands_) {
+    INFO(command.id);
+    CHECK(isEnabled(command, menu.open) == whyOff(command, menu.open).empty());
+  }
+  CHECK(whyOff(menu.command(command::trailApply), OpenDocument()) == "open a file first");
+}
+
+TEST_CASE("The command that connects a limb is called Disconnect while the limb follows") {
+  Menu menu;
+  menu.exaggerate({"left-arm"});
+  CHECK(menu.label(command::trailConnect) == "Disconnect");
+  menu.run(command::trailConnect);
+  CHECK(menu.label(command::trailConnect) == "Connect");
+  CHECK_FALSE(menu.trail(0).connected);
+}
+
+TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {
+  Menu menu;
+  menu.exaggerate({"left-arm"});
+  CHECK(menu.isTicked(command::trailFollow));
+  menu.run(command::trailFollow);
+  CHECK_FALSE(menu.isTicked(command::trailFollow));
+  CHECK(menu.isTicked(command::clipRateOwn));
+  menu.run(command::clipRate25);
+  CHECK(menu.isTicked(command::clipRate25));
+  CHECK_FALSE(menu.isTicked(command::clipRateOwn));
+  CHECK_FALSE(menu.isTicked(command::weightToggle));
+  menu.run(command::weightToggle);
+  CHECK(menu.isTicked(command::weightToggle));
+  CHECK(menu.label(command::trailBlend) == "Blend: exaggerated");
+  menu.run(command::trailBlend);
+  CHECK(menu.label(command::trailBlend) == "Blend: half-way");
+}
+
+TEST_CASE("A command is on only where it does something") {
+  Menu menu;
+  menu.exaggerate({"left-arm"});
+  menu.run(command::trailApply);
+  CHECK_FALSE(menu.isOn(command::trailApply));
+  CHECK(menu.isOn(command::trailDeleteAll));
+  menu.session().view().selectedLimbs = {"spine"};
+  menu.session().view().selectedTrail = 0;
+  CHECK_FALSE(menu.isOn(command::trailDeleteAll));
+  menu.exaggerate({"spine"});
+  CHECK_FALSE(menu.isOn(command::mirrorTrail)); // Which has no other side.
+}
+
+TEST_CASE("Trails that are one group are not grouped again, and a group is chosen once") {
+  Menu menu;
+  menu.exaggerate({"left-arm", "right-arm"});
+  selectGroup(menu.session(), menu.session().view().selectedTrail);
+  CHECK_FALSE(menu.isOn(command::trailGroup));
+  CHECK_FALSE(menu.isOn(command::trailSelectGroup));
+  menu.session().view().selectedLimbs = {"left-arm"};
+  CHECK(menu.isOn(command::trailSelectGroup));
+}
+
+TEST_CASE("Trails of one clip keep colours of their own") {
+  Menu menu;
+  menu.exaggerate({"left-arm", "right-arm"});
+  CHECK(menu.trail(0).colour != menu.trail(1).colour);
+  selectGroup(menu.session(), menu.trail(0).id);
+  menu.run(command::trailNextColour);
+  CHECK(menu.trail(0).colour != menu.trail(1).colour);
+  // After trails went and came, a new one takes a colour that is free.
+  for (int i = 0; i < 5; ++i) {
+    menu.exaggerate({"spine"});
+    menu.run(command::trailDelete);
+  }
+  menu.exaggerate({"spine"});
+  CHECK(menu.trail(2).colour != menu.trail(0).colour);
+  CHECK(menu.trail(2).colour != menu.trail(1).colour);
+}
+
+TEST_CASE("The history tells limb and value of what was done") {
+  Menu menu;
+  menu.exaggerate({"left-arm"});
+  Session& session = menu.session();
+  CHECK(lastStep(session) == "Exaggerate \xE2\x80\x93 left arm \xC3\x97"
+                             "2");
+  const int id = menu.trail(0).id;
+  rig::TrailSettings settings = menu.trail(0).settings;
+  settings.scale = 3.25;
+  session.edit(*setTrailSettings(session.document(), id, settings), "Change the scale");
+  CHECK(lastStep(session) == "Change the scale \xE2\x80\x93 left arm \xC3\x97"
+                             "3.25");
+  settings.endFrame += 2.0;
+  const std::string range = std::to_string(static_cast<int>(settings.startFrame)) + " to " +
+                            std::to_string(static_cast<int>(settings.endFrame));
+  session.edit(*setTrailSettings(session.document(), id, settings), "Change the range");
+  CHECK(lastStep(session) == "Change the range \xE2\x80\x93 left arm " + range);
+  menu.run(command::trailApply);
+  CHECK(lastStep(session) == "Apply the new motion \xE2\x80\x93 left arm");
+  session.edit(*renameTrail(session.document(), id, "the jab"), "Rename the trail");
+  CHECK(lastStep(session) == "Rename the trail \xE2\x80\x93 the jab");
+  session.edit(*deleteTrail(session.document(), id), "Delete the trail");
+  CHECK(lastStep(session) == "Delete the trail \xE2\x80\x93 the jab " + range);
+  menu.exaggerate({"left-arm", "right-arm", "spine"});
+  CHECK(lastStep(session) == "Exaggerate \xE2\x80\x93 left arm, right arm and spine \xC3\x97"
+                             "2");
+}
+
+TEST_CASE("A group has a name of its own, which is saved, undone and gone with the group") {
+  Menu menu;
+  menu.exaggerate({"left-arm", "right-arm"});
+  Session& session = menu.session();
+  const int id = menu.trail(1).id;
+  const std::vector<int> members = groupMembers(session.document(), id);
+  CHECK(groupTitle(session.document(), members) == "left arm and right arm");
+  session.edit(*renameGroup(session.document(), id, "  Clap "), "Rename the group");
+  CHECK(groupTitle(session.document(), members) == "Clap");
+  CHECK(trailTitle(session.document(), menu.trail(1)) == "right arm");
+  Document again(test::boxer());
+  REQUIRE(restoreWork(workOf(session.document()), again));
+  CHECK(groupTitle(again, members) == "Clap");
+  const Document apart = takeApart(session.document(), members);
+  CHECK(findTrail(apart, id)->groupName.empty());
+  CHECK_FALSE(renameGroup(apart, id, "Clap"));
+  REQUIRE(session.undo());
+  CHECK(groupTitle(session.document(), members) == "left arm and right arm");
+}

@@ -1,0 +1,238 @@
+#include "ui/shell/shell_commands.h"
+
+#include <algorithm>
+#include <array>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "app/commands/applied.h"
+#include "app/commands/command_ids.h"
+#include "app/commands/selection.h"
+#include "app/commands/step_text.h"
+#include "ui/panels/panel_support.h"
+#include "ui/shell/stroke_news.h"
+#include "ui/viewport/tools.h"
+
+namespace stretch::ui {
+
+namespace {
+
+const app::Command<Shell>* findCommandOf(const Shell& shell, std::string_view id) {
+  const auto found = std::find_if(shell.commands.begin(), shell.commands.end(),
+                                  [&](const app::Command<Shell>& command) { return command.id == id; });
+  return found == shell.commands.end() ? nullptr : &*found;
+}
+
+/// A switch of the window or of what is open, and what is done until it is ended.
+bool isOn(const Shell& shell, const app::Command<Shell>& command) {
+  if (command.checked && command.checked(shell)) {
+    return true;
+  }
+  const app::Session* const character = shell.open.character();
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  const std::string_view id = command.id;
+  return (id == command::timePlay && shell.ui.timeline.playing) ||
+         (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
+         (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
+         (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
+}
+
+} // namespace
+
+bool isChecked(const Shell& shell, std::string_view id) {
+  const app::Command<Shell>* const command = findCommandOf(shell, id);
+  return command != nullptr && isOn(shell, *command);
+}
+
+bool hasCommand(const Shell& shell, std::string_view commandId) {
+  return findCommandOf(shell, commandId) != nullptr;
+}
+
+namespace {
+
+/// Keeps what a tool or a drag in a panel has made so far: one undo step, before anything else happens.
+void finishWhatIsDragged(Shell& shell) {
+  if (isRunning(shell.tool)) {
+    finishTool(*shell.open.character(), shell.tool, true);
+    shell.viewport.gesture = ViewportGesture::none;
+  }
+  if (std::exchange(shell.ui.panelDrag, false)) {
+    shell.ui.panelDrag = shell.open.with(false, [](auto& session) {
+      if (session.isDragging()) {
+        session.commit();
+      }
+      return false;
+    });
+    ImGui::ClearActiveID();
+  }
+}
+
+/// What answers in the middle of a tool or a drag too.
+bool answersAlways(std::string_view id) {
+  constexpr std::array<std::string_view, 6> always{
+      command::fileSave, command::fileSaveAs, command::fileSaveIncremental,
+      command::undo,     command::redo,       command::fileQuit};
+  return std::find(always.begin(), always.end(), id) != always.end();
+}
+
+} // namespace
+
+namespace {
+
+/// What undo or redo would do now; empty for other commands.
+std::string undoneText(const Shell& shell, std::string_view commandId) {
+  const auto textOf = [&](const auto& session) -> std::string {
+    const auto& history = session.history();
+    const bool undoes = commandId == command::undo && history.canUndo();
+    if (!undoes && !(commandId == command::redo && history.canRedo())) {
+      return {};
+    }
+    const std::size_t step = undoes ? history.position() : history.position() + 1;
+    return app::stepText(undoes ? history.undoLabel() : history.redoLabel(), history.at(step - 1),
+                         history.at(step));
+  };
+  if (const app::Session* const character = shell.open.character()) {
+    return textOf(*character);
+  }
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  return sequence == nullptr ? std::string() : textOf(*sequence);
+}
+
+/// What undo or redo did; the last one takes the place of those before.
+void tellUndone(Shell& shell, std::string_view commandId, const std::string& label) {
+  constexpr std::string_view undone = "Undone: ";
+  constexpr std::string_view redone = "Redone: ";
+  std::erase_if(shell.ui.toasts, [&](const Toast& toast) {
+    return toast.text.starts_with(undone) || toast.text.starts_with(redone);
+  });
+  tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
+}
+
+/// The trails that a command is going to apply; none for any other command.
+std::vector<int> trailsToApply(const Shell& shell, std::string_view commandId) {
+  const app::Session* const session = shell.open.character();
+  const bool one = commandId == command::trailApply;
+  const bool all = commandId == command::trailApplyAll;
+  return session == nullptr ? std::vector<int>()
+         : one              ? app::targetTrails(*session)
+         : all              ? app::waitingTrails(*session)
+                            : std::vector<int>();
+}
+
+/// "Undo: Change the scale – left arm ×3", "Disconnect".
+std::string labelNow(const Shell& shell, const app::Command<Shell>& command) {
+  const std::string undone = undoneText(shell, command.id);
+  const std::string label = command.labelNow ? command.labelNow(shell) : command.label;
+  return undone.empty() ? label : label + ": " + undone;
+}
+
+/// What to do first; empty while the command is on.
+std::string reasonOf(const Shell& shell, const app::Command<Shell>& command) {
+  const std::string reason = command.enabled(shell) || !command.needs ? "" : command.needs(shell);
+  return reason.empty() && !command.enabled(shell) ? "nothing to do this with now" : reason;
+}
+
+} // namespace
+
+void runCommand(Shell& shell, std::string_view commandId) {
+  const app::Command<Shell>* command = findCommandOf(shell, commandId);
+  if (command == nullptr) {
+    return;
+  }
+  finishWhatIsDragged(shell);
+  if (!command->enabled(shell)) {
+    tell(shell, ToastKind::info, command->label + ": " + reasonOf(shell, *command));
+    return;
+  }
+  const std::string undone = undoneText(shell, commandId);
+  const std::vector<int> applied = trailsToApply(shell, commandId);
+  const Status done = command->run(shell);
+  tellProblem(shell, done);
+  if (done && !undone.empty()) {
+    tellUndone(shell, commandId, undone);
+  }
+  if (done && !applied.empty()) {
+    tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));
+  }
+}
+
+void describeCommands(Shell& shell) {
+  shell.commandInfos.clear();
+  for (const app::Command<Shell>& command : shell.commands) {
+    const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
+    shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
+                                  chords.empty() ? std::string() : shownChord(chords.front()),
+                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command),
+                                  command.label});
+  }
+}
+
+bool widgetsOwnKeys(const Shell& shell) {
+  const UiState& ui = shell.ui;
+  return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
+         ui.rename.open || ui.history.open || ui.jointPick.open || ui.navigationChoiceOpen ||
+         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
+}
+
+namespace {
+
+/// What only moves the camera and leaves a running tool alone.
+bool looksOnly(std::string_view id) {
+  return id == command::viewFrameSelection;
+}
+
+/// The command of the key, or the one that the key means while that is off.
+std::string meantCommand(const Shell& shell, const app::Chord& chord) {
+  const std::string id = shell.keymap.commandOf(chord);
+  const app::Command<Shell>* const command = findCommandOf(shell, id);
+  const bool other = command != nullptr && !command->otherwise.empty() && !command->enabled(shell);
+  return other ? command->otherwise : id;
+}
+
+/// A key of the tool; after one that took another stroke it is told where that is.
+void pressKeyOfTool(Shell& shell, const app::KeyPress& press) {
+  app::Session& session = *shell.open.character();
+  const std::optional<double> tip = tipFrame(session, shell.tool);
+  tellProblem(shell, pressToolKey(session, shell.tool, press));
+  const auto* const tool = std::get_if<ExaggerateTool>(&shell.tool);
+  if (tool == nullptr || app::typedLetter(press) != 'n') {
+    return;
+  }
+  if (tip == tipFrame(session, shell.tool)) {
+    tell(shell, ToastKind::info, "There is no other stroke that is free");
+    return;
+  }
+  goToTip(shell);
+  tell(shell, ToastKind::info, strokeReached(session, *tool));
+}
+
+} // namespace
+
+void dispatchKey(Shell& shell, const KeyInput& input) {
+  const app::Chord& chord = input.press.chord;
+  if (!input.down) {
+    if (chord.key == shell.heldKey && shell.open.character() != nullptr) {
+      shell.open.character()->view().showOriginal = false;
+      shell.heldKey = app::Key::none;
+    }
+    return;
+  }
+  if (isRunning(shell.tool) && looksOnly(shell.keymap.commandOf(chord))) {
+    findCommandOf(shell, shell.keymap.commandOf(chord))->run(shell);
+    return;
+  }
+  if (isRunning(shell.tool) && !answersAlways(shell.keymap.commandOf(chord))) {
+    pressKeyOfTool(shell, input.press);
+    return;
+  }
+  const std::string commandId = meantCommand(shell, chord);
+  if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
+    shell.open.character()->view().showOriginal = true;
+    shell.heldKey = chord.key;
+  } else if (!commandId.empty()) {
+    runCommand(shell, commandId);
+  }
+}
+
+} // namespace stretch::ui
