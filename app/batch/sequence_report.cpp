@@ -24,6 +24,7 @@ const char* nameOf(skinning::LengthModel model) {
     return "line";
   case skinning::LengthModel::monotone:
     return "monotone";
+  case skinning::LengthModel::automatic:
   case skinning::LengthModel::measuredMean:
     break;
   }

@@ -34,7 +34,8 @@ Schema<CompressSettings> boneSettings() {
           &CompressSettings::weights),
       setting<CompressSettings>(
           {.name = "length",
-           .choices = {{"line", "Length falls with curvature along a straight line, as in the paper."},
+           .choices = {{"auto", "The line, or the monotone curve where that explains clearly more."},
+                       {"line", "Length falls with curvature along a straight line, as in the paper."},
                        {"monotone", "Length never grows with curvature; copes with saturation."}},
            .help = "Length as a function of curvature.",
            .row = {.section = "options"}},

@@ -167,7 +167,8 @@ void measureLength(const BodyMotion& body, const BodyStretchSettings& settings, 
   constexpr double shortest = 0.5;
   constexpr double longest = 2.0;
   result.factors.assign(body.segments.size(), StretchFactors{});
-  for (std::size_t i = 0; i < result.factors.size(); ++i) {
+  // The first frame is the bind pose: as long as it is, whatever the curve says of it.
+  for (std::size_t i = body.segmentCount(); i < result.factors.size(); ++i) {
     const double curvature = result.measured[i / body.segmentCount()].curvatureRadians;
     result.factors[i].along = std::clamp(result.length.at(curvature) / result.restLength, shortest, longest);
   }

@@ -21,7 +21,7 @@ struct BodyStretchSettings {
   std::optional<double> gravityVolume = 1.0; ///< 1: flattening widens sideways so that the volume is kept; 0:
                                              ///< not at all.
   std::optional<double> muscleVolume = 1.0;  ///< The same for the change of length. Unset: fitted, in [0, 1].
-  LengthModel lengthModel = LengthModel::line;
+  LengthModel lengthModel = LengthModel::automatic;
   std::size_t firstFittedFrame = 0; ///< Frames before it (settling) are left out of all fits.
 
   friend bool operator==(const BodyStretchSettings&, const BodyStretchSettings&) = default;

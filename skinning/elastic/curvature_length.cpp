@@ -113,20 +113,33 @@ double LengthFunction::at(double curvatureRadians) const {
     return line.slope * curvatureRadians + line.intercept;
   case LengthModel::monotone:
     return monotone.at(curvatureRadians);
+  case LengthModel::automatic:
   case LengthModel::measuredMean:
     break;
   }
   return meanLength;
 }
 
+namespace {
+
+/// The curve has more to turn than the line, so it has to earn its place.
+LengthModel clearlyBetter(const LengthFunction& fit) {
+  constexpr std::size_t manyFrames = 12;
+  constexpr double clearly = 0.05;
+  const bool curve = fit.frameCount >= manyFrames && fit.monotone.rSquared > fit.line.rSquared + clearly;
+  return curve ? LengthModel::monotone : LengthModel::line;
+}
+
+} // namespace
+
 LengthFunction fitLength(const std::vector<CurvatureLength>& frames, LengthModel wanted) {
   LengthFunction fit;
-  fit.model = wanted;
   fit.line = fitLine(frames);
   fit.monotone = fitMonotone(frames);
   fit.meanLength = meanLengthOf(frames);
   fit.frameCount = frames.size();
-  const double rSquared = wanted == LengthModel::monotone ? fit.monotone.rSquared : fit.line.rSquared;
+  fit.model = wanted == LengthModel::automatic ? clearlyBetter(fit) : wanted;
+  const double rSquared = fit.model == LengthModel::monotone ? fit.monotone.rSquared : fit.line.rSquared;
   if (wanted == LengthModel::measuredMean) {
     return fit;
   }

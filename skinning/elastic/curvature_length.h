@@ -33,7 +33,9 @@ struct MonotoneFit {
 
 [[nodiscard]] MonotoneFit fitMonotone(const std::vector<CurvatureLength>& frames);
 
-enum class LengthModel { line, monotone, measuredMean };
+/// `automatic` asks for the line, or for the monotone curve where that explains clearly more of many frames;
+/// it is never what was taken.
+enum class LengthModel { automatic, line, monotone, measuredMean };
 
 /// Length as a function of curvature (Psi of the paper), with what is needed to judge it.
 struct LengthFunction {
@@ -53,6 +55,6 @@ inline constexpr std::size_t fewestFrames = 4;
 /// Fits both curves. With fewer than `fewestFrames` frames, or when the wanted curve explains less than
 /// `leastRSquared` of the variance, the measured mean is used instead and the remark says so.
 [[nodiscard]] LengthFunction fitLength(const std::vector<CurvatureLength>& frames,
-                                       LengthModel wanted = LengthModel::line);
+                                       LengthModel wanted = LengthModel::automatic);
 
 } // namespace stretch::skinning

@@ -53,6 +53,17 @@ TEST_CASE("a length that saturates is followed by the monotone curve, not by the
   CHECK(curve.at(1.0) == Approx(305.0).margin(0.5));
   CHECK(curve.at(5.0) == Approx(280.0).margin(0.1));
   CHECK(curve.at(100.0) == Approx(280.0));
+  CHECK(fitLength(frames).model == LengthModel::monotone);
+}
+
+TEST_CASE(
+    "without a wish the line is taken wherever it explains about as much as the curve, or frames are few") {
+  std::vector<CurvatureLength> frames;
+  for (int i = 0; i < 40; ++i) {
+    frames.push_back({0.1 * i, 300.0 - i + 2.0 * std::sin(7.0 * i)});
+  }
+  CHECK(fitLength(frames).model == LengthModel::line);
+  CHECK(fitLength({{0.0, 10.0}, {1.0, 9.9}, {2.0, 9.8}, {3.0, 5.0}, {4.0, 4.9}}).model == LengthModel::line);
 }
 
 TEST_CASE("the monotone curve never rises, and pools what would") {
