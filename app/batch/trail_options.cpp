@@ -27,14 +27,14 @@ Status setSettings(const TrailRequest& request, rig::TrailSettings& settings) {
 }
 
 Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& document) {
+  const Result<rig::Limb> limb = findOrAddLimb(document, request.limb, "--limb");
+  if (!limb) {
+    return limb.error();
+  }
   const bool namesScale = std::any_of(request.settings.begin(), request.settings.end(),
                                       [](const auto& named) { return named.first == "--scale"; });
   if (!namesScale) {
     return Error{"has no scale", "--limb " + request.limb, "say how long it becomes, such as --scale 2"};
-  }
-  const Result<rig::Limb> limb = findOrAddLimb(document, request.limb, "--limb");
-  if (!limb) {
-    return limb.error();
   }
   const Result<Vec2> range = request.range.empty()
                                  ? rig::defaultRange(*document.scene, clipOf(document, clip), *limb)

@@ -39,6 +39,10 @@ bool isWorkedAt(const Session& session, double framesPerSecond) {
          std::abs(clipOf(session.document(), session.view().clip).framesPerSecond - framesPerSecond) < 1e-6;
 }
 
+bool isWorkedAtOwnRate(const Session& session) {
+  return isClipShown(session) && isWorkedAt(session, ownRate(session.document(), session.view().clip));
+}
+
 DocumentCommand rateCommand(const char* id, double framesPerSecond) {
   return ticked(
       entry(id, fmt::format("Work at {:g} frames per second", framesPerSecond),
@@ -49,7 +53,10 @@ DocumentCommand rateCommand(const char* id, double framesPerSecond) {
               return finish(session, workAtRate(session.document(), session.view().clip, framesPerSecond),
                             "Change the frame rate");
             }),
-      [framesPerSecond](const Session& session) { return isWorkedAt(session, framesPerSecond); });
+      // The clip's own rate has an entry of its own, and one of them is ticked.
+      [framesPerSecond](const Session& session) {
+        return isWorkedAt(session, framesPerSecond) && !isWorkedAtOwnRate(session);
+      });
 }
 
 } // namespace
@@ -85,10 +92,7 @@ std::vector<DocumentCommand> clipCommands() {
                                    workAtRate(session.document(), clip, ownRate(session.document(), clip)),
                                    "Change the frame rate");
                    }),
-             [](const Session& session) {
-               return isClipShown(session) &&
-                      isWorkedAt(session, ownRate(session.document(), session.view().clip));
-             }),
+             isWorkedAtOwnRate),
   };
 }
 

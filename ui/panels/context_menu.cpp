@@ -56,9 +56,9 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
-  static constexpr CommandIds key{rangeStart,  rangeEnd,  rangeDefault,    "",          timePreviousKey,
-                                  timeNextKey, "",        trailExaggerate, trailToggle, sphereAdd,
-                                  "",          copyTrail, trailDelete};
+  static constexpr CommandIds key{rangeStart,      rangeEnd,    rangeDefault, "",
+                                  timePreviousKey, timeNextKey, "",           trailExaggerate,
+                                  trailToggle,     sphereAdd,   "",           copyTrail};
   static constexpr CommandIds range{rangeStart, rangeEnd, rangeDefault, "", trailExaggerate, trailToggle};
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,

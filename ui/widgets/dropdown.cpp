@@ -1,10 +1,11 @@
 #include "ui/widgets/dropdown.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cfloat>
 
 #include <imgui_stdlib.h>
+
+#include "ui/widgets/fuzzy.h"
 
 namespace stretch::ui {
 
@@ -29,8 +30,9 @@ void drawClosed(const WidgetContext& context, const Control& control, const std:
            cutInMiddle(theme.fonts.body, text, place.width()));
 }
 
+/// `lit` is drawn as if the mouse was on it; -1 is none.
 int choiceList(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
-               int selected, float width) {
+               int selected, float width, int lit = -1) {
   const Theme& theme = context.theme;
   int chosen = -1;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -40,7 +42,7 @@ int choiceList(const WidgetContext& context, const std::string& id, const std::v
         takePlace(context, id + "/" + choice.text, {width, theme.rowHeight()}, choice.enabled);
     if (row.visible) {
       const ThemeColours& colours = theme.colours;
-      if (row.hovered && choice.enabled) {
+      if ((row.hovered || static_cast<int>(i) == lit) && choice.enabled) {
         ImGui::GetWindowDrawList()->AddRectFilled(row.box.min, row.box.max, colours.hovered, theme.corner());
       }
       const Rect text{{row.box.min.x + theme.unit(), row.box.min.y},
@@ -77,57 +79,104 @@ float listWidth(const Theme& theme, const std::vector<Choice>& choices, float le
   return std::min(width, ImGui::GetIO().DisplaySize.x - theme.unit() * 4.0F);
 }
 
-/// Below the field, or above it where there is more room; as long as the window lets it be, and inside of it.
-void placeList(const Theme& theme, const Rect& field, float width, float rows) {
-  const float gap = theme.px(2.0F);
-  const float wanted = rows * (theme.rowHeight() + theme.px(1.0F)) + theme.px(8.0F);
-  const float above = field.min.y - gap - theme.unit();
-  const float below = ImGui::GetIO().DisplaySize.y - field.max.y - gap - theme.unit();
-  const bool isBelow = wanted <= below || below >= above;
-  const float height = std::min({wanted, isBelow ? below : above, theme.px(480.0F)});
-  const float whole = width + theme.px(8.0F) + (wanted > height ? ImGui::GetStyle().ScrollbarSize : 0.0F);
-  const float left =
-      std::max(0.0F, std::min(field.min.x, ImGui::GetIO().DisplaySize.x - whole - theme.unit()));
-  ImGui::SetNextWindowPos({left, isBelow ? field.max.y + gap : field.min.y - gap - height});
-  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, height});
+/// Where an open list stands, in screen pixels.
+struct ListPlace {
+  bool isBelow = true;     ///< The field that opened it; else above.
+  float width = 0.0F;      ///< Of its rows and what scrolls them.
+  float rowsHeight = 0.0F; ///< Of what is shown of its rows, at most.
+};
+
+float heightOfRows(const Theme& theme, std::size_t rows) {
+  return static_cast<float>(rows) * (theme.rowHeight() + theme.px(1.0F));
 }
 
-/// The choices that hold every letter of what was typed, in either case; all without it.
-std::vector<Choice> matching(const std::vector<Choice>& choices, const std::string& typed,
-                             std::vector<int>& indices) {
-  const auto lower = [](std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  };
-  const std::string wanted = lower(typed);
-  std::vector<Choice> found;
+/// Below the field, or above it where there is more room; as long as the window lets it be, and inside of it.
+/// It stays at the field when it gets shorter.
+ListPlace placeList(const Theme& theme, const Rect& field, float rowWidth, std::size_t rows, bool hasFilter) {
+  const float gap = theme.px(2.0F);
+  const float besideRows = theme.px(8.0F) + heightOfRows(theme, hasFilter ? 1 : 0);
+  const float wanted = heightOfRows(theme, rows) + besideRows;
+  const float above = field.min.y - gap - theme.unit();
+  const float below = ImGui::GetIO().DisplaySize.y - field.max.y - gap - theme.unit();
+  const float most = std::min(wanted, theme.px(480.0F));
+  const bool isBelow = most <= below || below >= above;
+  const float height = std::min(most, isBelow ? below : above);
+  const float width = rowWidth + (wanted > height ? ImGui::GetStyle().ScrollbarSize : 0.0F);
+  const float left = std::max(
+      0.0F, std::min(field.min.x, ImGui::GetIO().DisplaySize.x - width - theme.px(8.0F) - theme.unit()));
+  ImGui::SetNextWindowPos({left, isBelow ? field.max.y + gap : field.min.y - gap}, ImGuiCond_Always,
+                          {0.0F, isBelow ? 0.0F : 1.0F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, height});
+  return {isBelow, width, height - besideRows};
+}
+
+/// Indices of the choices that hold every word that was typed; all without one.
+std::vector<int> matching(const std::vector<Choice>& choices, const std::string& typed) {
+  std::vector<int> indices;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (lower(choices[i].text).find(wanted) != std::string::npos) {
-      found.push_back(choices[i]);
+    if (holdsWords(typed, choices[i].text)) {
       indices.push_back(static_cast<int>(i));
     }
   }
-  return found;
+  return indices;
 }
 
-/// The list with a field that filters it; the index among all choices, or -1.
-int openList(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
-             int selected, float width, std::string* filter) {
-  std::vector<int> indices;
-  if (filter != nullptr) {
-    if (ImGui::IsWindowAppearing()) {
-      filter->clear();
-    }
-    textField(context, id + "/search", "Search", *filter, width, ImGui::IsWindowAppearing());
+/// The field that filters a list; what Enter chooses in it: the first match, the selected one while nothing
+/// is typed, or -1.
+int searchField(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
+                int selected, float width, std::string& filter) {
+  // Nobody else needs the keys while the list is open, also after an Enter that found nothing.
+  const bool isFree = ImGui::GetActiveID() == 0;
+  textField(context, id + "/search", "Search", filter, width, isFree);
+  const bool entered = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  if (!entered) {
+    return -1;
   }
-  const std::vector<Choice> shown = matching(choices, filter == nullptr ? "" : *filter, indices);
-  const auto place = std::find(indices.begin(), indices.end(), selected);
-  const int shownSelected = place == indices.end() ? -1 : static_cast<int>(place - indices.begin());
-  int chosen = choiceList(context, id, shown, shownSelected, width);
-  const bool entered = filter != nullptr && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
-  chosen = entered && !shown.empty() ? 0 : chosen;
+  const std::vector<int> found = matching(choices, filter);
+  return found.empty() ? -1 : filter.empty() ? selected : found.front();
+}
+
+/// The choices that answer the filter, the first of which Enter takes; they scroll and leave the field where
+/// it is. The index among all choices, or -1.
+int filteredList(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
+                 int selected, const ListPlace& place, float rowWidth, const std::string& filter) {
+  const std::vector<int> indices = matching(choices, filter);
+  std::vector<Choice> shown;
+  for (const int index : indices) {
+    shown.push_back(choices[static_cast<std::size_t>(index)]);
+  }
+  const auto found = std::find(indices.begin(), indices.end(), selected);
+  const int shownSelected = found == indices.end() ? -1 : static_cast<int>(found - indices.begin());
+  const float wanted = heightOfRows(context.theme, std::max<std::size_t>(1, shown.size()));
+  ImGui::BeginChild((id + "/rows").c_str(), {place.width, std::min(wanted, place.rowsHeight)});
+  if (shown.empty()) {
+    const Control row = takePlace(context, id + "/none", {rowWidth, context.theme.rowHeight()}, false);
+    drawText(context, context.theme.fonts.body,
+             {{row.box.min.x + context.theme.unit(), row.box.min.y}, row.box.max},
+             context.theme.colours.quietText, "No match");
+  }
+  const int chosen = choiceList(context, id, shown, shownSelected, rowWidth, filter.empty() ? -1 : 0);
+  ImGui::EndChild();
   return chosen < 0 ? -1 : indices[static_cast<std::size_t>(chosen)];
+}
+
+/// The list with a field that filters it, which stands next to the field that opened the list; the index
+/// among all choices, or -1.
+int searchedList(const WidgetContext& context, const std::string& id, const std::vector<Choice>& choices,
+                 int selected, const ListPlace& place, float rowWidth, std::string& filter) {
+  if (ImGui::IsWindowAppearing()) {
+    filter.clear();
+  }
+  int entered = -1;
+  if (place.isBelow) {
+    entered = searchField(context, id, choices, selected, place.width, filter);
+  }
+  const int clicked = filteredList(context, id, choices, selected, place, rowWidth, filter);
+  if (!place.isBelow) {
+    entered = searchField(context, id, choices, selected, place.width, filter);
+  }
+  return entered >= 0 ? entered : clicked;
 }
 
 } // namespace
@@ -150,14 +199,15 @@ int dropdown(const WidgetContext& context, const std::string& id, const std::vec
   }
   int chosen = -1;
   const float rowWidth = listWidth(theme, choices, fieldWidth - theme.px(8.0F));
-  placeList(theme, control.box, rowWidth, static_cast<float>(choices.size() + (filter == nullptr ? 0 : 1)));
+  const ListPlace place = placeList(theme, control.box, rowWidth, choices.size(), filter != nullptr);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(4.0F), theme.px(4.0F)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, theme.px(1.0F)));
   if (ImGui::BeginPopup(popup.c_str())) {
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
       ImGui::CloseCurrentPopup();
     }
-    chosen = openList(context, id, choices, selected, rowWidth, filter);
+    chosen = filter == nullptr ? choiceList(context, id, choices, selected, rowWidth)
+                               : searchedList(context, id, choices, selected, place, rowWidth, *filter);
     if (chosen >= 0) {
       ImGui::CloseCurrentPopup();
     }

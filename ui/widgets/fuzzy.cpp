@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 #include <vector>
 
 namespace stretch::ui {
@@ -20,7 +21,33 @@ int letterScore(std::string_view text, std::size_t at) {
   return 1 + (startsWord(text, at) ? 8 : 0);
 }
 
+/// What parts words in names.
+bool partsWords(char c) {
+  return c == ' ' || c == '_' || c == '-' || c == '.';
+}
+
 } // namespace
+
+bool holdsWords(std::string_view typed, std::string_view text) {
+  std::string letters;
+  for (const char c : text) {
+    if (!partsWords(c)) {
+      letters += lower(c);
+    }
+  }
+  std::string word;
+  for (const char c : typed) {
+    if (!partsWords(c)) {
+      word += lower(c);
+      continue;
+    }
+    if (letters.find(word) == std::string::npos) {
+      return false;
+    }
+    word.clear();
+  }
+  return letters.find(word) != std::string::npos;
+}
 
 std::optional<int> fuzzyScore(std::string_view typed, std::string_view text) {
   while (!typed.empty() && typed.back() == ' ') {

@@ -10,4 +10,8 @@ namespace stretch::ui {
 /// matches everything.
 [[nodiscard]] std::optional<int> fuzzyScore(std::string_view typed, std::string_view text);
 
+/// Whether a text holds every typed word, in any order. Case, and the blanks, '_', '-' and '.' that part
+/// words, do not count: "melee attack" is in "1H_Melee_Attack_Chop". Nothing typed is in everything.
+[[nodiscard]] bool holdsWords(std::string_view typed, std::string_view text);
+
 } // namespace stretch::ui

@@ -79,6 +79,19 @@ TEST_CASE(
   CHECK(folder.fileCount() == 1);
 }
 
+TEST_CASE("A limb that is not there is told before what else its trail lacks") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const test::VerbAnswer misspelt =
+      test::runVerb({"exaggerate", character, "-o", output, "--limb", "leftarm"});
+  CHECK(misspelt.exitCode != 0);
+  CHECK_THAT(misspelt.told, Catch::Contains("no limb 'leftarm'") && Catch::Contains("left-arm"));
+  const test::VerbAnswer unscaled =
+      test::runVerb({"exaggerate", character, "-o", output, "--limb", "left-arm"});
+  CHECK(unscaled.exitCode != 0);
+  CHECK_THAT(unscaled.told, Catch::Contains("no scale"));
+}
+
 TEST_CASE("A range outside the clip is refused wherever it comes from") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();

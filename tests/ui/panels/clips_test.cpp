@@ -48,6 +48,71 @@ TEST_CASE("One clip of many is found by a part of its name") {
   CHECK(driver.open.character()->view().clip == 61);
 }
 
+TEST_CASE("Enter takes the first clip that holds every typed word, and gives the keys back") {
+  PanelDriver driver(manyClips());
+  driver.frames(2);
+  for (const int enter : {ImGuiKey_Enter, ImGuiKey_KeyPadEnter}) {
+    ImGui::GetIO().KeyMap[enter] = enter + 1; // Where the driver presses it.
+    driver.open.character()->view().clip = 0;
+    driver.click("timeline/clip");
+    driver.type("kick round");
+    driver.pressKey(enter);
+    driver.frames(2);
+    CHECK(driver.open.character()->view().clip == 61);
+    CHECK(driver.find("timeline/clip/search") == nullptr);
+    CHECK_FALSE(ImGui::GetIO().WantTextInput);
+  }
+  driver.click("timeline/clip");
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(2);
+  CHECK(driver.open.character()->view().clip == 61); // Nothing was typed, nothing else is taken.
+}
+
+TEST_CASE("A search for a clip that finds nothing says so and can be gone on with") {
+  PanelDriver driver(manyClips());
+  driver.frames(2);
+  driver.click("timeline/clip");
+  CHECK(driver.find("timeline/clip/none") == nullptr);
+  driver.type("kickx");
+  driver.frames(2);
+  CHECK(driver.find("timeline/clip/none") != nullptr);
+  driver.pressKey(ImGuiKey_Enter);
+  driver.frames(4);
+  CHECK(driver.open.character()->view().clip == 0);
+  REQUIRE(driver.find("timeline/clip/none") != nullptr);
+  driver.pressKey(ImGuiKey_Backspace);
+  driver.frames(2);
+  CHECK(driver.find("timeline/clip/none") == nullptr);
+  CHECK(driver.find("timeline/clip/Roundhouse_Kick") != nullptr);
+}
+
+TEST_CASE("The search for a clip stays beside its field, however few clips it leaves") {
+  PanelDriver driver(manyClips());
+  const bool listIsAbove = GENERATE(false, true);
+  CAPTURE(listIsAbove);
+  if (listIsAbove) {
+    ImGui::GetIO().DisplaySize.y = 2320.0F; // The field stands at its end.
+  }
+  driver.frames(2);
+  driver.click("timeline/clip");
+  const auto distance = [&] {
+    const ui::Item* const search = driver.find("timeline/clip/search");
+    const ui::Item* const field = driver.find("timeline/clip");
+    REQUIRE((search != nullptr && field != nullptr));
+    return listIsAbove ? field->min.y - search->max.y : search->min.y - field->max.y;
+  };
+  const float near = driver.theme.unit() * 2.0F;
+  CHECK(distance() >= 0.0F);
+  CHECK(distance() < near);
+  for (const char* typed : {"kick", "nothing"}) {
+    driver.type(typed);
+    driver.frames(3);
+    CAPTURE(typed);
+    CHECK(distance() >= 0.0F);
+    CHECK(distance() < near);
+  }
+}
+
 TEST_CASE("Lists stay inside of the window, however many entries they have") {
   PanelDriver driver(manyClips());
   driver.frames(2);

@@ -78,6 +78,17 @@ TEST_CASE("Commands are found by a few of their letters, the best match first") 
   CHECK(fuzzyScore(std::string(200, 'a'), std::string(2000, 'a')));
 }
 
+TEST_CASE("A name is found by its words in any order, however they are parted and written") {
+  CHECK(holdsWords("melee attack", "1H_Melee_Attack_Chop"));
+  CHECK(holdsWords("CHOP 1h", "1H_Melee_Attack_Chop"));
+  CHECK(holdsWords("jab left", "Fighting Left Jab"));
+  CHECK(holdsWords("leftjab", "fighting.left-jab"));
+  CHECK(holdsWords(" left_jab ", "Fighting Left Jab"));
+  CHECK(holdsWords("", "anything"));
+  CHECK_FALSE(holdsWords("jab right", "Fighting Left Jab"));
+  CHECK_FALSE(holdsWords("right jab", "Fighting Left Jab"));
+}
+
 TEST_CASE("Numbers are read as people type them") {
   CHECK(typedNumber("2.5", 0.0) == 2.5);
   CHECK(typedNumber("2,5", 0.0) == 2.5);
