@@ -24,16 +24,22 @@ Mat4 blended(const VertexInfluences& influences, const std::vector<Mat4>& matric
   return sum;
 }
 
-Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
-  Vec3 normal(primitive.normals[vertex]);
+/// A place or a normal at rest, moved by the morph targets.
+Vec3 morphed(const Vec3& rest, std::vector<glm::vec3> MorphTarget::*offsets, const Primitive& primitive,
+             const std::vector<float>& weights, std::size_t vertex) {
+  Vec3 moved = rest;
   const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
   for (std::size_t target = 0; target < targets; ++target) {
-    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].normals;
-    if (weights[target] != 0.0F && vertex < offsets.size()) {
-      normal += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
+    const std::vector<glm::vec3>& offset = primitive.morphTargets[target].*offsets;
+    if (weights[target] != 0.0F && vertex < offset.size()) {
+      moved += static_cast<double>(weights[target]) * Vec3(offset[vertex]);
     }
   }
-  return normal;
+  return moved;
+}
+
+Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
+  return morphed(Vec3(primitive.normals[vertex]), &MorphTarget::normals, primitive, weights, vertex);
 }
 
 // Normals turn by the inverse transpose, up to their length: the matrix of cofactors, which a flat matrix has
@@ -90,15 +96,7 @@ std::vector<NodeIndex> drawnMeshNodes(const Scene& scene) {
 }
 
 Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex) {
-  Vec3 position(primitive.positions[vertex]);
-  const std::size_t targets = std::min(weights.size(), primitive.morphTargets.size());
-  for (std::size_t target = 0; target < targets; ++target) {
-    const std::vector<glm::vec3>& offsets = primitive.morphTargets[target].positions;
-    if (weights[target] != 0.0F && vertex < offsets.size()) {
-      position += static_cast<double>(weights[target]) * Vec3(offsets[vertex]);
-    }
-  }
-  return position;
+  return morphed(Vec3(primitive.positions[vertex]), &MorphTarget::positions, primitive, weights, vertex);
 }
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {

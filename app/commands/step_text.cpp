@@ -144,9 +144,23 @@ std::string joinedStep(const std::string& label, const std::string& detail) {
   return detail.empty() ? label : label + " \xE2\x80\x93 " + detail;
 }
 
+/// The rate that a clip is worked at since; empty where none changed.
+std::string newRate(const Document& before, const Document& after) {
+  for (std::size_t i = 0; i < std::min(before.clips->size(), after.clips->size()); ++i) {
+    const double rate = after.clips->at(i).framesPerSecond;
+    if (rate != before.clips->at(i).framesPerSecond) {
+      return plainNumber(rate) + " fps";
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 std::string stepText(const std::string& label, const Document& before, const Document& after) {
+  if (const std::string rate = newRate(before, after); !rate.empty()) {
+    return joinedStep(label, rate); // Frames of trails only count otherwise.
+  }
   Changes changes;
   addTrailChanges(before, after, changes);
   addWeightChanges(before, after, changes);

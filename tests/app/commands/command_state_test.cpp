@@ -95,6 +95,13 @@ TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {
   CHECK(menu.label(command::trailBlend) == "Blend: half-way");
 }
 
+TEST_CASE("A step that changes the rate names the rate, not the trails that count in it") {
+  Menu menu;
+  menu.exaggerate({"left-arm"});
+  menu.run(command::clipRate25);
+  CHECK(lastStep(menu.session()) == "Change the frame rate \xE2\x80\x93 25 fps");
+}
+
 TEST_CASE("A command is on only where it does something") {
   Menu menu;
   menu.exaggerate({"left-arm"});
