@@ -93,9 +93,21 @@ void Session::followSelection() {
   const Followed now = trail == nullptr
                            ? Followed{}
                            : Followed{trail->id, trail->settings.startFrame, trail->settings.endFrame};
+  const Vec2 range(view_.rangeStart, view_.rangeEnd);
+  const bool isSet = range.y >= range.x;
   if (trail != nullptr && !(now == followed_)) {
-    view_.rangeStart = now.startFrame;
-    view_.rangeEnd = now.endFrame;
+    const Vec2 wanted(now.startFrame, now.endFrame);
+    if (followed_.trail == 0) {
+      rangeBefore_ = isSet ? std::optional(range) : std::nullopt;
+    }
+    view_.rangeStart = wanted.x;
+    view_.rangeEnd = wanted.y;
+  } else if (trail == nullptr && followed_.trail != 0 &&
+             range == Vec2(followed_.startFrame, followed_.endFrame)) {
+    // Nobody set this range: it was the trail's.
+    const Vec2 before = std::exchange(rangeBefore_, std::nullopt).value_or(Vec2(0.0, -1.0));
+    view_.rangeStart = before.x;
+    view_.rangeEnd = before.y;
   }
   followed_ = now;
 }

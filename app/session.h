@@ -89,7 +89,9 @@ private:
   void keepSelectedTrail(const std::vector<int>& appeared);
 
   Followed followed_;
-  Followed lost_; ///< What was selected when undo took it away: redo selects it again.
+  std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was
+                                    ///< set.
+  Followed lost_;                   ///< What was selected when undo took it away: redo selects it again.
   std::vector<double> lostSpheres_;
   int ratedClip_ = -1; ///< Whose rate was this:
   double rate_ = 0.0;

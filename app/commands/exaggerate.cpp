@@ -33,14 +33,30 @@ int meantTrail(const Session& session, const std::string& limbId) {
   return 0;
 }
 
-/// One range for all limbs that are exaggerated at once: the working range of the first.
-Result<Vec2> commonRange(const Session& session) {
-  const rig::Limb* const leading = findLimb(session.document(), session.view().selectedLimbs.front());
-  if (leading == nullptr) {
-    return Error{"the character has no such limb", session.view().selectedLimbs.front(),
-                 "pick a limb that was found"};
+/// Of the selected limbs the one whose proposed stroke goes farthest and fastest; the first where none makes
+/// any.
+Result<const rig::Limb*> leadingLimb(const Session& session) {
+  std::vector<rig::Stroke> strokes;
+  std::vector<const rig::Limb*> owners;
+  for (const std::string& limbId : session.view().selectedLimbs) {
+    const rig::Limb* const limb = findLimb(session.document(), limbId);
+    if (limb == nullptr) {
+      return Error{"the character has no such limb", limbId, "pick a limb that was found"};
+    }
+    if (const rig::Stroke* const stroke = proposedStroke(session, *limb)) {
+      strokes.push_back(*stroke);
+      owners.push_back(limb);
+    }
   }
-  return workingRange(session, *leading);
+  const rig::Stroke* const strongest = rig::strongestStroke(strokes);
+  return strongest == nullptr ? findLimb(session.document(), session.view().selectedLimbs.front())
+                              : owners[static_cast<std::size_t>(strongest - strokes.data())];
+}
+
+/// One range for all limbs that are exaggerated at once.
+Result<Vec2> commonRange(const Session& session) {
+  const Result<const rig::Limb*> leading = leadingLimb(session);
+  return leading ? Result<Vec2>(workingRange(session, **leading)) : Result<Vec2>(leading.error());
 }
 
 /// Adds a trail of the limb in what is free of the range.
@@ -264,10 +280,6 @@ std::optional<Vec2> nextStroke(const Session& session, const ExaggerateTargets& 
 Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTargets& targets,
                                   const Vec2& range) {
   ExaggerateTargets moved = targets;
-  if (targets.madeLoop) {
-    moved.document = setLooping(moved.document, session.view().clip, false);
-    moved.madeLoop = false;
-  }
   for (const int id : targets.trailIds) {
     const rig::Trail& trail = *findTrail(targets.document, id);
     rig::TrailSettings settings = newTrailSettings(session, *findLimb(targets.document, trail.limb), range);
@@ -278,7 +290,9 @@ Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTarget
     }
     moved.document = std::move(changed).value();
   }
-  loopWhereItHelps(session.atBegin(), session.view().clip, moved);
+  if (!moved.madeLoop) {
+    loopWhereItHelps(session.atBegin(), session.view().clip, moved);
+  }
   return moved;
 }
 

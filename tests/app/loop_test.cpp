@@ -87,6 +87,16 @@ TEST_CASE("The first trail that needs it marks a clip whose ends meet as a loop,
   CHECK(session.document().trails.empty());
 }
 
+TEST_CASE("Going on to another stroke leaves the loop that was marked, as it was told") {
+  Session session(shadowBoxer());
+  const auto late = exaggeratedOver(session, 10.0, 20.0);
+  REQUIRE(late);
+  const Result<ExaggerateTargets> early = movedTo(session, *late, {0.0, 10.0});
+  REQUIRE(early);
+  CHECK(isLooping(early->document, 0));
+  CHECK(early->madeLoop);
+}
+
 TEST_CASE("What was decided about the loop is not decided again, and other clips are left alone") {
   Session decided(withTrailTo(shadowBoxer(), 0.0, 5.0));
   const auto second = exaggeratedOver(decided, 10.0, 20.0);

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
@@ -71,6 +73,22 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
   weightSection(context, trail.limb);
 }
 
+/// What to do for a limb of which no trail is selected: where those are that it has, or how to make one.
+std::string noTrailNote(const PanelContext& context, const std::string& limbId) {
+  const app::Session& session = context.character();
+  std::string frames;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.limb == limbId && trail.clip == session.view().clip) {
+      frames += fmt::format("{}{:.4g} to {:.4g}", frames.empty() ? "" : ", ", trail.settings.startFrame,
+                            trail.settings.endFrame);
+    }
+  }
+  return frames.empty()
+             ? "Make a trail to see its range, scale, axes and transition."
+             : fmt::format("Its trails lie at frames {}: click one, or press {} for the stroke here.", frames,
+                           keyOf(context, command::trailExaggerate));
+}
+
 // Without a trail there is still the weight of the selected limb.
 void drawLimbSettings(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
@@ -84,7 +102,7 @@ void drawLimbSettings(PanelContext& context) {
   panelTitle(widgets, icon::sliders,
              limbHeading(context.character().document(), limbs.front()) +
                  (also > 0 ? " and " + std::to_string(also) + " more" : ""));
-  note(widgets, "Make a trail to see its range, scale, axes and transition.");
+  note(widgets, noTrailNote(context, limbs.front()));
   weightSection(context, limbs.front());
 }
 

@@ -80,17 +80,19 @@ void setBoneModulus(std::size_t bone, std::optional<double> young, WeightSetting
 
 void boneRows(PanelContext& context, const WeightedLimb& entry, double used) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::Document& document = context.character().document();
-  const rig::Limb* const limb = app::findLimb(document, entry.limb);
+  const rig::Limb* const limb = app::findLimb(context.character().document(), entry.limb);
   if (limb == nullptr) {
     return;
   }
+  // Copies: a row that is dragged puts another document in the place of this one.
+  const std::vector<NodeIndex> joints = limb->joints;
+  const std::shared_ptr<const Scene> scene = context.character().document().scene;
   const app::SettingFacts& young = *app::findSetting(app::weightSchema(), "young");
   const double most = std::max(*young.row.maximum, 3.0 * used);
   skinning::SegmentModuli moduli;
   moduli.ranges = entry.settings.moduli;
-  for (std::size_t bone = 0; bone < limb->joints.size(); ++bone) {
-    const std::string name = nodeName(*document.scene, limb->joints[bone]);
+  for (std::size_t bone = 0; bone < joints.size(); ++bone) {
+    const std::string name = nodeName(*scene, joints[bone]);
     const Help help{name, "Modulus of this bone alone; reset in its menu gives it the limb's own.", {}};
     labelledRow(widgets, name, help);
     double value = moduli.at(bone, used);

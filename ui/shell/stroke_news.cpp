@@ -81,8 +81,7 @@ std::string strokeNews(const app::Session& session, const ExaggerateTool& tool) 
   text += text.empty() || !tool.modal.hasStrokes ? "" : "; N goes to the next";
   text = joinedText(text, seamText(session, taken));
   if (tool.targets.madeLoop) {
-    text = joinedText(text, "The clip's last pose is its first, so Clip loops is on now: a way back goes on "
-                            "from its end to its start");
+    text = joinedText(text, "The clip ends as it begins: Clip loops is on now");
   }
   return text;
 }
