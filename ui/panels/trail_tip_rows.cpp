@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "app/commands/selection.h"
@@ -182,19 +184,32 @@ std::vector<Message> messagesOf(PanelContext& context, const rig::SolvedTrail& s
   return messages;
 }
 
-/// One line for all messages, so that the settings below keep their place; a click lists them in full.
+/// Scrolls the panel so far that what was drawn from `top` on is seen, as much of it as the panel holds.
+void scrollTo(float top) {
+  const float panelTop = ImGui::GetWindowPos().y;
+  const float hidden = ImGui::GetCursorScreenPos().y - (panelTop + ImGui::GetWindowHeight());
+  if (hidden > 0.0F) {
+    ImGui::SetScrollY(ImGui::GetScrollY() + std::min(hidden, top - panelTop));
+  }
+}
+
+/// Two lines for all messages, so that the settings below keep their place; a click lists them in full.
 void messageRows(PanelContext& context, const std::vector<Message>& messages) {
   if (messages.empty()) {
     return;
   }
+  const float top = ImGui::GetCursorScreenPos().y;
   const std::size_t others = messages.size() - 1;
-  const bool open = context.ui.allWarnings;
-  const std::string more = open ? "less" : others > 0 ? "+" + std::to_string(others) + " more" : "more";
-  if (noticeLine(widgetsOf(context), "trail/messages", messages.front().kind, messages.front().text, more)) {
-    context.ui.allWarnings = !open;
-  }
-  for (std::size_t i = 0; open && i < messages.size(); ++i) {
+  bool& open = context.ui.allWarnings;
+  const std::string more = open ? "less" : others > 0 ? fmt::format("+{} more", others) : "more";
+  const bool clicked = noticeLines(widgetsOf(context), "trail/messages", messages.front().kind,
+                                   messages.front().text, more, open);
+  open = clicked ? !open : open;
+  for (std::size_t i = 1; open && i < messages.size(); ++i) {
     notice(widgetsOf(context), messages[i].kind, messages[i].text);
+  }
+  if (clicked && open) {
+    scrollTo(top);
   }
 }
 

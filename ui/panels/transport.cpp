@@ -161,17 +161,24 @@ Help rangeHelp(const PanelContext& context) {
         "Frame, time and rate", "Mesh sequences carry no rate of their own unless their file says one.", {}};
   }
   return {"Working range, time and rate",
-          "New trails take the working range. Set it with the keys or by dragging its ends in the ruler.",
+          "The playhead's time, and the frames of the working range, which new trails take. Set it with the "
+          "keys or by dragging its ends in the ruler.",
           keyOf(context, command::rangeStart) + "  " + keyOf(context, command::rangeEnd)};
 }
 
 void timeText(PanelContext& context, const ShownTime& time) {
   const WidgetContext widgets = widgetsOf(context);
-  const std::string text =
-      rangeText(context) + "   " + shortNumber(*time.frame / time.framesPerSecond) + " s" +
-      (context.open.character() != nullptr ? std::string()
-                                           : "   " + shortNumber(time.framesPerSecond) + " fps");
+  std::vector<std::string> words{rangeText(context)};
+  if (context.open.sequence() != nullptr) {
+    words.push_back(shortNumber(time.framesPerSecond) + " fps");
+  }
+  const double seconds = *time.frame / time.framesPerSecond;
   const float width = ImGui::GetContentRegionAvail().x;
+  std::string text = timeWords(seconds, words);
+  while (!words.empty() && textSize(context.theme.fonts.label, text).x > width) {
+    words.pop_back(); // Rather whole words than the start of the next.
+    text = timeWords(seconds, words);
+  }
   if (width < context.theme.px(48.0F)) {
     return;
   }
@@ -208,6 +215,16 @@ float clipChooserWidth(const PanelContext& context, const std::vector<RowPart>& 
 }
 
 } // namespace
+
+std::string timeWords(double playheadSeconds, const std::vector<std::string>& others) {
+  std::string text = "time " + shortNumber(playheadSeconds) + " s";
+  for (const std::string& other : others) {
+    if (!other.empty()) {
+      text.append("  \xC2\xB7  ").append(other);
+    }
+  }
+  return text;
+}
 
 ShownTime shownTime(PanelContext& context) {
   if (context.open.sequence() != nullptr) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ui/panels/panel_context.h"
 
@@ -15,6 +16,9 @@ struct ShownTime {
 
 /// The open clip's or sequence's; a viewed clip or a sequence must be there.
 [[nodiscard]] ShownTime shownTime(PanelContext& context);
+
+/// "time 1 s · range 21–27": where the playhead is, apart from what else there is to say of the time.
+[[nodiscard]] std::string timeWords(double playheadSeconds, const std::vector<std::string>& others);
 
 /// Play controls in a row: jumps, play, loop, frame, speed, clip, and a line of text about range and time.
 void drawTransport(PanelContext& context);

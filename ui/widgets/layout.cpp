@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "ui/widgets/icons.h"
 
@@ -28,27 +29,53 @@ ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
   return colours.quietText;
 }
 
-/// Draws quiet text from the box's top on, wrapped at its width, each line in the middle; answers where it
-/// ends.
-float centredParagraph(const WidgetContext& context, const Rect& box, const std::string& text) {
-  const Theme& theme = context.theme;
-  ImFont* font = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
-  const float line = font->FontSize + theme.px(2.0F);
-  float y = box.min.y;
-  const char* start = text.c_str();
+/// The lines of a text that is wrapped at a width, the rest of it in the last of `most`.
+std::vector<std::string_view> wrapped(const ImFont* font, std::string_view text, float width,
+                                      std::size_t most = std::string_view::npos) {
+  std::vector<std::string_view> lines;
+  const char* start = text.data();
   const char* const end = start + text.size();
   while (start < end) {
     const char* stop =
-        std::max(start + 1, font->CalcWordWrapPositionA(1.0F, start, end, std::max(1.0F, box.width())));
-    drawText(context, font, {{box.min.x, y}, {box.max.x, y + line}}, theme.colours.quietText,
-             {start, static_cast<std::size_t>(stop - start)}, 0.5F);
-    y += line;
+        lines.size() + 1 == most
+            ? end
+            : std::max(start + 1, font->CalcWordWrapPositionA(1.0F, start, end, std::max(1.0F, width)));
+    lines.emplace_back(start, static_cast<std::size_t>(stop - start));
     start = stop;
     while (start < end && *start == ' ') {
       ++start;
     }
   }
+  return lines;
+}
+
+const ImFont* labelFont(const Theme& theme) {
+  return theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+}
+
+float labelLineHeight(const Theme& theme) {
+  return labelFont(theme)->FontSize + theme.px(2.0F);
+}
+
+/// Draws lines below each other from the box's top on; answers where they end.
+float drawLines(const WidgetContext& context, const Rect& box, ImU32 colour,
+                const std::vector<std::string_view>& lines, float alignment) {
+  const float line = labelLineHeight(context.theme);
+  float y = box.min.y;
+  for (const std::string_view text : lines) {
+    drawText(context, context.theme.fonts.label, {{box.min.x, y}, {box.max.x, y + line}}, colour, text,
+             alignment);
+    y += line;
+  }
   return y;
+}
+
+/// The face of a notice: a wash and an edge in its colour.
+void drawNoticeFace(const Theme& theme, const Rect& box, ImU32 colour, float wash) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(box.min, box.max, mixed(theme.colours.panel, colour, wash), theme.corner());
+  list->AddRectFilled(box.min, {box.min.x + theme.px(3.0F), box.max.y}, colour, theme.corner(),
+                      ImDrawFlags_RoundCornersLeft);
 }
 
 } // namespace
@@ -145,35 +172,38 @@ void notice(const WidgetContext& context, NoticeKind kind, const std::string& te
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
   const float height = size.y + theme.px(12.0F);
   ImGui::Dummy({width, height});
-  const ImU32 colour = noticeColour(theme.colours, kind);
+  drawNoticeFace(theme, {corner, {corner.x + width, corner.y + height}}, noticeColour(theme.colours, kind),
+                 0.10F);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(corner, {corner.x + width, corner.y + height},
-                      mixed(theme.colours.panel, colour, 0.10F), theme.corner());
-  list->AddRectFilled(corner, {corner.x + theme.px(3.0F), corner.y + height}, colour, theme.corner(),
-                      ImDrawFlags_RoundCornersLeft);
   list->AddText(font, font->FontSize, {corner.x + padding + theme.px(3.0F), corner.y + theme.px(6.0F)},
                 theme.colours.text, text.c_str(), nullptr, wrap);
 }
 
-bool noticeLine(const WidgetContext& context, const std::string& id, NoticeKind kind, const std::string& text,
-                const std::string& more) {
+bool noticeLines(const WidgetContext& context, const std::string& id, NoticeKind kind,
+                 const std::string& text, const std::string& more, bool whole) {
   const Theme& theme = context.theme;
-  const Control line = takePlace(context, id, {ImGui::GetContentRegionAvail().x, theme.rowHeight()});
-  const ImU32 colour = noticeColour(theme.colours, kind);
-  ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(line.box.min, line.box.max,
-                      mixed(theme.colours.panel, colour, line.hovered ? 0.22F : 0.10F), theme.corner());
-  list->AddRectFilled(line.box.min, {line.box.min.x + theme.px(3.0F), line.box.max.y}, colour, theme.corner(),
-                      ImDrawFlags_RoundCornersLeft);
-  const float right = line.box.max.x - theme.unit();
-  const float moreLeft = right - textSize(theme.fonts.label, more).x;
-  drawText(context, theme.fonts.label,
-           {{line.box.min.x + theme.px(11.0F), line.box.min.y}, {moreLeft - theme.unit(), line.box.max.y}},
-           theme.colours.text, text);
-  drawText(context, theme.fonts.label, {{moreLeft, line.box.min.y}, {right, line.box.max.y}},
-           line.hovered ? theme.colours.text : theme.colours.quietText, more);
-  tooltip(context, {{}, text, {}});
-  return line.clicked;
+  constexpr std::size_t cutLines = 2;
+  const ImVec2 padding(theme.px(11.0F), theme.px(5.0F));
+  const float moreWidth = textSize(theme.fonts.label, more).x;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float textWidth = width - padding.x - moreWidth - theme.unit() * 2.0F;
+  const std::vector<std::string_view> all = wrapped(labelFont(theme), text, textWidth);
+  const std::size_t lineCount = whole ? std::max(cutLines, all.size()) : cutLines;
+  const float line = labelLineHeight(theme);
+  const Control place =
+      takePlace(context, id, {width, static_cast<float>(lineCount) * line + padding.y * 2.0F});
+  drawNoticeFace(theme, place.box, noticeColour(theme.colours, kind), place.hovered ? 0.22F : 0.10F);
+  const ImVec2 corner(place.box.min.x + padding.x, place.box.min.y + padding.y);
+  drawLines(context, {corner, {corner.x + textWidth, place.box.max.y}}, theme.colours.text,
+            whole ? all : wrapped(labelFont(theme), text, textWidth, cutLines), 0.0F);
+  const float right = place.box.max.x - theme.unit();
+  drawText(context, theme.fonts.label, {{right - moreWidth, corner.y}, {right, corner.y + line}},
+           place.hovered ? theme.colours.text : theme.colours.quietText, more);
+  tooltip(context, {.text = whole ? "Click to fold the messages." : text});
+  if (place.clicked && !whole && all.size() > cutLines) {
+    ImGui::Dummy({width, static_cast<float>(all.size() - cutLines) * line}); // What it takes from now on.
+  }
+  return place.clicked;
 }
 
 void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
@@ -195,7 +225,8 @@ void emptyState(const WidgetContext& context, const char* iconText, const std::s
   drawText(context, theme.fonts.body, {{corner.x, y}, {corner.x + width, y + theme.px(20.0F)}},
            theme.colours.text, title, 0.5F);
   y += theme.px(24.0F);
-  y = centredParagraph(context, {{corner.x + theme.unit(), y}, {corner.x + width - theme.unit(), y}}, text);
+  y = drawLines(context, {{corner.x + theme.unit(), y}, {corner.x + width - theme.unit(), y}},
+                theme.colours.quietText, wrapped(labelFont(theme), text, width - theme.unit() * 2.0F), 0.5F);
   ImGui::SetCursorScreenPos({corner.x, y});
   ImGui::Dummy({width, theme.px(1.0F)});
   verticalSpace(context, 8.0F);

@@ -79,7 +79,7 @@ void PanelDriver::drawPanes(ui::PanelContext& context) const {
   const ui::PanelSet panels = ui::panelSetOf(context);
   panels.left(context);
   ImGui::End();
-  beginPane("right", 976.0F, 40.0F, 304.0F, 2200.0F);
+  beginPane("right", 976.0F, 40.0F, 304.0F, rightPaneHeight);
   panels.right(context);
   ImGui::End();
   beginPane("bottom", 0.0F, 2240.0F, width, 400.0F);

@@ -50,6 +50,7 @@ public:
   std::vector<ui::CommandInfo> commands;
   std::vector<std::string> requested;
   bool shift = false;
+  float rightPaneHeight = 2200.0F; ///< Pixels; what has no room in it is scrolled to.
 
 private:
   void drawPanes(ui::PanelContext& context) const;

@@ -10,6 +10,7 @@
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/transport.h"
 
 using namespace stretch;
 using test::PanelDriver;
@@ -241,6 +242,44 @@ TEST_CASE("The graph shows the curves of the selected limb, with the source besi
   CHECK(ui::curveValue(length.points, 24.0) ==
         Approx(2.0 * ui::curveValue(length.before, 24.0)).epsilon(1e-3));
   CHECK(ui::curveValue(length.points, 0.0) == Approx(ui::curveValue(length.before, 0.0)));
+}
+
+TEST_CASE("A warning of a trail is read in full where it was cut, and does not stay out of sight") {
+  app::Document document = withTrail();
+  document.trails.front().settings.axes = {false, false, false}; // Nothing to scale.
+  PanelDriver driver(document);
+  app::selectTrail(*driver.open.character(), document.trails.front().id);
+  driver.frames(4);
+  REQUIRE(driver.find("trail/messages") != nullptr);
+  const ui::Item cut = *driver.find("trail/messages");
+  CHECK(cut.explained);
+  driver.rightPaneHeight = cut.max.y + 4.0F - 40.0F; // It is the last that the panel shows.
+  driver.frames(2);
+  driver.click("trail/messages");
+  const ui::Item whole = *driver.find("trail/messages");
+  const float line = driver.theme.px(12.0F);
+  CHECK(whole.max.y - whole.min.y > cut.max.y - cut.min.y + line);
+  driver.rightPaneHeight = 2200.0F;
+  driver.frames(2);
+  const ui::Item unclipped = *driver.find("trail/messages");
+  CHECK(unclipped.max.y - unclipped.min.y == whole.max.y - whole.min.y); // All of it was in sight.
+  driver.click("trail/messages");
+  const ui::Item folded = *driver.find("trail/messages");
+  CHECK(folded.max.y - folded.min.y == cut.max.y - cut.min.y);
+}
+
+TEST_CASE("The playhead's time is told apart from the working range") {
+  CHECK(ui::timeWords(1.0, {"range 21-27"}) == "time 1 s  \xC2\xB7  range 21-27");
+  CHECK(ui::timeWords(0.25, {"", "24 fps"}) == "time 0.25 s  \xC2\xB7  24 fps");
+}
+
+TEST_CASE("The menu of a key leaves trails alone") {
+  TrailPanels panels;
+  PanelDriver& driver = panels.driver;
+  driver.ui.menuAsked = ui::MenuTarget::key;
+  driver.frames(3);
+  CHECK(driver.find("context/trail.copy") != nullptr);
+  CHECK(driver.find("context/trail.delete") == nullptr);
 }
 
 TEST_CASE("Every widget that can be used says what it does") {
