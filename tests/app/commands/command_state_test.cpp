@@ -82,8 +82,8 @@ TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {
   CHECK(menu.isTicked(command::trailFollow));
   menu.run(command::trailFollow);
   CHECK_FALSE(menu.isTicked(command::trailFollow));
-  CHECK(menu.isTicked(command::clipRateOwn)); // 24, which has one tick only.
-  CHECK_FALSE(menu.isTicked(command::clipRate24));
+  CHECK(menu.isTicked(command::clipRateOwn)); // 30, which has one tick only.
+  CHECK_FALSE(menu.isTicked(command::clipRate30));
   menu.run(command::clipRate25);
   CHECK(menu.isTicked(command::clipRate25));
   CHECK_FALSE(menu.isTicked(command::clipRateOwn));
