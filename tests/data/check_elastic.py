@@ -85,7 +85,7 @@ class Check:
         else:
             report = json.loads(run(self.program, "elastic", file, "-o", output, "--clip", f"#{clip}", "--json"))
         for limb in report["elastic"]:
-            if not (0.5 <= limb["shortest"] <= 1.0001 and 0.9999 <= limb["longest"] <= 2.0):
+            if not 0.5 <= limb["shortest"] <= limb["longest"] <= 2.0:
                 problems.append(f"{limb['limb']}: {limb['shortest']:.3g} to {limb['longest']:.3g} times its length")
         fps, last = info["clips"][clip]["fps"], info["clips"][clip]["seconds"]
         step = max(1, max(mesh["vertices"] for mesh in info["meshes"]) // VERTICES_A_MESH)
