@@ -55,10 +55,7 @@ std::string imageName(std::string_view words) {
       word = nextWord(rest);
     } while (parseNumber(word).has_value() || word == "on" || word == "off");
   }
-  const std::size_t begin = words.find_first_not_of(" \t");
-  const std::size_t end = words.find_last_not_of(" \t");
-  std::string name =
-      begin == std::string_view::npos ? std::string() : std::string(words.substr(begin, end + 1 - begin));
+  std::string name(trimmed(words));
   std::ranges::replace(name, '\\', '/');
   return name;
 }
@@ -102,9 +99,7 @@ void readLibrary(const std::filesystem::path& file, MtlMaterials& materials,
   while (nextLine(rest, line)) {
     const std::string_view keyword = nextWord(line);
     if (keyword == "newmtl") {
-      const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
-      const std::size_t end = line.find_last_not_of(" \t") + 1;
-      current = &materials[std::string(line.substr(begin, end - std::min(begin, end)))];
+      current = &materials[std::string(trimmed(line))];
       current->folder = file.parent_path();
     } else if (current != nullptr) {
       readValue(keyword, line, *current);

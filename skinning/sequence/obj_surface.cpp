@@ -44,12 +44,6 @@ long long indexOf(std::string_view text, std::size_t count) {
   return place < size ? std::max(place, -1LL) : -1;
 }
 
-std::string restOfLine(std::string_view words) {
-  const std::size_t begin = words.find_first_not_of(" \t");
-  const std::size_t end = words.find_last_not_of(" \t");
-  return begin == std::string_view::npos ? std::string() : std::string(words.substr(begin, end + 1 - begin));
-}
-
 /// Reads the lines of an OBJ that parseObj leaves aside.
 class ObjSurfaceReader {
 public:
@@ -96,11 +90,11 @@ private:
     } else if (keyword == "f") {
       readFace(words);
     } else if (keyword == "usemtl") {
-      material_ = materialOf(restOfLine(words));
+      material_ = materialOf(std::string(trimmed(words)));
     } else if (keyword == "mtllib") {
-      libraries_.push_back(restOfLine(words));
+      libraries_.emplace_back(trimmed(words));
     } else if (keyword == "o" || keyword == "g") {
-      name_ = restOfLine(words);
+      name_ = trimmed(words);
     }
   }
 

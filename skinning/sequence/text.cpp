@@ -38,6 +38,13 @@ std::string_view nextWord(std::string_view& rest) {
   return word;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
 std::string placeOf(std::string_view name, std::size_t lineNumber) {
   return std::string(name) + ":" + std::to_string(lineNumber);
 }

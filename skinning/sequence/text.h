@@ -16,6 +16,9 @@ namespace stretch::skinning {
 /// Cuts the next word (separated by blanks) off `rest`; empty when none is left.
 [[nodiscard]] std::string_view nextWord(std::string_view& rest);
 
+/// The text without the blanks around it: a name that may hold blanks inside.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 /// "file.obj:12", for messages.
 [[nodiscard]] std::string placeOf(std::string_view name, std::size_t lineNumber);
 
