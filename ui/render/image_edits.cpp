@@ -105,6 +105,16 @@ SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, 
   return layout;
 }
 
+Status checkSheet(const SheetLayout& layout, std::size_t count) {
+  constexpr int largestSheet = 16384;
+  if (count > 0 && layout.widthPixels <= largestSheet && layout.heightPixels <= largestSheet) {
+    return Success{};
+  }
+  return Error{
+      "a contact sheet of " + std::to_string(count) + " pictures cannot be made", "sheet",
+      "choose between 1 frame and what fits on 16384 pixels along a side: a smaller size or a larger step"};
+}
+
 Result<std::vector<std::uint8_t>> encodePng(const Image& image) {
   std::vector<std::uint8_t> bytes;
   const bool complete =

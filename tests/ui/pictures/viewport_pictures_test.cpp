@@ -103,12 +103,12 @@ const Overlays overlays[] = {
     {"sequence-error",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.open.sequence()->view().colours = app::SequenceColours::error;
+       stage.open.sequence()->view().look = app::SequenceLook::error;
      }},
     {"sequence-thickness",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.open.sequence()->view().colours = app::SequenceColours::thickness;
+       stage.open.sequence()->view().look = app::SequenceLook::thickness;
        stage.ui.overlays.skeleton = true;
      }},
     {"empty", [](GuiStage& stage) { stage.open = {}; }},
