@@ -16,6 +16,7 @@
 #include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
+#include "core/gltf/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/panels/view_schema.h"

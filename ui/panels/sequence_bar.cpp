@@ -2,6 +2,7 @@
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/view_schema.h"
+#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 
 namespace stretch::ui {
@@ -35,14 +36,16 @@ void lookChoice(PanelContext& context) {
     const auto look = static_cast<app::SequenceLook>(choices.size());
     choices.push_back({label, {label, choice.help, {}}, app::canShow(session.document(), look)});
   }
-  const float width = context.theme.px(432.0F);
   const float free = ImGui::GetContentRegionAvail().x;
-  if (free > width) {
-    ImGui::SameLine(0.0F, free - width);
-  }
-  ImGui::BeginChild("sequence/look-box", {std::min(width, free), context.theme.rowHeight()});
-  const int chosen =
-      segmented(widgetsOf(context), "sequence/look", choices, static_cast<int>(session.view().look));
+  const float sideBySide = context.theme.px(380.0F);
+  const float width = std::min(free, free < sideBySide ? context.theme.px(112.0F) : sideBySide);
+  ImGui::SameLine(0.0F, free - width);
+  const int now = static_cast<int>(session.view().look);
+  const WidgetContext widgets = widgetsOf(context);
+  ImGui::BeginChild("sequence/look-box", {width, context.theme.rowHeight()});
+  const int chosen = width < sideBySide ? dropdown(widgets, "sequence/look", choices, now,
+                                                   {"Look", sequenceViewSchema().front().help, {}})
+                                        : segmented(widgets, "sequence/look", choices, now);
   ImGui::EndChild();
   if (chosen >= 0) {
     session.view().look = static_cast<app::SequenceLook>(chosen);

@@ -217,7 +217,7 @@ SequenceLegend SequencePicture::segmentLegend() const {
                         }};
   if (cylinders_) {
     const auto [least, most] = std::ranges::minmax(cylinders_->widths());
-    legend.detail = fmt::format("widths at rest {:.3g} to {:.3g} units", least, most);
+    legend.detail = fmt::format("{:.3g} to {:.3g} units wide", least, most);
   }
   return legend;
 }

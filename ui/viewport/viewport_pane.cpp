@@ -196,7 +196,7 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
     return renderer.error();
   }
   return std::make_unique<ViewportGpu>(ViewportGpu{
-      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, 0, false});
+      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, {}, false});
 }
 
 void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit) {
