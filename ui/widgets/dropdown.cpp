@@ -143,6 +143,7 @@ int filteredList(const WidgetContext& context, const std::string& id, const std:
                  int selected, const ListPlace& place, float rowWidth, const std::string& filter) {
   const std::vector<int> indices = matching(choices, filter);
   std::vector<Choice> shown;
+  shown.reserve(indices.size());
   for (const int index : indices) {
     shown.push_back(choices[static_cast<std::size_t>(index)]);
   }
