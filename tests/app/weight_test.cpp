@@ -301,8 +301,8 @@ TEST_CASE("the verb elastic writes a file that check accepts, the same bytes eac
   CHECK(loadedDocument(first).weights.size() == 4);
   CHECK(loadedDocument(first).weights.front().settings.stiffness == 0.7);
   const std::string translated = folder.file("c.glb");
-  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", translated, "--limb", "left-arm", "--range",
-                            "20:30", "--keep-skeleton", "--clean"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", translated, "--limb", "left-arm", "--range", "20:30",
+                            "--keep-skeleton", "--clean"}) == 0);
   CHECK(loadedDocument(translated).scene->nodes.size() == loadedDocument(dummyFile).scene->nodes.size());
 }
 

@@ -79,7 +79,8 @@ std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
   std::vector<std::pair<NodeIndex, int>> open;
   // The last one in is the first one out: the first sibling is put in last.
   const auto wait = [&open](const std::vector<NodeIndex>& siblings, int depth) {
-    std::for_each(siblings.rbegin(), siblings.rend(), [&](NodeIndex node) { open.emplace_back(node, depth); });
+    std::for_each(siblings.rbegin(), siblings.rend(),
+                  [&](NodeIndex node) { open.emplace_back(node, depth); });
   };
   wait(scene.roots, 0);
   while (!open.empty()) {
