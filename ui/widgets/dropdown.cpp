@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "ui/widgets/fuzzy.h"

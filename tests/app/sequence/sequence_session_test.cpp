@@ -67,6 +67,9 @@ Status waitForCompression(app::SequenceSession& session) {
     if (std::optional<Status> done = session.takeCompression()) {
       return *done;
     }
+    // As a window does that draws how far it is.
+    REQUIRE(session.compressedShare() >= 0.0);
+    REQUIRE(session.compressedShare() <= 1.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return Success{};
