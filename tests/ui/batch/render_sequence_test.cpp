@@ -11,6 +11,8 @@
 #include "tests/support/skinning/obj_frames.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/batch/render_verb.h"
+#include "ui/batch/sequence_pictures.h"
+#include "ui/render/image_edits.h"
 
 using namespace stretch;
 
@@ -65,11 +67,6 @@ private:
   MeshSequence tube_;
 };
 
-std::uint32_t pixelsAt(const Bytes& png, std::size_t offset) {
-  return (std::uint32_t{png[offset]} << 24U) | (std::uint32_t{png[offset + 1]} << 16U) |
-         (std::uint32_t{png[offset + 2]} << 8U) | std::uint32_t{png[offset + 3]};
-}
-
 } // namespace
 
 TEST_CASE("render draws a mesh with its cache as it draws the folder of the same frames") {
@@ -95,13 +92,33 @@ TEST_CASE("render draws each look, bones and legend; what it needs is compressed
   }
 }
 
-TEST_CASE("the four stages stand beside each other, a row for each frame") {
+TEST_CASE("the four stages stand beside each other, a row for each frame, and differ") {
   const TubeFiles files;
-  const Bytes sheet = files.drawn({files.frames(), "--stages", "--bones", "5", "--frames", "0:3:3"});
-  CHECK(pixelsAt(sheet, 16) >= 4 * 96); // width, in the head of a PNG
-  CHECK(pixelsAt(sheet, 16) < 5 * 96);
-  CHECK(pixelsAt(sheet, 20) >= 2 * 64);
-  CHECK(pixelsAt(sheet, 20) < 3 * 64);
+  auto document = app::openSequence({files.frames()});
+  REQUIRE(document);
+  document->settings.bones = 5;
+  auto made = app::makeCompression(*document->mesh, document->settings);
+  REQUIRE(made);
+  document->result = std::make_shared<const app::Compression>(std::move(made).value());
+  ui::PictureOptions options;
+  options.widthPixels = 96;
+  options.heightPixels = 64;
+  const auto sheet = ui::drawStages(ui::contentOf(*document), {0.0, 3.0}, options);
+  REQUIRE(sheet);
+  const ui::SheetLayout layout = ui::layOutSheet(8, 96, 64, 4);
+  REQUIRE(sheet->width == layout.widthPixels);
+  REQUIRE(sheet->height == layout.heightPixels);
+  std::vector<std::vector<std::uint8_t>> cells;
+  for (std::size_t cell = 0; cell < 8; ++cell) {
+    Image picture = ui::filled(96, 64, {0.0F, 0.0F, 0.0F});
+    ui::paste(picture, *sheet, -layout.left(cell), -layout.top(cell));
+    for (const std::vector<std::uint8_t>& other : cells) {
+      CAPTURE(cell);
+      CHECK(picture.rgba != other);
+    }
+    cells.push_back(picture.rgba);
+  }
+  CHECK_FALSE(files.drawn({files.frames(), "--stages", "--bones", "5"}).empty());
 }
 
 TEST_CASE("a contact sheet of a short sequence shows no frame twice") {
