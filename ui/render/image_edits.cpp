@@ -77,10 +77,11 @@ Image filled(int widthPixels, int heightPixels, const glm::vec3& colorSrgb) {
 }
 
 void paste(Image& sheet, const Image& picture, int x, int y) {
-  const int columns = std::min(picture.width, sheet.width - x);
-  for (int row = 0; row < picture.height && y + row < sheet.height && columns > 0; ++row) {
-    const auto* first = picture.rgba.data() + offsetOf(picture, 0, row);
-    std::copy(first, first + 4 * columns, sheet.rgba.data() + offsetOf(sheet, x, y + row));
+  const int left = std::max(0, -x);
+  const int right = std::min(picture.width, sheet.width - x);
+  for (int row = std::max(0, -y); row < std::min(picture.height, sheet.height - y) && left < right; ++row) {
+    const auto* first = picture.rgba.data() + offsetOf(picture, left, row);
+    std::copy(first, first + 4 * (right - left), sheet.rgba.data() + offsetOf(sheet, x + left, y + row));
   }
 }
 

@@ -53,10 +53,10 @@ public:
     return readFile(picture()).value();
   }
 
-  [[nodiscard]] test::VerbAnswer answerTo(std::vector<std::string> words) const {
+  [[nodiscard]] test::VerbAnswer answerTo(std::vector<std::string> words,
+                                          const std::string& size = "96x64") const {
     words.insert(words.begin(), "render");
-    for (const std::string& word :
-         {std::string("-o"), picture(), std::string("--size"), std::string("96x64")}) {
+    for (const std::string& word : {std::string("-o"), picture(), std::string("--size"), size}) {
       words.push_back(word);
     }
     return test::runVerb(words, {ui::renderVerb()});
@@ -139,4 +139,11 @@ TEST_CASE("looks that a clip from a file cannot show are refused in one line") {
   }
   CHECK(files.answerTo({files.frames(), "--look", "pretty"}).exitCode == 2);
   CHECK(files.answerTo({files.frames(), "--clip", "walk"}).exitCode == 1);
+}
+
+TEST_CASE("a picture that is too small for its legend is drawn all the same") {
+  const TubeFiles files;
+  const test::VerbAnswer answer =
+      files.answerTo({files.frames(), "--look", "error", "--bones", "5"}, "16x16");
+  CHECK(answer.exitCode == 0);
 }
