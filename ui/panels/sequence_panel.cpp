@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -28,7 +30,20 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
   if (setting.name == "stretch") {
     return {.offered = {true, hasLine, true}};
   }
-  return {.offered = setting.name == "weights" ? std::vector<bool>{hasLine, true} : std::vector<bool>{}};
+  if (setting.name == "tolerance") {
+    return {.hint = "none: the bones above"};
+  }
+  return {.offered =
+              setting.name == "weights" ? std::vector<bool>{true, hasLine, true} : std::vector<bool>{}};
+}
+
+/// Length is a matter of centre lines, joints one of bones that were measured.
+bool appliesTo(const app::SequenceDocument& document, const app::SettingFacts& setting) {
+  if (setting.name == "length") {
+    return !document.analysis->joints.empty();
+  }
+  const bool measured = document.settings.stretch == skinning::StretchOption::measured;
+  return setting.name != "joints" || measured || document.analysis->joints.empty();
 }
 
 void optionRows(PanelContext& context) {
@@ -43,7 +58,7 @@ void optionRows(PanelContext& context) {
     });
   };
   for (const app::Setting<CompressSettings>& setting : app::sequenceSchema()) {
-    const bool applies = setting.name != "length" || !document.analysis->joints.empty();
+    const bool applies = appliesTo(document, setting);
     if (setting.row.section == "options" && applies) {
       settingRow(context, "sequence/", setting, document.settings, edit,
                  extrasOf(context, setting, static_cast<double>(mostBones)));
@@ -89,7 +104,8 @@ void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.sequence().document(); // a copy: rows edit it
   const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
-  const double bytes = app::exported(document).bytesPerFrame;
+  const std::shared_ptr<const app::ExportedClip> exported = app::exported(document);
+  const double bytes = exported->clip.bytesPerFrame;
   valueRow(widgets, "Frame",
            bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",
            {"Bytes per frame",
@@ -97,12 +113,27 @@ void sizeRows(PanelContext& context) {
                         "positions.",
                         source),
             {}});
-  labelledRow(widgets, "Quantise",
-              {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}});
-  if (toggle(widgets, "sequence/quantise", document.quantise ? "On" : "Off", document.quantise,
-             {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}})) {
-    editSequence(context, {true, true}, "Quantise",
-                 [](app::SequenceDocument& changed) { changed.quantise = !changed.quantise; });
+  const std::size_t once = exported->clip.bytesOnce + exported->clip.bytesOfJson;
+  valueRow(widgets, "Once", fmt::format("{:.4g} kB", static_cast<double>(once) / 1000.0),
+           {"Bytes once",
+            fmt::format("Mesh, weights, images and {} bytes of JSON, whatever the number of frames.",
+                        exported->clip.bytesOfJson),
+            {}});
+}
+
+/// How the clip is written; it is made again at once.
+void encodingRows(PanelContext& context) {
+  using skinning::EncodeSettings;
+  const EncodeSettings encoding = context.sequence().document().encoding; // a copy: rows edit it
+  const auto edit = [&](const EditPhase& phase, const std::string& label,
+                        const std::function<void(EncodeSettings&)>& change) {
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
+      change(changed.encoding);
+      changed.clip = app::exported(changed);
+    });
+  };
+  for (const app::Setting<EncodeSettings>& setting : app::clipSchema()) {
+    settingRow(context, "sequence/", setting, encoding, edit);
   }
 }
 
@@ -134,6 +165,7 @@ void resultSection(PanelContext& context) {
   }
   errorRows(context);
   sizeRows(context);
+  encodingRows(context);
   for (const std::string& warning : document.result->compressed.warnings) {
     notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }
