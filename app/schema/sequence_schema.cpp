@@ -36,6 +36,11 @@ Schema<CompressSettings> boneSettings() {
            .help = "How bones stretch: not at all, by the elastic model, or as measured.",
            .row = {.section = "options"}},
           &CompressSettings::stretch),
+  };
+}
+
+Schema<CompressSettings> skinSettings() {
+  return {
       setting<CompressSettings>(
           {.name = "weights",
            .choices = {{"auto",
@@ -59,6 +64,11 @@ Schema<CompressSettings> boneSettings() {
            .help = "The most bones that a vertex hangs on, where weights are fitted.",
            .row = {.section = "options"}},
           &CompressSettings::influences),
+  };
+}
+
+Schema<CompressSettings> fitSettings() {
+  return {
       setting<CompressSettings>(
           {.name = "length",
            .choices = {{"auto", "The line, or the monotone curve where that explains clearly more."},
@@ -144,7 +154,8 @@ const Schema<EncodeSettings>& clipSchema() {
 }
 
 const Schema<CompressSettings>& sequenceSchema() {
-  static const Schema<CompressSettings> schema = joined<CompressSettings>({boneSettings(), bodySettings()});
+  static const Schema<CompressSettings> schema =
+      joined<CompressSettings>({boneSettings(), skinSettings(), fitSettings(), bodySettings()});
   return schema;
 }
 

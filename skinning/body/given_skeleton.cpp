@@ -87,7 +87,8 @@ Box boxOf(const Points& points) {
 Result<std::vector<SkinBone>> readSkeleton(const std::filesystem::path& path) {
   const auto loaded = gltf::loadAsItStands(path);
   if (!loaded) {
-    return loaded.error();
+    const Error& error = loaded.error();
+    return Error{error.what, path.string() + (error.where.empty() ? "" : ", " + error.where), error.remedy};
   }
   const Scene& scene = *loaded->scene;
   const auto skin = std::ranges::max_element(
@@ -121,8 +122,8 @@ Result<std::vector<SkinBone>> readSkeleton(const std::filesystem::path& path) {
 }
 
 Status checkSkeleton(const std::vector<SkinBone>& bones, const MeshSequence& sequence) {
-  constexpr double least = 0.05;
-  constexpr double most = 10.0;
+  constexpr double least = 0.25;
+  constexpr double most = 4.0;
   constexpr double margin = 0.1;
   std::vector<Vec3> pivots;
   for (const SkinBone& bone : bones) {

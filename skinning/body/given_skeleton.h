@@ -15,8 +15,8 @@ namespace stretch::skinning {
 /// skin, or a bind matrix that cannot be inverted.
 [[nodiscard]] Result<std::vector<SkinBone>> readSkeleton(const std::filesystem::path& path);
 
-/// An error where the bones cannot be meant for the mesh: they span a twentieth or ten times of what its
-/// first frame spans, or most of them lie outside of its box.
+/// An error where the bones cannot be meant for the mesh: they span less than a quarter or more
+/// than four times of what its first frame spans, or most of them lie outside of its box.
 [[nodiscard]] Status checkSkeleton(const std::vector<SkinBone>& bones, const MeshSequence& sequence);
 
 } // namespace stretch::skinning

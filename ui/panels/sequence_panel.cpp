@@ -21,6 +21,7 @@ namespace {
 /// What the sequence allows: a body without a centre line has no elastic model.
 RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
   const bool hasLine = !context.sequence().document().analysis->joints.empty();
+  const skinning::CompressSettings& settings = context.sequence().document().settings;
   if (setting.name == "bones") {
     return {.maximum = std::min(100.0, mostBones)};
   }
@@ -30,20 +31,15 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
   if (setting.name == "stretch") {
     return {.offered = {true, hasLine, true}};
   }
+  if (setting.name == "joints") {
+    const bool measured = settings.stretch == skinning::StretchOption::measured || !hasLine;
+    return {.offered = {measured, measured}};
+  }
   if (setting.name == "tolerance") {
     return {.hint = "none: the bones above"};
   }
   return {.offered =
               setting.name == "weights" ? std::vector<bool>{true, hasLine, true} : std::vector<bool>{}};
-}
-
-/// Length is a matter of centre lines, joints one of bones that were measured.
-bool appliesTo(const app::SequenceDocument& document, const app::SettingFacts& setting) {
-  if (setting.name == "length") {
-    return !document.analysis->joints.empty();
-  }
-  const bool measured = document.settings.stretch == skinning::StretchOption::measured;
-  return setting.name != "joints" || measured || document.analysis->joints.empty();
 }
 
 void optionRows(PanelContext& context) {
@@ -58,7 +54,7 @@ void optionRows(PanelContext& context) {
     });
   };
   for (const app::Setting<CompressSettings>& setting : app::sequenceSchema()) {
-    const bool applies = appliesTo(document, setting);
+    const bool applies = setting.name != "length" || !document.analysis->joints.empty();
     if (setting.row.section == "options" && applies) {
       settingRow(context, "sequence/", setting, document.settings, edit,
                  extrasOf(context, setting, static_cast<double>(mostBones)));
