@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/edits/group_edits.h"
 #include "app/edits/weight_edits.h"
 
 namespace stretch::app {

@@ -20,7 +20,7 @@ namespace {
 template <typename Visit>
 void eachTextureUse(Json& json, const Visit& visit) {
   std::vector<std::string> uses;
-  for (auto& [key, value] : json.items()) {
+  for (const auto& [key, value] : json.items()) {
     const bool isUse = value.is_object() && key.ends_with("Texture") && indexOr(value, "index") >= 0;
     if (isUse) {
       uses.push_back(key);
@@ -114,7 +114,7 @@ private:
     bool shown = takeImage(texture);
     if (Json* const extensions = texture.contains("extensions") ? &texture["extensions"] : nullptr;
         extensions != nullptr && extensions->is_object()) {
-      for (auto& [name, extension] : extensions->items()) {
+      for (const auto& [name, extension] : extensions->items()) {
         shown = takeImage(extension) || shown;
       }
     }

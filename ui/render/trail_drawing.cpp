@@ -133,6 +133,7 @@ std::vector<float> roomForSpheres(const View& view, const std::vector<TrailSpher
   constexpr double shareOfGap = 0.45;
   constexpr float least = 2.5F;
   std::vector<std::optional<ScreenPoint>> places;
+  places.reserve(spheres.size());
   for (const TrailSphere& sphere : spheres) {
     places.push_back(projectToPixels(view, sphere.world));
   }

@@ -155,7 +155,7 @@ void goToTip(Shell& shell) {
 Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
   const bool proposes = app::selectedTrail(session) == nullptr && !app::isRangeSet(session.view());
-  const Status started = startExaggerate(session, shell.tool, choice);
+  Status started = startExaggerate(session, shell.tool, choice);
   if (!started) {
     return started;
   }

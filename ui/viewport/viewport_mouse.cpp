@@ -9,6 +9,7 @@
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
+#include "ui/viewport/assemble_picture.h"
 
 namespace stretch::ui {
 

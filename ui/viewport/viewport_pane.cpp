@@ -136,7 +136,9 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const bool held = ImGui::IsItemActive();
   updateView(context);
   if (context.open.sequence() != nullptr) {
-    if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
+    const bool all = std::exchange(viewport.framePending, false);
+    const bool selected = std::exchange(viewport.frameSelectionPending, false);
+    if (all || selected) {
       frameSequence(context);
     }
     handleViewportMouse(context, hovered, held);
