@@ -135,7 +135,7 @@ const Schema<EncodeSettings>& clipSchema() {
       setting<EncodeSettings>(
           {.name = "quantise_mesh",
            .help = "Positions, normals, texture coordinates and colours as integers (KHR_mesh_quantization).",
-           .row = {.section = "clip", .label = "Quantise mesh"}},
+           .row = {.section = "clip", .label = "Pack mesh"}},
           &EncodeSettings::quantiseMesh),
       setting<EncodeSettings>({.name = "meshopt",
                                .help = "All data but images compressed (EXT_meshopt_compression).",

@@ -150,6 +150,20 @@ void errorRows(PanelContext& context) {
   valueRow(widgets, "KG", fmt::format("{:.4g} %", metrics.kgError), {"Karni and Gotsman's error", "", {}});
 }
 
+/// Which weights were taken, where both were tried.
+void weightsRow(PanelContext& context) {
+  const skinning::WeightChoice& weights = context.sequence().document().result->compressed.weights;
+  if (!weights.geodesicPercent || !weights.fittedPercent) {
+    return;
+  }
+  const bool geodesic = weights.used == skinning::WeightOption::geodesic;
+  valueRow(widgetsOf(context), "Weights", geodesic ? "geodesic" : "fitted",
+           {"Weights that were taken",
+            fmt::format("The better of the two: RMSE {:.3g} % with geodesic, {:.3g} % with fitted ones.",
+                        *weights.geodesicPercent, *weights.fittedPercent),
+            {}});
+}
+
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.sequence().document();
@@ -160,6 +174,7 @@ void resultSection(PanelContext& context) {
     notice(widgets, NoticeKind::info, "Made with other settings. Compress again to see these.");
   }
   errorRows(context);
+  weightsRow(context);
   sizeRows(context);
   encodingRows(context);
   for (const std::string& warning : document.result->compressed.warnings) {
