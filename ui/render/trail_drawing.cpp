@@ -75,7 +75,7 @@ Polyline pathLine(const View& view, const TrailPicture& trail, const std::vector
   add(path.back(), static_cast<double>(path.size() - 1));
   line.dashPoints = style.dashed ? 6.0F : 0.0F;
   line.gapPoints = style.dashed ? 5.0F : 0.0F;
-  line.outlined = !style.dashed;
+  line.outlined = true;
   return line;
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands/selection.h"
 #include "core/base/hash.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"
@@ -211,6 +212,7 @@ void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& re
                                  ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("viewport-pane", nullptr, flags)) {
     drawPictureArea(context, gpu);
+    drawToasts(context, context.viewport.box, *ImGui::GetWindowDrawList());
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

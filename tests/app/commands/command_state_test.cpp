@@ -76,6 +76,17 @@ TEST_CASE("The command that connects a limb is called Disconnect while the limb 
   CHECK_FALSE(menu.trail(0).connected);
 }
 
+TEST_CASE("The command of motion trails says whether it makes one, hides or shows it") {
+  Menu menu;
+  menu.session().view().selectedLimbs = {"left-arm"};
+  CHECK(menu.label(command::trailToggle) == "Motion trail");
+  menu.run(command::trailToggle);
+  CHECK(menu.label(command::trailToggle) == "Hide the trail");
+  menu.run(command::trailToggle);
+  CHECK_FALSE(menu.trail(0).visible);
+  CHECK(menu.label(command::trailToggle) == "Show the trail");
+}
+
 TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {
   Menu menu;
   menu.exaggerate({"left-arm"});
