@@ -15,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/gltf/edits.h"
 #include "core/gltf/json.h"
+#include "skinning/body/given_skeleton.h"
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/export/encode_gltf.h"
@@ -28,11 +29,12 @@ struct CompressArguments {
   std::vector<std::string> sequence;
   OutputFile output;
   SettingTexts settings;
+  SettingTexts encoding;
   std::string moduli;
+  std::string skeleton;
   std::string table;
   std::string stream;
   double framesPerSecond = 0.0;
-  bool quantise = false;
   bool json = false;
 };
 
@@ -41,7 +43,18 @@ Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments
   if (const Status set = setFromTexts(sequenceSchema(), arguments.settings, settings); !set) {
     return set.error();
   }
+  if (!arguments.skeleton.empty()) {
+    Result<std::vector<skinning::SkinBone>> skeleton = skinning::readSkeleton(arguments.skeleton);
+    if (!skeleton) {
+      return skeleton.error();
+    }
+    settings.skeleton = std::move(skeleton).value();
+  }
   if (!arguments.moduli.empty()) {
+    if (settings.tolerancePercent) {
+      return Error{"it names segments of a number of bones that is not known", "--moduli",
+                   "give --bones instead of --tolerance"};
+    }
     Result<skinning::SegmentModuli> moduli = loadModuli(arguments.moduli);
     if (!moduli) {
       return moduli.error();
@@ -82,12 +95,12 @@ Status writeTable(const CompressArguments& arguments, const MeshSequence& sequen
 
 /// Writes the base, and the frames behind each other; adds to the report what they take.
 Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSequence& skinned,
-                   gltf::Json& report) {
+                   bool quantise, gltf::Json& report) {
   if (arguments.stream.empty()) {
     return Success{};
   }
   const std::filesystem::path folder(arguments.stream);
-  const skinning::FrameStream stream = skinning::streamOf(skinned, arguments.quantise);
+  const skinning::FrameStream stream = skinning::streamOf(skinned, quantise);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
@@ -107,6 +120,7 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
 Status runCompress(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
+  read.push_back(arguments.skeleton);
   if (Status apart = checkOutput(arguments.output, read); !apart) {
     return apart;
   }
@@ -117,6 +131,10 @@ Status runCompress(const CompressArguments& arguments) {
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
+  }
+  skinning::EncodeSettings encoding;
+  if (const Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
+    return set;
   }
   Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);
   if (!sequence) {
@@ -138,8 +156,6 @@ Status runCompress(const CompressArguments& arguments) {
     return compressed.error();
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  skinning::EncodeSettings encoding;
-  encoding.quantise = arguments.quantise;
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
   if (Status written = writeTable(arguments, *sequence, *compressed); !written) {
     return written;
@@ -149,8 +165,11 @@ Status runCompress(const CompressArguments& arguments) {
   }
   gltf::Json report = compressionJson(*sequence, *compressed, encoded);
   report["seconds"] = seconds;
-  if (Status written = writeStream(arguments, compressed->skinned, report); !written) {
+  if (Status written = writeStream(arguments, compressed->skinned, encoding.quantise, report); !written) {
     return written;
+  }
+  if (Status told = addWrittenFile(*sequence, arguments.output.path, encoded, report); !told) {
+    return told;
   }
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
@@ -170,6 +189,9 @@ Verb compressVerb() {
                 .takes(1, 2);
             addOutputFile(line, arguments->output, "The .glb to write");
             addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
+            addSettingOptions(line, clipSchema(), arguments->encoding, "Clip");
+            line.option("--skeleton", arguments->skeleton,
+                        "A .glb whose skin's bones are taken: names, parents, places");
             line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
             line.option("--curvature", arguments->table,
                         "CSV to write: curvature and length of the centre line, frame by frame");
@@ -177,7 +199,6 @@ Verb compressVerb() {
                 "--stream", arguments->stream,
                 "A folder to write: base.glb, and frames.bin of frames that each say all by themselves");
             addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
-            line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
             addJson(line, arguments->json);
             return [arguments] { return runCompress(*arguments); };
           }};

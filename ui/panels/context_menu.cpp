@@ -112,6 +112,9 @@ std::string spheresText(const app::ViewState& view) {
 
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
+  if (target == MenuTarget::viewport) {
+    return "View"; // Of a mesh sequence as well.
+  }
   const app::Session& session = context.character();
   const app::ViewState& view = session.view();
   const rig::Trail* const trail = app::selectedTrail(session);
@@ -222,7 +225,9 @@ void drawContextMenu(PanelContext& context) {
     context.items.add("context-menu", corner,
                       {corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()});
     context.items.items.back().explained = true; // By its entries.
-    if (context.open.character() == nullptr || keyPressed(ImGuiKey_Escape)) {
+    const bool isThere = context.open.character() != nullptr ||
+                         (context.open.sequence() != nullptr && ui.menuTarget == MenuTarget::viewport);
+    if (!isThere || keyPressed(ImGuiKey_Escape)) {
       ImGui::CloseCurrentPopup();
     } else {
       entries(context);

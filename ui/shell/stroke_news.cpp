@@ -94,6 +94,27 @@ std::string limbsOf(const app::Session& session, const ExaggerateTool& tool) {
   return app::listed(names);
 }
 
+/// Whether the first scale leaves the limb as long as it was: it does not move, or makes no stroke and the
+/// floor is in its way.
+bool showsNothing(app::Session& session, const rig::SolvedTrail& solved) {
+  constexpr double noticed = 0.02;
+  const TipLengths lengths = tipLengths(session, solved);
+  const bool isAsLong = std::abs(lengths.after - lengths.before) < noticed * lengths.before;
+  return solved.tip.outcome == rig::TipOutcome::nothingToScale ||
+         (isAsLong && session.strokesOf(solved.limb).empty());
+}
+
+/// "The left leg does not move", or what keeps it from getting longer.
+std::string whyNothing(app::Session& session, const ExaggerateTool& tool) {
+  const bool one = tool.targets.trailIds.size() == 1;
+  const rig::SolvedTrail* const solved = app::solvedTrail(session, tool.targets.trailIds.front());
+  const bool moves = solved != nullptr && solved->tip.outcome != rig::TipOutcome::nothingToScale;
+  const char* const still = one ? "does not move" : "do not move";
+  const char* const blocked =
+      moves && solved->settings.stopAt ? "would get longer only into the floor" : "would not get longer";
+  return fmt::format("The {} {}", limbsOf(session, tool), moves ? blocked : still);
+}
+
 } // namespace
 
 bool standsStill(app::Session& session, const ExaggerateTool& tool) {
@@ -101,29 +122,24 @@ bool standsStill(app::Session& session, const ExaggerateTool& tool) {
   return std::all_of(ids.begin(), ids.end(), [&](int id) {
     const rig::SolvedTrail* const solved = app::solvedTrail(session, id);
     return app::findTrail(session.atBegin(), id) == nullptr && solved != nullptr &&
-           solved->tip.outcome == rig::TipOutcome::nothingToScale;
+           showsNothing(session, *solved);
   });
 }
 
 std::string stillNews(app::Session& session, const ExaggerateTool& tool,
                       const std::function<std::string(const std::string&)>& keyOf) {
-  const bool one = tool.targets.trailIds.size() == 1;
   const std::vector<rig::Limb> limbs = app::allLimbs(session.document());
   const TakenStroke taken = takenStroke(session, tool);
   const bool movesElsewhere =
       taken.limb != nullptr && (taken.count > 0 || session.movementOf(*taken.limb).has_value());
-  const std::string text =
-      fmt::format("The {} {} not move in {}", limbsOf(session, tool), one ? "does" : "do",
-                  movesElsewhere ? framesText(*taken.trail) : "this clip");
-  if (movesElsewhere) {
-    return text + ": choose another range";
-  }
+  const std::string text = fmt::format("{} in {}", whyNothing(session, tool),
+                                       movesElsewhere ? framesText(*taken.trail) : "this clip");
   const rig::Limb* const other = strongestLimb(session, limbs);
-  if (other == nullptr) {
-    return text + ", nor does another limb: choose another clip";
+  if (other == nullptr || (taken.limb != nullptr && other->id == taken.limb->id)) {
+    return text + (movesElsewhere ? ": choose another range" : ": choose another clip");
   }
   const std::string key = keyOf("limb." + other->id);
-  return fmt::format("{}. The {} makes its strongest stroke{}", text,
+  return fmt::format("{}. The {} makes the strongest stroke{}", text,
                      app::limbTitle(session.document(), other->id),
                      key.empty() ? "" : fmt::format(": {} selects it", key));
 }

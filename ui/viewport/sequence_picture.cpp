@@ -18,6 +18,14 @@ namespace {
 
 using app::SequenceLook;
 
+/// What the editor would hold of the sequence.
+app::SequenceDocument documentOf(const SequenceContent& content) {
+  app::SequenceDocument document;
+  document.analysis = content.analysis;
+  document.result = content.result;
+  return document;
+}
+
 /// Whether there is what the look shows.
 bool canShow(const SequenceContent& content, SequenceLook look) {
   if (look == SequenceLook::error) {
@@ -26,54 +34,20 @@ bool canShow(const SequenceContent& content, SequenceLook look) {
   if (content.analysis == nullptr) {
     return look == SequenceLook::material || look == SequenceLook::compare;
   }
-  app::SequenceDocument document;
-  document.analysis = content.analysis;
-  document.result = content.result;
-  return app::canShow(document, look);
+  return app::canShow(documentOf(content), look);
 }
 
 const skinning::SkinnedSequence* skinnedOf(const SequenceContent& content) {
   return content.result == nullptr ? nullptr : &content.result->compressed.skinned;
 }
 
-using BoneLine = std::pair<Vec3, Vec3>;
-
-std::vector<BoneLine> bonesAt(const SequenceContent& content, std::size_t frame) {
-  std::vector<BoneLine> bones;
-  if (const skinning::SkinnedSequence* const skinned = skinnedOf(content)) {
-    for (std::size_t b = 0; b < skinned->bones.size(); ++b) {
-      const Mat4 matrix = skinning::skinMatrix(skinned->bones[b], skinned->pose(frame, b));
-      bones.emplace_back(transformPoint(matrix, skinned->bones[b].pivot),
-                         transformPoint(matrix, skinned->bones[b].end));
-    }
-  } else if (!content.analysis->joints.empty()) {
-    const std::vector<Vec3>& joints = content.analysis->joints[frame];
-    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
-      bones.emplace_back(joints[i], joints[i + 1]);
-    }
-  }
-  return bones;
-}
-
-/// A bone without length is a joint alone.
-Overlay drawBone(const Vec3& from, const Vec3& to, const SkeletonStyle& style) {
-  Overlay overlay;
-  if (from != to) {
-    Polyline bone;
-    bone.points = {{from, style.bone, style.widthPoints}, {to, style.bone, 0.5F * style.widthPoints}};
-    bone.depth = OverlayDepth::onTop;
-    bone.outlined = true;
-    overlay.lines.push_back(bone);
-  }
-  for (const Vec3& end : {from, to}) {
-    Marker joint;
-    joint.world = end;
-    joint.radiusPoints = style.jointPoints;
-    joint.fill = style.bone;
-    joint.depth = OverlayDepth::onTop;
-    overlay.markers.push_back(joint);
-  }
-  return overlay;
+Marker jointMarker(const Vec3& place, const SkeletonStyle& style) {
+  Marker joint;
+  joint.world = place;
+  joint.radiusPoints = style.jointPoints;
+  joint.fill = style.bone;
+  joint.depth = OverlayDepth::onTop;
+  return joint;
 }
 
 } // namespace
@@ -223,9 +197,19 @@ SequenceLegend SequencePicture::segmentLegend() const {
 }
 
 Overlay drawBones(const SequenceContent& content, std::size_t frame, const Palette& palette) {
+  const SkeletonStyle style = skeletonStyle(palette);
   Overlay overlay;
-  for (const auto& [from, to] : bonesAt(content, frame)) {
-    overlay.add(drawBone(from, to, skeletonStyle(palette)));
+  for (const app::ShownBone& shown : app::bonesAt(documentOf(content), frame)) {
+    Polyline bone;
+    bone.points = {{shown.start, style.bone, style.widthPoints},
+                   {shown.end, style.bone, 0.5F * style.widthPoints}};
+    bone.depth = OverlayDepth::onTop;
+    bone.outlined = true;
+    overlay.lines.push_back(bone);
+    overlay.markers.push_back(jointMarker(shown.start, style));
+    if (shown.isLast) {
+      overlay.markers.push_back(jointMarker(shown.end, style));
+    }
   }
   return overlay;
 }
