@@ -117,7 +117,8 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
   return Success{};
 }
 
-Status runCompress(const CompressArguments& arguments) {
+/// No file that is written is one that is read, or another one that is written.
+Status checkPlaces(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
   read.push_back(arguments.skeleton);
@@ -125,7 +126,11 @@ Status runCompress(const CompressArguments& arguments) {
     return apart;
   }
   read.push_back(arguments.output.path);
-  if (Status apart = checkOutput({arguments.table}, read); !apart) {
+  return checkOutput({arguments.table}, read);
+}
+
+Status runCompress(const CompressArguments& arguments) {
+  if (Status apart = checkPlaces(arguments); !apart) {
     return apart;
   }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
