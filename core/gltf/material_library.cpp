@@ -229,11 +229,13 @@ void putMaterials(const Source& materials, Json& json,
     }
   }
   for (std::size_t i = 0; i < sizeOf(json, "images"); ++i) {
-    Json& image = json["images"][i];
-    const Json& view = element(materials.json, "bufferViews", wholeOr(image, "bufferView", 0));
+    const Json& view =
+        element(materials.json, "bufferViews", wholeOr(element(json, "images", i), "bufferView", 0));
     const std::span<const std::uint8_t> bytes(materials.buffers.front());
-    image["bufferView"] =
+    // Adding a view may move everything that is in the document.
+    const std::size_t added =
         addView(bytes.subspan(wholeOr(view, "byteOffset", 0), wholeOr(view, "byteLength", 0)));
+    json["images"][i]["bufferView"] = added;
   }
 }
 
