@@ -14,7 +14,7 @@
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
-#include "rig/controllers/apply_adjustments.h"
+#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "rig/body/detection.h"
+#include "rig/controllers/finger_joints.h"
 
 namespace stretch::rig {
 

@@ -65,9 +65,6 @@ struct ControllerList {
                                                  NodeIndex hips, const ControllerList& list,
                                                  const std::string& id);
 
-/// The joints below the end of an arm that a fist bends.
-[[nodiscard]] std::vector<NodeIndex> fingerJoints(const Scene& scene, const Limb& arm);
-
 /// Null when there is no limb of the kind.
 [[nodiscard]] const Limb* limbOfKind(const std::vector<Limb>& limbs, LimbKind kind);
 

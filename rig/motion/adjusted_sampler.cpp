@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "rig/controllers/apply_adjustments.h"
+#include "rig/motion/apply_adjustments.h"
 
 namespace stretch::rig {
 

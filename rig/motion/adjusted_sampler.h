@@ -4,7 +4,7 @@
 
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
-#include "rig/controllers/solved_adjustments.h"
+#include "rig/motion/solved_adjustments.h"
 #include "rig/trail/limb_path.h"
 
 namespace stretch::rig {

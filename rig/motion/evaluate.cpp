@@ -7,9 +7,9 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
-#include "rig/controllers/apply_adjustments.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
+#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/motion/range_offset.h"
 

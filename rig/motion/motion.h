@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "rig/controllers/solved_adjustments.h"
 #include "rig/limb.h"
 #include "rig/motion/bend_normal.h"
 #include "rig/motion/body_outline.h"
 #include "rig/motion/limb_topology.h"
 #include "rig/motion/limb_weight.h"
+#include "rig/motion/solved_adjustments.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"

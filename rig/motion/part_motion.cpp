@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rig/controllers/apply_adjustments.h"
+#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::rig {

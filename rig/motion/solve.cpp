@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "rig/body/detection.h"
-#include "rig/controllers/solve_adjustments.h"
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
+#include "rig/motion/solve_adjustments.h"
 #include "rig/motion/solve_steps.h"
 
 namespace stretch::rig {

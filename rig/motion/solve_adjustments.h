@@ -5,7 +5,7 @@
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
 #include "rig/controllers/adjustment.h"
-#include "rig/controllers/solved_adjustments.h"
+#include "rig/motion/solved_adjustments.h"
 
 namespace stretch::rig {
 

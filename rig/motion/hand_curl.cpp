@@ -1,17 +1,15 @@
-#include "rig/controllers/hand_curl.h"
+#include "rig/motion/hand_curl.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <string>
 
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/controllers/controller.h"
+#include "rig/controllers/finger_joints.h"
 #include "rig/motion/pose_writer.h"
 
 namespace stretch::rig {
@@ -28,41 +26,6 @@ struct Finger {
 
   [[nodiscard]] Vec3 direction() const { return points.back() - points.front(); }
 };
-
-std::vector<NodeIndex> jointChildren(const Scene& scene, const std::set<NodeIndex>& skinned, NodeIndex node) {
-  std::vector<NodeIndex> children;
-  std::ranges::copy_if(scene.nodes[at(node)].children, std::back_inserter(children), [&](NodeIndex child) {
-    const Node& holder = scene.nodes[at(child)];
-    return !holder.isBindLeaf && (skinned.contains(child) || skinned.empty());
-  });
-  return children;
-}
-
-// Chains of joints below the hand, each without branches: a branching joint is part of the palm.
-void collectChains(const Scene& scene, const std::set<NodeIndex>& skinned, NodeIndex hand,
-                   std::vector<std::vector<NodeIndex>>& chains) {
-  for (const NodeIndex first : jointChildren(scene, skinned, hand)) {
-    std::vector<NodeIndex> chain{first};
-    std::vector<NodeIndex> next = jointChildren(scene, skinned, first);
-    while (next.size() == 1) {
-      chain.push_back(next.front());
-      next = jointChildren(scene, skinned, chain.back());
-    }
-    if (next.empty()) {
-      chains.push_back(std::move(chain));
-    } else {
-      collectChains(scene, skinned, chain.back(), chains);
-    }
-  }
-}
-
-std::vector<std::vector<NodeIndex>> fingerChains(const Scene& scene, const Limb& arm) {
-  std::vector<std::vector<NodeIndex>> chains;
-  if (arm.endNode.exists()) {
-    collectChains(scene, skinJoints(scene), arm.endNode, chains);
-  }
-  return chains;
-}
 
 bool namesThumb(const Scene& scene, NodeIndex node) {
   std::string name = scene.nodes[at(node)].name;
@@ -153,14 +116,6 @@ Vec3 closingAxis(const Finger& finger, std::size_t joint, const Vec3& palm, cons
 }
 
 } // namespace
-
-std::vector<NodeIndex> fingerJoints(const Scene& scene, const Limb& arm) {
-  std::vector<NodeIndex> joints;
-  for (const std::vector<NodeIndex>& chain : fingerChains(scene, arm)) {
-    joints.insert(joints.end(), chain.begin(), chain.end());
-  }
-  return joints;
-}
 
 std::vector<FingerJoint> handCurl(const Scene& scene, const Limb& arm, const BindPlaces& places) {
   std::vector<Finger> fingers;

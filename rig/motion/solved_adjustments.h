@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "rig/controllers/controller.h"
-#include "rig/controllers/foot_roll.h"
-#include "rig/controllers/hand_curl.h"
 #include "rig/controllers/offset_curve.h"
+#include "rig/motion/foot_roll.h"
+#include "rig/motion/hand_curl.h"
 #include "rig/motion/limb_topology.h"
 
 namespace stretch::rig {

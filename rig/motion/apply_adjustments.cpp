@@ -1,4 +1,4 @@
-#include "rig/controllers/apply_adjustments.h"
+#include "rig/motion/apply_adjustments.h"
 
 #include <algorithm>
 #include <cmath>

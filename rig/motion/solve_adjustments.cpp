@@ -1,4 +1,4 @@
-#include "rig/controllers/solve_adjustments.h"
+#include "rig/motion/solve_adjustments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rig/controllers/apply_adjustments.h"
+#include "rig/motion/apply_adjustments.h"
 
 #include <cmath>
 
@@ -7,6 +7,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/controllers/controller.h"
+#include "rig/controllers/finger_joints.h"
 #include "tests/support/rig/adjusted_biped.h"
 #include "tests/support/rig/naming_schemes.h"
 

@@ -1,4 +1,4 @@
-#include "rig/controllers/foot_roll.h"
+#include "rig/motion/foot_roll.h"
 
 #include <algorithm>
 
