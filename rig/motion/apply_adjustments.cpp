@@ -234,8 +234,25 @@ private:
     return {attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, endTurn(limb, goal)};
   }
 
-  // The shape that turns and stretches as one piece.
-  void reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
+  // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
+  // is solved again from where it came to.
+  void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
+    constexpr int mostTries = 8;
+    constexpr double unseen = 1e-8; // of the limb
+    const double near = unseen * adjusted.limb.restLength;
+    Vec3 bend = pole;
+    for (int tries = 0; tries < mostTries; ++tries) {
+      const Vec3 end = adjusted.bendPoint > 0 ? bendTo(adjusted, goal, bend) : reachAsOne(adjusted, goal);
+      const bool isReachable = glm::length(goal.place - end) <= near;
+      if (!isReachable || glm::length(goal.place - endPosition(adjusted.limb, frame_)) <= near) {
+        return;
+      }
+      bend = Vec3(0.0);
+    }
+  }
+
+  // The shape turns and stretches as one piece. Answers where the end comes to if nothing is scaled unevenly.
+  Vec3 reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
     const Limb& limb = adjusted.limb;
     LimbShapeProblem problem;
     problem.points = limbPoints(limb, frame_);
@@ -243,8 +260,9 @@ private:
     problem.shortestReach = 1e-3 * limb.restLength;
     problem.restLength = limb.restLength;
     problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    deformLimb(scene_, limb, adjusted.topology, limbPose(solveLimbShape(problem)), optionsOf(limb, goal),
-               frame_);
+    const LimbShape shape = solveLimbShape(problem);
+    deformLimb(scene_, limb, adjusted.topology, limbPose(shape), optionsOf(limb, goal), frame_);
+    return shape.end;
   }
 
   void moveNeck(const AdjustedLimb& adjusted) {
@@ -254,7 +272,7 @@ private:
       ask("head", goal.place);
     }
     if (!isThere(adjusted.limb, goal)) {
-      reachAsOne(adjusted, goal);
+      reach(adjusted, goal, Vec3(0.0));
     }
   }
 
@@ -271,11 +289,7 @@ private:
     }
     const Vec3 pole = poleOffset(adjusted);
     if (pole != Vec3(0.0) || !isThere(limb, goal)) {
-      if (adjusted.bendPoint > 0) {
-        bendTo(adjusted, goal, pole);
-      } else {
-        reachAsOne(adjusted, goal);
-      }
+      reach(adjusted, goal, pole);
     }
     if (roll > 0.0 && adjusted.roll.toes.exists()) {
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
@@ -307,7 +321,8 @@ private:
                                   : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
   }
 
-  void bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
+  // As a limb of two spans; answers as reachAsOne does.
+  Vec3 bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
     const Limb& limb = adjusted.limb;
     const std::vector<Vec3> points = limbPoints(limb, frame_);
     TwoBoneProblem problem;
@@ -326,6 +341,7 @@ private:
     }
     pose.end = shape.end;
     deformLimb(scene_, limb, adjusted.topology, pose, optionsOf(limb, goal), frame_);
+    return shape.end;
   }
 
   const Scene& scene_;

@@ -1,6 +1,7 @@
 #include "rig/motion/foot_roll.h"
 
 #include <algorithm>
+#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -11,7 +12,7 @@ namespace stretch::rig {
 
 namespace {
 
-const Vec3 up(0.0, 1.0, 0.0);
+const Vec3 upwards(0.0, 1.0, 0.0);
 
 Vec3 level(const Vec3& vector) {
   return {vector.x, 0.0, vector.z};
@@ -80,7 +81,7 @@ FootRoll footRoll(const Scene& scene, const Limb& leg, const LimbTopology& topol
   const Mat4 toFoot = inverseOf(foot);
   roll.ball = transformPoint(toFoot, ball);
   roll.heel = transformPoint(toFoot, heel);
-  roll.axis = glm::inverse(rotationOf(foot)) * glm::cross(up, forward);
+  roll.axis = glm::inverse(rotationOf(foot)) * glm::cross(upwards, forward);
   return roll;
 }
 

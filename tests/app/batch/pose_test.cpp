@@ -216,7 +216,7 @@ TEST_CASE("info lists what a character can be posed by") {
 
 TEST_CASE("a recipe with adjustments and trails plays both by exaggerate, the trail from the adjusted clip") {
   const test::TemporaryFolder folder;
-  Json recipe = poseRecipe({controllerKey("left-hand", 12, {{"move", {0.0, 0.1, 0.0}}})});
+  Json recipe = poseRecipe(Json::array({controllerKey("left-hand", 12, {{"move", {0.0, 0.1, 0.0}}})}));
   recipe["trails"] = Json::array({{{"limb", "left-arm"}, {"range", {21, 27}}, {"scale", 2}}});
   const std::string file = folder.write("both.json", recipe.dump()).string();
   const std::string output = (folder / "both.glb").string();

@@ -1,5 +1,6 @@
 #include "rig/motion/apply_adjustments.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -76,6 +77,25 @@ TEST_CASE("a hand is where it was asked to be, at every frame and half frame of 
       CHECK(glm::length(placeOf(moving, poseOf(moving, rekeyed.clip, frame), "hand.l") - wanted) <
             heightShare * height);
     }
+  }
+}
+
+TEST_CASE("a hand and a foot reach their places on limbs whose joints are scaled unevenly") {
+  MovingBiped moving = punchingBiped();
+  for (const char* key : {"upperArm.l", "thigh.l", "foreArm.l"}) {
+    moving.scene.nodes[at(moving.node.at(key))].rest.scale = {1.1, 0.8, 1.0};
+  }
+  const MotionState motion =
+      adjusted(moving, {moved("left-hand", {0.05, 0.1, -0.05}), moved("hips", {0, -0.1, 0})});
+  for (double frame = 0.0; frame <= 24.0; frame += 1.0) {
+    FrameState state = sourceAtFrame(moving, frame);
+    const Vec3 foot = placeOf(moving, state, "foot.l");
+    const std::vector<AskedPlace> asked = applyAdjustments(moving.scene, motion.adjustments, state);
+    const auto hand = std::find_if(asked.begin(), asked.end(),
+                                   [](const AskedPlace& place) { return place.controller == "left-hand"; });
+    REQUIRE(hand != asked.end());
+    CHECK(glm::length(placeOf(moving, state, "hand.l") - hand->place) < 1e-6);
+    CHECK(glm::length(placeOf(moving, state, "foot.l") - foot) < 1e-6);
   }
 }
 
