@@ -237,7 +237,7 @@ private:
   // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
   // is solved again from where it came to.
   void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    constexpr int mostTries = 8;
+    constexpr int mostTries = 24;
     constexpr double unseen = 1e-8; // of the limb
     const double near = unseen * adjusted.limb.restLength;
     Vec3 bend = pole;
