@@ -72,7 +72,8 @@ Status Session::save(const std::filesystem::path& path, bool clean) {
   return saved;
 }
 
-const std::vector<rig::Stroke>& Session::strokesOf(const rig::Limb& limb) const {
+const Session::Strokes& Session::knownStrokes(const rig::Limb& limb) const {
+  constexpr double longestSeconds = 0.5;
   const Document& shown = document();
   auto found = std::find_if(strokes_.begin(), strokes_.end(),
                             [&](const Strokes& known) { return known.limb.id == limb.id; });
@@ -83,9 +84,22 @@ const std::vector<rig::Stroke>& Session::strokesOf(const rig::Limb& limb) const 
       strokes_.emplace_back();
       found = std::prev(strokes_.end());
     }
-    *found = {shown.clips, view_.clip, limb, rig::strokesOf(*shown.scene, clipOf(shown, view_.clip), limb)};
+    const Clip& clip = clipOf(shown, view_.clip);
+    *found = {shown.clips, view_.clip, limb, rig::strokesOf(*shown.scene, clip, limb), std::nullopt};
+    if (found->strokes.empty()) {
+      found->movement =
+          rig::greatestMovement(*shown.scene, clip, limb, std::round(longestSeconds * clip.framesPerSecond));
+    }
   }
-  return found->strokes;
+  return *found;
+}
+
+const std::vector<rig::Stroke>& Session::strokesOf(const rig::Limb& limb) const {
+  return knownStrokes(limb).strokes;
+}
+
+const std::optional<rig::Stroke>& Session::movementOf(const rig::Limb& limb) const {
+  return knownStrokes(limb).movement;
 }
 
 void Session::followSelection() {

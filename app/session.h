@@ -61,6 +61,9 @@ public:
 
   /// The strokes of a limb in the viewed clip, which exists.
   [[nodiscard]] const std::vector<rig::Stroke>& strokesOf(const rig::Limb& limb) const;
+  /// The greatest movement within half a second of a limb that makes no stroke; nothing where it stands
+  /// still.
+  [[nodiscard]] const std::optional<rig::Stroke>& movementOf(const rig::Limb& limb) const;
 
   /// The working range follows the selected trail: whenever another one is selected, or its range changes.
   void followSelection();
@@ -74,7 +77,9 @@ private:
     int clip = -1;
     rig::Limb limb;
     std::vector<rig::Stroke> strokes;
+    std::optional<rig::Stroke> movement; ///< Where there are no strokes.
   };
+  [[nodiscard]] const Strokes& knownStrokes(const rig::Limb& limb) const;
   struct Followed {
     int trail = 0;
     double startFrame = 0.0;

@@ -191,6 +191,25 @@ FrameSums sumFrame(const MeshSequence& a, const MeshSequence& b, std::size_t fra
 
 } // namespace
 
+SequenceMetrics distancesOf(const MeshSequence& reference, const MeshSequence& other) {
+  std::vector<FrameSums> frames(reference.frameCount());
+  tbb::parallel_for(std::size_t{0}, frames.size(),
+                    [&](std::size_t k) { frames[k] = sumFrame(reference, other, k); });
+  FrameSums total;
+  for (const FrameSums& frame : frames) {
+    total.squared += frame.squared;
+    total.spread += frame.spread;
+    total.largest = std::max(total.largest, frame.largest);
+  }
+  const double diagonal = boxDiagonal(reference.frame(0));
+  SequenceMetrics metrics;
+  metrics.mse = total.squared / static_cast<double>(reference.positions.size());
+  metrics.rmsePercent = diagonal > 0.0 ? 100.0 * std::sqrt(metrics.mse) / diagonal : 0.0;
+  metrics.largestPercent = diagonal > 0.0 ? 100.0 * total.largest / diagonal : 0.0;
+  metrics.kgError = total.spread > 0.0 ? 100.0 * std::sqrt(total.squared / total.spread) : 0.0;
+  return metrics;
+}
+
 Result<SequenceMetrics> compareSequences(const MeshSequence& reference, const MeshSequence& other,
                                          const StedSettings& settings) {
   const std::string place = reference.name + " against " + other.name;
@@ -206,22 +225,8 @@ Result<SequenceMetrics> compareSequences(const MeshSequence& reference, const Me
     return Error{fmt::format("{} triangles against {}", reference.triangles.size(), other.triangles.size()),
                  place, "compare sequences of one mesh"};
   }
-  std::vector<FrameSums> frames(reference.frameCount());
-  tbb::parallel_for(std::size_t{0}, frames.size(),
-                    [&](std::size_t k) { frames[k] = sumFrame(reference, other, k); });
-  FrameSums total;
-  for (const FrameSums& frame : frames) {
-    total.squared += frame.squared;
-    total.spread += frame.spread;
-    total.largest = std::max(total.largest, frame.largest);
-  }
-  const double diagonal = boxDiagonal(reference.frame(0));
-  SequenceMetrics metrics;
+  SequenceMetrics metrics = distancesOf(reference, other);
   metrics.stedSettings = settings;
-  metrics.mse = total.squared / static_cast<double>(reference.positions.size());
-  metrics.rmsePercent = diagonal > 0.0 ? 100.0 * std::sqrt(metrics.mse) / diagonal : 0.0;
-  metrics.largestPercent = diagonal > 0.0 ? 100.0 * total.largest / diagonal : 0.0;
-  metrics.kgError = total.spread > 0.0 ? 100.0 * std::sqrt(total.squared / total.spread) : 0.0;
   measureSted(reference, other, metrics);
   return metrics;
 }

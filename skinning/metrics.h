@@ -29,6 +29,9 @@ struct SequenceMetrics {
   StedSettings stedSettings; ///< As used: the time step filled in.
 };
 
+/// The distances alone, without STED; both must have the same vertices and frames, at least one of each.
+[[nodiscard]] SequenceMetrics distancesOf(const MeshSequence& reference, const MeshSequence& other);
+
 /// An error when vertices, triangles or frames differ in number.
 [[nodiscard]] Result<SequenceMetrics>
 compareSequences(const MeshSequence& reference, const MeshSequence& other, const StedSettings& settings = {});

@@ -1,8 +1,32 @@
 #include "skinning/skinned_sequence.h"
 
+#include <algorithm>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace stretch::skinning {
+
+std::string nameOfBone(const SkinnedSequence& sequence, std::size_t bone) {
+  const std::string& name = sequence.bones[bone].name;
+  return name.empty() ? "bone_" + std::to_string(bone) : name;
+}
+
+ScaleRange scaleRangeOf(const SkinnedSequence& sequence, std::size_t bone) {
+  ScaleRange range;
+  for (std::size_t k = 0; k < sequence.frameCount(); ++k) {
+    const Vec3& scale = sequence.pose(k, bone).scale;
+    const auto [least, most] = std::minmax({scale.x, scale.y, scale.z});
+    if (least < range.least) {
+      range.least = least;
+      range.leastFrame = k;
+    }
+    if (most > range.most) {
+      range.most = most;
+      range.mostFrame = k;
+    }
+  }
+  return range;
+}
 
 Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose) {
   const Mat3 axes = glm::mat3_cast(pose.stretchAxes);

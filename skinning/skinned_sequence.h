@@ -14,9 +14,9 @@
 
 namespace stretch::skinning {
 
-/// How a vertex follows the bones: at most four, weights sum to 1, unused slots hold bone 0 with weight 0.
+/// How a vertex follows the bones: at most eight, weights sum to 1, unused slots hold bone 0 with weight 0.
 struct Influences {
-  static constexpr std::size_t capacity = 4;
+  static constexpr std::size_t capacity = 8;
   std::array<std::uint16_t, capacity> bones{};
   std::array<float, capacity> weights{};
 
@@ -28,6 +28,10 @@ struct SkinBone {
   Vec3 pivot{0.0};               ///< Where it begins; its transforms turn and stretch about this point.
   Vec3 end{0.0};                 ///< Where it ends.
   Quat axes{1.0, 0.0, 0.0, 0.0}; ///< Bone space to mesh space: x runs along the bone.
+  int parent = -1;               ///< The bone that it hangs on; -1: none. Not used where bones are chained.
+  std::string name = {};         ///< Empty: by its number.
+
+  friend bool operator==(const SkinBone&, const SkinBone&) = default;
 };
 
 /// What a bone does in one frame: v -> position + rotation * E diag(scale) E^-1 * (v - pivot), E =
@@ -66,6 +70,18 @@ struct SkinnedSequence {
 
 /// The mesh of the first frame as the bind mesh, named and dressed as the sequence; no bones yet.
 [[nodiscard]] SkinnedSequence withoutBones(const MeshSequence& sequence);
+
+/// The name of a bone, by its number where it has none: "bone_3".
+[[nodiscard]] std::string nameOfBone(const SkinnedSequence& sequence, std::size_t bone);
+
+/// The smallest and the largest factor that a bone is scaled by along any axis, and when.
+struct ScaleRange {
+  double least = 1.0;
+  double most = 1.0;
+  std::size_t leastFrame = 0;
+  std::size_t mostFrame = 0;
+};
+[[nodiscard]] ScaleRange scaleRangeOf(const SkinnedSequence& sequence, std::size_t bone);
 
 /// The affine map of one bone in one frame, bind pose to posed.
 [[nodiscard]] Mat4 skinMatrix(const SkinBone& bone, const BonePose& pose);

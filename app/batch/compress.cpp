@@ -13,6 +13,7 @@
 #include "core/base/file.h"
 #include "core/gltf/edits.h"
 #include "core/gltf/json.h"
+#include "skinning/body/given_skeleton.h"
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/export/encode_gltf.h"
@@ -25,10 +26,11 @@ struct CompressArguments {
   std::vector<std::string> sequence;
   OutputFile output;
   SettingTexts settings;
+  SettingTexts encoding;
   std::string moduli;
+  std::string skeleton;
   std::string table;
   double framesPerSecond = 0.0;
-  bool quantise = false;
   bool json = false;
 };
 
@@ -37,7 +39,18 @@ Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments
   if (const Status set = setFromTexts(sequenceSchema(), arguments.settings, settings); !set) {
     return set.error();
   }
+  if (!arguments.skeleton.empty()) {
+    Result<std::vector<skinning::SkinBone>> skeleton = skinning::readSkeleton(arguments.skeleton);
+    if (!skeleton) {
+      return skeleton.error();
+    }
+    settings.skeleton = std::move(skeleton).value();
+  }
   if (!arguments.moduli.empty()) {
+    if (settings.tolerancePercent) {
+      return Error{"it names segments of a number of bones that is not known", "--moduli",
+                   "give --bones instead of --tolerance"};
+    }
     Result<skinning::SegmentModuli> moduli = loadModuli(arguments.moduli);
     if (!moduli) {
       return moduli.error();
@@ -79,6 +92,7 @@ Status writeTable(const CompressArguments& arguments, const MeshSequence& sequen
 Status runCompress(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
+  read.push_back(arguments.skeleton);
   if (Status apart = checkOutput(arguments.output, read); !apart) {
     return apart;
   }
@@ -89,6 +103,10 @@ Status runCompress(const CompressArguments& arguments) {
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
     return settings.error();
+  }
+  skinning::EncodeSettings encoding;
+  if (const Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
+    return set;
   }
   Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);
   if (!sequence) {
@@ -110,8 +128,6 @@ Status runCompress(const CompressArguments& arguments) {
     return compressed.error();
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  skinning::EncodeSettings encoding;
-  encoding.quantise = arguments.quantise;
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
   if (Status written = writeTable(arguments, *sequence, *compressed); !written) {
     return written;
@@ -121,6 +137,9 @@ Status runCompress(const CompressArguments& arguments) {
   }
   gltf::Json report = compressionJson(*sequence, *compressed, encoded);
   report["seconds"] = seconds;
+  if (Status told = addWrittenFile(*sequence, arguments.output.path, encoded, report); !told) {
+    return told;
+  }
   if (arguments.json) {
     std::cout << report.dump(1) << '\n';
   } else {
@@ -141,11 +160,13 @@ Verb compressVerb() {
                 .takes(1, 2);
             addOutputFile(line, arguments->output, "The .glb to write");
             addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
+            addSettingOptions(line, clipSchema(), arguments->encoding, "Clip");
+            line.option("--skeleton", arguments->skeleton,
+                        "A .glb whose skin's bones are taken: names, parents, places");
             line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
             line.option("--curvature", arguments->table,
                         "CSV to write: curvature and length of the centre line, frame by frame");
             addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
-            line.flag("--quantise", arguments->quantise, "Rotations and weights as 16-bit integers");
             addJson(line, arguments->json);
             return [arguments] { return runCompress(*arguments); };
           }};

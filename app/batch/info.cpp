@@ -82,6 +82,44 @@ Json meshJson(const Mesh& mesh) {
   return {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles}};
 }
 
+/// How far the artist is with a trail.
+const char* stateOf(const rig::Trail& trail) {
+  return !trail.exaggerated ? "path only"
+         : !trail.connected ? "disconnected"
+         : trail.applied    ? "applied"
+                            : "connected";
+}
+
+Json trailJson(const Document& document, const rig::Trail& trail) {
+  Json json{{"limb", trail.limb},
+            {"clip", clipOf(document, trail.clip).name},
+            {"range", {trail.settings.startFrame, trail.settings.endFrame}},
+            {"scale", trail.settings.scale},
+            {"state", stateOf(trail)}};
+  if (!trail.name.empty()) {
+    json["name"] = trail.name;
+  }
+  if (trail.group > 0) {
+    json["group"] = trail.group;
+  }
+  if (trail.group > 0 && !trail.groupName.empty()) {
+    json["group_name"] = trail.groupName;
+  }
+  return json;
+}
+
+/// The work that the file carries.
+void addWork(const Document& document, Json& info) {
+  info["trails"] = Json::array();
+  for (const rig::Trail& trail : document.trails) {
+    info["trails"].push_back(trailJson(document, trail));
+  }
+  info["loops"] = Json::array();
+  for (const int clip : document.loopingClips) {
+    info["loops"].push_back(clipOf(document, clip).name);
+  }
+}
+
 Json infoOf(const Document& document) {
   const Scene& scene = *document.scene;
   Json info;
@@ -112,6 +150,7 @@ Json infoOf(const Document& document) {
     info["limbs"].push_back(limbJson(scene, limb));
   }
   info["controllers"] = controllersJson(document);
+  addWork(document, info);
   info["extensions"] = extensionsJson(gltf::extensionsOf(document.source->json));
   info["warnings"] = documentWarnings(document);
   return info;
@@ -123,6 +162,18 @@ std::string jointNames(const Json& limb) {
     names += (names.empty() ? "" : " > ") + joint["name"].get<std::string>();
   }
   return limb["end"] == "estimated" ? names + " > (end estimated)" : names;
+}
+
+/// "left-arm   frames 21 to 27 of punch, x3, connected, the jab, group 1 (both arms)".
+std::string trailLine(const Json& trail) {
+  std::string line = fmt::format("{:<10} frames {:g} to {:g} of {}, x{:g}, {}",
+                                 trail["limb"].get<std::string>(), trail["range"][0].get<double>(),
+                                 trail["range"][1].get<double>(), trail["clip"].get<std::string>(),
+                                 trail["scale"].get<double>(), trail["state"].get<std::string>());
+  line += trail.contains("name") ? ", named " + trail["name"].get<std::string>() : "";
+  line += trail.contains("group") ? fmt::format(", group {}", trail["group"].get<int>()) : "";
+  line += trail.contains("group_name") ? " (" + trail["group_name"].get<std::string>() + ")" : "";
+  return line;
 }
 
 void printInfo(const Json& info) {
@@ -141,6 +192,12 @@ void printInfo(const Json& info) {
   for (const Json& limb : info["limbs"]) {
     fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(),
                jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>());
+  }
+  for (const Json& trail : info["trails"]) {
+    fmt::print("trail  {}\n", trailLine(trail));
+  }
+  for (const Json& clip : info["loops"]) {
+    fmt::print("loop   {}\n", clip.get<std::string>());
   }
   for (const Json& extension : info["extensions"]) {
     fmt::print("{}\n", extensionLine(extension));
@@ -197,7 +254,9 @@ Status runInfo(const InfoArguments& arguments) {
 } // namespace
 
 Verb infoVerb() {
-  return {"info", "Tells what a file holds: meshes, joints, clips, limbs found, extensions, warnings.",
+  return {"info",
+          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails and loops, extensions, "
+          "warnings.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();
             addFileArguments(line, arguments->input);

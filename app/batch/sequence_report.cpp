@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/json.h"
+#include "skinning/export/read_back.h"
 #include "skinning/sequence/read_sequence.h"
 
 namespace stretch::app {
@@ -56,6 +57,39 @@ Json framesJson(const skinning::BodyStretch& model) {
     lengths.push_back(frame.length);
   }
   return {{"curvatures", std::move(curvatures)}, {"lengths", std::move(lengths)}};
+}
+
+const char* nameOf(skinning::WeightOption weights) {
+  return weights == skinning::WeightOption::geodesic ? "geodesic" : "fitted";
+}
+
+Json weightsJson(const skinning::WeightChoice& weights) {
+  Json json{{"used", nameOf(weights.used)}};
+  if (weights.geodesicPercent && weights.fittedPercent) {
+    json["geodesic_rmse_percent"] = *weights.geodesicPercent;
+    json["fitted_rmse_percent"] = *weights.fittedPercent;
+  }
+  return json;
+}
+
+void printWeights(const Json& weights) {
+  if (weights.contains("fitted_rmse_percent")) {
+    fmt::print("weights: {}, the better of geodesic ({:.4g} %) and fitted ({:.4g} %)\n",
+               weights["used"].get<std::string>(), weights["geodesic_rmse_percent"].get<double>(),
+               weights["fitted_rmse_percent"].get<double>());
+  }
+}
+
+void printFile(const Json& report) {
+  if (!report.contains("file")) {
+    return;
+  }
+  const Json& file = report["file"];
+  fmt::print("the file has {} bytes, {} of them JSON, and {} keys; read back, it is off by {:.4g} %, at most "
+             "{:.4g} %\n",
+             file["bytes"].get<std::size_t>(), report["bytes_json"].get<std::size_t>(),
+             report["keys"].get<std::size_t>(), file["rmse_percent"].get<double>(),
+             file["largest_percent"].get<double>());
 }
 
 /// The physics that explains the frames, whether the bones are stretched by it or not.
@@ -114,6 +148,10 @@ Json compressionJson(const MeshSequence& sequence, const skinning::CompressedSeq
   report["bytes_per_frame_source"] = skinning::sourceBytesPerFrame(sequence);
   report["bytes_per_frame"] = encoded.bytesPerFrame;
   report["bytes_once"] = encoded.bytesOnce;
+  report["bytes_json"] = encoded.bytesOfJson;
+  report["keys"] = encoded.keys;
+  report["keys_off_percent"] = encoded.keyErrorPercent;
+  report["weights"] = weightsJson(compressed.weights);
   if (compressed.model) {
     report["length_by_curvature"] = lengthJson(*compressed.model);
     report["young"] = compressed.model->youngModulus;
@@ -129,6 +167,18 @@ Json compressionJson(const MeshSequence& sequence, const skinning::CompressedSeq
   return report;
 }
 
+Status addWrittenFile(const MeshSequence& sequence, const std::string& path,
+                      const skinning::EncodedClip& encoded, Json& report) {
+  const Result<skinning::SequenceMetrics> metrics = skinning::errorOfFile(path, encoded, sequence);
+  if (!metrics) {
+    return metrics.error();
+  }
+  report["file"] = {{"bytes", static_cast<std::size_t>(std::filesystem::file_size(path))},
+                    {"rmse_percent", metrics->rmsePercent},
+                    {"largest_percent", metrics->largestPercent}};
+  return Success{};
+}
+
 void printCompression(const Json& report) {
   printMetrics(report);
   const double bytes = report["bytes_per_frame"].get<double>();
@@ -136,6 +186,8 @@ void printCompression(const Json& report) {
   fmt::print("{} joints, {:.5g} bytes per frame instead of {:.0f}, 1 : {:.3g}; {} bytes once\n",
              report["joints"].get<std::size_t>(), bytes, source, bytes > 0.0 ? source / bytes : 0.0,
              report["bytes_once"].get<std::size_t>());
+  printFile(report);
+  printWeights(report["weights"]);
   const Json& used = report["fitted_frames"];
   fmt::print("fits use frames {} to {}, {} of {}\n", used["first"].get<std::size_t>(),
              used["last"].get<std::size_t>(), used["count"].get<std::size_t>(),

@@ -21,6 +21,10 @@ void printMetrics(const gltf::Json& report);
                                          const skinning::CompressedSequence& compressed,
                                          const skinning::EncodedClip& encoded);
 
+/// Reads a clip that was written and adds "file" to the report: bytes and how far the file is off.
+[[nodiscard]] Status addWrittenFile(const MeshSequence& sequence, const std::string& path,
+                                    const skinning::EncodedClip& encoded, gltf::Json& report);
+
 /// The same as lines of text, from the JSON; warnings go to standard error.
 void printCompression(const gltf::Json& report);
 

@@ -1,6 +1,7 @@
 #include "app/commands/applied.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/core.h>
@@ -34,6 +35,11 @@ std::set<double> keysInside(Session& session, const rig::SolvedTrail& solved) {
   return keys;
 }
 
+bool isBetweenFrames(double frame) {
+  constexpr double rounding = 0.01; // frames
+  return std::abs(frame - std::round(frame)) > rounding;
+}
+
 std::string keysText(std::size_t count) {
   return fmt::format("{} key{}", count, count == 1 ? "" : "s");
 }
@@ -44,6 +50,7 @@ std::string appliedText(Session& session, const std::vector<int>& trailIds) {
   std::string limbs;
   Vec2 frames(0.0);
   std::size_t keys = 0;
+  std::size_t between = 0;
   std::size_t count = 0;
   for (const int id : trailIds) {
     const rig::SolvedTrail* const solved = solvedTrail(session, id);
@@ -53,11 +60,14 @@ std::string appliedText(Session& session, const std::vector<int>& trailIds) {
     const Vec2 window = windowOf(*solved, session.motion().framesPerSecond);
     frames = count == 0 ? window : Vec2(std::min(frames.x, window.x), std::max(frames.y, window.y));
     limbs += (count == 0 ? "" : ", ") + trailTitle(session.document(), solved->trail);
-    keys += keysInside(session, *solved).size();
+    const std::set<double> inside = keysInside(session, *solved);
+    keys += inside.size();
+    between += static_cast<std::size_t>(std::count_if(inside.begin(), inside.end(), isBetweenFrames));
     ++count;
   }
   const std::string who = count > 3 ? fmt::format("{} trails", count) : limbs;
-  return fmt::format("{}, frames {:.4g} to {:.4g}: {}", who, frames.x, frames.y, keysText(keys));
+  return fmt::format("{}, frames {:.4g} to {:.4g}: {}{}", who, frames.x, frames.y, keysText(keys),
+                     between == 0 ? "" : fmt::format(", {} of them between frames", between));
 }
 
 std::vector<int> waitingTrails(const Session& session) {

@@ -14,7 +14,7 @@ namespace stretch::app {
 namespace {
 
 constexpr double sameRangeFrames = 0.5;
-constexpr double halfWindowSeconds = 0.25; ///< Either side of the playhead, for a limb that makes no stroke.
+constexpr double halfWindowSeconds = 0.25; ///< Either side of the playhead, for a limb that stands still.
 
 double lengthOf(const Vec2& range) {
   return range.y - range.x;
@@ -70,6 +70,9 @@ Vec2 proposedRange(const Session& session, const rig::Limb& limb) {
   const double last = lastFrame(session.document(), view.clip);
   if (const rig::Stroke* const stroke = proposedStroke(session, limb)) {
     return {stroke->startFrame, std::min(stroke->endFrame, last)};
+  }
+  if (const std::optional<rig::Stroke>& movement = session.movementOf(limb)) {
+    return {movement->startFrame, std::min(movement->endFrame, last)};
   }
   const double half =
       std::max(1.0, std::round(halfWindowSeconds * clipOf(session.document(), view.clip).framesPerSecond));

@@ -15,8 +15,8 @@ namespace stretch::app {
 /// it, or the clip's strongest while the playhead stands at its start. Null where the limb makes none.
 [[nodiscard]] const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb);
 
-/// The range that is proposed for a limb: its proposed stroke, or half a second about the playhead where it
-/// makes none. At least one frame long where the clip is.
+/// The range that is proposed for a limb: its proposed stroke, its greatest movement where it makes none, or
+/// half a second about the playhead where it stands still. At least one frame long where the clip is.
 [[nodiscard]] Vec2 proposedRange(const Session& session, const rig::Limb& limb);
 
 /// Whether the working range was set, by hand or by selecting a trail.

@@ -180,8 +180,9 @@ std::string stepText(const std::string& label, const Document& before, const Doc
 
 std::string stepText(const std::string& label, const SequenceDocument& before,
                      const SequenceDocument& after) {
-  const std::string value = changedValue(sequenceSchema(), before.settings, after.settings);
-  return joinedStep(label, value);
+  const std::string fit = changedValue(sequenceSchema(), before.settings, after.settings);
+  const std::string clip = changedValue(clipSchema(), before.encoding, after.encoding);
+  return joinedStep(label, fit.empty() ? clip : fit);
 }
 
 } // namespace stretch::app

@@ -62,13 +62,26 @@ Status finishNew(Session& session, Result<ExaggerateTargets> made, const char* l
   return Success{};
 }
 
-Status toggleTrails(Session& session) {
+bool makesTrail(const Session& session) {
   const ViewState& view = session.view();
   const bool newRange = selectedTrail(session) == nullptr && view.rangeEnd > view.rangeStart;
-  if (!hasTarget(session) || newRange) {
+  return !hasTarget(session) || newRange;
+}
+
+bool isShown(const Session& session) {
+  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.visible; });
+}
+
+/// What the key of trails does now.
+std::string toggleLabel(const Session& session) {
+  return makesTrail(session) ? "Motion trail" : isShown(session) ? "Hide the trail" : "Show the trail";
+}
+
+Status toggleTrails(Session& session) {
+  if (makesTrail(session)) {
     return finishNew(session, newTrails(session, false), "Make a trail");
   }
-  const bool visible = allTargets(session, [](const rig::Trail& trail) { return trail.visible; });
+  const bool visible = isShown(session);
   return editTargets(session, visible ? "Hide the trail" : "Show the trail",
                      [&](const Document& document, const rig::Trail& trail) {
                        return setTrailDisplay(document, trail.id, {trail.colour, !visible, trail.pinned});
@@ -228,10 +241,6 @@ bool isConnected(const Session& session) {
 bool isFollowing(const Session& session) {
   return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.follow; });
 }
-bool isShown(const Session& session) {
-  return hasTarget(session) && allTargets(session, [](const rig::Trail& trail) { return trail.visible; });
-}
-
 /// "Blend: half-way", of the first trail.
 std::string blendLabel(const Session& session) {
   const std::vector<int> targets = targetTrails(session);
@@ -246,10 +255,11 @@ std::string blendLabel(const Session& session) {
 
 std::vector<DocumentCommand> trailCommands() {
   return {
-      ticked(entry(command::trailToggle, "Motion trail",
-                   "Shows the path of the limb's end over the range; again hides it.", {"T"}, limbNeeded(),
-                   toggleTrails),
-             isShown),
+      labelled(entry(command::trailToggle, "Motion trail",
+                     "Makes a trail: the path of the limb's end over the range. Where there is one, hides or "
+                     "shows it.",
+                     {"T"}, limbNeeded(), toggleTrails),
+               toggleLabel),
       entry(command::trailExaggerateOnce, "Exaggerate at 2",
             "Makes the trail if there is none, exaggerates it to twice the length and "
             "connects the limb.",
@@ -272,7 +282,7 @@ std::vector<DocumentCommand> trailCommands() {
           command::trailApply, "Apply new motion",
           "Re-keys the clip with the exaggerated motion and shows the new keys; the trail goes quiet, stays, "
           "and "
-          "can be changed.",
+          "can be changed. Saving needs no Apply: what is connected is saved as it is seen.",
           {"Enter", "Numpad Enter"}, {isToBeApplied, "select a trail that is not applied yet"}, applyTargets),
       entry(command::trailApplyAll, "Apply all",
             "Applies every connected trail of the clip; disconnected ones stay as they are.",

@@ -21,14 +21,6 @@ rig::LimbKind kindOf(const Document& document, const rig::Trail& trail) {
   return limb != nullptr ? limb->kind : rig::LimbKind::chain;
 }
 
-bool hasStyle(const Document& document, const std::vector<int>& trailIds, const Style& style) {
-  return std::all_of(trailIds.begin(), trailIds.end(), [&](int id) {
-    const rig::Trail* trail = findTrail(document, id);
-    return trail != nullptr &&
-           std::abs(trail->settings.scale - scaleOf(style, kindOf(document, *trail))) < 1e-9;
-  });
-}
-
 } // namespace
 
 const std::array<Style, 6>& styles() {
@@ -69,10 +61,12 @@ Result<Document> applyStyle(const Document& document, const std::vector<int>& tr
   return changed;
 }
 
-int styleOf(const Document& document, const std::vector<int>& trailIds) {
-  const auto* const found = std::find_if(table.begin(), table.end(),
-                                         [&](const Style& s) { return hasStyle(document, trailIds, s); });
-  return trailIds.empty() || found == table.end() ? -1 : static_cast<int>(found - table.begin());
+bool hasStyle(const Document& document, const std::vector<int>& trailIds, const Style& style) {
+  return std::all_of(trailIds.begin(), trailIds.end(), [&](int id) {
+    const rig::Trail* trail = findTrail(document, id);
+    return trail != nullptr &&
+           std::abs(trail->settings.scale - scaleOf(style, kindOf(document, *trail))) < 1e-9;
+  });
 }
 
 } // namespace stretch::app

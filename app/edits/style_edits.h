@@ -25,7 +25,7 @@ struct Style {
 [[nodiscard]] Result<Document> applyStyle(const Document& document, const std::vector<int>& trailIds,
                                           const Style& style);
 
-/// Index of the first style that all of the trails have; -1 for none, or without trails.
-[[nodiscard]] int styleOf(const Document& document, const std::vector<int>& trailIds);
+/// Whether all of the trails have the scales of the style.
+[[nodiscard]] bool hasStyle(const Document& document, const std::vector<int>& trailIds, const Style& style);
 
 } // namespace stretch::app

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/group_edits.h"
 #include "app/edits/weight_edits.h"
 
 namespace stretch::app {

@@ -94,7 +94,8 @@ Result<Json> splitText(const SettingFacts& setting, const std::string& text) {
   case SettingKind::number:
   case SettingKind::whole:
   case SettingKind::optionalNumber: {
-    const Result<double> value = parseNumber(text, setting.option);
+    const bool hasUnit = setting.unit == "%" && text.ends_with('%');
+    const Result<double> value = parseNumber(text.substr(0, text.size() - (hasUnit ? 1 : 0)), setting.option);
     return value ? Result<Json>(Json(*value)) : Result<Json>(value.error());
   }
   case SettingKind::flag: // an option that is there says the opposite of the default

@@ -7,15 +7,26 @@ namespace stretch::app {
 namespace {
 
 using skinning::CompressSettings;
+using skinning::EncodeSettings;
 
 Schema<CompressSettings> boneSettings() {
   return {
-      setting<CompressSettings>({.name = "bones",
-                                 .minimum = 1.0,
-                                 .maximum = 1000.0,
-                                 .help = "Bones in a row along the body.",
-                                 .row = {.section = "options", .maximum = 100.0}},
-                                &CompressSettings::bones),
+      setting<CompressSettings>(
+          {.name = "bones",
+           .minimum = 1.0,
+           .maximum = 1000.0,
+           .help = "Bones, in a row along the body or one for each part that moves alike.",
+           .row = {.section = "options", .maximum = 100.0}},
+          &CompressSettings::bones),
+      setting<CompressSettings>(
+          {.name = "tolerance",
+           .minimum = 1e-6,
+           .maximum = 100.0,
+           .unit = "%",
+           .help = "The error (RMSE, of the diagonal) that as few bones as possible have to meet, up to 128; "
+                   "the number of bones does not count then.",
+           .row = {.section = "options", .typed = true}},
+          &CompressSettings::tolerancePercent),
       setting<CompressSettings>(
           {.name = "stretch",
            .choices = {{"none", "Bones turn; the body keeps its length and thickness."},
@@ -25,13 +36,39 @@ Schema<CompressSettings> boneSettings() {
            .help = "How bones stretch: not at all, by the elastic model, or as measured.",
            .row = {.section = "options"}},
           &CompressSettings::stretch),
+  };
+}
+
+Schema<CompressSettings> skinSettings() {
+  return {
       setting<CompressSettings>(
           {.name = "weights",
-           .choices = {{"geodesic", "By distance over the surface, from the first frame alone."},
+           .choices = {{"auto",
+                        "Fitted where bones are free; for a row both are tried and the better stays."},
+                       {"geodesic", "By distance over the surface, from the first frame alone."},
                        {"fitted", "By least squares over the frames."}},
            .help = "How vertices hang on bones.",
            .row = {.section = "options"}},
           &CompressSettings::weights),
+      setting<CompressSettings>(
+          {.name = "joints",
+           .choices = {{"tree", "Each bone hangs on another at the joint between them."},
+                       {"free", "All bones stand side by side."}},
+           .help = "How bones that were measured hang together; the mesh moves the same way.",
+           .row = {.section = "options"}},
+          &CompressSettings::joints),
+      setting<CompressSettings>(
+          {.name = "influences",
+           .choices = {{"4", "What every viewer reads."},
+                       {"8", "A second set of weights, which many viewers and engines leave out."}},
+           .help = "The most bones that a vertex hangs on, where weights are fitted.",
+           .row = {.section = "options"}},
+          &CompressSettings::influences),
+  };
+}
+
+Schema<CompressSettings> fitSettings() {
+  return {
       setting<CompressSettings>(
           {.name = "length",
            .choices = {{"auto", "The line, or the monotone curve where that explains clearly more."},
@@ -89,8 +126,36 @@ Schema<CompressSettings> bodySettings() {
 
 } // namespace
 
+const Schema<EncodeSettings>& clipSchema() {
+  static const Schema<EncodeSettings> schema = {
+      setting<EncodeSettings>({.name = "quantise",
+                               .help = "Rotations and weights as 16-bit integers, as glTF allows.",
+                               .row = {.section = "clip"}},
+                              &EncodeSettings::quantise),
+      setting<EncodeSettings>(
+          {.name = "quantise_mesh",
+           .help = "Positions, normals, texture coordinates and colours as integers (KHR_mesh_quantization).",
+           .row = {.section = "clip", .label = "Pack mesh"}},
+          &EncodeSettings::quantiseMesh),
+      setting<EncodeSettings>({.name = "meshopt",
+                               .help = "All data but images compressed (EXT_meshopt_compression).",
+                               .row = {.section = "clip"}},
+                              &EncodeSettings::meshopt),
+      setting<EncodeSettings>(
+          {.name = "key_tolerance",
+           .maximum = 10.0,
+           .unit = "%",
+           .help = "How far leaving out keys may move a vertex in any frame, of the diagonal; 0: every frame "
+                   "is a key.",
+           .row = {.section = "clip", .label = "Keys off by", .maximum = 0.5, .step = 0.01}},
+          &EncodeSettings::keyTolerancePercent),
+  };
+  return schema;
+}
+
 const Schema<CompressSettings>& sequenceSchema() {
-  static const Schema<CompressSettings> schema = joined<CompressSettings>({boneSettings(), bodySettings()});
+  static const Schema<CompressSettings> schema =
+      joined<CompressSettings>({boneSettings(), skinSettings(), fitSettings(), bodySettings()});
   return schema;
 }
 

@@ -44,7 +44,7 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
 
 bool sameDocument(const SequenceDocument& a, const SequenceDocument& b) {
   return a.paths == b.paths && a.mesh == b.mesh && a.analysis == b.analysis && a.settings == b.settings &&
-         a.quantise == b.quantise && a.result == b.result;
+         a.encoding == b.encoding && a.result == b.result;
 }
 
 const std::filesystem::path& pathOf(const SequenceDocument& document) {
@@ -95,19 +95,27 @@ skinning::LengthFunction fittedLength(const SequenceDocument& document) {
                              document.settings.body.lengthModel);
 }
 
-std::vector<Vec3> jointsAt(const SequenceDocument& document, std::size_t frame) {
+std::vector<ShownBone> bonesAt(const SequenceDocument& document, std::size_t frame) {
+  std::vector<ShownBone> shown;
   if (document.result == nullptr) {
-    return frame < document.analysis->joints.size() ? document.analysis->joints[frame] : std::vector<Vec3>{};
+    const auto& lines = document.analysis->joints;
+    for (std::size_t i = 0; frame < lines.size() && i + 1 < lines[frame].size(); ++i) {
+      shown.push_back({lines[frame][i], lines[frame][i + 1], i + 2 == lines[frame].size()});
+    }
+    return shown;
   }
   const skinning::SkinnedSequence& skinned = document.result->compressed.skinned;
-  std::vector<Vec3> joints;
-  for (std::size_t bone = 0; bone < skinned.bones.size(); ++bone) {
-    joints.push_back(skinned.pose(frame, bone).position);
+  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+    const Mat4 matrix = skinning::skinMatrix(skinned.bones[b], skinned.pose(frame, b));
+    const bool isLast = skinned.chained
+                            ? b + 1 == skinned.bones.size()
+                            : std::ranges::none_of(skinned.bones, [&](const skinning::SkinBone& other) {
+                                return other.parent == static_cast<int>(b);
+                              });
+    shown.push_back(
+        {skinned.pose(frame, b).position, Vec3(matrix * Vec4(skinned.bones[b].end, 1.0)), isLast});
   }
-  const skinning::SkinBone& last = skinned.bones.back();
-  const Mat4 matrix = skinning::skinMatrix(last, skinned.pose(frame, skinned.bones.size() - 1));
-  joints.emplace_back(matrix * Vec4(last.end, 1.0));
-  return joints;
+  return shown;
 }
 
 bool isOutdated(const SequenceDocument& document) {
@@ -123,23 +131,24 @@ Result<Compression> makeCompression(const MeshSequence& mesh, const skinning::Co
   Compression result;
   result.settings = settings;
   result.compressed = std::move(compressed).value();
-  for (const bool quantise : {false, true}) {
-    skinning::EncodeSettings encoding;
-    encoding.quantise = quantise;
-    result.encoded[quantise ? 1 : 0] = skinning::encodeGltf(result.compressed.skinned, encoding);
-  }
   return result;
 }
 
-const skinning::EncodedClip& exported(const SequenceDocument& document) {
-  return document.result->encoded[document.quantise ? 1 : 0];
+std::shared_ptr<const ExportedClip> exported(const SequenceDocument& document) {
+  if (document.clip != nullptr && document.clip->result == document.result &&
+      document.clip->settings == document.encoding) {
+    return document.clip;
+  }
+  return std::make_shared<const ExportedClip>(
+      ExportedClip{document.encoding, document.result,
+                   skinning::encodeGltf(document.result->compressed.skinned, document.encoding)});
 }
 
 Status exportResult(const SequenceDocument& document, const std::filesystem::path& path) {
   if (document.result == nullptr) {
     return Error{"nothing was compressed yet", path.string(), "compress the sequence first"};
   }
-  return gltf::save(exported(document).source, path);
+  return gltf::save(exported(document)->clip.source, path);
 }
 
 } // namespace stretch::app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -29,7 +28,13 @@ struct SequenceAnalysis {
 struct Compression {
   skinning::CompressSettings settings; ///< That it was made with.
   skinning::CompressedSequence compressed;
-  std::array<skinning::EncodedClip, 2> encoded; ///< In single precision, and quantised.
+};
+
+/// A result as it would be written.
+struct ExportedClip {
+  skinning::EncodeSettings settings; ///< That it was made with.
+  std::shared_ptr<const Compression> result;
+  skinning::EncodedClip clip;
 };
 
 /// A mesh sequence that is open: a value whose large parts are shared and never change.
@@ -37,9 +42,11 @@ struct SequenceDocument {
   std::vector<std::filesystem::path> paths; ///< As opened: a folder or file, or a base mesh and its cache.
   std::shared_ptr<const MeshSequence> mesh;
   std::shared_ptr<const SequenceAnalysis> analysis;
-  skinning::CompressSettings settings;       ///< For the next compression.
-  bool quantise = true;                      ///< Of what is exported.
-  std::shared_ptr<const Compression> result; ///< Null: nothing was compressed yet.
+  skinning::CompressSettings settings;                 ///< For the next compression.
+  skinning::EncodeSettings encoding{.quantise = true}; ///< Of what is exported.
+  std::shared_ptr<const Compression> result;           ///< Null: nothing was compressed yet.
+  std::shared_ptr<const ExportedClip> clip; ///< The result with these settings, or left from others; may be
+                                            ///< null.
 };
 
 /// Equal by value (shared parts by identity).
@@ -61,8 +68,15 @@ struct SequenceDocument {
 /// The line and the monotone curve over the frames that the settings use.
 [[nodiscard]] skinning::LengthFunction fittedLength(const SequenceDocument& document);
 
-/// Joints of the bones in a frame: the result's, or else the centre line's; empty where there is neither.
-[[nodiscard]] std::vector<Vec3> jointsAt(const SequenceDocument& document, std::size_t frame);
+/// A bone as it is drawn.
+struct ShownBone {
+  Vec3 start{0.0};
+  Vec3 end{0.0};
+  bool isLast = false; ///< No other bone hangs on it.
+};
+
+/// The bones in a frame: the result's, or else the pieces of the centre line; empty where there is neither.
+[[nodiscard]] std::vector<ShownBone> bonesAt(const SequenceDocument& document, std::size_t frame);
 
 /// Whether the settings differ from those that the result was made with.
 [[nodiscard]] bool isOutdated(const SequenceDocument& document);
@@ -71,8 +85,9 @@ struct SequenceDocument {
                                                   const skinning::CompressSettings& settings,
                                                   const skinning::Proceed& proceed = {});
 
-/// Bytes per frame and joints of the result as it would be exported; the result must exist.
-[[nodiscard]] const skinning::EncodedClip& exported(const SequenceDocument& document);
+/// The result as it would be exported: the document's clip where it has the one, or one that is made now. The
+/// result must exist.
+[[nodiscard]] std::shared_ptr<const ExportedClip> exported(const SequenceDocument& document);
 
 /// Writes the result as .glb or .gltf. An error without a result.
 [[nodiscard]] Status exportResult(const SequenceDocument& document, const std::filesystem::path& path);

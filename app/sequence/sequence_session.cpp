@@ -56,6 +56,7 @@ std::optional<Status> SequenceSession::takeCompression() {
   }
   SequenceDocument changed = document();
   changed.result = std::make_shared<const Compression>(std::move(made).value());
+  changed.clip = exported(changed);
   edit(std::move(changed), "Compress");
   view_.showSkinned = true;
   return Status(Success{});

@@ -94,6 +94,7 @@ void measureAt(const WeightInput& input, const rig::MotionState& motion, double 
   FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
   rig::applyTrails(*input.scene, motion, pose);
   std::vector<std::vector<double>> before;
+  before.reserve(all.size());
   for (const Measured& one : all) {
     before.push_back(boneLengths(one.solved->limb, pose));
   }

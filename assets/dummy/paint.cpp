@@ -8,6 +8,7 @@
 
 #include "assets/dummy/body_shape.h"
 #include "assets/dummy/head_shape.h"
+#include "core/math/srgb.h"
 
 namespace stretch::assets {
 
@@ -59,8 +60,7 @@ double bump(const Vec3& point, const Vec3& place, double radius) {
 
 Vec3 linearColor(unsigned hex) {
   const auto channel = [&](unsigned shift) {
-    const double value = static_cast<double>((hex >> shift) & 0xFFU) / 255.0;
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    return linearFromSrgb(static_cast<double>((hex >> shift) & 0xFFU) / 255.0);
   };
   return {channel(16U), channel(8U), channel(0U)};
 }

@@ -20,7 +20,9 @@ uniform int shading; // 0 material, 1 stretch heat-map, 2 highlight as weights, 
 uniform sampler2D stretchColors;
 uniform vec2 stretchRange; // log2 of the ratios at the ends of stretchColors
 uniform vec3 highlightColor;
-uniform vec3 otherHighlightColor; // Where the surface has the hue of the first.
+uniform vec3 selectionLine;
+uniform vec3 selectionGround;
+uniform float linePixels; // Half the width of the line.
 
 uniform vec3 eye;
 uniform vec3 viewForward;
@@ -112,17 +114,16 @@ vec3 albedoFor(vec4 material) {
   return shading == 3 ? clay : material.rgb;
 }
 
-// The selected limb: a light wash and a bright edge, so that a small character keeps its own look; where the surface
-// has the hue of the accent, the other one of the pair.
-vec3 pickedOut(vec3 color, float tint, float edge) {
-  vec3 accent = toLinear(highlightColor);
-  vec3 hue = color / max(max(color.r, max(color.g, color.b)), 1e-3);
-  vec3 accentHue = accent / max(max(accent.r, max(accent.g, accent.b)), 1e-3);
-  float alike = 1.0 - smoothstep(0.12, 0.34, distance(hue, accentHue));
-  vec3 shown = mix(accent, toLinear(otherHighlightColor), alike);
-  float light = 0.5 + 0.75 * dot(color, vec3(0.35, 0.45, 0.2));
-  color = mix(color, shown * light, mix(0.34, 0.5, alike) * tint);
-  return mix(color, shown * 1.1, 0.8 * tint * smoothstep(0.45, 0.95, edge));
+// The selected limb: a little nearer to the lightness of the line around it, so that it keeps its own hue whatever that
+// is; where what is selected begins on the surface, the line.
+vec3 pickedOut(vec3 color, float share) {
+  vec3 inner = toLinear(selectionLine);
+  color = mix(color, inner, 0.07 * share);
+  float slope = fwidth(share);
+  float away = abs(share - 0.5) / max(slope, 1e-5); // Pixels.
+  vec3 line = mix(toLinear(selectionGround), inner, 1.0 - smoothstep(linePixels - 0.5, linePixels + 0.5, away));
+  float begins = smoothstep(0.002, 0.008, slope); // What belongs by half all over begins nowhere.
+  return mix(color, line, begins * (1.0 - smoothstep(2.0 * linePixels - 0.5, 2.0 * linePixels + 0.5, away)));
 }
 
 void main() {
@@ -139,7 +140,7 @@ void main() {
   vec3 albedo = albedoFor(material);
   vec3 color = unlit && shading == 0 ? albedo : rolledOff(litColor(albedo, normal, toEye) + (shading == 0 ? emitted() : vec3(0.0)));
   if (shading != 2) {
-    color = pickedOut(color, clamp(surfaceAttributes.y, 0.0, 1.0), 1.0 - clamp(dot(normal, toEye), 0.0, 1.0));
+    color = pickedOut(color, clamp(surfaceAttributes.y, 0.0, 1.0));
   }
   pixel = vec4(toSrgb(color), alphaMode == 2 ? material.a : 1.0);
 }

@@ -20,7 +20,7 @@ namespace {
 template <typename Visit>
 void eachTextureUse(Json& json, const Visit& visit) {
   std::vector<std::string> uses;
-  for (auto& [key, value] : json.items()) {
+  for (const auto& [key, value] : json.items()) {
     const bool isUse = value.is_object() && key.ends_with("Texture") && indexOr(value, "index") >= 0;
     if (isUse) {
       uses.push_back(key);
@@ -114,7 +114,7 @@ private:
     bool shown = takeImage(texture);
     if (Json* const extensions = texture.contains("extensions") ? &texture["extensions"] : nullptr;
         extensions != nullptr && extensions->is_object()) {
-      for (auto& [name, extension] : extensions->items()) {
+      for (const auto& [name, extension] : extensions->items()) {
         shown = takeImage(extension) || shown;
       }
     }
@@ -229,11 +229,13 @@ void putMaterials(const Source& materials, Json& json,
     }
   }
   for (std::size_t i = 0; i < sizeOf(json, "images"); ++i) {
-    Json& image = json["images"][i];
-    const Json& view = element(materials.json, "bufferViews", wholeOr(image, "bufferView", 0));
+    const Json& view =
+        element(materials.json, "bufferViews", wholeOr(element(json, "images", i), "bufferView", 0));
     const std::span<const std::uint8_t> bytes(materials.buffers.front());
-    image["bufferView"] =
+    // Adding a view may move everything that is in the document.
+    const std::size_t added =
         addView(bytes.subspan(wholeOr(view, "byteOffset", 0), wholeOr(view, "byteLength", 0)));
+    json["images"][i]["bufferView"] = added;
   }
 }
 

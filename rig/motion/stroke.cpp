@@ -163,4 +163,26 @@ const Stroke* strongestStroke(const std::vector<Stroke>& strokes) {
   return found == strokes.end() ? nullptr : &*found;
 }
 
+std::optional<Stroke> greatestMovement(const Scene& scene, const Clip& clip, const Limb& limb,
+                                       double longestFrames) {
+  constexpr double still = 1e-4; // Limb lengths.
+  if (limb.joints.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<Vec3> reach = reachOf(scene, clip, limb);
+  const auto longest = static_cast<std::size_t>(std::max(1.0, longestFrames));
+  Stroke best;
+  for (std::size_t first = 0; first < reach.size(); ++first) {
+    for (std::size_t last = first + 1; last < std::min(reach.size(), first + longest + 1); ++last) {
+      const double travel = glm::length(reach[last] - reach[first]);
+      if (travel > best.travel) {
+        const auto frames = static_cast<double>(last - first);
+        best = {static_cast<double>(first), static_cast<double>(last), travel,
+                travel * clip.framesPerSecond / frames};
+      }
+    }
+  }
+  return best.travel > still ? std::optional(best) : std::nullopt;
+}
+
 } // namespace stretch::rig

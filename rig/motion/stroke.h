@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/anim/clip.h"
@@ -30,5 +31,10 @@ struct Stroke {
 
 /// The one that goes farthest, fastest; null without strokes.
 [[nodiscard]] const Stroke* strongestStroke(const std::vector<Stroke>& strokes);
+
+/// Of a limb that makes no stroke: where within at most `longestFrames` frames its end, seen from its base,
+/// gets farthest. Nothing where it stands still.
+[[nodiscard]] std::optional<Stroke> greatestMovement(const Scene& scene, const Clip& clip, const Limb& limb,
+                                                     double longestFrames);
 
 } // namespace stretch::rig

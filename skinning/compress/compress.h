@@ -20,18 +20,41 @@ enum class StretchOption {
 };
 
 enum class WeightOption {
-  geodesic, ///< From the first frame alone, by inverse geodesic distance.
-  fitted,   ///< By least squares over the frames.
+  automatic, ///< Fitted where bones are free; in a row both are tried, and the one with the lower error
+             ///< stays.
+  geodesic,  ///< From the first frame alone, by inverse geodesic distance.
+  fitted,    ///< By least squares over the frames.
 };
+
+/// How bones that move freely hang together in the clip; what the mesh does is the same.
+enum class JointOption {
+  tree, ///< Each hangs on another at the joint between them.
+  free, ///< Side by side.
+};
+
+enum class InfluenceLimit { four, eight };
 
 struct CompressSettings {
   int bones = 30;
+  std::optional<double> tolerancePercent; ///< RMSE that the fewest bones have to meet, in percent of the
+                                          ///< diagonal; `bones` does not count then.
   StretchOption stretch = StretchOption::elastic;
-  WeightOption weights = WeightOption::fitted;
-  BodyStretchSettings body; ///< Its firstFittedFrame counts for the fit of the weights too.
-  FitSettings fit;          ///< Rounds and candidates; the rest follows from the options above.
+  WeightOption weights = WeightOption::automatic;
+  JointOption joints = JointOption::tree;
+  InfluenceLimit influences = InfluenceLimit::four;
+  std::vector<SkinBone> skeleton; ///< Bones to take instead of own ones; see readSkeleton. `bones` does not
+                                  ///< count then.
+  BodyStretchSettings body;       ///< Its firstFittedFrame counts for the fit of the weights too.
+  FitSettings fit;                ///< Rounds and candidates; the rest follows from the options above.
 
   friend bool operator==(const CompressSettings&, const CompressSettings&) = default;
+};
+
+/// Which weights were taken.
+struct WeightChoice {
+  WeightOption used = WeightOption::fitted; ///< Geodesic or fitted.
+  std::optional<double> geodesicPercent;    ///< RMSE with either, in percent of the diagonal, where both were
+  std::optional<double> fittedPercent;      ///< tried.
 };
 
 /// A sequence as a skinned clip, and what is known of how well it fits.
@@ -44,13 +67,18 @@ struct CompressedSequence {
                                      ///< option.
   std::vector<double> segmentWidths; ///< Mean shape diameter along the body; empty without a skeleton.
   std::size_t firstFittedFrame = 0;  ///< Frames from this one on were used in fits.
+  WeightChoice weights;
   std::vector<std::string> warnings;
 };
 
+/// The most bones that a tolerance is tried with.
+inline constexpr int mostBonesOfTolerance = 128;
+
 /// The first frame becomes the bind pose. Bones hang together in a row for `none` and `elastic`, so that
 /// their places need not be stored; `measured` moves them freely. A body that branches, or is in several
-/// parts, can only be `measured` (or `none`, as rigid free parts) with `fitted` weights. Errors: fewer than
-/// one bone, too many, no frames, no thickness, stopped by `proceed`.
+/// parts, can only be `measured` (or `none`, as rigid parts) with weights that are not geodesic: its bones
+/// are clusters of motion. A given skeleton has its own places for the bones, on any body. Errors: fewer than
+/// one bone, too many, no frames, no thickness, a skeleton that stands elsewhere, stopped by `proceed`.
 [[nodiscard]] Result<CompressedSequence>
 compress(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed = {});
 

@@ -182,6 +182,7 @@ std::vector<bool> lowFrames(const std::vector<Vec3>& end, double limbLength, con
   }
   lowest = settings.ground.value_or(lowest);
   std::vector<bool> low;
+  low.reserve(end.size());
   for (const Vec3& position : end) {
     low.push_back(glm::dot(position, up) - lowest <= settings.height * limbLength);
   }

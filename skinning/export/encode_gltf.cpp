@@ -2,21 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <string>
 
 #include <glm/geometric.hpp>
 
 #include "core/gltf/json.h"
+#include "core/gltf/meshopt_encoding.h"
+#include "skinning/export/clip_writer.h"
 #include "skinning/export/gltf_buffers.h"
+#include "skinning/export/key_bound.h"
 #include "skinning/export/mesh_writer.h"
+#include "skinning/fit/joint_tree.h"
 
 namespace stretch::skinning {
 namespace {
 
 using gltf::Json;
-
-/// Values of a property over the frames: 3 numbers per frame, or 4 (x, y, z, w) for rotations.
-using Course = std::vector<float>;
 
 template <typename Value>
 Course courseOf(std::size_t frames, Value&& value) {
@@ -32,24 +35,6 @@ Course courseOf(std::size_t frames, Value&& value) {
 void append(Course& course, const Quat& q) {
   course.insert(course.end(), {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z),
                                static_cast<float>(q.w)});
-}
-
-bool isConstant(const Course& course, std::size_t width, double tolerance) {
-  for (std::size_t i = width; i < course.size(); ++i) {
-    if (std::abs(static_cast<double>(course[i] - course[i % width])) > tolerance) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool areAlike(const Course& a, const Course& b, double tolerance) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(static_cast<double>(a[i] - b[i])) > tolerance) {
-      return false;
-    }
-  }
-  return a.size() == b.size();
 }
 
 /// A quaternion as the file will give it back.
@@ -72,17 +57,32 @@ struct ScalePlan {
 
 class Encoder {
 public:
-  Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings)
+  /// `keyBound`: see ClipEncoding.
+  Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings, double keyBound)
       : sequence_(sequence), settings_(settings), buffers_(json_), frames_(sequence.frameCount()),
-        lengthTolerance_(settings.tolerance * boxDiagonal(sequence.bindPositions)) {}
+        lengthTolerance_(settings.tolerance * boxDiagonal(sequence.bindPositions)),
+        clip_(json_, buffers_, sequence.clipName.empty() ? sequence.name : sequence.clipName,
+              {sequence.framesPerSecond, settings.quantise, keyBound}) {
+    if (settings.quantiseMesh) {
+      grid_ = gridAround(sequence.bindPositions);
+    }
+    if (keyBound > 0.0) {
+      reaches_ = reachesOf(sequence);
+    }
+  }
 
   EncodedClip encode() {
     json_["asset"] = {{"version", "2.0"}, {"generator", "Stretch-Engine"}};
     json_["scene"] = 0;
-    armature_ = writeMeshes(sequence_, settings_.quantise, json_, buffers_);
+    WrittenMeshes meshes = writeMeshes(sequence_, {settings_.quantise, grid_}, json_, buffers_);
+    armature_ = meshes.nodes;
+    places_ = std::move(meshes.places);
+    if (grid_) {
+      json_["extensionsUsed"].push_back("KHR_mesh_quantization");
+      json_["extensionsRequired"].push_back("KHR_mesh_quantization");
+    }
     json_["nodes"].push_back({{"name", "armature"}, {"children", Json::array()}});
     addScene();
-    addTimes();
     addBones();
     addSkin();
     return finish();
@@ -97,61 +97,6 @@ private:
     json_["scenes"] = Json::array({{{"nodes", std::move(roots)}}});
   }
 
-  // --- tracks
-  // -----------------------------------------------------------------------------------------------------
-
-  void addTimes() {
-    std::vector<float> times;
-    for (std::size_t k = 0; k < frames_; ++k) {
-      times.push_back(static_cast<float>(static_cast<double>(k) / sequence_.framesPerSecond));
-    }
-    json_["animations"] =
-        Json::array({{{"name", sequence_.clipName.empty() ? sequence_.name : sequence_.clipName},
-                      {"channels", Json::array()},
-                      {"samplers", Json::array()}}});
-    times_ = buffers_.addFloats(times, "SCALAR", 1, GltfBuffers::Target::none, true);
-    clipBytes_ += buffers_.bytesOf(times_);
-  }
-
-  struct StoredCourse {
-    Course course;
-    std::size_t width = 3;
-    std::size_t sampler = 0;
-  };
-
-  std::size_t samplerFor(const Course& course, std::size_t width, double tolerance) {
-    for (const StoredCourse& stored : stored_) {
-      if (stored.width == width && areAlike(stored.course, course, tolerance)) {
-        return stored.sampler;
-      }
-    }
-    const bool rotation = width == 4;
-    const std::size_t output =
-        rotation && settings_.quantise
-            ? buffers_.addNormalised(course, "VEC4", 4)
-            : buffers_.addFloats(course, rotation ? "VEC4" : "VEC3", width, GltfBuffers::Target::none, false);
-    clipBytes_ += buffers_.bytesOf(output);
-    Json& samplers = json_["animations"][0]["samplers"];
-    samplers.push_back({{"input", times_}, {"output", output}, {"interpolation", "LINEAR"}});
-    stored_.push_back({course, width, samplers.size() - 1});
-    return samplers.size() - 1;
-  }
-
-  /// The property of a node: the value itself where it does not change, a channel where it does.
-  void setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,
-                   double tolerance) {
-    json_["nodes"][node][path] =
-        std::vector<float>(course.begin(), course.begin() + static_cast<std::ptrdiff_t>(width));
-    if (!isConstant(course, width, tolerance)) {
-      const std::size_t sampler = samplerFor(course, width, tolerance);
-      json_["animations"][0]["channels"].push_back(
-          {{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
-    }
-  }
-
-  // --- bones
-  // ------------------------------------------------------------------------------------------------------
-
   std::size_t addNode(const std::string& name, std::size_t parent) {
     json_["nodes"].push_back({{"name", name}});
     const std::size_t node = json_["nodes"].size() - 1;
@@ -163,28 +108,47 @@ private:
     return sequence_.pose(frame, bone).rotation * sequence_.bones[bone].axes;
   }
 
+  [[nodiscard]] int parentOf(std::size_t bone) const {
+    return sequence_.chained ? static_cast<int>(bone) - 1 : sequence_.bones[bone].parent;
+  }
+
   /// Rotations below the parents as they will be read back, so that rounding does not add up along the chain.
-  Course rotationCourse(std::size_t bone, std::vector<Quat>& parents) {
+  Course rotationCourse(std::size_t bone) {
     Course course;
     Quat before(1.0, 0.0, 0.0, 0.0);
     for (std::size_t k = 0; k < frames_; ++k) {
-      Quat local = glm::normalize(glm::conjugate(parents[k]) * jointRotation(k, bone));
+      const Quat parent = storedRotation(k, parentOf(bone));
+      Quat local = glm::normalize(glm::conjugate(parent) * jointRotation(k, bone));
       local = k > 0 && glm::dot(local, before) < 0.0 ? -local : local;
       before = local;
       append(course, local);
-      parents[k] = glm::normalize(parents[k] * asStored(local, settings_.quantise));
+      storedRotations_[k * sequence_.bones.size() + bone] =
+          glm::normalize(parent * asStored(local, settings_.quantise));
     }
     return course;
   }
 
+  [[nodiscard]] Quat storedRotation(std::size_t frame, int bone) const {
+    return bone < 0 ? Quat(1.0, 0.0, 0.0, 0.0)
+                    : storedRotations_[frame * sequence_.bones.size() + static_cast<std::size_t>(bone)];
+  }
+
+  /// Places below the parents: at a distance in a row, where the joint is in a tree.
   Course placeCourse(std::size_t bone) const {
-    if (!sequence_.chained || bone == 0) {
+    const int parent = parentOf(bone);
+    if (parent < 0) {
       return courseOf(frames_, [&](std::size_t k) { return sequence_.pose(k, bone).position; });
     }
-    const SkinBone& parent = sequence_.bones[bone - 1];
-    const double length = glm::length(sequence_.bones[bone].pivot - parent.pivot);
-    return courseOf(
-        frames_, [&](std::size_t k) { return Vec3(length * sequence_.pose(k, bone - 1).scale.x, 0.0, 0.0); });
+    const auto above = static_cast<std::size_t>(parent);
+    if (!sequence_.chained) {
+      return courseOf(frames_, [&](std::size_t k) {
+        const Vec3 away = sequence_.pose(k, bone).position - sequence_.pose(k, above).position;
+        return glm::conjugate(storedRotation(k, parent)) * away;
+      });
+    }
+    const double length = glm::length(sequence_.bones[bone].pivot - sequence_.bones[above].pivot);
+    return courseOf(frames_,
+                    [&](std::size_t k) { return Vec3(length * sequence_.pose(k, above).scale.x, 0.0, 0.0); });
   }
 
   Course scaleCourse(std::size_t bone) const {
@@ -228,36 +192,54 @@ private:
 
   void addBones() {
     const ScalePlan scales = planScales();
-    std::vector<Quat> parents(frames_, Quat(1.0, 0.0, 0.0, 0.0));
-    std::size_t parent = armature_;
-    for (std::size_t b = 0; b < sequence_.bones.size(); ++b) {
-      const std::string number = std::to_string(b);
-      const std::size_t joint = addNode("bone_" + number, parent);
-      if (!sequence_.chained) {
-        parents.assign(frames_, Quat(1.0, 0.0, 0.0, 0.0));
-      }
-      setProperty(joint, "translation", placeCourse(b), 3, lengthTolerance_);
-      setProperty(joint, "rotation", rotationCourse(b, parents), 4, settings_.tolerance);
-      bound_.push_back(scales.any ? addStretch(b, joint, scales) : joint);
-      parent = sequence_.chained ? joint : armature_;
+    const std::size_t count = sequence_.bones.size();
+    storedRotations_.resize(frames_ * count);
+    bound_.resize(count);
+    std::vector<std::size_t> joints(count, armature_);
+    for (const std::size_t b : order()) {
+      const int parent = parentOf(b);
+      joints[b] = addNode(nameOfBone(sequence_, b),
+                          parent < 0 ? armature_ : joints[static_cast<std::size_t>(parent)]);
+      clip_.setProperty(joints[b], "translation", placeCourse(b), 3, lengthTolerance_, 1.0);
+      clip_.setProperty(joints[b], "rotation", rotationCourse(b), 4, settings_.tolerance, reach(b).turned);
+      bound_[b] = scales.any ? addStretch(b, joints[b], scales) : joints[b];
     }
+  }
+
+  /// Bones, parents before what hangs on them.
+  [[nodiscard]] std::vector<std::size_t> order() const {
+    if (!sequence_.chained) {
+      return orderOfTree(sequence_.bones);
+    }
+    std::vector<std::size_t> row(sequence_.bones.size());
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    return row;
+  }
+
+  /// Nothing may hang on a joint that is scaled.
+  [[nodiscard]] bool needsLeaf(std::size_t bone) const {
+    return sequence_.chained || std::ranges::any_of(sequence_.bones, [&](const SkinBone& other) {
+             return other.parent == static_cast<int>(bone);
+           });
   }
 
   /// The nodes that carry the stretch of a bone; answers the one that the mesh is bound to.
   std::size_t addStretch(std::size_t bone, std::size_t joint, const ScalePlan& scales) {
-    const std::string number = std::to_string(bone);
+    const std::string& own = sequence_.bones[bone].name;
+    const std::string number = own.empty() ? std::to_string(bone) : own;
     const Course axes = axesCourse(bone, false);
     const bool ownAxes = areAlike(axes, identityCourse(), settings_.tolerance);
     if (ownAxes && !scales.common) {
-      const std::size_t leaf = sequence_.chained ? addNode("stretch_" + number, joint) : joint;
-      setProperty(leaf, "scale", scaleCourse(bone), 3, settings_.tolerance);
+      const std::size_t leaf = needsLeaf(bone) ? addNode("stretch_" + number, joint) : joint;
+      clip_.setProperty(leaf, "scale", scaleCourse(bone), 3, settings_.tolerance, reach(bone).scaled);
       return leaf;
     }
     const std::size_t stretch = addNode("stretch_" + number, joint);
     if (!ownAxes) {
-      setProperty(stretch, "rotation", axes, 4, settings_.tolerance);
+      clip_.setProperty(stretch, "rotation", axes, 4, settings_.tolerance, reach(bone).scaled);
     }
-    setProperty(stretch, "scale", scaleCourse(scales.common ? 0 : bone), 3, settings_.tolerance);
+    clip_.setProperty(stretch, "scale", scaleCourse(scales.common ? 0 : bone), 3, settings_.tolerance,
+                      scales.common ? largestReach() : reach(bone).scaled);
     if (ownAxes && scales.allFactorsOne) {
       return stretch;
     }
@@ -270,7 +252,7 @@ private:
       return leaf;
     }
     const std::size_t back = scales.common ? addNode("back_" + number, leaf) : leaf;
-    setProperty(back, "rotation", axesCourse(bone, true), 4, settings_.tolerance);
+    clip_.setProperty(back, "rotation", axesCourse(bone, true), 4, settings_.tolerance, reach(bone).scaled);
     return back;
   }
 
@@ -286,9 +268,11 @@ private:
     std::vector<float> matrices;
     for (const SkinBone& bone : sequence_.bones) {
       const Mat3 turn = glm::transpose(glm::mat3_cast(bone.axes));
-      const Vec3 shift = -(turn * bone.pivot);
+      Mat4 inverse(turn);
+      inverse[3] = Vec4(-(turn * bone.pivot), 1.0);
+      inverse = grid_ ? inverse * grid_->toPlaces() : inverse;
       for (glm::length_t column = 0; column < 4; ++column) {
-        const Vec3 values = column < 3 ? turn[column] : shift;
+        const Vec3 values(inverse[column]);
         matrices.insert(matrices.end(), {static_cast<float>(values.x), static_cast<float>(values.y),
                                          static_cast<float>(values.z), column < 3 ? 0.0F : 1.0F});
       }
@@ -301,26 +285,44 @@ private:
   }
 
   EncodedClip finish() {
-    Json& clip = json_["animations"][0];
-    const std::size_t samplers = clip["samplers"].size();
-    if (clip["channels"].empty()) {
-      json_.erase("animations"); // glTF wants at least one channel in a clip.
-    }
+    clip_.finish();
     std::vector<std::uint8_t> bytes = buffers_.bytes();
     while (bytes.size() % 4 != 0) {
       bytes.push_back(0);
     }
     json_["buffers"] = Json::array({{{"byteLength", bytes.size()}}});
     EncodedClip result;
-    result.bytesPerFrame =
-        static_cast<double>(clipBytes_) / static_cast<double>(std::max<std::size_t>(frames_, 1));
-    result.bytesOnce = bytes.size() - clipBytes_;
+    result.places = std::move(places_);
     result.joints = sequence_.bones.size();
-    result.samplers = samplers;
+    result.samplers = clip_.samplers();
+    result.keys = clip_.keys();
     result.source.json = std::move(json_);
     result.source.buffers.push_back(std::move(bytes));
     result.source.hasBinaryChunk = true;
+    if (settings_.meshopt) {
+      result.source = gltf::withMeshopt(result.source);
+    }
+    std::size_t clipBytes = 0;
+    for (const std::size_t accessor : clip_.accessors()) {
+      clipBytes += gltf::storedBytes(result.source.json, accessor);
+    }
+    result.bytesPerFrame =
+        static_cast<double>(clipBytes) / static_cast<double>(std::max<std::size_t>(frames_, 1));
+    result.bytesOnce = result.source.buffers[0].size() - clipBytes;
+    result.bytesOfJson = result.source.json->dump().size();
     return result;
+  }
+
+  /// What a change of a bone's properties by 1 moves at most, by bone; ones where nobody asks.
+  [[nodiscard]] BoneReach reach(std::size_t bone) const {
+    return reaches_.empty() ? BoneReach{1.0, 1.0} : reaches_[bone];
+  }
+  [[nodiscard]] double largestReach() const {
+    double largest = 0.0;
+    for (const BoneReach& reach : reaches_) {
+      largest = std::max(largest, reach.scaled);
+    }
+    return reaches_.empty() ? 1.0 : largest;
   }
 
   const SkinnedSequence& sequence_;
@@ -329,17 +331,32 @@ private:
   GltfBuffers buffers_;
   std::size_t frames_;
   double lengthTolerance_;
-  std::size_t armature_ = 0; ///< Node that holds the bones, behind those of the meshes.
-  std::size_t times_ = 0;
-  std::size_t clipBytes_ = 0;
-  std::vector<StoredCourse> stored_;
-  std::vector<std::size_t> bound_;
+  ClipWriter clip_;
+  std::optional<MeshGrid> grid_;
+  std::vector<BoneReach> reaches_; ///< Empty: every frame is a key.
+  std::vector<std::uint32_t> places_;
+  std::size_t armature_ = 0;          ///< Node that holds the bones, behind those of the meshes.
+  std::vector<Quat> storedRotations_; ///< Of joints in the mesh's space as they will be read back: frame
+                                      ///< after frame, one for each bone.
+  std::vector<std::size_t> bound_;    ///< Node of each bone that the mesh is bound to.
 };
 
 } // namespace
 
 EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings) {
-  return Encoder(sequence, settings).encode();
+  if (!(settings.keyTolerancePercent > 0.0)) {
+    return Encoder(sequence, settings, 0.0).encode();
+  }
+  const auto encoded = [&](const SkinnedSequence& bare, double bound) {
+    EncodeSettings plain;
+    plain.quantise = settings.quantise;
+    plain.tolerance = settings.tolerance;
+    return Encoder(bare, plain, bound).encode().source;
+  };
+  const KeyBound keys = findKeyBound(sequence, settings.keyTolerancePercent, encoded);
+  EncodedClip clip = Encoder(sequence, settings, keys.bound).encode();
+  clip.keyErrorPercent = keys.largestPercent;
+  return clip;
 }
 
 std::size_t sourceBytesPerFrame(const MeshSequence& sequence) {

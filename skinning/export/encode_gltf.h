@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "core/gltf/source.h"
 #include "skinning/skinned_sequence.h"
@@ -14,22 +16,37 @@ struct EncodeSettings {
   /// have none. Scales: absolute; rotations: chord of the half angle; translations: times the diagonal of the
   /// bind pose's box.
   double tolerance = 1e-6;
+  bool quantiseMesh = false;        ///< Places, normals, texture coordinates and colours as integers
+                                    ///< (KHR_mesh_quantization).
+  bool meshopt = false;             ///< All data but images compressed (EXT_meshopt_compression).
+  double keyTolerancePercent = 0.0; ///< Keys are left out as long as no vertex of any frame is moved farther
+                                    ///< than this, in percent of the diagonal of the bind pose's box. 0:
+                                    ///< every frame is a key.
+
+  friend bool operator==(const EncodeSettings&, const EncodeSettings&) = default;
 };
 
 /// A glTF document ready to be saved, and what it costs to send.
 struct EncodedClip {
   gltf::Source source;
-  double bytesPerFrame = 0.0; ///< All that changes from frame to frame: every sampler's output once, and the
-                              ///< time stamp.
-  std::size_t bytesOnce = 0;  ///< The rest of the binary data: mesh, weights, bind matrices.
+  double bytesPerFrame = 0.0;  ///< All that changes from frame to frame: every sampler's output once, and the
+                               ///< time stamps.
+  std::size_t bytesOnce = 0;   ///< The rest of the binary data: mesh, weights, bind matrices, images.
+  std::size_t bytesOfJson = 0; ///< What describes them.
+  std::vector<std::uint32_t> places; ///< For each vertex as the file draws them, primitive by primitive, the
+                                     ///< vertex of the sequence.
   std::size_t joints = 0;
   std::size_t samplers = 0;
+  std::size_t keys = 0;         ///< Of all samplers.
+  double keyErrorPercent = 0.0; ///< The farthest that leaving out keys moves a vertex of any frame.
 };
 
 /// One skin, one clip. Bones in a row become a chain of joints: the first is moved, the others hang at a
-/// distance that is shared wherever it is the same; free bones stand side by side. The stretch is the scale
-/// of the joints that the mesh is bound to: leaves under the chain, so that no joint inherits it. A scale
-/// that is a common course in time multiplied by a constant for each bone is stored as just that.
+/// distance that is shared wherever it is the same; free bones hang on their parents, or stand side by side
+/// without one. The stretch is the scale
+/// of the joints that the mesh is bound to: leaves under the joints that others hang on, so that none
+/// inherits it. A scale that is a common course in time multiplied by a constant for each bone is stored as
+/// just that.
 [[nodiscard]] EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings = {});
 
 /// Bytes of a frame as positions of all vertices, single precision.

@@ -16,6 +16,8 @@ template <typename T>
 constexpr int componentTypeOf() {
   if constexpr (std::is_same_v<T, std::uint8_t>) {
     return 5121;
+  } else if constexpr (std::is_same_v<T, std::int8_t>) {
+    return 5120;
   } else if constexpr (std::is_same_v<T, std::int16_t>) {
     return 5122;
   } else if constexpr (std::is_same_v<T, std::uint16_t>) {
@@ -68,18 +70,46 @@ std::size_t GltfBuffers::addFloats(const std::vector<float>& values, const char*
                                    Target target, bool bounds) {
   const std::size_t index = add(values.data(), values.size() * sizeof(float), values.size() / width,
                                 floatType, type, target, false);
-  if (bounds && !values.empty()) {
-    std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width));
-    std::vector<float> high = low;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      low[i % width] = std::min(low[i % width], values[i]);
-      high[i % width] = std::max(high[i % width], values[i]);
-    }
-    json_["accessors"][index]["min"] = low;
-    json_["accessors"][index]["max"] = high;
+  if (bounds) {
+    addBounds(index, values, width, width);
   }
   return index;
 }
+
+template <typename T>
+void GltfBuffers::addBounds(std::size_t accessor, const std::vector<T>& values, std::size_t width,
+                            std::size_t stored) {
+  if (values.empty()) {
+    return;
+  }
+  std::vector<T> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width));
+  std::vector<T> high = low;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % stored < width) {
+      low[i % stored] = std::min(low[i % stored], values[i]);
+      high[i % stored] = std::max(high[i % stored], values[i]);
+    }
+  }
+  json_["accessors"][accessor]["min"] = low;
+  json_["accessors"][accessor]["max"] = high;
+}
+
+template <typename T>
+std::size_t GltfBuffers::addPadded(const std::vector<T>& values, const char* type, std::size_t width,
+                                   std::size_t stored, bool bounds) {
+  const std::size_t index = add(values.data(), values.size() * sizeof(T), values.size() / stored,
+                                componentTypeOf<T>(), type, Target::vertices, true);
+  json_["bufferViews"].back()["byteStride"] = stored * sizeof(T);
+  if (bounds) {
+    addBounds(index, values, width, stored);
+  }
+  return index;
+}
+
+template std::size_t GltfBuffers::addPadded(const std::vector<std::int8_t>&, const char*, std::size_t,
+                                            std::size_t, bool);
+template std::size_t GltfBuffers::addPadded(const std::vector<std::int16_t>&, const char*, std::size_t,
+                                            std::size_t, bool);
 
 std::size_t GltfBuffers::addNormalised(const std::vector<float>& values, const char* type,
                                        std::size_t width) {

@@ -27,6 +27,12 @@ public:
   std::size_t addIntegers(const std::vector<T>& values, const char* type, std::size_t width, Target target,
                           bool normalised);
 
+  /// Integers of a vertex attribute, `stored` numbers per element of which `width` count, so that elements
+  /// begin at multiples of 4 bytes; `bounds` writes min and max.
+  template <typename T>
+  std::size_t addPadded(const std::vector<T>& values, const char* type, std::size_t width, std::size_t stored,
+                        bool bounds);
+
   /// Index of a new buffer view of bytes that no accessor describes, as an image's.
   std::size_t addView(std::span<const std::uint8_t> bytes);
 
@@ -36,6 +42,8 @@ public:
 
 private:
   std::size_t addView(const void* data, std::size_t size, Target target);
+  template <typename T>
+  void addBounds(std::size_t accessor, const std::vector<T>& values, std::size_t width, std::size_t stored);
   std::size_t add(const void* data, std::size_t size, std::size_t elements, int componentType,
                   const char* type, Target target, bool normalised);
 

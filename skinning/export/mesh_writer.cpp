@@ -22,6 +22,9 @@ using gltf::Json;
 using gltf::MeshSurface;
 using gltf::SurfacePart;
 
+/// Joints and weights that one pair of attributes holds.
+constexpr std::size_t influencesOfSet = 4;
+
 using QuantisedWeights = std::array<std::uint16_t, Influences::capacity>;
 
 /// Weights in parts of 65535. The largest takes what rounding leaves, so that they sum to 65535 exactly.
@@ -102,23 +105,25 @@ std::vector<Slice> slicesOf(const MeshSurface& surface) {
 
 class MeshWriter {
 public:
-  MeshWriter(const SkinnedSequence& sequence, const MeshSurface& surface, bool quantise, Json& json,
-             GltfBuffers& buffers)
-      : sequence_(sequence), surface_(surface), quantise_(quantise), json_(json), buffers_(buffers),
+  MeshWriter(const SkinnedSequence& sequence, const MeshSurface& surface, const MeshEncoding& encoding,
+             Json& json, GltfBuffers& buffers)
+      : sequence_(sequence), surface_(surface), encoding_(encoding), json_(json), buffers_(buffers),
         smooth_(surface.normals.empty() ? smoothNormals(sequence) : std::vector<glm::vec3>()) {}
 
-  std::size_t write() {
+  WrittenMeshes write() {
     addMaterials();
     for (const Slice& slice : slicesOf(surface_)) {
       const Json attributes = attributesOf(slice);
       for (const auto& [material, indices] : indicesByMaterial(slice)) {
         addPrimitive(nameOf(slice), attributes, addIndices(indices, slice.count), material);
+        const auto first = surface_.places.begin() + static_cast<std::ptrdiff_t>(slice.first);
+        places_.insert(places_.end(), first, first + static_cast<std::ptrdiff_t>(slice.count));
       }
     }
     for (std::size_t mesh = 0; mesh < json_["meshes"].size(); ++mesh) {
       json_["nodes"].push_back({{"name", json_["meshes"][mesh]["name"]}, {"mesh", mesh}, {"skin", 0}});
     }
-    return json_["meshes"].size();
+    return {json_["meshes"].size(), std::move(places_)};
   }
 
 private:
@@ -202,36 +207,94 @@ private:
 
   Json attributesOf(const Slice& slice) {
     Json attributes;
-    attributes["POSITION"] = addAttribute(
-        slice, "VEC3", true, [this](std::size_t v) { return sequence_.bindPositions[surface_.places[v]]; });
-    attributes["NORMAL"] = addAttribute(slice, "VEC3", false, [this](std::size_t v) {
+    attributes["POSITION"] =
+        encoding_.grid ? addPlaces(slice) : addAttribute(slice, "VEC3", true, [this](std::size_t v) {
+          return sequence_.bindPositions[surface_.places[v]];
+        });
+    const auto normal = [this](std::size_t v) {
       return surface_.normals.empty() ? smooth_[surface_.places[v]] : surface_.normals[v];
-    });
+    };
+    attributes["NORMAL"] =
+        encoding_.grid ? addDirections(slice, normal) : addAttribute(slice, "VEC3", false, normal);
     for (std::size_t set = 0; set < surface_.texCoords.size(); ++set) {
       attributes[fmt::format("TEXCOORD_{}", set)] =
-          addAttribute(slice, "VEC2", false, [&](std::size_t v) { return surface_.texCoords[set][v]; });
+          addFractions(slice, "VEC2", [&](std::size_t v) { return surface_.texCoords[set][v]; });
     }
     if (!surface_.colors.empty()) {
       attributes["COLOR_0"] =
-          addAttribute(slice, "VEC4", false, [this](std::size_t v) { return surface_.colors[v]; });
+          addFractions(slice, "VEC4", [this](std::size_t v) { return surface_.colors[v]; });
     }
-    attributes["JOINTS_0"] = addJoints(slice);
-    attributes["WEIGHTS_0"] = addWeights(slice);
+    for (std::size_t set = 0; set < influenceSets(slice); ++set) {
+      attributes[fmt::format("JOINTS_{}", set)] = addJoints(slice, set);
+      attributes[fmt::format("WEIGHTS_{}", set)] = addWeights(slice, set);
+    }
     return attributes;
+  }
+
+  std::size_t addPlaces(const Slice& slice) {
+    std::vector<std::int16_t> numbers;
+    for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
+      const auto place = encoding_.grid->of(Vec3(sequence_.bindPositions[surface_.places[v]]));
+      numbers.insert(numbers.end(), place.begin(), place.end());
+      numbers.push_back(0);
+    }
+    return buffers_.addPadded(numbers, "VEC3", 3, 4, true);
+  }
+
+  template <typename Direction>
+  std::size_t addDirections(const Slice& slice, const Direction& direction) {
+    std::vector<std::int8_t> numbers;
+    for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
+      const glm::vec3 value = direction(v);
+      for (glm::length_t i = 0; i < 3; ++i) {
+        numbers.push_back(static_cast<std::int8_t>(std::lround(std::clamp(value[i], -1.0F, 1.0F) * 127.0F)));
+      }
+      numbers.push_back(0);
+    }
+    return buffers_.addPadded(numbers, "VEC3", 3, 4, false);
+  }
+
+  /// Numbers in 0..1 as 16-bit integers where that is asked for; those beyond stay as they are.
+  template <typename Values>
+  std::size_t addFractions(const Slice& slice, const char* type, const Values& values) {
+    std::vector<std::uint16_t> numbers;
+    std::size_t width = 0;
+    bool fits = encoding_.grid.has_value();
+    for (std::size_t v = slice.first; v < slice.first + slice.count && fits; ++v) {
+      const auto value = values(v);
+      width = static_cast<std::size_t>(value.length());
+      for (glm::length_t i = 0; i < value.length(); ++i) {
+        fits = fits && value[i] >= 0.0F && value[i] <= 1.0F;
+        numbers.push_back(fits ? static_cast<std::uint16_t>(std::lround(value[i] * 65535.0F))
+                               : std::uint16_t{0});
+      }
+    }
+    return fits ? buffers_.addIntegers(numbers, type, width, GltfBuffers::Target::vertices, true)
+                : addAttribute(slice, type, false, values);
+  }
+
+  [[nodiscard]] std::size_t influenceSets(const Slice& slice) const {
+    for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
+      const auto& weights = influencesOf(v).weights;
+      if (std::any_of(weights.begin() + influencesOfSet, weights.end(), [](float w) { return w > 0.0F; })) {
+        return Influences::capacity / influencesOfSet;
+      }
+    }
+    return 1;
   }
 
   [[nodiscard]] const Influences& influencesOf(std::size_t vertex) const {
     return sequence_.influences[surface_.places[vertex]];
   }
 
-  std::size_t addJoints(const Slice& slice) {
+  std::size_t addJoints(const Slice& slice, std::size_t set) {
     std::vector<std::uint16_t> joints;
     for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
       const Influences& influences = influencesOf(v);
       const QuantisedWeights weights = quantised(influences);
-      for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      for (std::size_t i = set * influencesOfSet; i < (set + 1) * influencesOfSet; ++i) {
         // glTF asks for joint 0 where the weight is 0, be it so only after rounding.
-        const bool used = quantise_ ? weights[i] > 0 : influences.weights[i] > 0.0F;
+        const bool used = encoding_.quantiseWeights ? weights[i] > 0 : influences.weights[i] > 0.0F;
         joints.push_back(used ? influences.bones[i] : std::uint16_t{0});
       }
     }
@@ -242,36 +305,40 @@ private:
     return buffers_.addIntegers(joints, "VEC4", 4, GltfBuffers::Target::vertices, false);
   }
 
-  std::size_t addWeights(const Slice& slice) {
+  std::size_t addWeights(const Slice& slice, std::size_t set) {
     std::vector<float> exact;
     std::vector<std::uint16_t> rounded;
     for (std::size_t v = slice.first; v < slice.first + slice.count; ++v) {
       const Influences& influences = influencesOf(v);
       const QuantisedWeights integers = quantised(influences);
-      exact.insert(exact.end(), influences.weights.begin(), influences.weights.end());
-      rounded.insert(rounded.end(), integers.begin(), integers.end());
+      for (std::size_t i = set * influencesOfSet; i < (set + 1) * influencesOfSet; ++i) {
+        exact.push_back(influences.weights[i]);
+        rounded.push_back(integers[i]);
+      }
     }
-    return quantise_ ? buffers_.addIntegers(rounded, "VEC4", 4, GltfBuffers::Target::vertices, true)
-                     : buffers_.addFloats(exact, "VEC4", 4, GltfBuffers::Target::vertices, false);
+    return encoding_.quantiseWeights
+               ? buffers_.addIntegers(rounded, "VEC4", 4, GltfBuffers::Target::vertices, true)
+               : buffers_.addFloats(exact, "VEC4", 4, GltfBuffers::Target::vertices, false);
   }
 
   const SkinnedSequence& sequence_;
   const MeshSurface& surface_;
-  bool quantise_;
+  const MeshEncoding& encoding_;
   Json& json_;
   GltfBuffers& buffers_;
   std::vector<glm::vec3> smooth_;
+  std::vector<std::uint32_t> places_;
 };
 
 } // namespace
 
-std::size_t writeMeshes(const SkinnedSequence& sequence, bool quantise, gltf::Json& json,
-                        GltfBuffers& buffers) {
+WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding, gltf::Json& json,
+                          GltfBuffers& buffers) {
   if (sequence.surface != nullptr) {
-    return MeshWriter(sequence, *sequence.surface, quantise, json, buffers).write();
+    return MeshWriter(sequence, *sequence.surface, encoding, json, buffers).write();
   }
   const MeshSurface plain = plainSurface(sequence);
-  return MeshWriter(sequence, plain, quantise, json, buffers).write();
+  return MeshWriter(sequence, plain, encoding, json, buffers).write();
 }
 
 } // namespace stretch::skinning

@@ -1,17 +1,33 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core/gltf/json_document.h"
 #include "skinning/export/gltf_buffers.h"
+#include "skinning/export/mesh_grid.h"
 #include "skinning/skinned_sequence.h"
 
 namespace stretch::skinning {
 
+struct MeshEncoding {
+  bool quantiseWeights = false; ///< As normalised 16-bit integers.
+  std::optional<MeshGrid> grid; ///< Places on it, normals in 8 bits, and texture coordinates and colours in
+                                ///< 16 where they lie in 0..1 (KHR_mesh_quantization). Empty: all as floats.
+};
+
+struct WrittenMeshes {
+  std::size_t nodes = 0;             ///< At the beginning of "nodes".
+  std::vector<std::uint32_t> places; ///< For each vertex, primitive by primitive, the vertex of the sequence.
+};
+
 /// Writes the bind mesh with its weights, materials and images, and a node with skin 0 for each mesh at the
 /// beginning of "nodes". Meshes of the source that share no vertex stay meshes of their own; otherwise there
-/// is one, with a primitive for each material, and all share their vertices. Answers the number of nodes.
-std::size_t writeMeshes(const SkinnedSequence& sequence, bool quantise, gltf::Json& json,
-                        GltfBuffers& buffers);
+/// is one, with a primitive for each material, and all share their vertices. Vertices on more than four bones
+/// make a second set of joints and weights.
+WrittenMeshes writeMeshes(const SkinnedSequence& sequence, const MeshEncoding& encoding, gltf::Json& json,
+                          GltfBuffers& buffers);
 
 } // namespace stretch::skinning

@@ -15,7 +15,8 @@ using Proceed = std::function<bool(double)>;
 struct FitSettings {
   int rounds = 24;         ///< Of weights and bones in turn, at most.
   double leastGain = 2e-3; ///< Stops early when a round lowers the error by less than this share.
-  int candidates = 8;      ///< Bones that are tried for a vertex.
+  int candidates = 8;      ///< Bones that are tried for a vertex; at least twice as many as it may have.
+  int influences = 4;      ///< Bones that a vertex may hang on, at most Influences::capacity.
   bool fitWeights = true;  ///< False keeps the influences as they are.
   bool fitStretch = true;  ///< Free bones only: fit scale factors along each bone's axes; false keeps them
                            ///< rigid.
@@ -25,7 +26,7 @@ struct FitSettings {
 };
 
 /// Lowers the squared distance between what `skinned` shows and the frames of `sequence`: influences by least
-/// squares (not negative, sum 1, at most 4) and poses of free bones in turn, as solvers of linear blend
+/// squares (not negative, sum 1) and poses of free bones in turn, as solvers of linear blend
 /// skinning do. `skinned` holds the start: bind positions, bones, influences; its poses are used as the start
 /// too where there are any. Told to stop, the fit ends with what it has reached.
 void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings,
@@ -41,9 +42,5 @@ enum class RowHold {
 /// place of the first bone and the rotations are fitted, the latter held near those of the poses, which
 /// should be measured ones.
 void fitChainedBones(const MeshSequence& sequence, SkinnedSequence& skinned, RowHold hold);
-
-/// Parts of a mesh for bones without a skeleton: centres as far from each other as can be, every vertex with
-/// the nearest in the first frame. Bones have no direction: their axes are the mesh's.
-[[nodiscard]] SkinnedSequence partsOfMesh(const MeshSequence& sequence, int boneCount);
 
 } // namespace stretch::skinning

@@ -42,7 +42,7 @@ struct FitState {
 [[nodiscard]] Eigen::VectorXd simplexLeastSquares(const Eigen::MatrixXd& original, int most);
 
 /// Fits every vertex's influences to its trajectory, bones and bind pose given: least squares over the
-/// frames, among the `candidateCount` bones that alone follow the vertex best.
-void solveWeights(FitState& state, int candidateCount);
+/// frames, at most `most` of the `candidateCount` bones that alone follow the vertex best.
+void solveWeights(FitState& state, int candidateCount, int most);
 
 } // namespace stretch::skinning::fit

@@ -135,7 +135,7 @@ Influences toInfluences(const std::vector<std::size_t>& bones, const Eigen::Vect
 }
 
 Influences fitVertex(const FitState& state, const BonePaths& paths, std::size_t vertex, int candidateCount,
-                     Eigen::MatrixXf& deviations) {
+                     int most, Eigen::MatrixXf& deviations) {
   const Eigen::Vector3f point = state.bind[vertex].cast<float>();
   const auto observed = state.observed.col(static_cast<Eigen::Index>(vertex));
   const auto boneCount = static_cast<Eigen::Index>(state.boneCount);
@@ -155,7 +155,7 @@ Influences fitVertex(const FitState& state, const BonePaths& paths, std::size_t 
       gram(i, j) = gram(j, i) = static_cast<double>(deviations.col(i).dot(deviations.col(j)));
     }
   }
-  return toInfluences(candidates, simplexLeastSquares(gram, static_cast<int>(Influences::capacity)));
+  return toInfluences(candidates, simplexLeastSquares(gram, most));
 }
 
 } // namespace
@@ -188,13 +188,13 @@ Eigen::VectorXd simplexLeastSquares(const Eigen::MatrixXd& original, int most) {
   return all;
 }
 
-void solveWeights(FitState& state, int candidateCount) {
+void solveWeights(FitState& state, int candidateCount, int most) {
   const BonePaths paths(state);
   const int candidates = std::min(candidateCount, static_cast<int>(state.boneCount));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, state.vertexCount(), 64), [&](const auto& range) {
     Eigen::MatrixXf deviations(static_cast<Eigen::Index>(3 * state.frameCount), candidates);
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
-      state.influences[v] = fitVertex(state, paths, v, candidates, deviations);
+      state.influences[v] = fitVertex(state, paths, v, candidates, most, deviations);
     }
   });
 }

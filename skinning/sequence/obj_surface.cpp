@@ -163,6 +163,7 @@ private:
       return;
     }
     std::vector<glm::vec2> set;
+    set.reserve(vertices.size());
     for (const ObjCorner& vertex : vertices) {
       set.push_back(vertex.texCoord < 0 ? glm::vec2(0.0F)
                                         : texCoords_[static_cast<std::size_t>(vertex.texCoord)]);

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/number.h"
+#include "core/math/srgb.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
@@ -223,10 +224,6 @@ bool addVertex(const Element& element, const std::vector<std::vector<double>>& r
   return found == 3;
 }
 
-double linearLight(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 /// What exporters call the parts of a vertex beyond its place.
 struct VertexColumns {
   std::array<std::optional<std::size_t>, 3> normal;
@@ -261,7 +258,7 @@ glm::vec4 colorOf(const Element& element, const std::vector<std::vector<double>>
     const double largest = type == Number::uint8 ? 255.0 : type == Number::uint16 ? 65535.0 : 1.0;
     const double part = row[*columns.color[i]][0] / largest;
     const double value = part > 0.0 ? std::min(part, 1.0) : 0.0; // No number is black.
-    color[static_cast<glm::length_t>(i)] = static_cast<float>(i < 3 ? linearLight(value) : value);
+    color[static_cast<glm::length_t>(i)] = static_cast<float>(i < 3 ? linearFromSrgb(value) : value);
   }
   return color;
 }

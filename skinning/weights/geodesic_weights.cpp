@@ -55,7 +55,7 @@ double reachOf(const GeodesicWeightSettings& settings, double boneLength) {
 Influences strongestFour(const std::vector<double>& weights) {
   std::vector<std::size_t> order(weights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t kept = std::min(order.size(), Influences::capacity);
+  const std::size_t kept = std::min(order.size(), std::size_t{4});
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end(),
                     [&](std::size_t a, std::size_t b) {
                       return weights[a] > weights[b] || (weights[a] == weights[b] && a < b);

@@ -92,18 +92,21 @@ TEST_CASE("Every setting has names of its own and a sentence of help") {
   checkNames(trailSchema());
   checkNames(weightSchema());
   checkNames(sequenceSchema());
+  checkNames(clipSchema());
 }
 
 TEST_CASE("Every setting takes its default and another value, and refuses what it cannot be") {
   checkValues(trailSchema());
   checkValues(weightSchema());
   checkValues(sequenceSchema());
+  checkValues(clipSchema());
 }
 
 TEST_CASE("Every setting is read from the text of its option") {
   checkTexts(trailSchema());
   checkTexts(weightSchema());
   checkTexts(sequenceSchema());
+  checkTexts(clipSchema());
 }
 
 TEST_CASE("Settings go through JSON as they were") {

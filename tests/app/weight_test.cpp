@@ -294,25 +294,25 @@ TEST_CASE("the verb elastic writes a file that check accepts, the same bytes eac
   const Folder folder;
   const std::string first = folder.file("a.glb");
   const std::string second = folder.file("b.glb");
-  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", first.c_str(), "--stiffness", "0.7", "--json"}) == 0);
-  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", second.c_str(), "--stiffness", "0.7"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", first, "--stiffness", "0.7", "--json"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", second, "--stiffness", "0.7"}) == 0);
   CHECK(bytesOf(first) == bytesOf(second));
-  CHECK(test::exitCodeOf({"check", first.c_str()}) == 0);
+  CHECK(test::exitCodeOf({"check", first}) == 0);
   CHECK(loadedDocument(first).weights.size() == 4);
   CHECK(loadedDocument(first).weights.front().settings.stiffness == 0.7);
   const std::string translated = folder.file("c.glb");
-  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", translated.c_str(), "--limb", "left-arm", "--range",
-                            "20:30", "--keep-skeleton", "--clean"}) == 0);
+  REQUIRE(test::exitCodeOf({"elastic", dummyFile, "-o", translated, "--limb", "left-arm", "--range", "20:30",
+                            "--keep-skeleton", "--clean"}) == 0);
   CHECK(loadedDocument(translated).scene->nodes.size() == loadedDocument(dummyFile).scene->nodes.size());
 }
 
 TEST_CASE("wrong arguments of the verb elastic are told before anything is written") {
   const Folder folder;
   const std::string out = folder.file("out.glb");
-  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--amount", "2"}) == 2);
-  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--gravity", "down"}) == 2);
-  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--range", "9:9"}) == 2);
-  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--limb", "tail"}) == 1);
-  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out.c_str(), "--moduli", out.c_str()}) == 1);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out, "--amount", "2"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out, "--gravity", "down"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out, "--range", "9:9"}) == 2);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out, "--limb", "tail"}) == 1);
+  CHECK(test::exitCodeOf({"elastic", dummyFile, "-o", out, "--moduli", out}) == 1);
   CHECK_FALSE(fs::exists(out));
 }

@@ -59,6 +59,7 @@ TEST_CASE("a length that saturates is followed by the monotone curve, not by the
 TEST_CASE(
     "without a wish the line is taken wherever it explains about as much as the curve, or frames are few") {
   std::vector<CurvatureLength> frames;
+  frames.reserve(40);
   for (int i = 0; i < 40; ++i) {
     frames.push_back({0.1 * i, 300.0 - i + 2.0 * std::sin(7.0 * i)});
   }

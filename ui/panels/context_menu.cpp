@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -111,6 +112,9 @@ std::string spheresText(const app::ViewState& view) {
 
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
+  if (target == MenuTarget::viewport) {
+    return "View"; // Of a mesh sequence as well.
+  }
   const app::Session& session = context.character();
   const app::ViewState& view = session.view();
   const rig::Trail* const trail = app::selectedTrail(session);
@@ -165,6 +169,19 @@ void entries(PanelContext& context) {
   }
 }
 
+/// The next window ends above what the menu is about, or begins below it where there is more room.
+void placeMenu(const Theme& theme, const MenuPlace& place) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float gap = theme.px(4.0F);
+  const float above = place.top - gap - theme.unit();
+  const float below = screen.y - place.bottom - gap - theme.unit();
+  const bool isAbove = above >= below;
+  const bool isRight = place.x > 0.5F * screen.x;
+  ImGui::SetNextWindowPos({place.x, isAbove ? place.top - gap : place.bottom + gap}, ImGuiCond_Always,
+                          {isRight ? 1.0F : 0.0F, isAbove ? 1.0F : 0.0F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, isAbove ? above : below});
+}
+
 } // namespace
 
 bool commandEntry(PanelContext& context, const std::string& prefix, const char* commandId) {
@@ -184,8 +201,9 @@ bool commandEntry(PanelContext& context, const std::string& prefix, const char* 
   return chosen;
 }
 
-void askForMenu(UiState& ui, MenuTarget target) {
+void askForMenu(UiState& ui, MenuTarget target, const std::optional<MenuPlace>& place) {
   ui.menuAsked = target;
+  ui.menuPlace = place;
 }
 
 void drawContextMenu(PanelContext& context) {
@@ -199,8 +217,17 @@ void drawContextMenu(PanelContext& context) {
   const Theme& theme = context.theme;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.unit(), theme.unit()));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(16.0F), theme.px(6.0F)));
+  if (ui.menuPlace) {
+    placeMenu(theme, *ui.menuPlace);
+  }
   if (ImGui::BeginPopup(name)) {
-    if (context.open.character() == nullptr || keyPressed(ImGuiKey_Escape)) {
+    const ImVec2 corner = ImGui::GetWindowPos();
+    context.items.add("context-menu", corner,
+                      {corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()});
+    context.items.items.back().explained = true; // By its entries.
+    const bool isThere = context.open.character() != nullptr ||
+                         (context.open.sequence() != nullptr && ui.menuTarget == MenuTarget::viewport);
+    if (!isThere || keyPressed(ImGuiKey_Escape)) {
       ImGui::CloseCurrentPopup();
     } else {
       entries(context);

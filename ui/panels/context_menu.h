@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ui/panels/panel_context.h"
@@ -11,8 +12,8 @@ namespace stretch::ui {
 bool commandEntry(PanelContext& context, const std::string& prefix, const char* commandId);
 
 /// Asks for the menu of what lies under the mouse, which was selected before: its commands act on the
-/// selection.
-void askForMenu(UiState& ui, MenuTarget target);
+/// selection. It opens at the mouse unless a place is given.
+void askForMenu(UiState& ui, MenuTarget target, const std::optional<MenuPlace>& place = {});
 
 /// The menu that was asked for, at the mouse: once a frame, after the panels, outside any window.
 void drawContextMenu(PanelContext& context);

@@ -39,6 +39,5 @@ void drawQuestions(PanelContext& context); ///< Unsaved changes, first start, re
 void drawJointDialog(PanelContext& context);
 void drawRenameDialog(PanelContext& context);
 void drawHistoryDialog(PanelContext& context);
-void drawToasts(PanelContext& context);
 
 } // namespace stretch::ui

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/evaluate/evaluate.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/panel_support.h"

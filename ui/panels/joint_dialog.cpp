@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <ranges>
 
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
@@ -78,17 +77,17 @@ void jointRow(PanelContext& context, NodeIndex node, int depth) {
 std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
   std::vector<std::pair<NodeIndex, int>> rows;
   std::vector<std::pair<NodeIndex, int>> open;
-  for (auto root : std::ranges::reverse_view(scene.roots)) {
-    open.emplace_back(root, 0);
-  }
+  // The last one in is the first one out: the first sibling is put in last.
+  const auto wait = [&open](const std::vector<NodeIndex>& siblings, int depth) {
+    std::for_each(siblings.rbegin(), siblings.rend(),
+                  [&](NodeIndex node) { open.emplace_back(node, depth); });
+  };
+  wait(scene.roots, 0);
   while (!open.empty()) {
     const auto [node, depth] = open.back();
     open.pop_back();
     rows.emplace_back(node, depth);
-    const std::vector<NodeIndex>& children = scene.nodes[at(node)].children;
-    for (auto child : std::ranges::reverse_view(children)) {
-      open.emplace_back(child, depth + 1);
-    }
+    wait(scene.nodes[at(node)].children, depth + 1);
   }
   return rows;
 }

@@ -67,7 +67,7 @@ void openFileName(PanelContext& context) {
   const float saveWidth = theme.px(72.0F);
   const float gap = theme.unit();
   const float markWidth = status.unsaved ? theme.px(14.0F) : 0.0F;
-  const float free = ImGui::GetContentRegionAvail().x - saveWidth - gap;
+  const float free = ImGui::GetContentRegionAvail().x - saveWidth - 2.0F * gap; // One at the window's edge.
   const float width =
       std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
   if (width < theme.px(40.0F)) {

@@ -267,12 +267,18 @@ void tell(UiState& ui, ToastKind kind, const std::string& text) {
     return;
   }
   ui.toasts.push_back({kind, text, seconds});
-  // They stand over the timeline: of many the oldest that only inform make room.
+  // They stand over the picture: of many the oldest that only inform make room.
   constexpr std::size_t atOnce = 3;
   const auto oldest = std::ranges::find(ui.toasts, ToastKind::info, &Toast::kind);
   if (ui.toasts.size() > atOnce && oldest + 1 < ui.toasts.end()) {
     ui.toasts.erase(oldest);
   }
+}
+
+void hideNews(UiState& ui) {
+  std::erase_if(ui.toasts, [](const Toast& toast) {
+    return toast.kind == ToastKind::info || toast.kind == ToastKind::success;
+  });
 }
 
 std::string errorLine(const app::OpenDocument& open, Error error) {

@@ -94,6 +94,8 @@ struct TipLengths {
 /// Tells the user something for a few seconds; what is told already stays longer instead of standing there
 /// twice.
 void tell(UiState& ui, ToastKind kind, const std::string& text);
+/// Takes back what was told to inform: something else has the user's eye now. What went wrong stays.
+void hideNews(UiState& ui);
 
 /// The error in one line that calls a limb what people call it: "Left arm", never "left-arm".
 [[nodiscard]] std::string errorLine(const app::OpenDocument& open, Error error);

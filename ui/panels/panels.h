@@ -43,8 +43,13 @@ struct PanelSet {
 void drawStatusBar(PanelContext& context);   ///< One row of Theme::rowHeight().
 void drawViewportBar(PanelContext& context); ///< Over the viewport's top edge: switches of the overlays.
 
-/// Every dialog and popup that is open (file browser, palette, keys, settings, questions) and the toasts:
-/// once a frame, after the panels, outside any window.
+/// Every dialog and popup that is open (file browser, palette, keys, settings, questions): once a
+/// frame, after the panels, outside any window.
 void drawDialogs(PanelContext& context);
+
+/// What was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no bar,
+/// ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
+/// takes news away; while a dialog is open only what went wrong is shown, over everything.
+void drawToasts(PanelContext& context, const Rect& picture, ImDrawList& under);
 
 } // namespace stretch::ui

@@ -54,14 +54,11 @@ std::string rateText(const PanelContext& context) {
 
 void clipRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  labelledRow(
-      widgets, "Clip",
-      {.title = "Animation of the file", .text = "Trails belong to the clip that they were made in."});
-  clipChooser(context, "rig/clip", 0.0F);
   const Clip& clip = app::clipOf(context.character().document(), context.character().view().clip);
-  valueRow(widgets, "Length",
+  valueRow(widgets, "Clip",
            std::to_string(frameCount(clip)) + " frames, " + shortNumber(clip.framesPerSecond) + " fps",
            {.title = shortNumber(clip.endSeconds) + " seconds", .text = rateText(context)});
+  clipChooser(context, "rig/clip", 0.0F); // As wide as the panel: names of clips are long.
 }
 
 std::string jointsText(const Scene& scene, const rig::Limb& limb) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,7 @@ namespace {
 /// What the sequence allows: a body without a centre line has no elastic model.
 RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
   const bool hasLine = !context.sequence().document().analysis->joints.empty();
+  const skinning::CompressSettings& settings = context.sequence().document().settings;
   if (setting.name == "bones") {
     return {.maximum = std::min(100.0, mostBones)};
   }
@@ -28,7 +31,15 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
   if (setting.name == "stretch") {
     return {.offered = {true, hasLine, true}};
   }
-  return {.offered = setting.name == "weights" ? std::vector<bool>{hasLine, true} : std::vector<bool>{}};
+  if (setting.name == "joints") {
+    const bool measured = settings.stretch == skinning::StretchOption::measured || !hasLine;
+    return {.offered = {measured, measured}};
+  }
+  if (setting.name == "tolerance") {
+    return {.hint = "none: the bones above"};
+  }
+  return {.offered =
+              setting.name == "weights" ? std::vector<bool>{true, hasLine, true} : std::vector<bool>{}};
 }
 
 void optionRows(PanelContext& context) {
@@ -89,7 +100,8 @@ void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.sequence().document(); // a copy: rows edit it
   const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
-  const double bytes = app::exported(document).bytesPerFrame;
+  const std::shared_ptr<const app::ExportedClip> exported = app::exported(document);
+  const double bytes = exported->clip.bytesPerFrame;
   valueRow(widgets, "Frame",
            bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",
            {"Bytes per frame",
@@ -97,12 +109,27 @@ void sizeRows(PanelContext& context) {
                         "positions.",
                         source),
             {}});
-  labelledRow(widgets, "Quantise",
-              {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}});
-  if (toggle(widgets, "sequence/quantise", document.quantise ? "On" : "Off", document.quantise,
-             {"Quantise", "Rotations and weights as 16-bit integers, as glTF allows.", {}})) {
-    editSequence(context, {true, true}, "Quantise",
-                 [](app::SequenceDocument& changed) { changed.quantise = !changed.quantise; });
+  const std::size_t once = exported->clip.bytesOnce + exported->clip.bytesOfJson;
+  valueRow(widgets, "Once", fmt::format("{:.4g} kB", static_cast<double>(once) / 1000.0),
+           {"Bytes once",
+            fmt::format("Mesh, weights, images and {} bytes of JSON, whatever the number of frames.",
+                        exported->clip.bytesOfJson),
+            {}});
+}
+
+/// How the clip is written; it is made again at once.
+void encodingRows(PanelContext& context) {
+  using skinning::EncodeSettings;
+  const EncodeSettings encoding = context.sequence().document().encoding; // a copy: rows edit it
+  const auto edit = [&](const EditPhase& phase, const std::string& label,
+                        const std::function<void(EncodeSettings&)>& change) {
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
+      change(changed.encoding);
+      changed.clip = app::exported(changed);
+    });
+  };
+  for (const app::Setting<EncodeSettings>& setting : app::clipSchema()) {
+    settingRow(context, "sequence/", setting, encoding, edit);
   }
 }
 
@@ -123,6 +150,20 @@ void errorRows(PanelContext& context) {
   valueRow(widgets, "KG", fmt::format("{:.4g} %", metrics.kgError), {"Karni and Gotsman's error", "", {}});
 }
 
+/// Which weights were taken, where both were tried.
+void weightsRow(PanelContext& context) {
+  const skinning::WeightChoice& weights = context.sequence().document().result->compressed.weights;
+  if (!weights.geodesicPercent || !weights.fittedPercent) {
+    return;
+  }
+  const bool geodesic = weights.used == skinning::WeightOption::geodesic;
+  valueRow(widgetsOf(context), "Weights", geodesic ? "geodesic" : "fitted",
+           {"Weights that were taken",
+            fmt::format("The better of the two: RMSE {:.3g} % with geodesic, {:.3g} % with fitted ones.",
+                        *weights.geodesicPercent, *weights.fittedPercent),
+            {}});
+}
+
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.sequence().document();
@@ -133,7 +174,9 @@ void resultSection(PanelContext& context) {
     notice(widgets, NoticeKind::info, "Made with other settings. Compress again to see these.");
   }
   errorRows(context);
+  weightsRow(context);
   sizeRows(context);
+  encodingRows(context);
   for (const std::string& warning : document.result->compressed.warnings) {
     notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }

@@ -70,7 +70,7 @@ RowEdit choiceControl(PanelContext& context, const std::string& id, const app::S
     const std::size_t index = choices.size();
     const std::string text = capitalised(choice.name);
     const std::string help = choice.help.empty() ? setting.help : choice.help;
-    selected = choice.name == value ? static_cast<int>(index) : selected;
+    selected = value == Json(choice.name) ? static_cast<int>(index) : selected;
     choices.push_back({text,
                        {app::labelOf(setting) + ": " + text, help, {}},
                        extras.offered.empty() || extras.offered[index]});

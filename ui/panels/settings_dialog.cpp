@@ -13,6 +13,25 @@ namespace stretch::ui {
 
 namespace {
 
+/// What the row above does, in its column: nobody has to wait for a tooltip here.
+void explain(PanelContext& context, const std::string& text) {
+  const float column = context.theme.px(104.0F); // Where labelledRow puts values in a panel of this width.
+  ImGui::Indent(column);
+  note(widgetsOf(context), text);
+  ImGui::Unindent(column);
+}
+
+/// The help of a setting; of one with choices that of the chosen one.
+std::string explanationOf(const app::Setting<UiState>& setting, const UiState& ui) {
+  const auto value = setting.read(ui);
+  for (const app::SettingChoice& choice : setting.choices) {
+    if (value == choice.name) {
+      return choice.help;
+    }
+  }
+  return setting.help;
+}
+
 void interfaceScaleRow(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   UiState& ui = context.ui;
@@ -29,6 +48,8 @@ void interfaceScaleRow(PanelContext& context) {
     ui.scale = sizes[static_cast<std::size_t>(chosen)];
     ui.answers.themeChanged = true;
   }
+  explain(context, "On top of the screen's own scale: together " +
+                       shortNumber(static_cast<double>(context.theme.scale) * 100.0, 0) + " %.");
 }
 
 const app::Setting<UiState>& windowSetting(const std::string& name) {
@@ -39,12 +60,14 @@ void themeRow(PanelContext& context) {
   if (viewRow(context, "settings/", windowSetting("theme"), context.ui)) {
     context.ui.answers.themeChanged = true;
   }
+  explain(context, explanationOf(windowSetting("theme"), context.ui));
 }
 
 void navigationRow(PanelContext& context) {
   if (viewRow(context, "settings/", windowSetting("navigation"), context.ui)) {
     context.ui.answers.navigation = context.ui.navigation;
   }
+  explain(context, explanationOf(windowSetting("navigation"), context.ui));
 }
 
 } // namespace
@@ -60,6 +83,7 @@ void drawSettingsDialog(PanelContext& context) {
   navigationRow(context);
   for (const char* name : {"snap", "exaggerate_at_tip", "every_frame", "on_twos"}) {
     viewRow(context, "settings/", windowSetting(name), context.ui);
+    explain(context, windowSetting(name).help);
   }
   const int clicked = dialogButtons(context, "settings",
                                     {{.id = "",

@@ -101,7 +101,8 @@ void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.menuBar != 0) {
     app::selectTrail(session, outcome.menuBar);
-    askForMenu(context.ui, MenuTarget::trail);
+    askForMenu(context.ui, MenuTarget::trail,
+               MenuPlace{ImGui::GetIO().MousePos.x, outcome.menuRow.min.y, outcome.menuRow.max.y});
   } else if (outcome.menuAsked) {
     context.ui.menuFrame = outcome.menuFrame;
     askForMenu(context.ui, outcome.menuOnRange ? MenuTarget::range

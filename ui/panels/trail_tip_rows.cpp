@@ -40,13 +40,15 @@ void styleRow(PanelContext& context) {
     choices.back().note =
         times(style.arm) + " arms  " + times(style.leg) + " legs  " + times(style.torso) + " torso";
   }
+  const app::Document& document = context.character().document();
   const std::vector<int> trails = app::targetTrails(context.character());
-  const int current = app::styleOf(context.character().document(), trails);
-  if (const int chosen = dropdown(widgets, "trail/style", choices, current, help, 0.0F, "custom");
+  const ShownStyle shown = shownStyle(context.ui.takenStyle, document, trails);
+  if (const int chosen =
+          dropdown(widgets, "trail/style", choices, shown.index, help, 0.0F, shown.otherwise.c_str());
       chosen >= 0) {
+    context.ui.takenStyle = {document.scene, trails, chosen};
     editOnce(context, "Take a style",
-             app::applyStyle(context.character().document(), trails,
-                             app::styles()[static_cast<std::size_t>(chosen)]));
+             app::applyStyle(document, trails, app::styles()[static_cast<std::size_t>(chosen)]));
   }
 }
 
@@ -214,6 +216,15 @@ void messageRows(PanelContext& context, const std::vector<Message>& messages) {
 }
 
 } // namespace
+
+ShownStyle shownStyle(const TakenStyle& taken, const app::Document& document,
+                      const std::vector<int>& trails) {
+  if (taken.scene != document.scene || taken.trails != trails) {
+    return {};
+  }
+  const app::Style& style = app::styles()[static_cast<std::size_t>(taken.style)];
+  return {app::hasStyle(document, trails, style) ? taken.style : -1, std::string(style.name) + ", changed"};
+}
 
 void rangeRow(PanelContext& context, const rig::Trail& trail) {
   const WidgetContext widgets = widgetsOf(context);

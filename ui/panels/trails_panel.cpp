@@ -43,14 +43,29 @@ const char* nextStep(const app::Session& session) {
   return trail->applied ? "" : command::trailApply;
 }
 
+/// What the button of trails does now: makes one, or hides or shows what there is.
+struct TrailButton {
+  const char* icon = "";
+  const char* text = "";
+};
+
+TrailButton trailButton(const PanelContext& context) {
+  const CommandInfo* const toggle = findCommand(context, command::trailToggle);
+  const std::string label = toggle == nullptr ? "" : toggle->label;
+  return label.starts_with("Hide")   ? TrailButton{icon::hidden, "Hide"}
+         : label.starts_with("Show") ? TrailButton{icon::visible, "Show"}
+                                     : TrailButton{icon::plus, "Trail"};
+}
+
 void actions(PanelContext& context) {
   const std::string next = nextStep(context.character());
   const auto emphasis = [&](const char* id) { return next == id ? Emphasis::primary : Emphasis::normal; };
   const float width = columnWidth(2);
   const CommandInfo* const connect = findCommand(context, command::trailConnect);
   const bool connected = connect != nullptr && connect->label == "Disconnect";
+  const TrailButton toggle = trailButton(context);
   commandButton(context,
-                {.command = command::trailToggle, .icon = icon::plus, .text = "Trail", .width = width});
+                {.command = command::trailToggle, .icon = toggle.icon, .text = toggle.text, .width = width});
   ImGui::SameLine();
   commandButton(context, {.command = command::trailExaggerate,
                           .icon = icon::bolt,

@@ -180,6 +180,7 @@ void timeText(PanelContext& context, const ShownTime& time) {
     text = timeWords(seconds, words);
   }
   if (width < context.theme.px(48.0F)) {
+    ImGui::NewLine(); // What follows stands below the row all the same.
     return;
   }
   const Control place =

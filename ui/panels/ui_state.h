@@ -117,6 +117,20 @@ struct LookState {
   bool bodyTravels = false;                        ///< Why a new trail there starts in the space root.
 };
 
+/// The style that was taken last, and for which trails of which character.
+struct TakenStyle {
+  std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
+  std::vector<int> trails = {};            ///< Ids.
+  int style = 0;                           ///< Into app::styles().
+};
+
+/// Where a menu opens that leaves uncovered what it is about, window units.
+struct MenuPlace {
+  float x = 0.0F;
+  float top = 0.0F;    ///< Of what it is about:
+  float bottom = 0.0F; ///< the menu ends above it, or begins below it.
+};
+
 /// Choosing joints from the skeleton tree: a limb's correction or a new chain.
 struct JointPick {
   bool open = false;
@@ -236,6 +250,7 @@ struct UiState {
   TimelineState timeline;
   GraphState graph;
   LookState look;
+  TakenStyle takenStyle;
   BottomTab bottomTab = BottomTab::timeline;
   JointPick jointPick;
   FileDialogState fileDialog;
@@ -244,6 +259,7 @@ struct UiState {
   MenuTarget menuAsked = MenuTarget::nothing;  ///< To be opened in this frame.
   MenuTarget menuTarget = MenuTarget::nothing; ///< Of the menu that was opened last.
   double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
+  std::optional<MenuPlace> menuPlace;          ///< Else at the mouse.
   RenameState rename;
   std::string clipFilter; ///< Typed into the list of clips.
   HistoryState history;

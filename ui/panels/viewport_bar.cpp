@@ -43,6 +43,7 @@ void drawViewportBar(PanelContext& context) {
        {command::viewSideBySide, icon::columns, "||"}}};
   const float side = context.theme.px(30.0F);
   std::vector<RowPart> parts;
+  parts.reserve(switches.size());
   for (const auto& entry : switches) {
     parts.push_back({side + context.theme.px(2.0F),
                      [&context, &entry] { iconButton(context, entry[0], entry[1], entry[2]); }});

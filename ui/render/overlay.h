@@ -30,7 +30,7 @@ struct Polyline {
   float dashPoints = 0.0F; ///< Length of a dash; 0 for a solid line.
   float gapPoints = 0.0F;
   OverlayDepth depth = OverlayDepth::faded;
-  bool outlined = false; ///< A dark edge around it.
+  bool outlined = false; ///< With an edge of opposite lightness (Palette::outline).
 };
 
 enum class MarkerShape { disc, sphere, ring, diamond, tick };

@@ -81,6 +81,8 @@ void addSegments(const View& view, const Polyline& line, std::vector<LineInstanc
   }
 }
 
+constexpr double outlinePoints = 1.5;
+
 struct LineGroup {
   OverlayDepth depth = OverlayDepth::faded;
   bool outlined = false;
@@ -218,7 +220,8 @@ void OverlayRenderer::drawLines(const View& view, const Overlay& overlay, const 
       continue;
     }
     replaceBuffer(instances_, bytesOf(instances));
-    line_.set("outline", group.outlined ? static_cast<float>(view.viewport.pixelsPerPoint) : 0.0F);
+    line_.set("outline",
+              group.outlined ? static_cast<float>(outlinePoints * view.viewport.pixelsPerPoint) : 0.0F);
     drawWithDepth(line_, group.depth, [&] {
       glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances.size()));
     });

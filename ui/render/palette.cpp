@@ -20,6 +20,8 @@ Palette darkPalette() {
   palette.shadow = rgb(0x0E0F11);
   palette.wire = rgba(0x0B0C0E, 0.55F);
   palette.highlight = rgb(okabe::orange);
+  palette.selectionLine = rgba(0xFFFFFF);
+  palette.selectionGround = rgba(0x0B0C0E);
   palette.bone = rgba(0xD8DADF, 0.9F);
   palette.boneSelected = rgba(okabe::orange);
   palette.outline = rgba(0x121316, 0.75F);
@@ -36,6 +38,9 @@ Palette lightPalette() {
   palette.shadow = rgb(0x6A6E76);
   palette.wire = rgba(0x1E1F22, 0.5F);
   palette.highlight = rgb(okabe::vermilion);
+  palette.selectionLine = rgba(0x1E1F22);
+  palette.selectionGround = rgba(0xFFFFFF);
+  palette.ghostTip = rgba(0xB0309A);
   palette.bone = rgba(0x33363B, 0.9F);
   palette.boneSelected = rgba(okabe::vermilion);
   palette.outline = rgba(0xF4F5F6, 0.8F);
@@ -52,6 +57,9 @@ Palette highContrastPalette() {
   palette.shadow = rgb(0x000000);
   palette.wire = rgba(0x000000, 0.8F);
   palette.highlight = rgb(okabe::yellow);
+  palette.selectionLine = rgba(0xFFFFFF);
+  palette.selectionGround = rgba(0x000000);
+  palette.ghostTip = rgba(0xFF6BE0);
   palette.bone = rgba(0xFFFFFF);
   palette.boneSelected = rgba(okabe::yellow);
   palette.outline = rgba(0x000000);

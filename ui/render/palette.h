@@ -31,8 +31,9 @@ struct Palette {
   glm::vec3 floorLine{};
   glm::vec3 shadow{};
   glm::vec4 wire{};
-  glm::vec3 highlight{};                          ///< The selected limb.
-  glm::vec3 otherHighlight = rgb(okabe::skyBlue); ///< The same, where its surface has that hue itself.
+  glm::vec3 highlight{};       ///< Weights of the joints that are looked at.
+  glm::vec4 selectionLine{};   ///< Around a selected limb,
+  glm::vec4 selectionGround{}; ///< and around that line: of opposite lightness.
   glm::vec4 bone{};
   glm::vec4 boneSelected{};
   glm::vec4 outline{}; ///< Around lines and marks, so that they read on any ground.
@@ -41,7 +42,9 @@ struct Palette {
   std::array<glm::vec4, 5> trails{rgba(okabe::orange), rgba(okabe::bluishGreen), rgba(okabe::reddishPurple),
                                   rgba(okabe::yellow), rgba(okabe::blue)};
   glm::vec4 ghostBefore = rgba(0x7A6FD6); ///< The character at frames before, and after: no trail's colours.
-  glm::vec4 ghostAfter = rgba(0xD9D2B0);
+  glm::vec4 ghostAfter = rgba(0x5FB8A0);
+  glm::vec4 ghostTip = rgba(0xE070C8); ///< The character at a trail's tip: of no skin's and no selection's
+                                       ///< hue.
 };
 
 [[nodiscard]] Palette darkPalette();

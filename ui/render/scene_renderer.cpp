@@ -1,11 +1,13 @@
 #include "ui/render/scene_renderer.h"
 
+#include <algorithm>
 #include <optional>
 
 #include <epoxy/gl.h>
 
 #include "ui/render/floor_pass.h"
 #include "ui/render/lighting.h"
+#include "ui/render/outline_pass.h"
 #include "ui/render/posing.h"
 #include "ui/render/shadow_pass.h"
 #include "ui/render/surface_pass.h"
@@ -18,6 +20,7 @@ struct SceneRenderer::Parts {
   ShadowPass shadows;
   FloorPass floor;
   SurfacePass surface;
+  OutlinePass outline;
   const Scene* scene = nullptr;
   UploadedScene uploaded;
   std::optional<BoundsSampler> bounds;
@@ -27,6 +30,11 @@ namespace {
 
 JointAttributes attributesOf(const FrameState& frame, const SceneStyle& style) {
   return {style.stretchRatio.empty() ? stretchRatios(frame) : style.stretchRatio, style.highlight};
+}
+
+bool picksOut(const SceneStyle& style) {
+  return std::any_of(style.highlight.begin(), style.highlight.end(),
+                     [](float share) { return share > 0.0F; });
 }
 
 SurfaceLook lookOf(const SceneStyle& style, const ShadowMaps& shadows) {
@@ -78,10 +86,15 @@ Result<SceneRenderer> SceneRenderer::create() {
   if (!surface) {
     return surface.error();
   }
+  Result<OutlinePass> outline = OutlinePass::create();
+  if (!outline) {
+    return outline.error();
+  }
   return SceneRenderer(std::make_unique<Parts>(Parts{std::move(posing).value(),
                                                      std::move(shadows).value(),
                                                      std::move(floor).value(),
                                                      std::move(surface).value(),
+                                                     std::move(outline).value(),
                                                      nullptr,
                                                      {},
                                                      {}}));
@@ -123,6 +136,9 @@ void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<co
     const SurfaceLook look = lookOf(style, shadows);
     parts.surface.drawOpaque(*parts.scene, parts.uploaded, view, lights, look, frame);
     parts.surface.drawBlended(*parts.scene, parts.uploaded, view, lights, look, frame);
+    if (style.shading != SurfaceShading::jointWeights && picksOut(style)) {
+      parts.outline.draw(*parts.scene, parts.uploaded, view, style.palette, frame);
+    }
   }
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <epoxy/gl.h>
-#include <glm/matrix.hpp>
 
+#include "ui/render/draw_items.h"
 #include "ui/render/value_colors.h"
 
 namespace stretch::ui {
@@ -103,21 +103,6 @@ bool isBlended(const Scene& scene, const UploadedScene& uploaded, const DrawItem
   return materialOf(scene, uploaded.parts[item.part].material).alphaMode == AlphaMode::blend;
 }
 
-// What the item's surface is moved by as a whole: a mirrored one turns its triangles inside out.
-Mat4 movedBy(const Scene& scene, const DrawItem& item, const FrameState& frame) {
-  if (item.skin < 0) {
-    return meshMatrix(frame, item.node);
-  }
-  const Skin& skin = scene.skins[static_cast<std::size_t>(item.skin)];
-  return skin.joints.empty() ? Mat4(1.0) : meshMatrix(frame, skin.joints[0]) * skin.inverseBind[0];
-}
-
-void drawTriangles(const UploadedScene& uploaded, const DrawItem& item) {
-  glBindVertexArray(item.surface.name());
-  glVertexAttrib4f(4, 1.0F, 1.0F, 1.0F, 1.0F);
-  glDrawElements(GL_TRIANGLES, uploaded.parts[item.part].indexCount, GL_UNSIGNED_INT, nullptr);
-}
-
 // Of a surface with two sides that is seen through the far side comes first.
 void drawFaces(const UploadedScene& uploaded, const DrawItem& item, bool isDoubleSided, SurfacePart part) {
   if (isDoubleSided && part == SurfacePart::solid) {
@@ -180,7 +165,9 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
   surface_.set("shading", static_cast<int>(look.shading));
   surface_.set("stretchRange", glm::vec2(std::log2(smallestShownStretch), std::log2(largestShownStretch)));
   surface_.set("highlightColor", look.palette.highlight);
-  surface_.set("otherHighlightColor", look.palette.otherHighlight);
+  surface_.set("selectionLine", glm::vec3(look.palette.selectionLine));
+  surface_.set("selectionGround", glm::vec3(look.palette.selectionGround));
+  surface_.set("linePixels", static_cast<float>(view.viewport.pixelsPerPoint));
   surface_.set("keyDirection", glm::vec3(lights.key));
   surface_.set("fillDirection", glm::vec3(lights.fill));
   surface_.set("rimDirection", glm::vec3(lights.rim));
@@ -214,7 +201,7 @@ void SurfacePass::drawItem(const Scene& scene, const UploadedScene& uploaded, co
   surface_.set("alphaCutoff", material.alphaCutoff);
   surface_.set("unlit", material.unlit);
   surface_.set("solidPart", drawn == SurfacePart::solid);
-  glFrontFace(glm::determinant(Mat3(movedBy(scene, item, frame))) < 0.0 ? GL_CW : GL_CCW);
+  setFrontFace(scene, item, frame);
   drawFaces(uploaded, item, material.doubleSided, drawn);
   glBindSampler(baseColorUnit, 0);
   glBindSampler(emissiveUnit, 0);

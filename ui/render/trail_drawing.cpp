@@ -75,7 +75,7 @@ Polyline pathLine(const View& view, const TrailPicture& trail, const std::vector
   add(path.back(), static_cast<double>(path.size() - 1));
   line.dashPoints = style.dashed ? 6.0F : 0.0F;
   line.gapPoints = style.dashed ? 5.0F : 0.0F;
-  line.outlined = !style.dashed;
+  line.outlined = true;
   return line;
 }
 
@@ -133,6 +133,7 @@ std::vector<float> roomForSpheres(const View& view, const std::vector<TrailSpher
   constexpr double shareOfGap = 0.45;
   constexpr float least = 2.5F;
   std::vector<std::optional<ScreenPoint>> places;
+  places.reserve(spheres.size());
   for (const TrailSphere& sphere : spheres) {
     places.push_back(projectToPixels(view, sphere.world));
   }

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/math/srgb.h"
 #include "ui/render/palette.h"
 
 namespace stretch::ui {
@@ -35,14 +36,6 @@ glm::vec4 srgbColor(ValueScale scale, double share) {
     }
   }
   return rgba(stops.back().hex);
-}
-
-float linearChannel(float srgb) {
-  return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
-}
-
-float srgbChannel(float linear) {
-  return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
 // Eigenvalues of a symmetric matrix in closed form (trigonometric solution of its characteristic polynomial).
@@ -78,7 +71,7 @@ constexpr std::array<Stop, 5> stops{{{-1.0, {0.050F, 0.250F, 0.720F}},
 } // namespace
 
 glm::vec4 linearLight(const glm::vec4& srgb) {
-  return {linearChannel(srgb.x), linearChannel(srgb.y), linearChannel(srgb.z), srgb.w};
+  return {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z), srgb.w};
 }
 
 glm::vec4 valueColor(ValueScale scale, double share) {
@@ -113,7 +106,7 @@ glm::vec3 stretchColor(double ratio) {
 
 glm::vec4 stretchColorSrgb(double ratio) {
   const glm::vec3 color = stretchColor(ratio);
-  return {srgbChannel(color.x), srgbChannel(color.y), srgbChannel(color.z), 1.0F};
+  return {srgbFromLinear(color.x), srgbFromLinear(color.y), srgbFromLinear(color.z), 1.0F};
 }
 
 double stretchRatio(const Mat3& linear) {

@@ -72,8 +72,8 @@ void saveUserFiles(Editor& editor) {
 
 void updateTheme(Editor& editor) {
   Shell& shell = editor.shell;
-  const float wanted =
-      editor.scaleOption > 0.0F ? editor.scaleOption : editor.window.contentScale() * shell.ui.scale;
+  const float screen = editor.scaleOption > 0.0F ? editor.scaleOption : editor.window.contentScale();
+  const float wanted = screen * shell.ui.scale;
   if (shell.themeDirty || shell.theme.scale != wanted || shell.theme.kind != shell.ui.theme) {
     shell.theme = editor.gui.setTheme(shell.ui.theme, wanted);
     shell.themeDirty = false;

@@ -26,8 +26,7 @@ public:
 };
 
 struct EditorOptions {
-  float scale = 0.0F; ///< Everything this many times as large, in place of the screen's and the user's scale;
-                      ///< 0: theirs.
+  float scale = 0.0F; ///< The screen's scale, in place of what the screen says; 0: that.
   int width = 0;      ///< Of the window; 0: as it was left.
   int height = 0;
   EditorHand* hand = nullptr; ///< Null: a user's.

@@ -60,7 +60,8 @@ void saveModuli(Shell& shell, const std::filesystem::path& path) {
 
 std::string resultText(const app::SequenceDocument& document) {
   return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes per frame",
-                     document.result->compressed.metrics.rmsePercent, app::exported(document).bytesPerFrame);
+                     document.result->compressed.metrics.rmsePercent,
+                     app::exported(document)->clip.bytesPerFrame);
 }
 
 app::Command<Shell> moduliCommand(const char* id, const char* label, const char* help, FilePurpose purpose) {

@@ -131,7 +131,9 @@ void toggleViewportOnly(Shell& shell) {
 void togglePlay(Shell& shell) {
   shell.ui.timeline.playing = !shell.ui.timeline.playing;
   shell.playRemainder = 0.0;
-  if (!shell.ui.timeline.playing) {
+  if (shell.ui.timeline.playing) {
+    hideNews(shell.ui);
+  } else {
     snapPlayhead(shell);
   }
 }
@@ -155,11 +157,19 @@ void goToTip(Shell& shell) {
 Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   app::Session& session = *shell.open.character();
   const bool proposes = app::selectedTrail(session) == nullptr && !app::isRangeSet(session.view());
-  const Status started = startExaggerate(session, shell.tool, choice);
+  Status started = startExaggerate(session, shell.tool, choice);
   if (!started) {
     return started;
   }
   const auto& tool = std::get<ExaggerateTool>(shell.tool);
+  if (standsStill(session, tool)) {
+    tell(shell, ToastKind::info, stillNews(session, tool, [&](const std::string& id) {
+           const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
+           return chords.empty() ? std::string() : shownChord(chords.front());
+         }));
+    finishTool(session, shell.tool, false);
+    return Success{};
+  }
   if (const std::string text = proposes || tool.targets.madeLoop ? strokeNews(session, tool) : "";
       !text.empty()) {
     tell(shell, ToastKind::info, text);

@@ -47,9 +47,10 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
   const double frame = session.view().frame;
   const bool here = settings.startFrame - 0.5 <= frame && frame <= settings.endFrame + 0.5;
   if (taken.stroke == nullptr) {
-    return taken.count > 0 ? std::string()
-                           : fmt::format("The {} makes no stroke in this clip: {} are taken", limb,
-                                         framesText(*taken.trail));
+    return taken.count > 0
+               ? std::string()
+               : fmt::format("The {} makes no stroke in this clip: its greatest movement is taken, {}", limb,
+                             framesText(*taken.trail));
   }
   if (frame < 0.5 && taken.count > 1) {
     return fmt::format("The strongest stroke of the {} is taken, {}", limb, framesText(*taken.trail));
@@ -70,7 +71,78 @@ std::string joinedText(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : ". ") + second;
 }
 
+/// The limb of the character that makes the strongest stroke of the clip; null where none makes any.
+const rig::Limb* strongestLimb(const app::Session& session, const std::vector<rig::Limb>& limbs) {
+  std::vector<rig::Stroke> strokes;
+  std::vector<const rig::Limb*> owners;
+  for (const rig::Limb& limb : limbs) {
+    if (const rig::Stroke* const stroke = rig::strongestStroke(session.strokesOf(limb))) {
+      strokes.push_back(*stroke);
+      owners.push_back(&limb);
+    }
+  }
+  const rig::Stroke* const strongest = rig::strongestStroke(strokes);
+  return strongest == nullptr ? nullptr : owners[static_cast<std::size_t>(strongest - strokes.data())];
+}
+
+/// The limbs of E's trails: "left leg and right leg".
+std::string limbsOf(const app::Session& session, const ExaggerateTool& tool) {
+  std::vector<std::string> names;
+  for (const int id : tool.targets.trailIds) {
+    names.push_back(app::limbTitle(session.document(), app::findTrail(session.document(), id)->limb));
+  }
+  return app::listed(names);
+}
+
+/// Whether the first scale leaves the limb as long as it was: it does not move, or makes no stroke and the
+/// floor is in its way.
+bool showsNothing(app::Session& session, const rig::SolvedTrail& solved) {
+  constexpr double noticed = 0.02;
+  const TipLengths lengths = tipLengths(session, solved);
+  const bool isAsLong = std::abs(lengths.after - lengths.before) < noticed * lengths.before;
+  return solved.tip.outcome == rig::TipOutcome::nothingToScale ||
+         (isAsLong && session.strokesOf(solved.limb).empty());
+}
+
+/// "The left leg does not move", or what keeps it from getting longer.
+std::string whyNothing(app::Session& session, const ExaggerateTool& tool) {
+  const bool one = tool.targets.trailIds.size() == 1;
+  const rig::SolvedTrail* const solved = app::solvedTrail(session, tool.targets.trailIds.front());
+  const bool moves = solved != nullptr && solved->tip.outcome != rig::TipOutcome::nothingToScale;
+  const char* const still = one ? "does not move" : "do not move";
+  const char* const blocked =
+      moves && solved->settings.stopAt ? "would get longer only into the floor" : "would not get longer";
+  return fmt::format("The {} {}", limbsOf(session, tool), moves ? blocked : still);
+}
+
 } // namespace
+
+bool standsStill(app::Session& session, const ExaggerateTool& tool) {
+  const std::vector<int>& ids = tool.targets.trailIds;
+  return std::all_of(ids.begin(), ids.end(), [&](int id) {
+    const rig::SolvedTrail* const solved = app::solvedTrail(session, id);
+    return app::findTrail(session.atBegin(), id) == nullptr && solved != nullptr &&
+           showsNothing(session, *solved);
+  });
+}
+
+std::string stillNews(app::Session& session, const ExaggerateTool& tool,
+                      const std::function<std::string(const std::string&)>& keyOf) {
+  const std::vector<rig::Limb> limbs = app::allLimbs(session.document());
+  const TakenStroke taken = takenStroke(session, tool);
+  const bool movesElsewhere =
+      taken.limb != nullptr && (taken.count > 0 || session.movementOf(*taken.limb).has_value());
+  const std::string text = fmt::format("{} in {}", whyNothing(session, tool),
+                                       movesElsewhere ? framesText(*taken.trail) : "this clip");
+  const rig::Limb* const other = strongestLimb(session, limbs);
+  if (other == nullptr || (taken.limb != nullptr && other->id == taken.limb->id)) {
+    return text + (movesElsewhere ? ": choose another range" : ": choose another clip");
+  }
+  const std::string key = keyOf("limb." + other->id);
+  return fmt::format("{}. The {} makes the strongest stroke{}", text,
+                     app::limbTitle(session.document(), other->id),
+                     key.empty() ? "" : fmt::format(": {} selects it", key));
+}
 
 std::string strokeNews(const app::Session& session, const ExaggerateTool& tool) {
   const TakenStroke taken = takenStroke(session, tool);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/session.h"
@@ -11,6 +12,14 @@ namespace stretch::ui {
 /// across the seam, that the clip was marked as a loop. Empty where the stroke at the playhead was taken and
 /// nothing is odd.
 [[nodiscard]] std::string strokeNews(const app::Session& session, const ExaggerateTool& tool);
+
+/// Whether the trails that E has just made have nothing to scale: their limbs stand still in the range.
+[[nodiscard]] bool standsStill(app::Session& session, const ExaggerateTool& tool);
+
+/// "The left leg does not move in this clip. The right arm makes the strongest stroke: 2 selects it".
+/// `keyOf` answers the key of a command as it is shown, empty without one.
+[[nodiscard]] std::string stillNews(app::Session& session, const ExaggerateTool& tool,
+                                    const std::function<std::string(const std::string&)>& keyOf);
 
 /// "Frames 21 to 27, stroke 2 of 4 of the left arm", after N went there.
 [[nodiscard]] std::string strokeReached(const app::Session& session, const ExaggerateTool& tool);

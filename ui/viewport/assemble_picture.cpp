@@ -206,7 +206,7 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
   PictureContent content = assembleBare(subject, selection, overlays, palette);
   content.ghosts = ghostsOf(subject, overlays, palette);
   if (selection.tipFrame && subject.motion.clip >= 0) {
-    addGhost(subject, *selection.tipFrame, glm::vec4(glm::vec3(palette.highlight), tipGhostOpacity),
+    addGhost(subject, *selection.tipFrame, glm::vec4(glm::vec3(palette.ghostTip), tipGhostOpacity),
              content.ghosts);
   }
   content.skeleton = overlays.skeleton;

@@ -121,25 +121,29 @@ SceneStyle sequenceStyleOf(const ViewportContext& context, const ViewportGpu& gp
   return style;
 }
 
+Marker jointMarker(const Vec3& place, const SkeletonStyle& style) {
+  Marker joint;
+  joint.world = place;
+  joint.radiusPoints = style.jointPoints;
+  joint.fill = style.bone;
+  joint.depth = OverlayDepth::onTop;
+  return joint;
+}
+
 Overlay bonesOf(const app::SequenceSession& session, const Palette& palette) {
   const SkeletonStyle style = skeletonStyle(palette);
-  const std::vector<Vec3> joints = app::jointsAt(session.document(), app::shownFrame(session));
   Overlay overlay;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (i + 1 < joints.size()) {
-      Polyline bone;
-      bone.points = {{joints[i], style.bone, style.widthPoints},
-                     {joints[i + 1], style.bone, 0.5F * style.widthPoints}};
-      bone.depth = OverlayDepth::onTop;
-      bone.outlined = true;
-      overlay.lines.push_back(bone);
+  for (const app::ShownBone& shown : app::bonesAt(session.document(), app::shownFrame(session))) {
+    Polyline bone;
+    bone.points = {{shown.start, style.bone, style.widthPoints},
+                   {shown.end, style.bone, 0.5F * style.widthPoints}};
+    bone.depth = OverlayDepth::onTop;
+    bone.outlined = true;
+    overlay.lines.push_back(bone);
+    overlay.markers.push_back(jointMarker(shown.start, style));
+    if (shown.isLast) {
+      overlay.markers.push_back(jointMarker(shown.end, style));
     }
-    Marker joint;
-    joint.world = joints[i];
-    joint.radiusPoints = style.jointPoints;
-    joint.fill = style.bone;
-    joint.depth = OverlayDepth::onTop;
-    overlay.markers.push_back(joint);
   }
   return overlay;
 }

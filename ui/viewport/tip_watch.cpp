@@ -11,6 +11,7 @@
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/viewport_context.h"
+#include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
 
@@ -42,11 +43,13 @@ bool noteChange(TipWatch& watch, const rig::Trail& trail) {
   return changed;
 }
 
-bool isInPicture(const ViewportState& viewport, const Vec3& world) {
+/// Whether what lies within the radius of a point is in the picture.
+bool isInPicture(const ViewportState& viewport, const Vec3& world, double radius) {
   const auto place = projectToPixels(viewport.view, world);
   const Viewport& size = viewport.view.viewport;
-  return place && place->pixels.x >= 0.0 && place->pixels.x <= size.widthPixels && place->pixels.y >= 0.0 &&
-         place->pixels.y <= size.heightPixels;
+  const double margin = radius / unitsPerPixel(viewport.view, world);
+  return place && place->pixels.x >= margin && place->pixels.x <= size.widthPixels - margin &&
+         place->pixels.y >= margin && place->pixels.y <= size.heightPixels - margin;
 }
 
 } // namespace
@@ -78,11 +81,12 @@ void tellTipOutOfView(ViewportContext& context) {
   if (trail == nullptr || !trail->exaggerated || !changing) {
     return;
   }
-  const bool inside = isInPicture(context.viewport, pointOnTrail(*trail, tipOf(watch.settings), true));
+  const double flesh = fleshRadius(context.open.character()->document(), watch.trail);
+  const bool inside = isInPicture(context.viewport, pointOnTrail(*trail, tipOf(watch.settings), true), flesh);
   if (!inside && !watch.toldOutOfView) {
     const std::string key = keyOf(context, command::viewFrameSelection);
     tell(context.ui, ToastKind::info,
-         "The tip is out of the picture" + (key.empty() ? "" : ": " + key + " frames it"));
+         "The tip leaves the picture" + (key.empty() ? "" : ": " + key + " frames it"));
   }
   watch.toldOutOfView = !inside;
 }

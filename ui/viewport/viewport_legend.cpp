@@ -62,7 +62,7 @@ std::vector<LegendRow> legendRows(const ViewportContext& context) {
     rows.push_back({packed(palette.ghostAfter), LegendMark::figure, "ghosts after"});
   }
   if (context.viewport.tipFrame) {
-    rows.push_back({packed(glm::vec4(palette.highlight, 1.0F)), LegendMark::figure, "pose at the tip"});
+    rows.push_back({packed(palette.ghostTip), LegendMark::figure, "pose at the tip"});
   }
   return rows;
 }

@@ -9,6 +9,7 @@
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
+#include "ui/viewport/assemble_picture.h"
 
 namespace stretch::ui {
 
@@ -22,6 +23,12 @@ std::vector<Vec3> centresOf(const ShownTrail& trail) {
     centres.push_back(sphere.positionWorld);
   }
   return centres;
+}
+
+/// Whether the mouse has hardly left where the button went down: a click, and no drag.
+bool isClick(const ViewportState& viewport) {
+  const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
+  return glm::distance(viewport.mousePixels, viewport.pressPixels) <= far;
 }
 
 /// The navigation that a press begins; none when it is for editing.
@@ -223,8 +230,7 @@ void selectInBox(ViewportContext& context) {
 void continueGesture(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   navigate(viewport);
-  const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
-  if (isRunning(context.tool) || glm::distance(viewport.mousePixels, viewport.pressPixels) <= far) {
+  if (isRunning(context.tool) || isClick(viewport)) {
     return;
   }
   app::Session& session = *context.open.character();
@@ -243,9 +249,7 @@ void endGesture(ViewportContext& context) {
   if (viewport.gesture == ViewportGesture::boxSelect) {
     selectInBox(context);
   }
-  const double far = boxSelectStartPoints * viewport.view.viewport.pixelsPerPoint;
-  if (viewport.gesture == ViewportGesture::pressMenu &&
-      glm::distance(viewport.mousePixels, viewport.pressPixels) <= far) {
+  if (viewport.gesture == ViewportGesture::pressMenu && isClick(viewport)) {
     clickRight(context);
   }
   viewport.gesture = ViewportGesture::none;
@@ -314,7 +318,8 @@ void hoverLimbs(ViewportContext& context) {
   viewport.hoveredEnd = found.atEnd;
 }
 
-/// On a mesh sequence nothing can be picked: the left button alone turns the view as well.
+/// On a mesh sequence nothing can be picked: the left button alone turns the view as well, and a right click
+/// opens the menu of the view.
 void lookAround(ViewportContext& context, bool pressed, bool held) {
   ViewportState& viewport = context.viewport;
   if (pressed) {
@@ -323,9 +328,15 @@ void lookAround(ViewportContext& context, bool pressed, bool held) {
     if (viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       viewport.gesture = ViewportGesture::orbit;
     }
+    const bool asksMenu =
+        viewport.gesture == ViewportGesture::none && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    viewport.gesture = asksMenu ? ViewportGesture::pressMenu : viewport.gesture;
   } else if (held) {
     navigate(viewport);
   } else {
+    if (viewport.gesture == ViewportGesture::pressMenu && isClick(viewport)) {
+      askForMenu(context.ui, MenuTarget::viewport);
+    }
     viewport.gesture = ViewportGesture::none;
   }
 }

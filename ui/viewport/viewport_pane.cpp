@@ -9,6 +9,7 @@
 #include "app/commands/selection.h"
 #include "core/base/hash.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/panels.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"
@@ -136,7 +137,9 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const bool held = ImGui::IsItemActive();
   updateView(context);
   if (context.open.sequence() != nullptr) {
-    if (std::exchange(viewport.framePending, false) | std::exchange(viewport.frameSelectionPending, false)) {
+    const bool all = std::exchange(viewport.framePending, false);
+    const bool selected = std::exchange(viewport.frameSelectionPending, false);
+    if (all || selected) {
       frameSequence(context);
     }
     handleViewportMouse(context, hovered, held);
@@ -209,6 +212,7 @@ void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& re
                                  ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("viewport-pane", nullptr, flags)) {
     drawPictureArea(context, gpu);
+    drawToasts(context, context.viewport.box, *ImGui::GetWindowDrawList());
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

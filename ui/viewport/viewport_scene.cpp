@@ -54,6 +54,13 @@ LimbBones limbBones(const app::Document& document, const FrameState& frame) {
   return result;
 }
 
+double fleshRadius(const app::Document& document, int trailId) {
+  constexpr double shareOfLimb = 0.3; // As long as a hand is for its arm, and a foot for its leg.
+  const rig::Trail* const trail = app::findTrail(document, trailId);
+  const rig::Limb* const limb = trail == nullptr ? nullptr : app::findLimb(document, trail->limb);
+  return limb == nullptr ? 0.0 : shareOfLimb * limb->restLength;
+}
+
 Box selectionBox(app::Session& session, const ShownTrails& shown) {
   Box box;
   const app::Document& document = session.document();
@@ -70,8 +77,10 @@ Box selectionBox(app::Session& session, const ShownTrails& shown) {
     for (const Vec3& point : trail->drawn.original) {
       box.add(point);
     }
+    const Vec3 flesh(fleshRadius(document, trail->id));
     for (const Vec3& point : trail->drawn.exaggerated) {
-      box.add(point);
+      box.add(point - flesh);
+      box.add(point + flesh);
     }
   }
   return box;

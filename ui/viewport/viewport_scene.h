@@ -35,6 +35,9 @@ struct LimbBones {
 /// What "frame the selection" shows: limbs and trails that are selected, else nothing.
 [[nodiscard]] Box selectionBox(app::Session& session, const ShownTrails& shown);
 
+/// How far a hand or a foot stands out from where the limb of a trail ends, world units; 0 without the trail.
+[[nodiscard]] double fleshRadius(const app::Document& document, int trailId);
+
 /// Yaw from which the character is seen from the front at a clip's first frame.
 [[nodiscard]] double facingYaw(const app::Document& document, int clip);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "ui/widgets/fuzzy.h"
@@ -143,6 +144,7 @@ int filteredList(const WidgetContext& context, const std::string& id, const std:
                  int selected, const ListPlace& place, float rowWidth, const std::string& filter) {
   const std::vector<int> indices = matching(choices, filter);
   std::vector<Choice> shown;
+  shown.reserve(indices.size());
   for (const int index : indices) {
     shown.push_back(choices[static_cast<std::size_t>(index)]);
   }

@@ -18,23 +18,22 @@ Hit barHit(const Theme& theme, const Layout& layout, const TimelineModel& model,
   for (std::size_t row = 0; row < model.bars.size(); ++row) {
     const TimelineBar& bar = model.bars[row];
     const Rect box = barBox(theme, layout, model, row, {bar.start, bar.end});
-    const Rect whole = barBox(theme, layout, model, row, {bar.windowStart, bar.windowEnd});
+    const Rect window = barBox(theme, layout, model, row, shownWindow(model, bar));
     if (mouse.y < box.min.y || mouse.y >= box.max.y) {
       continue;
     }
     const Span span{bar.start, bar.end};
-    const Span window{bar.windowStart, bar.windowEnd};
-    const bool releaseAfter = whole.max.x - box.max.x > reach;
-    const bool releaseBefore = box.min.x - whole.min.x > reach;
+    const bool releaseAfter = bar.windowEnd > bar.end && std::abs(window.max.x - box.max.x) > reach;
+    const bool releaseBefore = bar.windowStart < bar.start && std::abs(box.min.x - window.min.x) > reach;
     if (std::abs(mouse.x - box.min.x) <= reach) {
       return {TimelinePart::barStart, bar.id, span};
     }
     if (std::abs(mouse.x - box.max.x) <= reach) {
       return {TimelinePart::barEnd, bar.id, span};
     }
-    if ((releaseAfter && std::abs(mouse.x - whole.max.x) <= reach) ||
-        (releaseBefore && std::abs(mouse.x - whole.min.x) <= reach)) {
-      return {TimelinePart::release, bar.id, window};
+    if ((releaseAfter && std::abs(mouse.x - window.max.x) <= reach) ||
+        (releaseBefore && std::abs(mouse.x - window.min.x) <= reach)) {
+      return {TimelinePart::release, bar.id, {bar.windowStart, bar.windowEnd}};
     }
     if (mouse.x > box.min.x && mouse.x < box.max.x) {
       return {TimelinePart::barBody, bar.id, span};
@@ -76,6 +75,20 @@ Span movedSpan(const TimelineModel& model, const TimelineGesture& gesture, doubl
   return span;
 }
 
+/// Where a release ends that is dragged to a frame. On a loop it goes on across the seam, and one that was
+/// taken hold of past the seam stays a turn away from where the mouse is.
+double releaseEdge(const TimelineModel& model, const TimelineGesture& gesture, const TimelineBar& bar,
+                   double frame) {
+  const bool isAfter = bar.windowEnd > bar.end;
+  const double held = isAfter ? gesture.startSpan.end : gesture.startSpan.start;
+  const double turns = model.turn > 0.0 ? std::round((held - gesture.grabbedAt) / model.turn) : 0.0;
+  const double wanted = frame + (model.loops ? turns * model.turn : 0.0);
+  const double beyond = model.loops ? model.turn : 0.0;
+  const double least = model.clip.start - (isAfter ? 0.0 : beyond);
+  const double most = model.clip.end + (isAfter ? beyond : 0.0);
+  return std::clamp(model.snap ? std::round(wanted) : wanted, least, most);
+}
+
 bool differs(const Span& a, const Span& b) {
   return a.start != b.start || a.end != b.end;
 }
@@ -89,7 +102,7 @@ void dragBar(const TimelineModel& model, const TimelineGesture& gesture, double 
     return;
   }
   if (gesture.part == TimelinePart::release) {
-    outcome.releaseEdge = snapped(model, frame);
+    outcome.releaseEdge = releaseEdge(model, gesture, *bar, frame);
     const double edge = bar->windowEnd > bar->end ? bar->windowEnd : bar->windowStart;
     outcome.releaseChanged = outcome.releaseEdge != edge;
     return;
@@ -99,6 +112,12 @@ void dragBar(const TimelineModel& model, const TimelineGesture& gesture, double 
 }
 
 } // namespace
+
+Span shownWindow(const TimelineModel& model, const TimelineBar& bar) {
+  const bool endWraps = model.loops && bar.windowEnd > model.clip.end;
+  const bool startWraps = model.loops && bar.windowStart < model.clip.start;
+  return {bar.windowStart + (startWraps ? model.turn : 0.0), bar.windowEnd - (endWraps ? model.turn : 0.0)};
+}
 
 Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model, const ImVec2& mouse) {
   if (!layout.track.contains(mouse)) {
@@ -174,6 +193,10 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   }
   outcome.menuAsked = true;
   outcome.menuBar = hit.bar;
+  for (std::size_t row = 0; row < model.bars.size(); ++row) {
+    outcome.menuRow =
+        model.bars[row].id == hit.bar ? barBox(theme, layout, model, row, {0.0, 0.0}) : outcome.menuRow;
+  }
   outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
   if (hit.part == TimelinePart::rangeStart || hit.part == TimelinePart::rangeEnd) {
     outcome.menuOnRange = true;
@@ -243,8 +266,10 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
     add(name + "/body", box.centre().x, box.centre().y);
     context.items.add(id + "/" + name + "/name", {layout.labelLeft, box.min.y},
                       {layout.track.min.x, box.max.y});
-    if (bar.windowEnd > bar.end) {
-      add(name + "/release", layout.frames.toPixel(bar.windowEnd), box.centre().y);
+    const Span window = timeline_detail::shownWindow(model, bar);
+    if (bar.windowEnd > bar.end || bar.windowStart < bar.start) {
+      add(name + "/release", layout.frames.toPixel(bar.windowEnd > bar.end ? window.end : window.start),
+          box.centre().y);
     }
   }
 }

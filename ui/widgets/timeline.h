@@ -69,7 +69,8 @@ struct TimelineOutcome {
   bool viewChanged = false;
   Span view;
   bool menuAsked = false;   ///< A right click:
-  int menuBar = 0;          ///< on a bar, else
+  int menuBar = 0;          ///< on a bar,
+  Rect menuRow{};           ///< whose row is here, else
   double menuFrame = 0.0;   ///< at this frame,
   bool menuOnKey = false;   ///< where a key is,
   bool menuOnRange = false; ///< or an end of the working range.

@@ -22,6 +22,10 @@ struct Layout {
 [[nodiscard]] Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
                           std::size_t row, const Span& span);
 
+/// Where the ends of range and release together stand: on a loop one past the seam stands at the clip's other
+/// end.
+[[nodiscard]] Span shownWindow(const TimelineModel& model, const TimelineBar& bar);
+
 void draw(const WidgetContext& context, const Layout& layout, const TimelineModel& model);
 
 /// What the mouse would grab.

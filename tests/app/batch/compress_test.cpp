@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -133,6 +134,78 @@ TEST_CASE("the report names the frames of the fits, the line, the monotone curve
   CHECK(report["gravity_compression"].size() == 6);
   CHECK(report["young_fitted"] == true);
   CHECK(report["metrics_of_fitted_frames"]["mse"].is_number());
+}
+
+TEST_CASE("the report tells of the file that was written, read back") {
+  const BendingTube tube(6);
+  const std::string output = tube.file("tube.glb");
+  const auto reported = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{"compress", tube.frames(), "-o",       output,  "--bones",
+                                   "6",        "--stretch",   "measured", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const test::VerbAnswer answer = test::runVerb(words);
+    REQUIRE(answer.exitCode == 0);
+    return gltf::Json::parse(answer.output);
+  };
+  const gltf::Json plain = reported({});
+  CHECK(plain["file"]["bytes"] == fs::file_size(output));
+  CHECK(plain["file"]["rmse_percent"].get<double>() ==
+        Approx(plain["rmse_percent"].get<double>()).margin(1e-4));
+  const gltf::Json small =
+      reported({"--quantise", "--quantise-mesh", "--meshopt", "--key-tolerance", "0.5%"});
+  CHECK(small["file"]["bytes"].get<std::size_t>() < plain["file"]["bytes"].get<std::size_t>());
+  CHECK(small["keys"].get<int>() < plain["keys"].get<int>());
+  CHECK(small["file"]["largest_percent"].get<double>() <
+        plain["file"]["largest_percent"].get<double>() + 0.51);
+}
+
+TEST_CASE("the report tells which weights were taken, and how good either was") {
+  const BendingTube tube(6);
+  const test::VerbAnswer answer = test::runVerb({"compress", tube.frames(), "-o", tube.file("tube.glb"),
+                                                 "--bones", "6", "--stretch", "none", "--json"});
+  REQUIRE(answer.exitCode == 0);
+  const gltf::Json report = gltf::Json::parse(answer.output);
+  const gltf::Json& weights = report["weights"];
+  const double geodesic = weights["geodesic_rmse_percent"].get<double>();
+  const double fitted = weights["fitted_rmse_percent"].get<double>();
+  CHECK(weights["used"] == (geodesic < fitted ? "geodesic" : "fitted"));
+  CHECK(report["rmse_percent"].get<double>() == Approx(std::min(geodesic, fitted)));
+}
+
+TEST_CASE("as few bones as a tolerance asks for, told in percent or without the sign") {
+  const BendingTube tube(6);
+  for (const char* const tolerance : {"0.3%", "0.3"}) {
+    const test::VerbAnswer answer =
+        test::runVerb({"compress", tube.frames(), "-o", tube.file("tube.glb"), "--stretch", "measured",
+                       "--tolerance", tolerance, "--json"});
+    REQUIRE(answer.exitCode == 0);
+    const gltf::Json report = gltf::Json::parse(answer.output);
+    CHECK(report["rmse_percent"].get<double>() <= 0.3);
+    CHECK(report["joints"].get<int>() < 30);
+  }
+}
+
+TEST_CASE("a clip's bones can be given to another one; what cannot be given is told in one line") {
+  const BendingTube tube(6);
+  const std::string output = tube.file("tube.glb");
+  const std::string again = tube.file("again.glb");
+  REQUIRE(test::exitCodeOf(
+              {"compress", tube.frames(), "-o", output, "--bones", "5", "--stretch", "measured"}) == 0);
+  REQUIRE(test::exitCodeOf(
+              {"compress", tube.frames(), "-o", again, "--stretch", "measured", "--skeleton", output}) == 0);
+  const Result<gltf::Loaded> written = gltf::load(again);
+  REQUIRE(written);
+  CHECK(written->scene->skins[0].joints.size() == 5);
+  const auto told = [&](const std::string& skeleton, const char* stretch) {
+    const test::CapturedErrors errors;
+    CHECK(test::exitCodeOf({"compress", tube.frames(), "-o", tube.file("none.glb"), "--stretch", stretch,
+                            "--skeleton", skeleton}) == 1);
+    return errors.text();
+  };
+  CHECK_THAT(told(STRETCH_SOURCE_DIR "/assets/dummy.glb", "measured"), Catch::Contains("--skeleton"));
+  CHECK_THAT(told(tube.frames() + "/tube-1.obj", "measured"), Catch::Contains("tube-1.obj"));
+  CHECK_THAT(told(output, "elastic"), Catch::Contains("--stretch measured"));
+  CHECK_FALSE(fs::exists(tube.file("none.glb")));
 }
 
 TEST_CASE("compare takes two things, of which each may be a mesh and its cache") {

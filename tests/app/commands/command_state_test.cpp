@@ -27,8 +27,8 @@ public:
   Menu() { open.open(Opened{Document(test::boxer())}); }
 
   [[nodiscard]] const DocumentCommand& command(const std::string& id) const {
-    const auto found = std::ranges::find(commands_, id, &DocumentCommand::id);
-    REQUIRE(found != commands_.end());
+    const auto found = std::ranges::find(commands, id, &DocumentCommand::id);
+    REQUIRE(found != commands.end());
     return *found;
   }
   [[nodiscard]] bool isOn(const std::string& id) const { return isEnabled(command(id), open); }
@@ -48,7 +48,7 @@ public:
   }
 
   OpenDocument open;
-  std::vector<DocumentCommand> commands_ = documentCommands();
+  std::vector<DocumentCommand> commands = documentCommands();
 };
 
 /// What the last step of the history is called.
@@ -60,7 +60,7 @@ std::string lastStep(Session& session) {
 
 TEST_CASE("A command that is off says what to do first") {
   const Menu menu;
-  for (const DocumentCommand& command : menu.commands_) {
+  for (const DocumentCommand& command : menu.commands) {
     INFO(command.id);
     CHECK(isEnabled(command, menu.open) == whyOff(command, menu.open).empty());
   }
@@ -74,6 +74,17 @@ TEST_CASE("The command that connects a limb is called Disconnect while the limb 
   menu.run(command::trailConnect);
   CHECK(menu.label(command::trailConnect) == "Connect");
   CHECK_FALSE(menu.trail(0).connected);
+}
+
+TEST_CASE("The command of motion trails says whether it makes one, hides or shows it") {
+  Menu menu;
+  menu.session().view().selectedLimbs = {"left-arm"};
+  CHECK(menu.label(command::trailToggle) == "Motion trail");
+  menu.run(command::trailToggle);
+  CHECK(menu.label(command::trailToggle) == "Hide the trail");
+  menu.run(command::trailToggle);
+  CHECK_FALSE(menu.trail(0).visible);
+  CHECK(menu.label(command::trailToggle) == "Show the trail");
 }
 
 TEST_CASE("Switches of trail, clip and weight are ticked while they are on") {

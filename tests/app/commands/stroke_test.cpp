@@ -48,6 +48,25 @@ TEST_CASE("Between strokes the strongest near the playhead counts, not the neare
   CHECK(rig::strongestStroke(strokes)->startFrame == 8.0);
 }
 
+TEST_CASE("A limb that makes no stroke has its greatest movement proposed, one that stands still has none") {
+  Document document = test::boxer();
+  Clip clip = document.clips->front();
+  clip.tracks.front().edit([](Track& track) { // The arm only sways.
+    for (std::size_t i = 0; i < track.values.size(); ++i) {
+      track.values[i] = i % 4 == 3 ? 1.0F : 0.02F * track.values[i];
+    }
+  });
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  const Session session(document);
+  const rig::Limb arm = *findLimb(document, "left-arm");
+  REQUIRE(session.strokesOf(arm).empty());
+  const Vec2 range = proposedRange(session, arm);
+  CHECK(range.y - range.x <= 15.0); // Half a second.
+  CHECK(range.x <= 1.0);            // The arm goes out from 0 to 10, farther than it comes back in that time.
+  CHECK(range.y >= 9.0);
+  CHECK_FALSE(session.movementOf(*findLimb(document, "right-arm")));
+}
+
 TEST_CASE("A stroke is the same at any frame rate, and a limb that rests makes none") {
   Document document = test::boxer();
   const Vec2 at30 = strokeOf(document, "left-arm", 8.0);

@@ -40,9 +40,9 @@ TEST_CASE("A style scales arms, legs and body as its cartoon does, and only the 
   CHECK(after->trails[0].settings.scale == 2.0);
   CHECK(after->trails[1].settings.scale == 4.0);
   CHECK(after->trails[2].settings.scale == before.trails[2].settings.scale);
-  CHECK(app::styleOf(*after, {1, 2}) == 3);
-  CHECK(app::styleOf(*after, {1, 2, 3}) == -1);
-  CHECK(app::styleOf(*after, {}) == -1);
+  CHECK(app::hasStyle(*after, {1, 2}, piggyBank));
+  CHECK_FALSE(app::hasStyle(*after, {1, 2, 3}, piggyBank));
+  CHECK_FALSE(app::hasStyle(*after, {1, 2}, app::styles()[0]));
 }
 
 TEST_CASE("A style for a trail that is not there is refused") {

@@ -1,6 +1,7 @@
 #include "tests/support/skinning/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -122,6 +123,49 @@ Shape tube(double length, double radius, int rings, int sides) {
   }
   for (Triangle& triangle : shape.triangles) {
     std::swap(triangle[1], triangle[2]);
+  }
+  return shape;
+}
+
+Shape cubes(const glm::ivec3& low, const glm::ivec3& high, double size,
+            const std::function<bool(int, int, int)>& filled) {
+  Shape shape;
+  std::map<std::array<int, 3>, std::uint32_t> corners;
+  const auto isFilled = [&](const glm::ivec3& cell) { return filled(cell.x, cell.y, cell.z); };
+  const auto corner = [&](const glm::ivec3& at) {
+    const auto [found, isNew] = corners.try_emplace({at.x, at.y, at.z}, index(shape.positions.size()));
+    if (isNew) {
+      shape.positions.emplace_back(Vec3(at) * size);
+    }
+    return found->second;
+  };
+  const auto addSide = [&](const glm::ivec3& cell, int axis, bool front) {
+    glm::ivec3 u(0);
+    glm::ivec3 v(0);
+    glm::ivec3 start = cell;
+    start[axis] += front ? 1 : 0;
+    u[(axis + 1) % 3] = 1;
+    v[(axis + 2) % 3] = 1;
+    const std::array<std::uint32_t, 4> side{corner(start), corner(start + u), corner(start + u + v),
+                                            corner(start + v)};
+    shape.triangles.push_back({side[0], side[front ? 1 : 2], side[front ? 2 : 1]});
+    shape.triangles.push_back({side[0], side[front ? 2 : 3], side[front ? 3 : 2]});
+  };
+  for (glm::ivec3 cell = low; cell.x < high.x; ++cell.x) {
+    for (cell.y = low.y; cell.y < high.y; ++cell.y) {
+      for (cell.z = low.z; cell.z < high.z; ++cell.z) {
+        for (int axis = 0; axis < 3 && isFilled(cell); ++axis) {
+          glm::ivec3 step(0);
+          step[axis] = 1;
+          if (!isFilled(cell + step)) {
+            addSide(cell, axis, true);
+          }
+          if (!isFilled(cell - step)) {
+            addSide(cell, axis, false);
+          }
+        }
+      }
+    }
   }
   return shape;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -27,6 +28,11 @@ struct Shape {
 /// Closed tube along x from 0 to `length`: `rings` + 1 rings of `sides` vertices and a vertex in the middle
 /// of each end.
 [[nodiscard]] Shape tube(double length, double radius, int rings, int sides);
+
+/// The surface of the cubes of a grid, from cell `low` up to but not with `high`, that are filled; corners
+/// that cubes share are one vertex. Cells are `size` wide, cell (0, 0, 0) begins at the origin.
+[[nodiscard]] Shape cubes(const glm::ivec3& low, const glm::ivec3& high, double size,
+                          const std::function<bool(int, int, int)>& filled);
 
 /// A sequence of one frame.
 [[nodiscard]] MeshSequence still(const Shape& shape);

@@ -123,7 +123,10 @@ float GuiStage::showPanel(void (*panel)(ui::PanelContext&), float height) {
 }
 
 void GuiStage::showDialogs() {
-  show([](ui::PanelContext& context) { ui::drawDialogs(context); });
+  show([&](ui::PanelContext& context) {
+    ui::drawDialogs(context);
+    ui::drawToasts(context, {{0.0F, 0.0F}, {width_, height_}}, *ImGui::GetForegroundDrawList());
+  });
 }
 
 void GuiStage::showViewport() {

@@ -42,7 +42,6 @@ private:
   std::mt19937 random_;
   int stepsLeft_;
   int untilCheck_ = 0;
-  bool ended_ = false;
   int saving_ = 0;                   ///< Keys pressed for it: a dialog may ask for the name.
   bool pressed_ = false;             ///< A mouse button is held.
   std::string heldKey_;              ///< Held over several steps.

@@ -280,6 +280,31 @@ bool showsTooltip() {
   });
 }
 
+/// Whether every message stands inside the picture, so that none covers what is worked with; "none" without
+/// any.
+std::string toastsInPicture(const Shell& shell) {
+  const Item* const picture = shell.items.find("viewport");
+  std::string inside = "none";
+  for (const Item& item : shell.items.items) {
+    if (picture == nullptr || !item.id.starts_with("toast/")) {
+      continue;
+    }
+    const bool isInside = item.min.x >= picture->min.x && item.min.y >= picture->min.y &&
+                          item.max.x <= picture->max.x && item.max.y <= picture->max.y;
+    inside = isInside && inside != "no" ? "yes" : "no";
+  }
+  return inside;
+}
+
+/// Whether the menu at the mouse lies over the middle of a bar of the timeline.
+bool menuCoversBar(const Shell& shell) {
+  const Item* const menu = shell.items.find("context-menu");
+  return std::any_of(shell.items.items.begin(), shell.items.items.end(), [&](const Item& item) {
+    const bool isBar = item.id.starts_with("timeline/trail-") && item.id.ends_with("/body");
+    return menu != nullptr && isBar && Rect{menu->min, menu->max}.contains(item.centre());
+  });
+}
+
 /// The file that the dialog's list stands on, as its facts tell of it.
 std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
@@ -316,6 +341,8 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
+      {"toasts-in-picture", toastsInPicture(shell)},
+      {"menu-over-bars", yesNo(menuCoversBar(shell))},
       {"rename.typed", shell.ui.rename.typed},
       {"rename-open", yesNo(shell.ui.rename.open)},
       {"history-open", yesNo(shell.ui.history.open)},

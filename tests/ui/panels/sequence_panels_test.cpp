@@ -69,9 +69,9 @@ TEST_CASE("Compress is asked for by its command; the result shows metrics and ca
   CHECK(panels.driver.requested == std::vector<std::string>{ui::command::sequenceCompress});
   panels.compress();
   CHECK(panels.driver.find("sequence/quantise") != nullptr);
-  const bool before = panels.driver.open.sequence()->document().quantise;
+  const bool before = panels.driver.open.sequence()->document().encoding.quantise;
   panels.driver.click("sequence/quantise");
-  CHECK(panels.driver.open.sequence()->document().quantise != before);
+  CHECK(panels.driver.open.sequence()->document().encoding.quantise != before);
   panels.driver.click(ui::command::fileExportClean);
   CHECK(panels.driver.requested.back() == ui::command::fileExportClean);
 }

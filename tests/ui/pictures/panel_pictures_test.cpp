@@ -131,7 +131,7 @@ const Dialog dialogs[] = {
     {"palette", 680.0F, 470.0F, [](UiState& ui) { ui.palette = {.open = true, .typed = "trail"}; },
      withTrail},
     {"keys", 760.0F, 620.0F, [](UiState& ui) { ui.keys.open = true; }, withTrail},
-    {"settings", 560.0F, 460.0F, [](UiState& ui) { ui.settingsOpen = true; }},
+    {"settings", 560.0F, 540.0F, [](UiState& ui) { ui.settingsOpen = true; }},
     {"about", 520.0F, 340.0F, [](UiState& ui) { ui.aboutOpen = true; }},
     {"joints", 560.0F, 620.0F,
      [](UiState& ui) {

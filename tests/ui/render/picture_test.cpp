@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "../../support/ui/picture_baseline.h"
@@ -124,6 +126,49 @@ TEST_CASE("Picture: the selected limb and its handles at twice the display scale
   const std::string difference = differenceFromBaseline("biped-handles", image);
   INFO(difference);
   CHECK(difference.empty());
+}
+
+namespace {
+
+/// Pixels of the picture that have a colour, to a few steps of a channel.
+int pixelsOf(const Image& image, const glm::vec4& colour) {
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    bool isIt = true;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double value = image.rgba[i + static_cast<std::size_t>(channel)];
+      isIt = isIt && std::abs(value - 255.0 * static_cast<double>(colour[channel])) < 24.0;
+    }
+    count += isIt ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("A selected limb has a light and a dark line around it, whatever colour the body has") {
+  const BipedNodes nodes;
+  for (const Palette& palette : {darkPalette(), lightPalette(), highContrastPalette()}) {
+    for (const glm::vec4& body : {rgba(okabe::orange), rgba(0xFFFFFF), rgba(0x101010), rgba(0xE8B89A)}) {
+      Scene scene = bipedScene();
+      for (Material& material : scene.materials) {
+        material.baseColor = body;
+      }
+      PictureFrame picture = atRest(scene);
+      picture.content.style.palette = palette;
+      const auto plain = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
+      picture.content.style.highlight.assign(scene.nodes.size(), 0.0F);
+      picture.content.style.highlight[at(nodes.leftForearm)] = 1.0F;
+      const auto selected = renderFrame(scene, picture, smallPicture(ViewDirection::threeQuarter));
+      REQUIRE(plain);
+      REQUIRE(selected);
+      const auto more = [&](const glm::vec4& colour) {
+        return pixelsOf(*selected, colour) - pixelsOf(*plain, colour);
+      };
+      // The one that is like the body or the ground is not seen there: the other one is.
+      CHECK(std::max(more(palette.selectionLine), more(palette.selectionGround)) > 20);
+    }
+  }
 }
 
 TEST_CASE("The same picture twice has the same bytes") {

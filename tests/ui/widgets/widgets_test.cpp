@@ -1,8 +1,8 @@
 #include <array>
-#include <cmath>
 
 #include <catch2/catch.hpp>
 
+#include "core/math/srgb.h"
 #include "ui/widgets/arithmetic.h"
 #include "ui/widgets/axis.h"
 #include "ui/widgets/curve_view.h"
@@ -18,14 +18,11 @@ using namespace stretch::ui;
 namespace {
 
 /// Relative luminance and contrast as WCAG 2.1 defines them.
-double linear(double channel) {
-  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
 double luminance(ImU32 colour) {
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
-  return 0.2126 * linear(static_cast<double>(c.x)) + 0.7152 * linear(static_cast<double>(c.y)) +
-         0.0722 * linear(static_cast<double>(c.z));
+  return 0.2126 * linearFromSrgb(static_cast<double>(c.x)) +
+         0.7152 * linearFromSrgb(static_cast<double>(c.y)) +
+         0.0722 * linearFromSrgb(static_cast<double>(c.z));
 }
 
 double contrast(ImU32 a, ImU32 b) {

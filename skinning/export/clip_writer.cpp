@@ -1,0 +1,103 @@
+#include "skinning/export/clip_writer.h"
+
+#include <cmath>
+
+namespace stretch::skinning {
+namespace {
+
+bool isConstant(const Course& course, std::size_t width, double tolerance) {
+  for (std::size_t i = width; i < course.size(); ++i) {
+    if (std::abs(static_cast<double>(course[i] - course[i % width])) > tolerance) {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool areAlike(const Course& a, const Course& b, double tolerance) {
+  if (a.size() != b.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(static_cast<double>(a[i] - b[i])) > tolerance) {
+      return false;
+    }
+  }
+  return true;
+}
+
+ClipWriter::ClipWriter(gltf::Json& json, GltfBuffers& buffers, const std::string& name,
+                       const ClipEncoding& encoding)
+    : json_(json), buffers_(buffers), encoding_(encoding) {
+  json_["animations"] = gltf::Json::array(
+      {{{"name", name}, {"channels", gltf::Json::array()}, {"samplers", gltf::Json::array()}}});
+}
+
+void ClipWriter::setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,
+                             double tolerance, double reach) {
+  const double bound = reach > 0.0 ? encoding_.keyBound / reach : 0.0;
+  json_["nodes"][node][path] =
+      std::vector<float>(course.begin(), course.begin() + static_cast<std::ptrdiff_t>(width));
+  if (!isConstant(course, width, tolerance) && !(bound > 0.0 && staysWithin(course, width, bound))) {
+    const std::size_t sampler = samplerFor(course, width, tolerance, bound);
+    json_["animations"][0]["channels"].push_back(
+        {{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
+  }
+}
+
+std::size_t ClipWriter::samplerFor(const Course& course, std::size_t width, double tolerance, double bound) {
+  for (std::size_t s = 0; s < stored_.size(); ++s) {
+    if (stored_[s].width == width && stored_[s].bound <= bound &&
+        areAlike(stored_[s].course, course, tolerance)) {
+      return s;
+    }
+  }
+  const std::vector<std::size_t> keys = keysWithin(course, width, bound);
+  const std::size_t input = timesOf(keys);
+  const std::size_t output = valuesOf(course, width, keys);
+  json_["animations"][0]["samplers"].push_back(
+      {{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+  stored_.push_back({course, width, bound});
+  keys_ += keys.size();
+  return stored_.size() - 1;
+}
+
+std::size_t ClipWriter::timesOf(const std::vector<std::size_t>& keys) {
+  if (const auto found = times_.find(keys); found != times_.end()) {
+    return found->second;
+  }
+  std::vector<float> seconds;
+  for (const std::size_t key : keys) {
+    seconds.push_back(static_cast<float>(static_cast<double>(key) / encoding_.framesPerSecond));
+  }
+  const std::size_t accessor = buffers_.addFloats(seconds, "SCALAR", 1, GltfBuffers::Target::none, true);
+  times_[keys] = accessor;
+  accessors_.push_back(accessor);
+  return accessor;
+}
+
+std::size_t ClipWriter::valuesOf(const Course& course, std::size_t width,
+                                 const std::vector<std::size_t>& keys) {
+  Course values;
+  for (const std::size_t key : keys) {
+    const auto first = course.begin() + static_cast<std::ptrdiff_t>(key * width);
+    values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(width));
+  }
+  const bool rotation = width == 4;
+  const std::size_t accessor =
+      rotation && encoding_.quantise
+          ? buffers_.addNormalised(values, "VEC4", 4)
+          : buffers_.addFloats(values, rotation ? "VEC4" : "VEC3", width, GltfBuffers::Target::none, false);
+  accessors_.push_back(accessor);
+  return accessor;
+}
+
+void ClipWriter::finish() {
+  if (json_["animations"][0]["channels"].empty()) {
+    json_.erase("animations");
+  }
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,52 @@
+#include "skinning/export/read_back.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "core/anim/frame_state.h"
+#include "core/anim/sampling.h"
+#include "core/gltf/load_as_it_stands.h"
+#include "skinning/linear_blend_skinning.h"
+
+namespace stretch::skinning {
+
+MeshSequence framesShown(const Scene& scene, const std::vector<Clip>& clips, std::size_t frameCount,
+                         double framesPerSecond) {
+  std::vector<std::vector<Vec3>> positions(frameCount);
+  tbb::parallel_for(std::size_t{0}, frameCount, [&](std::size_t k) {
+    const double seconds = static_cast<double>(k) / framesPerSecond;
+    Pose pose = clips.empty() ? restPose(scene) : samplePose(scene, clips.front(), seconds);
+    positions[k] = skinnedPositions(scene, frameOf(scene, std::move(pose), seconds));
+  });
+  MeshSequence sequence;
+  sequence.framesPerSecond = framesPerSecond;
+  sequence.vertexCount = positions.empty() ? 0 : positions.front().size();
+  for (const std::vector<Vec3>& frame : positions) {
+    sequence.positions.insert(sequence.positions.end(), frame.begin(), frame.end());
+  }
+  return sequence;
+}
+
+Result<SequenceMetrics> errorOfFile(const std::filesystem::path& path, const EncodedClip& clip,
+                                    const MeshSequence& source) {
+  const auto loaded = gltf::loadAsItStands(path);
+  if (!loaded) {
+    return loaded.error();
+  }
+  const MeshSequence shown =
+      framesShown(*loaded->scene, loaded->clips, source.frameCount(), source.framesPerSecond);
+  if (shown.vertexCount != clip.places.size()) {
+    return Error{
+        fmt::format("{} vertices were written and {} are read", clip.places.size(), shown.vertexCount),
+        path.string(), "report this"};
+  }
+  MeshSequence inOrder = source; // What the file does not draw stays as it is.
+  for (std::size_t k = 0; k < source.frameCount(); ++k) {
+    for (std::size_t v = 0; v < clip.places.size(); ++v) {
+      inOrder.frame(k)[clip.places[v]] = shown.frame(k)[v];
+    }
+  }
+  return distancesOf(source, inOrder);
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,291 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/gltf/edits.h"
+#include "skinning/body/given_skeleton.h"
+#include "skinning/compress/compress.h"
+#include "skinning/export/encode_gltf.h"
+#include "skinning/fit/joint_tree.h"
+#include "skinning/sequence/read_sequence.h"
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::skinning;
+
+namespace {
+
+CompressSettings measuredWith(int bones) {
+  CompressSettings settings;
+  settings.bones = bones;
+  settings.stretch = StretchOption::measured;
+  return settings;
+}
+
+CompressedSequence compressedBody(const CompressSettings& settings) {
+  auto result = compress(skinAllFrames(test::armedBody(24)), settings);
+  REQUIRE(result);
+  return std::move(result).value();
+}
+
+/// Of the bones in a frame, the largest distance between where a bone and its parent put their joint.
+double largestGap(const SkinnedSequence& skinned) {
+  double gap = 0.0;
+  for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+    for (std::size_t k = 0; k < skinned.frameCount() && skinned.bones[b].parent >= 0; ++k) {
+      const auto parent = static_cast<std::size_t>(skinned.bones[b].parent);
+      const Mat4 above = skinMatrix(skinned.bones[parent], skinned.pose(k, parent));
+      const Vec3 carried(above * Vec4(skinned.bones[b].pivot, 1.0));
+      gap = std::max(gap, glm::length(carried - skinned.pose(k, b).position));
+    }
+  }
+  return gap;
+}
+
+double distanceToNearest(const Vec3& place, const std::vector<SkinBone>& bones) {
+  double nearest = 1e9;
+  for (const SkinBone& bone : bones) {
+    nearest = std::min(nearest, glm::length(bone.pivot - place));
+  }
+  return nearest;
+}
+
+/// A tube that waves in two directions and swells, so that no bone moves any of it as it does.
+MeshSequence jellyTube() {
+  MeshSequence tube = test::shorteningTube(16, 0.0, 0.0, 0.0);
+  for (std::size_t k = 0; k < tube.frameCount(); ++k) {
+    const auto time = static_cast<float>(k);
+    for (glm::vec3& p : tube.frame(k)) {
+      const float swelling = 1.0F + 0.3F * std::sin(1.7F * p.x + 0.8F * time);
+      p = {p.x + 0.2F * std::sin(p.y + 0.5F * time),
+           swelling * p.y + 0.4F * std::sin(1.3F * p.x + 0.5F * time),
+           swelling * p.z + 0.4F * std::cos(0.7F * p.x - 0.4F * time)};
+    }
+  }
+  return tube;
+}
+
+/// Writes the bones and reads the file's skin again.
+std::vector<SkinBone> bonesOfFile(const SkinnedSequence& skinned) {
+  const test::TemporaryFolder folder;
+  REQUIRE(gltf::save(encodeGltf(skinned).source, folder.path() / "body.glb"));
+  auto bones = readSkeleton(folder.path() / "body.glb");
+  REQUIRE(bones);
+  return std::move(bones).value();
+}
+
+} // namespace
+
+TEST_CASE("a body with arms is measured by parts that move alike, and comes back") {
+  const CompressedSequence result = compressedBody(measuredWith(6));
+  CHECK(result.skinned.bones.size() == 6);
+  CHECK(result.metrics.rmsePercent < 0.1);
+}
+
+TEST_CASE("bones of a body with arms hang together where its joints are") {
+  const SkinnedSequence truth = test::armedBody(24);
+  const SkinnedSequence skinned = compressedBody(measuredWith(6)).skinned;
+  const auto roots = std::ranges::count_if(skinned.bones, [](const SkinBone& b) { return b.parent < 0; });
+  CHECK(roots == 1);
+  CHECK(largestGap(skinned) < 0.1);
+  for (std::size_t b = 1; b < truth.bones.size(); ++b) {
+    INFO(truth.bones[b].name);
+    CHECK(distanceToNearest(truth.bones[b].pivot, skinned.bones) < 0.5);
+  }
+}
+
+TEST_CASE("a tree of bones that were split and moved is found again") {
+  const SkinnedSequence truth = test::armedBody(24);
+  SkinnedSequence loose = truth;
+  for (std::size_t b = 0; b < loose.bones.size(); ++b) {
+    const Vec3 elsewhere = loose.bones[b].pivot + Vec3(0.5, 1.0, 0.25);
+    for (std::size_t k = 0; k < loose.frameCount(); ++k) {
+      loose.pose(k, b).position = Vec3(skinMatrix(truth.bones[b], truth.pose(k, b)) * Vec4(elsewhere, 1.0));
+    }
+    loose.bones[b].pivot = elsewhere;
+    loose.bones[b].parent = -1;
+  }
+  hangTogether(loose);
+  CHECK(distancesOf(skinAllFrames(truth), skinAllFrames(loose)).largestPercent < 1e-4);
+  for (std::size_t b = 0; b < truth.bones.size(); ++b) {
+    INFO(truth.bones[b].name);
+    CHECK(loose.bones[b].parent == truth.bones[b].parent);
+    const bool isRoot = truth.bones[b].parent < 0;
+    const Vec3 away = loose.bones[b].pivot - truth.bones[b].pivot;
+    CHECK((isRoot || glm::length(Vec3(away.x, away.y, 0.0)) < 0.1));
+  }
+}
+
+TEST_CASE("bones stand side by side where that is asked for; the file shows the same either way") {
+  CompressSettings settings = measuredWith(8);
+  const SkinnedSequence tree = compressedBody(settings).skinned;
+  settings.joints = JointOption::free;
+  const SkinnedSequence free = compressedBody(settings).skinned;
+  CHECK(std::ranges::all_of(free.bones, [](const SkinBone& bone) { return bone.parent < 0; }));
+  CHECK(distancesOf(skinAllFrames(tree), skinAllFrames(free)).largestPercent < 1e-4);
+  const std::vector<SkinBone> written = bonesOfFile(tree);
+  REQUIRE(written.size() == tree.bones.size());
+  for (std::size_t b = 0; b < written.size(); ++b) {
+    CHECK(written[b].parent == tree.bones[b].parent);
+    CHECK(glm::length(written[b].pivot - tree.bones[b].pivot) < 1e-4);
+  }
+}
+
+TEST_CASE("bodies in several parts have a root each") {
+  SkinnedSequence two = test::armedBody(12);
+  const SkinnedSequence one = two;
+  const auto bones = static_cast<std::uint16_t>(one.bones.size());
+  const auto count = static_cast<std::uint32_t>(one.bindPositions.size());
+  for (const Triangle& t : one.triangles) {
+    two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  }
+  for (std::size_t v = 0; v < count; ++v) {
+    two.bindPositions.push_back(one.bindPositions[v] + glm::vec3(0.0F, 0.0F, 8.0F));
+    Influences influences = one.influences[v];
+    for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      influences.bones[i] =
+          static_cast<std::uint16_t>(influences.bones[i] + (influences.weights[i] > 0.0F ? bones : 0));
+    }
+    two.influences.push_back(influences);
+  }
+  two.poses.clear();
+  for (std::size_t k = 0; k < one.frameCount(); ++k) {
+    for (std::size_t b = 0; b < 2 * one.bones.size(); ++b) {
+      two.poses.push_back(one.pose(k, b % one.bones.size()));
+    }
+  }
+  two.bones.insert(two.bones.end(), one.bones.begin(), one.bones.end());
+  hangTogether(two);
+  CHECK(two.bones[0].parent == -1);
+  CHECK(two.bones[bones].parent == -1);
+  CHECK(std::ranges::count_if(two.bones, [](const SkinBone& b) { return b.parent < 0; }) == 2);
+}
+
+TEST_CASE("the fewest bones that meet a tolerance are found") {
+  CompressSettings settings = measuredWith(1);
+  settings.tolerancePercent = 0.5;
+  const CompressedSequence result = compressedBody(settings);
+  CHECK(result.metrics.rmsePercent <= 0.5);
+  const auto bones = static_cast<int>(result.skinned.bones.size());
+  REQUIRE(bones > 1);
+  CHECK(compressedBody(measuredWith(bones - 1)).metrics.rmsePercent > 0.5);
+}
+
+TEST_CASE("a tolerance that no number of bones meets is told") {
+  CompressSettings settings;
+  settings.stretch = StretchOption::none;
+  settings.weights = WeightOption::geodesic;
+  settings.tolerancePercent = 0.01;
+  const auto result = compress(test::shorteningTube(8, 2.0, 0.06, 0.1), settings);
+  REQUIRE(result);
+  CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
+    return warning.find("0.01 % of the diagonal is not met") != std::string::npos;
+  }));
+}
+
+TEST_CASE("vertices hang on up to eight bones where that is asked for, and the file has them all") {
+  CompressSettings settings = measuredWith(16);
+  const auto most = [](const SkinnedSequence& skinned) {
+    std::ptrdiff_t influences = 0;
+    for (const Influences& i : skinned.influences) {
+      influences = std::max(influences, std::ranges::count_if(i.weights, [](float w) { return w > 0.0F; }));
+    }
+    return influences;
+  };
+  const MeshSequence tube = jellyTube();
+  const auto four = compress(tube, settings);
+  settings.influences = InfluenceLimit::eight;
+  const auto eight = compress(tube, settings);
+  REQUIRE(four);
+  REQUIRE(eight);
+  CHECK(most(four->skinned) == 4);
+  CHECK(most(eight->skinned) > 4);
+  CHECK(eight->metrics.mse < four->metrics.mse);
+  const test::TemporaryFolder folder;
+  for (const bool quantise : {false, true}) {
+    EncodeSettings encoding;
+    encoding.quantise = quantise;
+    REQUIRE(gltf::save(encodeGltf(eight->skinned, encoding).source, folder.path() / "tube.glb"));
+    const auto read = readAnimatedGltf(folder.path() / "tube.glb");
+    REQUIRE(read);
+    CHECK(distancesOf(skinAllFrames(eight->skinned), *read).largestPercent < (quantise ? 0.01 : 0.001));
+  }
+}
+
+TEST_CASE("of a row the better weights are taken unless others are asked for") {
+  const MeshSequence tube = test::shorteningTube(12, 2.0, 0.06, 0.1);
+  for (const StretchOption stretch : {StretchOption::none, StretchOption::elastic}) {
+    CompressSettings settings;
+    settings.bones = 10;
+    settings.stretch = stretch;
+    const auto best = compress(tube, settings);
+    settings.weights = WeightOption::geodesic;
+    const auto geodesic = compress(tube, settings);
+    settings.weights = WeightOption::fitted;
+    const auto fitted = compress(tube, settings);
+    REQUIRE(best);
+    REQUIRE(geodesic);
+    REQUIRE(fitted);
+    CHECK(best->metrics.mse == std::min(geodesic->metrics.mse, fitted->metrics.mse));
+    const bool geodesicIsBetter = geodesic->metrics.mse < fitted->metrics.mse;
+    CHECK(best->weights.used == (geodesicIsBetter ? WeightOption::geodesic : WeightOption::fitted));
+    REQUIRE(best->weights.geodesicPercent);
+    CHECK(*best->weights.geodesicPercent == Approx(geodesic->metrics.rmsePercent));
+    CHECK(*best->weights.fittedPercent == Approx(fitted->metrics.rmsePercent));
+    CHECK_FALSE(geodesic->weights.fittedPercent);
+  }
+}
+
+TEST_CASE("a given skeleton keeps its names, parents and places") {
+  const SkinnedSequence truth = test::armedBody(24);
+  CompressSettings settings = measuredWith(1);
+  settings.skeleton = bonesOfFile(truth);
+  REQUIRE(settings.skeleton.size() == truth.bones.size());
+  const CompressedSequence result = compressedBody(settings);
+  CHECK(result.metrics.rmsePercent < 0.2);
+  const std::vector<SkinBone> written = bonesOfFile(result.skinned);
+  REQUIRE(written.size() == truth.bones.size());
+  for (std::size_t b = 0; b < truth.bones.size(); ++b) {
+    INFO(truth.bones[b].name);
+    CHECK(written[b].name == truth.bones[b].name);
+    CHECK(written[b].parent == truth.bones[b].parent);
+    CHECK(glm::length(written[b].pivot - truth.bones[b].pivot) < 1e-4);
+  }
+}
+
+TEST_CASE("a skeleton that cannot be used is refused in one line") {
+  const SkinnedSequence truth = test::armedBody(3);
+  const MeshSequence sequence = skinAllFrames(truth);
+  CompressSettings settings = measuredWith(6);
+  settings.skeleton = truth.bones;
+  for (SkinBone& bone : settings.skeleton) {
+    bone.pivot *= 100.0;
+  }
+  CHECK_THAT(compress(sequence, settings).error().line(), Catch::Contains("in the units of the mesh"));
+  settings.skeleton = truth.bones;
+  for (SkinBone& bone : settings.skeleton) {
+    bone.pivot.y += 50.0;
+  }
+  CHECK_THAT(compress(sequence, settings).error().line(), Catch::Contains("lie in the mesh"));
+  settings.skeleton = truth.bones;
+  settings.stretch = StretchOption::elastic;
+  CHECK_THAT(compress(sequence, settings).error().line(), Catch::Contains("--stretch measured"));
+  const test::TemporaryFolder folder;
+  CHECK_FALSE(readSkeleton(folder.path() / "none.glb"));
+}
+
+TEST_CASE("bones that are stretched out of proportion are told with their frames") {
+  SkinnedSequence truth = test::armedBody(12);
+  for (std::size_t k = 0; k < truth.frameCount(); ++k) {
+    truth.pose(k, 1).scale = Vec3(1.0, k == 7 ? 3.0 : 1.0, 1.0);
+  }
+  const auto result = compress(skinAllFrames(truth), measuredWith(6));
+  REQUIRE(result);
+  CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
+    return warning.find("scaled") != std::string::npos && warning.find("7") != std::string::npos;
+  }));
+}

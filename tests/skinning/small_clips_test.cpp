@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/gltf/edits.h"
+#include "core/gltf/json.h"
+#include "core/gltf/source.h"
+#include "skinning/compress/compress.h"
+#include "skinning/export/encode_gltf.h"
+#include "skinning/export/key_reduction.h"
+#include "skinning/export/read_back.h"
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::skinning;
+
+namespace {
+
+SkinnedSequence measuredBody() {
+  CompressSettings settings;
+  settings.bones = 6;
+  settings.stretch = StretchOption::measured;
+  auto result = compress(skinAllFrames(test::armedBody(48)), settings);
+  REQUIRE(result);
+  return std::move(result).value().skinned;
+}
+
+struct WrittenClip {
+  EncodedClip clip;
+  double largestPercent = 0.0; ///< Of the file, against what was encoded.
+  std::size_t fileBytes = 0;
+};
+
+WrittenClip written(const SkinnedSequence& skinned, const EncodeSettings& settings) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "clip.glb";
+  WrittenClip result;
+  result.clip = encodeGltf(skinned, settings);
+  REQUIRE(gltf::save(result.clip.source, path));
+  REQUIRE(gltf::load(path));
+  const auto error = errorOfFile(path, result.clip, skinAllFrames(skinned));
+  REQUIRE(error);
+  result.largestPercent = error->largestPercent;
+  result.fileBytes = std::filesystem::file_size(path);
+  return result;
+}
+
+bool isRequired(const EncodedClip& clip, const char* extension) {
+  const gltf::Json& json = clip.source.json;
+  for (const char* const list : {"extensionsUsed", "extensionsRequired"}) {
+    if (!json.contains(list) || std::ranges::find(json[list], extension) == json[list].end()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+TEST_CASE("a straight course needs two keys, a bend one more, and nothing in between is farther off than the "
+          "bound") {
+  Course course;
+  for (int k = 0; k <= 20; ++k) {
+    const float x = k <= 10 ? static_cast<float>(k) : 10.0F;
+    course.insert(course.end(), {x, 0.0F, 0.0F});
+  }
+  CHECK(keysWithin(course, 3, 0.01) == std::vector<std::size_t>{0, 10, 20});
+  CHECK(keysWithin(course, 3, 0.0).size() == 21);
+  CHECK(keysWithin(course, 3, 6.0) == std::vector<std::size_t>{0, 20});
+}
+
+TEST_CASE("a turn at an even speed needs two keys") {
+  Course course;
+  for (int k = 0; k <= 12; ++k) {
+    const float half = 0.1F * static_cast<float>(k);
+    course.insert(course.end(), {0.0F, std::sin(half), 0.0F, std::cos(half)});
+  }
+  CHECK(keysWithin(course, 4, 1e-5) == std::vector<std::size_t>{0, 12});
+  CHECK(staysWithin(course, 4, 2.5));
+  CHECK_FALSE(staysWithin(course, 4, 2.3));
+}
+
+TEST_CASE("keys are left out as far as the mesh allows, and no vertex of any frame is farther off") {
+  const SkinnedSequence skinned = measuredBody();
+  const WrittenClip every = written(skinned, {});
+  CHECK(every.largestPercent < 1e-3);
+  std::size_t before = every.clip.keys;
+  for (const double tolerance : {0.02, 0.2}) {
+    EncodeSettings settings;
+    settings.keyTolerancePercent = tolerance;
+    const WrittenClip reduced = written(skinned, settings);
+    CHECK(reduced.largestPercent <= 1.01 * tolerance);
+    CHECK(reduced.largestPercent > 0.3 * tolerance);
+    CHECK(reduced.clip.keyErrorPercent == Approx(reduced.largestPercent).epsilon(0.02));
+    CHECK(reduced.clip.keys < before);
+    CHECK(reduced.clip.bytesPerFrame < every.clip.bytesPerFrame);
+    before = reduced.clip.keys;
+  }
+  CHECK(2 * before < every.clip.keys);
+}
+
+TEST_CASE("a quantised mesh is as it was to a few ten-thousandths of its size, in fewer bytes") {
+  const SkinnedSequence skinned = measuredBody();
+  EncodeSettings settings;
+  settings.quantise = true;
+  const WrittenClip floats = written(skinned, settings);
+  settings.quantiseMesh = true;
+  const WrittenClip integers = written(skinned, settings);
+  CHECK(integers.largestPercent < 0.01);
+  CHECK(integers.clip.bytesOnce < 0.8 * static_cast<double>(floats.clip.bytesOnce));
+  CHECK(isRequired(integers.clip, "KHR_mesh_quantization"));
+  CHECK_FALSE(isRequired(floats.clip, "KHR_mesh_quantization"));
+}
+
+TEST_CASE("meshopt changes no vertex and takes less") {
+  const SkinnedSequence skinned = measuredBody();
+  for (const bool integers : {false, true}) {
+    EncodeSettings settings;
+    settings.quantise = integers;
+    settings.quantiseMesh = integers;
+    const WrittenClip plain = written(skinned, settings);
+    settings.meshopt = true;
+    const WrittenClip packed = written(skinned, settings);
+    CHECK(packed.largestPercent == plain.largestPercent);
+    CHECK(packed.clip.source.buffers[0].size() <
+          0.8 * static_cast<double>(plain.clip.source.buffers[0].size()));
+    CHECK(isRequired(packed.clip, "EXT_meshopt_compression"));
+  }
+}
+
+TEST_CASE("the bytes that are told are those of the file") {
+  const SkinnedSequence skinned = measuredBody();
+  for (const bool meshopt : {false, true}) {
+    EncodeSettings settings;
+    settings.meshopt = meshopt;
+    const WrittenClip result = written(skinned, settings);
+    const double told = result.clip.bytesPerFrame * static_cast<double>(skinned.frameCount()) +
+                        static_cast<double>(result.clip.bytesOnce + result.clip.bytesOfJson);
+    constexpr double headers = 28.0;
+    CHECK(static_cast<double>(result.fileBytes) - told >= headers - 0.5);
+    CHECK(static_cast<double>(result.fileBytes) - told < headers + 3.5);
+  }
+}

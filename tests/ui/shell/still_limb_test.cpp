@@ -1,0 +1,74 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/selection.h"
+#include "tests/support/app/boxer.h"
+#include "ui/shell/shell_commands.h"
+#include "ui/shell/stroke_news.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+/// The editor with the boxer, whose left arm punches while everything else stands still.
+struct Boxing {
+  Boxing() {
+    shell.open.open(app::Opened{app::Document(test::boxer())});
+    shell.commands = editorCommands();
+    shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  }
+
+  Shell shell;
+};
+
+} // namespace
+
+TEST_CASE("E on a limb that stands still opens no tool: it says which limb makes a stroke, and its key") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  shell.open.character()->view().selectedLimbs = {"right-arm"};
+  runCommand(shell, command::trailExaggerate);
+  CHECK_FALSE(isRunning(shell.tool));
+  CHECK(shell.open.character()->document().trails.empty());
+  CHECK_FALSE(shell.open.character()->history().canUndo());
+  REQUIRE(shell.ui.toasts.size() == 1);
+  CHECK(shell.ui.toasts.front().text ==
+        "The right arm does not move in this clip. The left arm makes the strongest stroke: 1 selects it");
+}
+
+TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as it is, says so") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  app::Document document = test::boxer();
+  std::vector<Clip> clips = *document.clips;
+  clips.front().tracks.front().edit([](Track& track) { // The arm only sways.
+    for (std::size_t i = 0; i < track.values.size(); ++i) {
+      track.values[i] = i % 4 == 3 ? 1.0F : 0.02F * track.values[i];
+    }
+  });
+  document.clips = std::make_shared<const std::vector<Clip>>(clips);
+  shell.open.open(app::Opened{document});
+  app::Session& session = *shell.open.character();
+  session.view().selectedLimbs = {"left-arm"};
+  REQUIRE(startExaggerate(session, shell.tool));
+  auto& tool = std::get<ExaggerateTool>(shell.tool);
+  CHECK_FALSE(standsStill(session, tool));
+  app::Document stopped = session.document();
+  rig::Trail& trail = stopped.trails.front();
+  const Vec3 tip = app::solvedTrail(session, trail.id)->tip.originalTip;
+  trail.settings.stopAt = rig::StopPlane{tip, app::solvedTrail(session, trail.id)->tip.tip - tip};
+  session.preview(stopped);
+  CHECK(standsStill(session, tool));
+  CHECK(stillNews(session, tool, [](const std::string&) {
+          return "1";
+        }).find("only into the floor in frames") != std::string::npos);
+}
+
+TEST_CASE("E on several limbs of which one moves opens the tool") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  shell.open.character()->view().selectedLimbs = {"right-arm", "left-arm"};
+  runCommand(shell, command::trailExaggerate);
+  CHECK(isRunning(shell.tool));
+}
