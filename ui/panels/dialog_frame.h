@@ -11,12 +11,13 @@ struct DialogSpec {
   const char* icon = "";
   std::string title = {};
   float width = 480.0F; ///< Design pixels.
-  float height = 0.0F;  ///< Design pixels; 0: as high as the content.
+  float height = 0.0F; ///< Design pixels; 0: as high as the content, which scrolls where the window is lower.
   bool closable = true; ///< Esc and the cross close it.
 };
 
 /// A dialog in the middle of the window that takes all input while it is open. True when its content is to be
-/// drawn, and endDialog called; `open` becomes false when the user closes it.
+/// drawn, and endDialog called; `open` becomes false when the user closes it. It never gets larger than the
+/// window, and shows no tooltip before the mouse has moved.
 [[nodiscard]] bool beginDialog(PanelContext& context, const DialogSpec& spec, bool& open);
 void endDialog();
 
@@ -26,8 +27,8 @@ void endDialog();
 /// Moves a highlighted row with the arrow keys; stays in [0, count).
 void moveHighlight(int& highlighted, int count);
 
-/// Buttons at the right end of the dialog's last row. The index that was clicked, or -1; the last one is the
-/// primary one.
+/// Ends the dialog's content: buttons at the right end of its last row, which never scrolls. The index that
+/// was clicked, or -1; the last one is the primary one.
 int dialogButtons(PanelContext& context, const std::string& id, const std::vector<ButtonSpec>& buttons);
 
 // Each draws its dialog while the state says that it is open.

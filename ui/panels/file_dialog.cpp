@@ -326,9 +326,9 @@ void entryList(PanelContext& context) {
     }
   }
   if (entries.empty() && dialog.message.empty()) {
-    note(widgetsOf(context), dialog.typed.empty() || isSaving(dialog.purpose)
-                                 ? "Nothing here that could be opened."
-                                 : "Nothing here matches what you typed.");
+    note(widgetsOf(context), isSaving(dialog.purpose) ? "No files of this kind are here yet."
+                             : dialog.typed.empty()   ? "Nothing here that could be opened."
+                                                      : "Nothing here matches what you typed.");
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();

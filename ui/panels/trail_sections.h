@@ -13,11 +13,11 @@ namespace stretch::ui {
 void rangeRow(PanelContext& context, const rig::Trail& trail);
 void scaleRows(PanelContext& context, const rig::Trail& trail); ///< Scale, style, axes, pivot.
 /// What the field of styles says: the style that was taken for the trails while they have its scales, by its
-/// index, else that it was changed. Scales that were set by hand stay "custom", also where they pass those of
+/// index, else that it was changed. Scales that were set by hand are no style, also where they pass those of
 /// a cartoon.
 struct ShownStyle {
   int index = -1;
-  std::string otherwise = "custom"; ///< Said while the index is -1.
+  std::string otherwise = "none yet"; ///< Said while the index is -1.
 };
 [[nodiscard]] ShownStyle shownStyle(const TakenStyle& taken, const app::Document& document,
                                     const std::vector<int>& trails);

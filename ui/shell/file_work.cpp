@@ -146,6 +146,18 @@ std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
   return {drops.front()};
 }
 
+/// Of the name and name-2, name-3 and so on the first that nothing in the folder has.
+std::string freeName(const fs::path& folder, const fs::path& name) {
+  const std::string stem = name.stem().string();
+  const std::string extension = name.extension().string();
+  std::error_code ignored;
+  fs::path free = name;
+  for (int number = 2; number < 1000 && fs::exists(folder / free, ignored); ++number) {
+    free = fmt::format("{}-{}{}", stem, number, extension);
+  }
+  return free.string();
+}
+
 std::string proposedName(const Shell& shell, FilePurpose purpose) {
   if (const app::SequenceSession* const sequence = shell.open.sequence()) {
     return sequence->document().mesh->name + (purpose == FilePurpose::saveModuli ? "-moduli.json" : ".glb");
@@ -181,7 +193,13 @@ void askForFile(Shell& shell, FilePurpose purpose) {
   const fs::path near = character != nullptr ? character->proposedSavePath() : shell.files.path();
   dialog.folder =
       near.has_parent_path() ? fs::absolute(near.parent_path(), ignored) : fs::current_path(ignored);
-  dialog.typed = isSaving(purpose) ? proposedName(shell, purpose) : std::string();
+  if (isSaving(purpose)) {
+    const std::string name = proposedName(shell, purpose);
+    // The open file itself is meant to be written over.
+    const bool isOpenFile =
+        character != nullptr && purpose == FilePurpose::saveModel && !character->savePath().empty();
+    dialog.typed = isOpenFile ? name : freeName(dialog.folder, name);
+  }
 }
 
 void saveFile(Shell& shell) {

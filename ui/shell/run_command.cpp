@@ -133,6 +133,10 @@ std::string reasonOf(const Shell& shell, const app::Command<Shell>& command) {
   return reason.empty() && !command.enabled(shell) ? "nothing to do this with now" : reason;
 }
 
+bool isRefusalShown(const Shell& shell) {
+  return std::ranges::find(shell.ui.toasts, shell.refused, &Toast::text) != shell.ui.toasts.end();
+}
+
 } // namespace
 
 void runCommand(Shell& shell, std::string_view commandId) {
@@ -142,7 +146,10 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
   finishWhatIsDragged(shell);
   if (!command->enabled(shell)) {
-    tell(shell, ToastKind::info, command->label + ": " + reasonOf(shell, *command));
+    // Enter that came too late for a refused tool says nothing new.
+    if (commandId != command::trailApply || !isRefusalShown(shell)) {
+      refuse(shell, command->label + ": " + reasonOf(shell, *command));
+    }
     return;
   }
   const std::string undone = undoneText(shell, commandId);

@@ -31,6 +31,11 @@ void tell(Shell& shell, ToastKind kind, const std::string& text) {
   tell(shell.ui, kind, text);
 }
 
+void refuse(Shell& shell, const std::string& why) {
+  shell.refused = why;
+  tell(shell, ToastKind::info, why);
+}
+
 void tellProblem(Shell& shell, const Status& status) {
   tellProblem(shell.ui, shell.open, status);
 }

@@ -34,6 +34,7 @@ struct Shell {
   app::Key heldKey = app::Key::none;
   std::string pressedKey;     ///< In this frame, while widgets own the keys.
   double playRemainder = 0.0; ///< Played time that made no whole step yet, seconds.
+  std::string refused;        ///< Why the last command that was asked for was not done, as it was told.
   bool themeDirty = true;
   bool nameAsked = false; ///< The file dialog was opened for the question where to save to.
   bool quit = false;
@@ -46,6 +47,8 @@ struct Shell {
 
 /// Tells the user something for a few seconds.
 void tell(Shell& shell, ToastKind kind, const std::string& text);
+/// Tells why a command is not done.
+void refuse(Shell& shell, const std::string& why);
 /// An error as a toast; nothing for success.
 void tellProblem(Shell& shell, const Status& status);
 

@@ -163,10 +163,10 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   }
   const auto& tool = std::get<ExaggerateTool>(shell.tool);
   if (standsStill(session, tool)) {
-    tell(shell, ToastKind::info, stillNews(session, tool, [&](const std::string& id) {
-           const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
-           return chords.empty() ? std::string() : shownChord(chords.front());
-         }));
+    refuse(shell, stillNews(session, tool, [&](const std::string& id) {
+             const std::vector<app::Chord> chords = shell.keymap.chordsOf(id);
+             return chords.empty() ? std::string() : shownChord(chords.front());
+           }));
     finishTool(session, shell.tool, false);
     return Success{};
   }

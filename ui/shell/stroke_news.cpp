@@ -6,6 +6,7 @@
 
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
+#include "app/edits/place_trails.h"
 
 namespace stretch::ui {
 
@@ -41,6 +42,19 @@ std::string framesText(const rig::Trail& trail) {
   return fmt::format("frames {:.4g} to {:.4g}", trail.settings.startFrame, trail.settings.endFrame);
 }
 
+/// Where the limb's strongest stroke is, after what was said of the one that was taken; empty where it is
+/// that one.
+std::string strongestText(const app::Session& session, const TakenStroke& taken) {
+  const rig::Stroke* const strongest = rig::strongestStroke(session.strokesOf(*taken.limb));
+  if (taken.stroke == nullptr || strongest == nullptr || *strongest == *taken.stroke) {
+    return {};
+  }
+  const bool hasTrail = app::overlappingTrail(session.atBegin(), taken.limb->id, taken.trail->clip,
+                                              strongest->startFrame, strongest->endFrame) != nullptr;
+  return fmt::format("; the strongest, {:.4g} to {:.4g}{}", strongest->startFrame, strongest->endFrame,
+                     hasTrail ? ", has a trail" : ", is free");
+}
+
 std::string whyThere(const app::Session& session, const TakenStroke& taken) {
   const rig::TrailSettings& settings = taken.trail->settings;
   const std::string limb = app::limbTitle(session.document(), taken.trail->limb);
@@ -55,9 +69,14 @@ std::string whyThere(const app::Session& session, const TakenStroke& taken) {
   if (frame < 0.5 && taken.count > 1) {
     return fmt::format("The strongest stroke of the {} is taken, {}", limb, framesText(*taken.trail));
   }
-  return here ? std::string()
-              : fmt::format("Frame {:.4g} lies in no stroke of the {}: one beside it is taken, {}", frame,
-                            limb, framesText(*taken.trail));
+  const std::string strongest = strongestText(session, taken);
+  if (!here) {
+    return fmt::format("Frame {:.4g} lies in no stroke of the {}: one beside it is taken, {}{}", frame, limb,
+                       framesText(*taken.trail), strongest);
+  }
+  return strongest.empty()
+             ? std::string()
+             : fmt::format("The {}'s stroke here is taken, {}{}", limb, framesText(*taken.trail), strongest);
 }
 
 /// Empty where the stroke lies inside the clip.

@@ -9,8 +9,8 @@
 namespace stretch::ui {
 
 /// What there is to say about the range that E took by itself: why these frames, that a loop's stroke goes on
-/// across the seam, that the clip was marked as a loop. Empty where the stroke at the playhead was taken and
-/// nothing is odd.
+/// across the seam, that the clip was marked as a loop, and where the limb's strongest stroke is if another
+/// was taken. Empty where the strongest stroke lies at the playhead and nothing is odd.
 [[nodiscard]] std::string strokeNews(const app::Session& session, const ExaggerateTool& tool);
 
 /// Whether the trails that E has just made have nothing to scale: their limbs stand still in the range.

@@ -35,6 +35,27 @@ void setHints(const WindowOptions& options) {
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "stretch-engine");
 }
 
+/// Makes a window that is larger than the free part of its screen as small as that.
+void fitOnScreen(GLFWwindow* window) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) {
+    return;
+  }
+  int left = 0, top = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &left, &top, &width, &height);
+  int frameLeft = 0, frameTop = 0, frameRight = 0, frameBottom = 0;
+  glfwGetWindowFrameSize(window, &frameLeft, &frameTop, &frameRight, &frameBottom);
+  width -= frameLeft + frameRight;
+  height -= frameTop + frameBottom;
+  int wantedWidth = 0, wantedHeight = 0;
+  glfwGetWindowSize(window, &wantedWidth, &wantedHeight);
+  if (width <= 0 || height <= 0 || (wantedWidth <= width && wantedHeight <= height)) {
+    return;
+  }
+  glfwSetWindowSize(window, std::min(wantedWidth, width), std::min(wantedHeight, height));
+  glfwSetWindowPos(window, left + frameLeft, top + frameTop);
+}
+
 } // namespace
 
 Result<Window> Window::open(const WindowOptions& options) {
@@ -51,6 +72,9 @@ Result<Window> Window::open(const WindowOptions& options) {
     const Error error = noWindow(lastProblem());
     glfwTerminate();
     return error;
+  }
+  if (!options.maximised) {
+    fitOnScreen(window.handle_);
   }
   glfwMakeContextCurrent(window.handle_);
   glfwSwapInterval(1);

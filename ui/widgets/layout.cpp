@@ -29,24 +29,17 @@ ImU32 noticeColour(const ThemeColours& colours, NoticeKind kind) {
   return colours.quietText;
 }
 
-/// The lines of a text that is wrapped at a width, the rest of it in the last of `most`.
-std::vector<std::string_view> wrapped(const ImFont* font, std::string_view text, float width,
-                                      std::size_t most = std::string_view::npos) {
-  std::vector<std::string_view> lines;
-  const char* start = text.data();
-  const char* const end = start + text.size();
-  while (start < end) {
-    const char* stop =
-        lines.size() + 1 == most
-            ? end
-            : std::max(start + 1, font->CalcWordWrapPositionA(1.0F, start, end, std::max(1.0F, width)));
-    lines.emplace_back(start, static_cast<std::size_t>(stop - start));
-    start = stop;
-    while (start < end && *start == ' ') {
-      ++start;
-    }
+/// The same place, or the space before it: Dear ImGui breaks behind every full stop, in numbers too, and a
+/// number keeps its "%".
+const char* betweenWords(const char* start, const char* stop, const char* end) {
+  const auto breaksHere = [&](const char* at) {
+    return at == end || (*at == ' ' && !(at + 1 < end && at[1] == '%'));
+  };
+  const char* at = stop;
+  while (at > start && !breaksHere(at)) {
+    --at;
   }
-  return lines;
+  return at > start ? at : stop; // A word that is wider than the line is broken.
 }
 
 const ImFont* labelFont(const Theme& theme) {
@@ -150,6 +143,26 @@ void panelTitle(const WidgetContext& context, const char* iconText, const std::s
   const Rect box{corner, {corner.x + width, corner.y + theme.rowHeight()}};
   const std::string text = theme.fonts.hasIcons ? std::string(iconText) + "  " + title : title;
   drawText(context, theme.fonts.strong, box, theme.colours.text, text);
+}
+
+std::vector<std::string_view> wrapped(const ImFont* font, std::string_view text, float width,
+                                      std::size_t most) {
+  std::vector<std::string_view> lines;
+  const char* start = text.data();
+  const char* const end = start + text.size();
+  while (start < end) {
+    const char* stop =
+        lines.size() + 1 == most
+            ? end
+            : std::max(start + 1, font->CalcWordWrapPositionA(1.0F, start, end, std::max(1.0F, width)));
+    stop = betweenWords(start, stop, end);
+    lines.emplace_back(start, static_cast<std::size_t>(stop - start));
+    start = stop;
+    while (start < end && *start == ' ') {
+      ++start;
+    }
+  }
+  return lines;
 }
 
 void note(const WidgetContext& context, const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/widgets/control.h"
@@ -23,6 +24,11 @@ bool section(const WidgetContext& context, const std::string& id, const std::str
 /// A panel's title row; `reserved` pixels at its right end stay free for buttons.
 void panelTitle(const WidgetContext& context, const char* iconText, const std::string& title,
                 float reserved = 0.0F);
+
+/// The lines of a text that is wrapped between words at a width in pixels of the font's own size, the rest of
+/// it in the last of `most`.
+[[nodiscard]] std::vector<std::string_view> wrapped(const ImFont* font, std::string_view text, float width,
+                                                    std::size_t most = std::string_view::npos);
 
 /// Wrapped quiet text in the label font.
 void note(const WidgetContext& context, const std::string& text);

@@ -296,6 +296,21 @@ std::string toastsInPicture(const Shell& shell) {
   return inside;
 }
 
+/// Of the picture's height, that of the first message: "0.22"; "none" without any.
+std::string toastShare(const Shell& shell) {
+  const Item* const picture = shell.items.find("viewport");
+  const Item* const first = shell.items.find("toast/0");
+  return picture == nullptr || first == nullptr
+             ? "none"
+             : fmt::format("{:.2f}", (first->max.y - first->min.y) / (picture->max.y - picture->min.y));
+}
+
+/// "1280x720"
+std::string windowSize() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return fmt::format("{}x{}", size.x, size.y);
+}
+
 /// Whether the menu at the mouse lies over the middle of a bar of the timeline.
 bool menuCoversBar(const Shell& shell) {
   const Item* const menu = shell.items.find("context-menu");
@@ -350,6 +365,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"toasts-in-picture", toastsInPicture(shell)},
+      {"toasts", std::to_string(shell.ui.toasts.size())},
+      {"toast.share", toastShare(shell)},
+      {"window", windowSize()},
+      {"dialog.typed", shell.ui.fileDialog.typed},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
       {"menu-in-window", yesNo(menuIsInWindow(shell))},
       {"rename.typed", shell.ui.rename.typed},

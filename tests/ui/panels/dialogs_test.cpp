@@ -1,10 +1,12 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include "app/commands/selection.h"
 #include "tests/support/ui/panel_driver.h"
@@ -267,4 +269,74 @@ TEST_CASE("Angles of a turning joint do not jump") {
     CHECK(glm::length(angles - previous) < 1.0);
     previous = angles;
   }
+}
+
+namespace {
+
+bool showsTooltip() {
+  const auto& windows = ImGui::GetCurrentContext()->Windows;
+  return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* window) {
+    return window->WasActive && !window->Hidden && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
+  });
+}
+
+bool isWholeInWindow(const ui::Item* item) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  return item != nullptr && item->min.y >= 0.0F && item->max.y <= window.y &&
+         item->max.y - item->min.y > 8.0F;
+}
+
+} // namespace
+
+TEST_CASE("A dialog that opens under a resting mouse shows no tooltip until the mouse has moved") {
+  PanelDriver driver(std::nullopt);
+  driver.ui.navigationChoiceOpen = true;
+  driver.frames(3);
+  const ImVec2 card = driver.centreOf("navigation/maya");
+  driver.ui.navigationChoiceOpen = false;
+  driver.pressKey(ImGuiKey_Escape);
+  driver.frames(3);
+  ImGui::GetIO().MousePos = card;
+  driver.frames(60);
+  driver.ui.navigationChoiceOpen = true;
+  driver.frames(90);
+  CHECK_FALSE(showsTooltip());
+  driver.moveBy(1.0F, 0.0F);
+  driver.frames(60);
+  CHECK(showsTooltip());
+}
+
+TEST_CASE("In a low window a dialog's content scrolls while its title and its buttons stay in sight") {
+  PanelDriver driver(std::nullopt);
+  ImGui::GetIO().DisplaySize = {640.0F, 300.0F};
+  driver.ui.settingsOpen = true;
+  driver.frames(5);
+  CHECK(isWholeInWindow(driver.find("settings/close")));
+  CHECK(isWholeInWindow(driver.find("settings/Keys")));
+  CHECK(isWholeInWindow(driver.find("settings/Close")));
+  CHECK_FALSE(isWholeInWindow(driver.find("settings/on_twos")));
+  driver.moveTo("settings/scale/100%");
+  for (int i = 0; i < 40; ++i) {
+    ImGui::GetIO().MouseWheel = -1.0F;
+    driver.frame();
+  }
+  ImGui::GetIO().MouseWheel = 0.0F;
+  driver.frames(2);
+  CHECK(isWholeInWindow(driver.find("settings/on_twos")));
+  CHECK(isWholeInWindow(driver.find("settings/Close")));
+  driver.click("settings/Close");
+  CHECK_FALSE(driver.ui.settingsOpen);
+}
+
+TEST_CASE("A dialog whose content has room does not scroll") {
+  PanelDriver driver(std::nullopt);
+  ImGui::GetIO().DisplaySize = {1280.0F, 900.0F};
+  driver.ui.settingsOpen = true;
+  driver.frames(5);
+  CHECK(isWholeInWindow(driver.find("settings/theme/Dark")));
+  CHECK(isWholeInWindow(driver.find("settings/on_twos")));
+  const ImGuiWindow* const dialog = ImGui::FindWindowByName("##settings");
+  REQUIRE(dialog != nullptr);
+  CHECK(dialog->ScrollMax.y == 0.0F);
+  CHECK(dialog->DC.ChildWindows.empty());
 }

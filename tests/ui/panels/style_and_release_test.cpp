@@ -62,10 +62,10 @@ TEST_CASE("A style that was taken is named until its scales are changed, and no 
   REQUIRE(styled);
   ui::TakenStyle taken;
   CHECK(ui::shownStyle(taken, *styled, trails).index == -1);
-  CHECK(ui::shownStyle(taken, *styled, trails).otherwise == "custom");
+  CHECK(ui::shownStyle(taken, *styled, trails).otherwise == "none yet");
   taken = {before.scene, trails, 1};
   CHECK(ui::shownStyle(taken, *styled, trails).index == 1);
   CHECK(ui::shownStyle(taken, before, trails).index == -1);
   CHECK(ui::shownStyle(taken, before, trails).otherwise == std::string(app::styles()[1].name) + ", changed");
-  CHECK(ui::shownStyle(taken, *styled, {1, 2}).otherwise == "custom");
+  CHECK(ui::shownStyle(taken, *styled, {1, 2}).otherwise == "none yet");
 }

@@ -1,7 +1,11 @@
+#include <cmath>
+
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "app/files/save.h"
 #include "tests/support/app/boxer.h"
 #include "ui/shell/shell_commands.h"
 #include "ui/shell/stroke_news.h"
@@ -35,6 +39,48 @@ TEST_CASE("E on a limb that stands still opens no tool: it says which limb makes
   REQUIRE(shell.ui.toasts.size() == 1);
   CHECK(shell.ui.toasts.front().text ==
         "The right arm does not move in this clip. The left arm makes the strongest stroke: 1 selects it");
+}
+
+TEST_CASE("Enter after an E that was refused adds nothing to what was told; later it says why") {
+  Boxing boxing;
+  Shell& shell = boxing.shell;
+  shell.open.character()->view().selectedLimbs = {"right-arm"};
+  runCommand(shell, command::trailExaggerate);
+  runCommand(shell, command::trailApply);
+  REQUIRE(shell.ui.toasts.size() == 1);
+  CHECK(shell.ui.toasts.front().text.starts_with("The right arm does not move"));
+  shell.ui.toasts.clear();
+  runCommand(shell, command::trailApply);
+  REQUIRE(shell.ui.toasts.size() == 1);
+  CHECK(shell.ui.toasts.front().text.starts_with("Apply new motion"));
+}
+
+TEST_CASE("E on another stroke than the limb's strongest says which frames are taken and where that is") {
+  Shell shell;
+  const Result<app::Document> dummy = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(dummy);
+  shell.open.open(app::Opened{*dummy});
+  shell.commands = editorCommands();
+  shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  app::Session& session = *shell.open.character();
+  session.view().selectedLimbs = {"left-arm"};
+  const rig::Limb& arm = *app::findLimb(session.document(), "left-arm");
+  const std::vector<rig::Stroke> strokes = session.strokesOf(arm);
+  REQUIRE(strokes.size() > 1);
+  const rig::Stroke strongest = *rig::strongestStroke(strokes);
+  const rig::Stroke other = strokes.front() == strongest ? strokes.back() : strokes.front();
+  session.view().frame = std::floor(0.5 * (other.startFrame + other.endFrame));
+  runCommand(shell, command::trailExaggerate);
+  REQUIRE(shell.ui.toasts.size() == 1);
+  const std::string where = fmt::format("{:.4g} to {:.4g}", strongest.startFrame, strongest.endFrame);
+  CHECK(shell.ui.toasts.front().text.find(
+            fmt::format("taken, frames {:.4g} to {:.4g}; the strongest, {}, is free", other.startFrame,
+                        other.endFrame, where)) != std::string::npos);
+  finishTool(session, shell.tool, false);
+  shell.ui.toasts.clear();
+  session.view().frame = std::floor(0.5 * (strongest.startFrame + strongest.endFrame));
+  runCommand(shell, command::trailExaggerate);
+  CHECK(shell.ui.toasts.empty());
 }
 
 TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as it is, says so") {
