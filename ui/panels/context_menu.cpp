@@ -176,9 +176,10 @@ void placeMenu(const Theme& theme, const MenuPlace& place) {
   const float above = place.top - gap - theme.unit();
   const float below = screen.y - place.bottom - gap - theme.unit();
   const bool isAbove = above >= below;
-  const bool isRight = place.x > 0.5F * screen.x;
+  const float share = place.x / std::max(1.0F, screen.x); // The same of its width left of there: it stays
+                                                          // inside.
   ImGui::SetNextWindowPos({place.x, isAbove ? place.top - gap : place.bottom + gap}, ImGuiCond_Always,
-                          {isRight ? 1.0F : 0.0F, isAbove ? 1.0F : 0.0F});
+                          {share, isAbove ? 1.0F : 0.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, isAbove ? above : below});
 }
 

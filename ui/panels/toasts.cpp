@@ -94,6 +94,9 @@ void drawToasts(PanelContext& context, const Rect& picture, ImDrawList& under) {
       continue; // Told when the dialog is closed.
     }
     const ToastPlace place = placeToast(theme, font, picture, message, top);
+    if (count > 0 && place.box.max.y > picture.max.y) {
+      break; // Told when there is room.
+    }
     drawToast(theme, font, message, place, list);
     context.items.add("toast/" + std::to_string(count++), place.box.min, place.box.max);
     context.items.items.back().explained = true; // By itself.

@@ -305,6 +305,14 @@ bool menuCoversBar(const Shell& shell) {
   });
 }
 
+/// Whether the whole menu at the mouse is in the window.
+bool menuIsInWindow(const Shell& shell) {
+  const Item* const menu = shell.items.find("context-menu");
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  return menu != nullptr && menu->min.x >= 0.0F && menu->min.y >= 0.0F && menu->max.x <= window.x &&
+         menu->max.y <= window.y;
+}
+
 /// The file that the dialog's list stands on, as its facts tell of it.
 std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
@@ -343,6 +351,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"toasts-in-picture", toastsInPicture(shell)},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
+      {"menu-in-window", yesNo(menuIsInWindow(shell))},
       {"rename.typed", shell.ui.rename.typed},
       {"rename-open", yesNo(shell.ui.rename.open)},
       {"history-open", yesNo(shell.ui.history.open)},

@@ -22,7 +22,8 @@ namespace stretch::test {
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
-/// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a bar).
+/// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
+/// bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.
