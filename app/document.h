@@ -9,6 +9,7 @@
 #include "core/gltf/source.h"
 #include "core/scene/scene.h"
 #include "rig/body/detection.h"
+#include "rig/controllers/adjustment.h"
 #include "rig/limb.h"
 #include "rig/trail/trail.h"
 
@@ -24,8 +25,8 @@ struct ClipRate {
 };
 
 /// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
-/// shared and never change. Nothing derived is kept here. Clips are the source's: what the trails make of
-/// them is evaluated, so deleting a trail gives the source back by construction.
+/// shared and never change. Nothing derived is kept here. Clips are the source's: what adjustments and
+/// trails make of them is evaluated, so deleting one gives the source back by construction.
 struct Document {
   std::shared_ptr<const gltf::Source> source;
   std::shared_ptr<const Scene> scene;
@@ -37,9 +38,10 @@ struct Document {
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
-  std::vector<WeightedLimb> weights; ///< Limbs with weight, by clip.
-  std::vector<int> loopingClips;     ///< Clips that the user marked as loops: releases wrap.
-  std::vector<ClipRate> rates;       ///< Clips that are worked on at another rate than their own.
+  std::vector<rig::Adjustment> adjustments; ///< What controllers change in the clips, before any trail.
+  std::vector<WeightedLimb> weights;        ///< Limbs with weight, by clip.
+  std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.
+  std::vector<ClipRate> rates;              ///< Clips that are worked on at another rate than their own.
   int nextTrailId = 1;
 };
 

@@ -9,6 +9,7 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
+#include "app/edits/adjustment_edits.h"
 #include "core/gltf/json.h"
 #include "core/scene/mesh_sequence.h"
 
@@ -50,6 +51,25 @@ Json limbJson(const Scene& scene, const rig::Limb& limb) {
           {"rest_length", limb.restLength},
           {"confidence", limb.confidence},
           {"reasons", limb.reasons}};
+}
+
+Json controllersJson(const Document& document) {
+  const rig::ControllerList list = controllersOf(document);
+  Json controllers = Json::array();
+  for (const rig::Controller& controller : list.controllers) {
+    Json entry{{"controller", controller.id}, {"moves", controller.moves}, {"turns", controller.turns}};
+    if (controller.node.exists()) {
+      entry["joint"] = jointJson(*document.scene, controller.node);
+    }
+    controllers.push_back(std::move(entry));
+  }
+  for (const rig::Attribute& attribute : list.attributes) {
+    controllers.push_back({{"attribute", attribute.id},
+                           {"minimum", attribute.minimum},
+                           {"maximum", attribute.maximum},
+                           {"standard", attribute.standard}});
+  }
+  return controllers;
 }
 
 Json meshJson(const Mesh& mesh) {
@@ -129,6 +149,7 @@ Json infoOf(const Document& document) {
   for (const rig::Limb& limb : document.biped.limbs) {
     info["limbs"].push_back(limbJson(scene, limb));
   }
+  info["controllers"] = controllersJson(document);
   addWork(document, info);
   info["extensions"] = extensionsJson(gltf::extensionsOf(document.source->json));
   info["warnings"] = documentWarnings(document);

@@ -29,8 +29,8 @@ Status runWithinMemory(const std::function<Status()>& verb) {
 } // namespace
 
 std::vector<Verb> batchVerbs() {
-  return {infoVerb(),  trailVerb(),    exaggerateVerb(), elasticVerb(), resaveVerb(),
-          checkVerb(), compressVerb(), compareVerb(),    flattenVerb()};
+  return {infoVerb(),   trailVerb(), exaggerateVerb(), poseVerb(),    elasticVerb(),
+          resaveVerb(), checkVerb(), compressVerb(),   compareVerb(), flattenVerb()};
 }
 
 int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {

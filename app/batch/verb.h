@@ -26,6 +26,7 @@ struct Verb {
 [[nodiscard]] Verb infoVerb();
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
+[[nodiscard]] Verb poseVerb();
 [[nodiscard]] Verb resaveVerb();
 [[nodiscard]] Verb checkVerb();
 [[nodiscard]] Verb compressVerb();

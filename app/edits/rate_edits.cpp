@@ -46,6 +46,20 @@ rig::Trail recounted(rig::Trail trail, double factor) {
   return trail;
 }
 
+rig::Adjustment recounted(rig::Adjustment adjustment, double factor) {
+  if (adjustment.rangeFrames) {
+    Vec2& range = *adjustment.rangeFrames;
+    range = {recounted(range.x, factor), recounted(range.y, factor)};
+  }
+  for (rig::OffsetKey& key : adjustment.keys) {
+    key.frame = recounted(key.frame, factor);
+    key.moveSlope /= factor; // Slopes are for each frame.
+    key.turnSlope /= factor;
+    key.valueSlope /= factor;
+  }
+  return adjustment;
+}
+
 WeightedLimb recounted(WeightedLimb weight, double factor) {
   if (weight.settings.rangeFrames) {
     Vec2& range = *weight.settings.rangeFrames;
@@ -72,6 +86,9 @@ Document workAtRate(const Document& document, int clip, double framesPerSecond) 
   }
   for (rig::Trail& trail : changed.trails) {
     trail = trail.clip == clip ? recounted(std::move(trail), factor) : std::move(trail);
+  }
+  for (rig::Adjustment& adjustment : changed.adjustments) {
+    adjustment = adjustment.clip == clip ? recounted(std::move(adjustment), factor) : std::move(adjustment);
   }
   for (WeightedLimb& weight : changed.weights) {
     weight = weight.clip == clip ? recounted(std::move(weight), factor) : std::move(weight);

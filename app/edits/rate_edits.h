@@ -23,6 +23,7 @@ void countInChosenRates(Document& document);
 
 /// The same moments in frames of a rate that is `factor` times as high.
 [[nodiscard]] rig::Trail recounted(rig::Trail trail, double factor);
+[[nodiscard]] rig::Adjustment recounted(rig::Adjustment adjustment, double factor);
 [[nodiscard]] WeightedLimb recounted(WeightedLimb weight, double factor);
 
 } // namespace stretch::app

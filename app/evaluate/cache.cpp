@@ -74,7 +74,7 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
 
 const Clip& EvaluationCache::keyed(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(appliedOnly(document), clip);
-  if (input.trails.empty()) {
+  if (input.trails.empty() && input.ground.adjustments.empty()) {
     return clipOf(document, clip);
   }
   return keyed_.of({input.ground, input.trails}, [&](const auto*) { return keyedClip(document, clip); });

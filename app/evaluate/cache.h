@@ -52,7 +52,7 @@ public:
   /// One for each trail of motion(); the clip must be there.
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
-  /// The clip with the keys of its applied trails (keyed_clip.h); the clip must be there.
+  /// The clip with the keys of its adjustments and applied trails (keyed_clip.h); the clip must be there.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
 private:

@@ -31,6 +31,7 @@ rig::MotionInput motionInput(const EvaluationInput& input) {
   wanted.limbs = input.ground.limbs;
   wanted.trails = input.trails;
   wanted.loops = input.ground.loops;
+  wanted.adjustments = input.ground.adjustments;
   return wanted;
 }
 
@@ -68,7 +69,7 @@ bool isDrawnAcrossSeam(const EvaluationGround& ground) {
 
 EvaluationInput evaluationInput(const Document& document, int clip) {
   return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
-           allLimbs(document), isLooping(document, clip)},
+           allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
           ofClip(document.weights, clip)};
 }

@@ -10,7 +10,7 @@
 
 namespace stretch::app {
 
-/// What every trail and the weight of one clip stand on.
+/// What every trail and the weight of one clip stand on: the clip and its adjustments.
 struct EvaluationGround {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
@@ -19,6 +19,7 @@ struct EvaluationGround {
   double height = 1.0;
   std::vector<rig::Limb> limbs; ///< allLimbs.
   bool loops = false;
+  std::vector<rig::Adjustment> adjustments = {}; ///< Of the clip.
 
   friend bool operator==(const EvaluationGround&, const EvaluationGround&) = default;
 };

@@ -31,6 +31,9 @@ std::set<int> clipsToKey(const Document& document) {
   for (const rig::Trail& trail : document.trails) {
     clips.insert(trail.clip);
   }
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    clips.insert(adjustment.clip);
+  }
   return clips;
 }
 
@@ -55,6 +58,9 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =
         rig::rekey(*seen.scene, clipOf(seen, clip), prepareMotion(seen, clip), rekeyOptions);
+    if (rekeyed.tracks.empty() && rekeyed.stretches.empty()) {
+      continue;
+    }
     edits.clips.push_back({clip, std::move(rekeyed.tracks)});
     stretches.push_back({clip, std::move(rekeyed.stretches)});
   }

@@ -4,8 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/rate_edits.h"
+#include "app/schema/adjustment_json.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -197,6 +199,29 @@ Result<WeightedLimb> weightedLimbFromJson(const Json& json, const Document& docu
   return entry;
 }
 
+Json savedAdjustment(const rig::Adjustment& adjustment, const rig::ControllerList& list) {
+  Json json = adjustmentToJson(adjustment, list.attribute(adjustment.controller) != nullptr, {});
+  json["clip"] = adjustment.clip;
+  return json;
+}
+
+Status restoreAdjustments(const Json& entries, Document& document) {
+  for (const Json& json : entries) {
+    Result<rig::Adjustment> adjustment = adjustmentFromJson(json, {}, {"clip"});
+    if (!adjustment) {
+      return adjustment.error();
+    }
+    adjustment->clip = json.at("clip").get<int>();
+    Result<Document> placed = placeAdjustments(document, {&*adjustment, 1});
+    if (placed) {
+      document = std::move(*placed);
+    } else {
+      document.warnings.push_back("an adjustment kept in the file is left out: " + placed.error().line());
+    }
+  }
+  return Success{};
+}
+
 Status restoreRates(const Json& rates, Document& document) {
   for (const Json& json : rates) {
     const ClipRate rate{json.at("clip").get<int>(), json.at("frames_per_second").get<double>(), 0.0};
@@ -251,14 +276,15 @@ Status restoreParts(const Json& work, Document& document) {
     document.weights.push_back(std::move(*entry));
   }
   document.loopingClips = work.at("loops").get<std::vector<int>>();
-  return Success{};
+  return restoreAdjustments(work.value("adjustments", Json::array()), document);
 }
 
 } // namespace
 
 Json workOf(const Document& document) {
-  if (document.trails.empty() && document.weights.empty() && document.chains.empty() &&
-      document.loopingClips.empty() && document.rates.empty() && !document.limbsCorrected) {
+  if (document.trails.empty() && document.adjustments.empty() && document.weights.empty() &&
+      document.chains.empty() && document.loopingClips.empty() && document.rates.empty() &&
+      !document.limbsCorrected) {
     return nullptr;
   }
   Json work;
@@ -275,6 +301,10 @@ Json workOf(const Document& document) {
   for (const WeightedLimb& entry : document.weights) {
     work["elastic"].push_back(weightedLimbToJson(entry));
   }
+  const rig::ControllerList list = controllersOf(document);
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    work["adjustments"].push_back(savedAdjustment(adjustment, list));
+  }
   work["loops"] = document.loopingClips;
   for (const ClipRate& rate : document.rates) {
     work["rates"].push_back({{"clip", rate.clip}, {"frames_per_second", rate.framesPerSecond}});
@@ -284,6 +314,7 @@ Json workOf(const Document& document) {
 
 Document withoutWork(Document document) {
   document.trails.clear();
+  document.adjustments.clear();
   document.weights.clear();
   document.chains.clear();
   document.loopingClips.clear();

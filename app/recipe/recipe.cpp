@@ -5,9 +5,11 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/named.h"
+#include "app/schema/adjustment_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
@@ -33,8 +35,8 @@ std::string entryName(const char* list, std::size_t index) {
 }
 
 Status checkKeys(const Json& json) {
-  const std::vector<std::string> known{"version", "clip",  "units",  "frames_per_second",
-                                       "trails",  "props", "elastic"};
+  const std::vector<std::string> known{"version", "clip",  "units",   "frames_per_second",
+                                       "trails",  "props", "elastic", "adjustments"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
@@ -47,12 +49,16 @@ Status checkKeys(const Json& json) {
     return Error{"this program does not know this version of recipes", "version",
                  fmt::format("give {}", recipeVersion)};
   }
-  if (!json.contains("trails") || !json["trails"].is_array()) {
+  const bool onlyAdjusts = !json.contains("trails") && json.contains("adjustments");
+  if (!onlyAdjusts && (!json.contains("trails") || !json["trails"].is_array())) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
   }
   if (json.contains("frames_per_second") &&
       !(json["frames_per_second"].is_number() && json["frames_per_second"].get<double>() > 0.0)) {
     return Error{"is not a rate", "frames_per_second", "give a number above 0, or leave it out"};
+  }
+  if (json.contains("adjustments") && !json["adjustments"].is_array()) {
+    return Error{"is not a list", "adjustments", R"(give a list of {"controller": ..., "keys": [...]})"};
   }
   if (json.contains("elastic") && !json["elastic"].is_array()) {
     return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
@@ -143,6 +149,50 @@ Result<WeightedLimb> weightOf(const Json& json, int clip, Document& document) {
   return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }
 
+constexpr double degree = pi / 180.0;
+
+// Lengths in those of the controller's limb, or in world units; angles in degrees.
+AdjustmentUnits unitsOf(const rig::Controller& controller, bool inMetres) {
+  return {inMetres ? 1.0 : controller.length, degree};
+}
+
+Result<rig::Adjustment> adjustmentOf(const Json& json, int clip, bool inMetres, const Document& document,
+                                     const rig::ControllerList& list) {
+  const Result<AdjustedName> name = adjustedName(json);
+  if (!name) {
+    return name.error();
+  }
+  if (name->isAttribute && list.attribute(name->id) == nullptr) {
+    return Error{"the character has no attribute '" + name->id + "'", "attribute",
+                 "'info --json' lists those that it has"};
+  }
+  const Result<rig::Controller> controller = name->isAttribute ? Result<rig::Controller>(rig::Controller{})
+                                                               : findController(document, list, name->id);
+  if (!controller) {
+    return controller.error();
+  }
+  Result<rig::Adjustment> adjustment = adjustmentFromJson(json, unitsOf(*controller, inMetres), {});
+  if (adjustment) {
+    adjustment->clip = clip;
+  }
+  return adjustment;
+}
+
+Json adjustmentsToJson(const Document& document, int clip) {
+  const rig::ControllerList list = controllersOf(document);
+  Json entries = Json::array();
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    const bool isAttribute = list.attribute(adjustment.controller) != nullptr;
+    const Result<rig::Controller> controller = isAttribute
+                                                   ? Result<rig::Controller>(rig::Controller{})
+                                                   : findController(document, list, adjustment.controller);
+    if (adjustment.clip == clip && controller) {
+      entries.push_back(adjustmentToJson(adjustment, isAttribute, unitsOf(*controller, false)));
+    }
+  }
+  return entries;
+}
+
 // Every entry of a list that may be left out, each made by `make`.
 template <typename Entry, typename Make>
 Status readList(const Json& recipe, const char* list, std::vector<Entry>& entries, Make&& make) {
@@ -159,7 +209,7 @@ Status readList(const Json& recipe, const char* list, std::vector<Entry>& entrie
 
 } // namespace
 
-Result<Recipe> recipeFromJson(const Json& json, Document& document) {
+Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip) {
   if (!json.is_object()) {
     return Error{"is not a JSON object", "recipe", R"(give {"version": 1, "trails": [...]})"};
   }
@@ -168,7 +218,8 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   }
   const bool namesClip = json.contains("clip") && json["clip"].is_string();
   const Result<int> clip =
-      findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
+      wantedClip ? Result<int>(*wantedClip)
+                 : findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
   if (!clip) {
     return clip.error();
   }
@@ -190,7 +241,16 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
     read = readList(json, "elastic", recipe.weights,
                     [&](const Json& entry) { return weightOf(entry, *clip, asInRecipe); });
   }
+  if (read) {
+    const rig::ControllerList list = controllersOf(document);
+    read = readList(json, "adjustments", recipe.adjustments, [&](const Json& entry) {
+      return adjustmentOf(entry, *clip, units == "metres", document, list);
+    });
+  }
   document.chains = std::move(asInRecipe.chains);
+  for (rig::Adjustment& adjustment : recipe.adjustments) {
+    adjustment = recounted(std::move(adjustment), rate / recipeRate);
+  }
   for (rig::Trail& trail : recipe.trails) {
     trail = recounted(std::move(trail), rate / recipeRate);
   }
@@ -200,7 +260,7 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document) {
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
 
-Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document) {
+Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document, std::optional<int> clip) {
   const Result<std::string> text = readText(path);
   if (!text) {
     return text.error();
@@ -209,7 +269,7 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document)
   if (json.is_discarded()) {
     return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
   }
-  Result<Recipe> recipe = recipeFromJson(json, document);
+  Result<Recipe> recipe = recipeFromJson(json, document, clip);
   if (!recipe) {
     return Error{recipe.error().what, path.string() + ": " + recipe.error().where, recipe.error().remedy};
   }
@@ -235,6 +295,9 @@ Json recipeToJson(const Document& document, int clip) {
       }
       json["trails"].push_back(std::move(entry));
     }
+  }
+  if (Json adjustments = adjustmentsToJson(document, clip); !adjustments.empty()) {
+    json["adjustments"] = std::move(adjustments);
   }
   for (const WeightedLimb& limb : document.weights) {
     if (limb.clip == clip && limb.on) {

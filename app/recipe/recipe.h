@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/document.h"
@@ -12,15 +13,19 @@ struct Recipe {
   int clip = 0;
   std::vector<rig::Trail> trails;    ///< Without ids; limbs exist in the document.
   std::vector<WeightedLimb> weights; ///< Limbs with weight.
+  std::vector<rig::Adjustment> adjustments;
 };
 
 /// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns
 /// fractions of the clip into frames and offsets in lengths of the limb into world units. Ranges that are
 /// left out get the default range. An unknown key or a value of the wrong kind is an error that names it.
-[[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document);
-[[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document);
+/// `clip`: plays on this one instead of the clip that the recipe names.
+[[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document,
+                                            std::optional<int> clip = {});
+[[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
+                                        std::optional<int> clip = {});
 
-/// The trails and the weight of limbs of one clip as a recipe.
+/// The adjustments, the trails and the weight of limbs of one clip as a recipe.
 [[nodiscard]] gltf::Json recipeToJson(const Document& document, int clip);
 
 } // namespace stretch::app

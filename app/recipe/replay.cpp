@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/weight_edits.h"
 
@@ -18,6 +19,11 @@ Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) 
   Result<PlacedTrails> placed = placeTrails(document, trails, Entry::request);
   if (!placed) {
     return placed;
+  }
+  if (Result<Document> adjusted = placeAdjustments(placed->document, recipe.adjustments); adjusted) {
+    placed->document = std::move(*adjusted);
+  } else {
+    return adjusted.error();
   }
   for (const WeightedLimb& wanted : recipe.weights) {
     Result<Document> next = setWeight(placed->document, wanted);

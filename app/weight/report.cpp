@@ -91,7 +91,7 @@ std::vector<Measured> measuredOf(const rig::MotionState& motion, std::vector<Wei
 void measureAt(const WeightInput& input, const rig::MotionState& motion, double frame,
                std::vector<Measured>& all) {
   const double seconds = frame / input.clip->framesPerSecond;
-  FrameState pose = rig::sampledFrame(*input.scene, *input.clip, seconds);
+  FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
   rig::applyTrails(*input.scene, motion, pose);
   std::vector<std::vector<double>> before;
   before.reserve(all.size());

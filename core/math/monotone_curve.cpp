@@ -7,9 +7,7 @@
 
 namespace stretch {
 
-namespace {
-
-double insideSlope(const Vec2& before, const Vec2& at, const Vec2& after) {
+double monotoneSlope(const Vec2& before, const Vec2& at, const Vec2& after) {
   const double h0 = at.x - before.x;
   const double h1 = after.x - at.x;
   const double secant0 = (at.y - before.y) / h0;
@@ -20,8 +18,6 @@ double insideSlope(const Vec2& before, const Vec2& at, const Vec2& after) {
   return 3.0 * (h0 + h1) / ((2.0 * h1 + h0) / secant0 + (h1 + 2.0 * h0) / secant1);
 }
 
-} // namespace
-
 MonotoneCurve::MonotoneCurve(std::vector<Vec2> points)
     : points_(std::move(points)), slopes_(points_.size(), 0.0) {
   check(points_.size() >= 2, "a monotone curve needs two points");
@@ -29,7 +25,7 @@ MonotoneCurve::MonotoneCurve(std::vector<Vec2> points)
     check(points_[i].x > points_[i - 1].x, "the points of a monotone curve have increasing x");
   }
   for (std::size_t i = 1; i + 1 < points_.size(); ++i) {
-    slopes_[i] = insideSlope(points_[i - 1], points_[i], points_[i + 1]);
+    slopes_[i] = monotoneSlope(points_[i - 1], points_[i], points_[i + 1]);
   }
 }
 

@@ -32,7 +32,29 @@ std::string indexList(const std::vector<NodeIndex>& nodes) {
   return nodes.size() > most ? text + ", ..." : text;
 }
 
-Result<NodeIndex> findJoint(const Scene& scene, const std::string& joint) {
+bool isJoint(const Scene& scene, NodeIndex node) {
+  return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
+    return std::ranges::find(skin.joints, node) != skin.joints.end();
+  });
+}
+
+// Nodes from `top` to above `bottom`, top first; helper nodes that no skin uses are left out where skins say
+// what a joint is.
+std::vector<NodeIndex> jointsBetween(const Scene& scene, NodeIndex top, NodeIndex bottom) {
+  std::vector<NodeIndex> joints;
+  for (NodeIndex node = scene.nodes[at(bottom)].parent; node != top; node = scene.nodes[at(node)].parent) {
+    if (scene.skins.empty() || isJoint(scene, node)) {
+      joints.push_back(node);
+    }
+  }
+  joints.push_back(top);
+  std::ranges::reverse(joints);
+  return joints;
+}
+
+} // namespace
+
+Result<NodeIndex> jointByName(const Scene& scene, const std::string& joint) {
   std::vector<NodeIndex> found;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].name == joint) {
@@ -58,34 +80,12 @@ Result<NodeIndex> findJoint(const Scene& scene, const std::string& joint) {
   return found.size() == 1 ? found.front() : joints.front();
 }
 
-bool isJoint(const Scene& scene, NodeIndex node) {
-  return std::ranges::any_of(scene.skins, [&](const Skin& skin) {
-    return std::ranges::find(skin.joints, node) != skin.joints.end();
-  });
-}
-
-// Nodes from `top` to above `bottom`, top first; helper nodes that no skin uses are left out where skins say
-// what a joint is.
-std::vector<NodeIndex> jointsBetween(const Scene& scene, NodeIndex top, NodeIndex bottom) {
-  std::vector<NodeIndex> joints;
-  for (NodeIndex node = scene.nodes[at(bottom)].parent; node != top; node = scene.nodes[at(node)].parent) {
-    if (scene.skins.empty() || isJoint(scene, node)) {
-      joints.push_back(node);
-    }
-  }
-  joints.push_back(top);
-  std::ranges::reverse(joints);
-  return joints;
-}
-
-} // namespace
-
 Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std::string& jointB) {
-  const Result<NodeIndex> top = findJoint(scene, jointA);
+  const Result<NodeIndex> top = jointByName(scene, jointA);
   if (!top) {
     return top.error();
   }
-  const Result<NodeIndex> bottom = findJoint(scene, jointB);
+  const Result<NodeIndex> bottom = jointByName(scene, jointB);
   if (!bottom) {
     return bottom.error();
   }

@@ -37,6 +37,10 @@ struct Biped {
 /// transforms.
 [[nodiscard]] std::vector<Mat4> bindPoseWorlds(const Scene& scene);
 
+/// A joint by its name or as "#index"; among several nodes of one name the one that a skin uses. An error
+/// says what is missing or ambiguous.
+[[nodiscard]] Result<NodeIndex> jointByName(const Scene& scene, const std::string& joint);
+
 /// Any chain from joint A down to joint B, both by name or as "#index". An error names what is missing,
 /// ambiguous or not above the other.
 [[nodiscard]] Result<Limb> chainLimb(const Scene& scene, const std::string& jointA,

@@ -9,6 +9,7 @@
 #include "core/base/index.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
+#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/motion/range_offset.h"
 
@@ -190,6 +191,13 @@ FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds
   return frameOf(scene, samplePose(scene, clip, heldSeconds), heldSeconds);
 }
 
+FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState& motion,
+                         double timeSeconds) {
+  FrameState frame = sampledFrame(scene, clip, timeSeconds);
+  applyAdjustments(scene, motion.adjustments, frame);
+  return frame;
+}
+
 void applyTrails(const Scene& scene, const MotionState& motion, FrameState& frame) {
   const FrameState source = frame;
   for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
@@ -201,7 +209,7 @@ void applyTrails(const Scene& scene, const MotionState& motion, FrameState& fram
 
 FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                           double timeSeconds) {
-  FrameState frame = sampledFrame(scene, clip, timeSeconds);
+  FrameState frame = adjustedFrame(scene, clip, motion, timeSeconds);
   applyTrails(scene, motion, frame);
   applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
   frame.timeSeconds = timeSeconds;
@@ -225,8 +233,8 @@ void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, shape, {solved.settings.volume, solved.settings.turnEnd},
-               frame);
+    deformLimb(scene, solved.limb, solved.topology, limbPose(shape),
+               {solved.settings.volume, solved.settings.turnEnd}, frame);
   }
 }
 

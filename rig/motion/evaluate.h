@@ -12,16 +12,21 @@ namespace stretch::rig {
 /// The clip at a time, past its last key held: every track is, and so is what trails and weight make of it.
 [[nodiscard]] FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds);
 
-/// Brings every active trail onto a sampled frame, from the root outwards.
+/// The same with the adjustments of the clip: what trails start from.
+[[nodiscard]] FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState& motion,
+                                       double timeSeconds);
+
+/// Brings every active trail onto an adjusted frame, from the root outwards.
 void applyTrails(const Scene& scene, const MotionState& motion, FrameState& frame);
 
-/// The character at one time: the clip sampled, its trails (applyTrails) and its weight (applyWeight)
-/// applied. Each stage takes the pose of the one before, with its stretch for each bone, and gives the next.
+/// The character at one time: the clip sampled and adjusted, its trails (applyTrails) and its weight
+/// (applyWeight) applied. Each stage takes the pose of the one before, with its stretch for each bone, and
+/// gives the next.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 
 /// Brings one trail, by its place in MotionState::trails, onto a frame that the trails before it were applied
-/// to, from the root outwards. `source`: the source clip at the frame's time. Only the nodes that the trail
+/// to, from the root outwards. `source`: the adjusted clip at the frame's time. Only the nodes that the trail
 /// touches (touchedNodes), the hips, and the ancestors of these need to be filled in.
 void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail, const FrameState& source,
                 FrameState& frame);

@@ -9,76 +9,11 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
+#include "rig/motion/pose_writer.h"
 
 namespace stretch::rig {
 
 namespace {
-
-// The inverse, or the identity for what is scaled to nothing: there is no space to speak of then.
-Mat4 inverseOf(const Mat4& matrix) {
-  return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
-}
-
-// Writes local transforms of a frame while knowing the pose it started from.
-class PoseWriter {
-public:
-  PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
-
-  [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
-  [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
-
-  // World matrix of the node's parent as it stands, parents of it having been written before.
-  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
-    const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : frame_.worlds[at(parent)];
-  }
-
-  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
-    const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : before_[at(parent)];
-  }
-
-  Transform& local(NodeIndex node) {
-    frame_.pose.usesMatrix[at(node)] = false;
-    return frame_.pose.locals[at(node)];
-  }
-
-  // Recomputes the node's own world matrix; its children follow when they are written or at the end.
-  void refresh(NodeIndex node) {
-    frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
-  }
-
-  void refreshSubtree(NodeIndex node) {
-    refresh(node);
-    for (const NodeIndex child : scene_.nodes[at(node)].children) {
-      refreshSubtree(child);
-    }
-  }
-
-  // Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
-  // Seen from the parents, which may be mirrored: their world rotations alone would not tell.
-  void turnInWorld(NodeIndex node, const Quat& turn) {
-    const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
-    Transform& transform = local(node);
-    transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
-  }
-
-  void setWorldPosition(NodeIndex node, const Vec3& positionWorld) {
-    local(node).translation = transformPoint(inverseOf(parentWorld(node)), positionWorld);
-  }
-
-  void addStretch(NodeIndex node, const Mat3& stretch) {
-    if (frame_.stretch.empty()) {
-      frame_.stretch.assign(scene_.nodes.size(), Mat3(1.0));
-    }
-    frame_.stretch[at(node)] = stretch * frame_.stretch[at(node)];
-  }
-
-private:
-  const Scene& scene_;
-  FrameState& frame_;
-  std::vector<Mat4> before_;
-};
 
 // A linear map of the joint's space seen from the space of a node below it.
 Mat3 inSpaceOf(const PoseWriter& writer, NodeIndex joint, NodeIndex node, const Mat3& stretch) {
@@ -187,7 +122,11 @@ Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
   return Mat3(across) + (stretch - across) * glm::outerProduct(unitAxis, unitAxis);
 }
 
-void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
+LimbPose limbPose(const LimbShape& shape) {
+  return {shape.turns, std::vector<double>(shape.turns.size(), shape.stretch), Vec3(0.0), shape.end};
+}
+
+void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
   PoseWriter writer(scene, frame);
   const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
@@ -204,13 +143,15 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     }
     if (isDetached(topology, i)) {
       const Vec3 start = positionOf(writer.world(topology.bones[i - 1].joint));
-      writer.setWorldPosition(bone.joint,
-                              start + shape.stretch * (shape.turns[i - 1] * (points[i] - points[i - 1])));
+      writer.setWorldPosition(bone.joint, start + shape.stretches[i - 1] *
+                                                      (shape.turns[i - 1] * (points[i] - points[i - 1])));
+    } else if (i == 0 && shape.baseMove != Vec3(0.0)) {
+      writer.setWorldPosition(bone.joint, points.front() + shape.baseMove);
     }
     writer.refresh(bone.joint);
     const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
     if (glm::length(offset) > 0.0) {
-      const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretch, options.volume);
+      const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretches[i], options.volume);
       stretchBone(writer, scene, bone, stretch);
     }
     for (const NodeIndex node : bone.pathNodes) {
@@ -222,7 +163,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       moveDetachedEnd(writer, scene, limb, topology, shape.end);
     }
     if (!options.turnEnd) {
-      writer.turnInWorld(limb.endNode, still);
+      writer.turnInWorld(limb.endNode, options.endTurn);
     }
   }
   for (const KeptTransform& keep : kept) {
@@ -264,6 +205,16 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
 void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame) {
   PoseWriter writer(scene, frame);
   writer.setWorldPosition(node, positionWorld);
+  writer.refreshSubtree(node);
+}
+
+void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
+               FrameState& frame) {
+  PoseWriter writer(scene, frame);
+  writer.turnInWorld(node, turnWorld);
+  if (positionWorld != positionOf(writer.worldBefore(node))) {
+    writer.setWorldPosition(node, positionWorld);
+  }
   writer.refreshSubtree(node);
 }
 

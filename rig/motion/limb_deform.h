@@ -16,13 +16,25 @@ namespace stretch::rig {
 struct DeformOptions {
   double volume = 1.0;  ///< 0..1: volume preservation.
   bool turnEnd = false; ///< The end joint turns with the limb instead of keeping its world orientation.
+  Quat endTurn{1.0, 0.0, 0.0, 0.0}; ///< In the world, of an end joint that does not turn with the limb.
 };
 
-/// Brings a solved shape onto the character: turns the limb's joints, moves what hangs on its bones by K,
+/// A limb brought elsewhere, bone by bone: bone i turns by turns[i] (world space, about its joint) and is
+/// stretched to stretches[i] times its length.
+struct LimbPose {
+  std::vector<Quat> turns;
+  std::vector<double> stretches;
+  Vec3 baseMove{0.0}; ///< How far the first joint is moved away from what it hangs on.
+  Vec3 end{0.0};      ///< Where the limb's end comes to.
+};
+
+[[nodiscard]] LimbPose limbPose(const LimbShape& shape);
+
+/// Brings a limb's pose onto the character: turns the limb's joints, moves what hangs on its bones by K,
 /// puts K into FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and
-/// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is the pose that the shape
+/// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is what the pose
 /// was solved for; its worlds are kept up to date.
-void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbShape& shape,
+void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame);
 
 /// Stretches the bones of a limb, one K each in its joint's space that has the bone as an axis, without
@@ -33,5 +45,9 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
 
 /// Brings a node, and what hangs on it, to a place in the world; its orientation stays.
 void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame);
+
+/// Brings a node, and what hangs on it, to a place in the world, turned there from where it stands.
+void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
+               FrameState& frame);
 
 } // namespace stretch::rig

@@ -149,7 +149,7 @@ void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target,
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, shape, {}, frame);
+    deformLimb(scene, solved.limb, solved.topology, limbPose(shape), {}, frame);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "rig/motion/body_outline.h"
 #include "rig/motion/limb_topology.h"
 #include "rig/motion/limb_weight.h"
+#include "rig/motion/solved_adjustments.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"
@@ -42,15 +43,16 @@ struct SolvedTrail {
   std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
 };
 
-/// All trails of a clip, in the order in which they act: from the root outwards (order.h). Which of them is
-/// meant is said by its place in `trails`.
+/// All adjustments and trails of a clip, these in the order in which they act: from the root outwards
+/// (order.h). Which of them is meant is said by its place in `trails`.
 struct MotionState {
   int clip = -1;
   double framesPerSecond = 30.0;
   double startSeconds = 0.0; ///< Of the clip: where a release wraps from and to when it loops.
   double endSeconds = 0.0;
   bool loops = false;
-  NodeIndex hips; ///< What the space "root" is measured from.
+  NodeIndex hips;                ///< What the space "root" is measured from.
+  SolvedAdjustments adjustments; ///< Of the clip, before any trail.
   std::vector<SolvedTrail> trails;
   std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the trails (setWeight).
   BodyOutline outline;               ///< Empty without weights.

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::rig {
 
 namespace {
 
-// What trails and weights are worked out from, beside the nodes that they move.
+// What adjustments, trails and weights are worked out from, beside the nodes that they move.
 void addGround(const Scene& scene, const MotionState& motion, std::vector<NodeIndex>& nodes) {
   const std::vector<NodeIndex> moved = movedNodes(scene, motion);
   nodes.insert(nodes.end(), moved.begin(), moved.end());
@@ -43,6 +44,7 @@ void PartMotion::moved(double timeSeconds, FrameState& frame) const {
 }
 
 void PartMotion::move(FrameState& frame) const {
+  applyAdjustments(skeleton_, motion_.adjustments, frame);
   applyTrails(skeleton_, motion_, frame);
   applyWeight(skeleton_, motion_.weights, motion_.hips, motion_.outline, frame);
 }
@@ -66,7 +68,7 @@ std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIn
 }
 
 std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion) {
-  std::vector<NodeIndex> nodes;
+  std::vector<NodeIndex> nodes = motion.adjustments.nodes;
   const auto add = [&](const Limb& limb, const LimbTopology& topology) {
     const std::vector<NodeIndex> touched = touchedNodes(limb, topology);
     nodes.insert(nodes.end(), touched.begin(), touched.end());

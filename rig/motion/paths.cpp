@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "rig/motion/adjusted_sampler.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/order.h"
 
@@ -69,8 +70,8 @@ public:
   PathSweep(const Scene& scene, const Clip& clip, const MotionState& motion,
             const std::vector<PathRequest>& requests)
       : motion_(motion), requests_(requests), inner_(innerTrails(scene, motion, requests)),
-        sampler_(scene, clip, nodesOf(motion, inner_, requests)), skeleton_(sampler_.skeleton()),
-        order_(requests.size()) {
+        sampler_(scene, clip, motion.adjustments, nodesOf(motion, inner_, requests)),
+        skeleton_(sampler_.skeleton()), order_(requests.size()) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       order_[i] = i;
     }
@@ -118,8 +119,8 @@ private:
   const MotionState& motion_;
   const std::vector<PathRequest>& requests_;
   std::vector<std::size_t> inner_;
-  NodeSampler sampler_;
-  Scene skeleton_;                 // the sampled nodes only
+  AdjustedSampler sampler_;
+  const Scene& skeleton_;          // the sampled nodes only
   std::vector<std::size_t> order_; // of the requests, as their trails act
   FrameState frame_;
   FrameState source_;

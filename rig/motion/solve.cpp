@@ -8,6 +8,7 @@
 #include "rig/body/detection.h"
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
+#include "rig/motion/solve_adjustments.h"
 #include "rig/motion/solve_steps.h"
 
 namespace stretch::rig {
@@ -40,7 +41,8 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
-SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb& limb) {
+SolvedTrail solveTrail(const MotionInput& input, const SolvedAdjustments& adjustments, const Trail& trail,
+                       const Limb& limb) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -67,7 +69,7 @@ SolvedTrail solveTrail(const MotionInput& input, const Trail& trail, const Limb&
     solved.bend = before->bend;
   } else {
     before = nullptr;
-    samplePath(input, solved, keyTimes);
+    samplePath(input, adjustments, solved, keyTimes);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
@@ -107,9 +109,13 @@ MotionState solveMotion(const MotionInput& input) {
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.hips;
   motion.loops = input.loops;
+  motion.adjustments =
+      input.previous != nullptr
+          ? input.previous->adjustments
+          : solveAdjustments({*input.scene, *input.clip, input.hips, input.limbs, input.adjustments});
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, trail, *limb));
+      motion.trails.push_back(solveTrail(input, motion.adjustments, trail, *limb));
     }
   }
   std::vector<ActingLimb> acting;

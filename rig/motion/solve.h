@@ -4,6 +4,7 @@
 
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
+#include "rig/controllers/adjustment.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
 
@@ -18,7 +19,9 @@ struct MotionInput {
   std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
   std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
-  /// Solved before for the same scene, clip, hips, limbs and loop: what did not change since is taken over.
+  std::vector<Adjustment> adjustments = {}; ///< Of this clip. Those of missing controllers are left out.
+  /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
+  /// taken over.
   const MotionState* previous = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/limb.h"
+#include "rig/motion/adjusted_sampler.h"
 
 namespace stretch::rig {
 
@@ -59,13 +60,14 @@ void keepPulledSpheres(SolvedTrail& solved) {
 
 } // namespace
 
-void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes) {
+void samplePath(const MotionInput& input, const SolvedAdjustments& adjustments, SolvedTrail& solved,
+                const std::vector<double>& keyTimes) {
   std::vector<NodeIndex> nodes = solved.limb.joints;
   nodes.push_back(solved.limb.endNode.exists() ? solved.limb.endNode : solved.limb.joints.back());
   if (input.hips.exists()) {
     nodes.push_back(input.hips);
   }
-  const NodeSampler sampler(*input.scene, *input.clip, nodes);
+  const AdjustedSampler sampler(*input.scene, *input.clip, adjustments, nodes);
   FrameState frame;
   std::vector<Vec3> points;
   std::vector<double> times;

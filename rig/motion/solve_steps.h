@@ -16,9 +16,10 @@ inline constexpr double longestFrames = 100000.0;
 /// Null when there is none, or one without a joint.
 [[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
 
-/// The original path over the range with its ratios, and the plane in which the limb bends. `keyTimes`:
-/// seconds, of the limb's joints within the range.
-void samplePath(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes);
+/// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
+/// bends. `keyTimes`: seconds, of the limb's joints within the range.
+void samplePath(const MotionInput& input, const SolvedAdjustments& adjustments, SolvedTrail& solved,
+                const std::vector<double>& keyTimes);
 
 /// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.
 void solveTipOf(SolvedTrail& solved);

@@ -152,6 +152,15 @@ std::vector<double> firstTimes(const Window& window, const PartKeys& keys, doubl
   return withoutLongSpans(times, framesPerSecond);
 }
 
+void addBesideJumps(const KeyedPart& part, const Window& window, std::vector<double>& times) {
+  for (const double time : part.jumpSeconds) {
+    const auto place = std::lower_bound(times.begin(), times.end(), time);
+    if (time > window.startSeconds && time < window.endSeconds && *place != time) {
+      times.insert(place, time);
+    }
+  }
+}
+
 // How far the end of a bone is moved where its stretch runs between two keys as a player plays them.
 class StretchSpan {
 public:
@@ -313,6 +322,8 @@ PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNod
       refine(missOfStretch, framesPerSecond, options.tolerance, first[i - 1], first[i], stretchTimes);
       stretchTimes.push_back(first[i]);
     }
+    addBesideJumps(part, window, times);
+    addBesideJumps(part, window, stretchTimes);
     keys.times.push_back(std::move(times));
     keys.stretchTimes.push_back(std::move(stretchTimes));
   }

@@ -1,6 +1,8 @@
 #include "rig/rekey/keyed_part.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "rig/limb.h"
 
@@ -98,10 +100,77 @@ KeyedPart weightPart(const MotionState& motion, std::size_t place) {
   return part;
 }
 
+// Windows that touch become one, and keep what they do at its ends.
+void addWindow(const Window& window, std::vector<Window>& windows) {
+  if (windows.empty() || window.startSeconds > windows.back().endSeconds) {
+    windows.push_back(window);
+    return;
+  }
+  Window& last = windows.back();
+  last.jumpsBefore = last.jumpsBefore || (window.startSeconds == last.startSeconds && window.jumpsBefore);
+  if (window.endSeconds >= last.endSeconds) {
+    last.jumpsAfter = window.jumpsAfter || (window.endSeconds == last.endSeconds && last.jumpsAfter);
+    last.endSeconds = window.endSeconds;
+  }
+}
+
+void addJumps(const OffsetCurve& curve, const Window& window, KeyedPart& part) {
+  for (const double jump : curve.jumpSeconds()) {
+    part.keySeconds.push_back(asKeyTime(jump));
+    part.jumpSeconds.push_back(besideJump(jump, -1.0));
+  }
+  if (window.jumpsBefore) {
+    part.keySeconds.push_back(window.startSeconds);
+    part.jumpSeconds.push_back(besideJump(window.startSeconds, -1.0));
+  }
+  if (window.jumpsAfter) {
+    part.keySeconds.push_back(window.endSeconds);
+    part.jumpSeconds.push_back(besideJump(window.endSeconds, 1.0));
+  }
+}
+
+KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted) {
+  KeyedPart part{adjusted.nodes, adjusted.boneLength, {}, {}};
+  const double first = std::min(0.0, motion.startSeconds);
+  std::vector<Window> windows;
+  for (const auto& [id, curves] : motion.adjustments.curves) {
+    const bool concerns = std::find(adjusted.ids.begin(), adjusted.ids.end(), id) != adjusted.ids.end();
+    for (const OffsetCurve& curve : concerns ? curves : std::vector<OffsetCurve>{}) {
+      if (curve.startSeconds() > motion.endSeconds || curve.endSeconds() < first) {
+        continue;
+      }
+      Window window = windowOf(motion, curve.startSeconds(), curve.endSeconds());
+      window.jumpsBefore = curve.jumpsAtStart() && window.startSeconds > first + sameKey;
+      window.jumpsAfter = curve.jumpsAtEnd() && window.endSeconds < motion.endSeconds - sameKey;
+      for (const double key : curve.keySeconds()) {
+        part.keySeconds.push_back(asKeyTime(key));
+      }
+      addJumps(curve, window, part);
+      windows.push_back(window);
+    }
+  }
+  std::sort(windows.begin(), windows.end(),
+            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
+  for (const Window& window : windows) {
+    addWindow(window, part.windows);
+  }
+  return part;
+}
+
 } // namespace
+
+double besideJump(double borderSeconds, double direction) {
+  constexpr double aside = 4e-7;
+  return asKeyTime(borderSeconds + direction * aside * std::max(1.0, std::abs(borderSeconds)));
+}
 
 std::vector<KeyedPart> keyedParts(const MotionState& motion) {
   std::vector<KeyedPart> parts;
+  for (const AdjustedPart& adjusted : motion.adjustments.parts) {
+    if (KeyedPart part = adjustmentPart(motion, adjusted); !part.windows.empty()) {
+      parts.push_back(std::move(part));
+    }
+  }
   for (std::size_t i = 0; i < motion.trails.size(); ++i) {
     if (motion.trails[i].active) {
       parts.push_back(trailPart(motion, i));

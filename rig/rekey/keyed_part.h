@@ -25,12 +25,18 @@ struct Window {
   bool jumpsAfter = false;  ///< The same after the end.
 };
 
-/// What one active trail, or the weight of one limb, moves and when.
+/// Right beside a border where the motion jumps, but far enough to be on the other side of it: before it for
+/// a direction of -1, after it for 1.
+[[nodiscard]] double besideJump(double borderSeconds, double direction);
+
+/// What adjustments, one active trail, or the weight of one limb, move and when.
 struct KeyedPart {
-  std::vector<NodeIndex> nodes;   ///< Whose local transforms may change.
-  double boneLength = 0.0;        ///< Of the limb on average, world units.
-  std::vector<Window> windows;    ///< Usually one; two where a loop wraps. Disjoint, ascending.
-  std::vector<double> keySeconds; ///< Times inside that get a key in any case: the ends of the range.
+  std::vector<NodeIndex> nodes;         ///< Whose local transforms may change.
+  double boneLength = 0.0;              ///< Of the limb on average, world units.
+  std::vector<Window> windows;          ///< Usually one; two where a loop wraps. Disjoint, ascending.
+  std::vector<double> keySeconds;       ///< Times inside that get a key in any case: the ends of the range.
+  std::vector<double> jumpSeconds = {}; ///< Times right beside a jump inside a window (besideJump), which get
+                                        ///< one too.
 };
 
 /// All parts of a motion.

@@ -12,19 +12,13 @@ namespace stretch::rig {
 
 namespace {
 
-// Right beside a border where the motion jumps, but far enough to be on the other side of it.
-double beyond(double borderSeconds, double direction) {
-  constexpr double aside = 4e-7;
-  return asKeyTime(borderSeconds + direction * aside * std::max(1.0, std::abs(borderSeconds)));
-}
-
 // A jump at a border that comes to lie inside a larger window keeps its two keys.
 void keepInnerJumps(const Window& part, const Window& whole, std::vector<double>& times) {
   if (part.jumpsBefore && part.startSeconds > whole.startSeconds) {
-    times.push_back(beyond(part.startSeconds, -1.0));
+    times.push_back(besideJump(part.startSeconds, -1.0));
   }
   if (part.jumpsAfter && part.endSeconds < whole.endSeconds) {
-    times.push_back(beyond(part.endSeconds, 1.0));
+    times.push_back(besideJump(part.endSeconds, 1.0));
   }
 }
 

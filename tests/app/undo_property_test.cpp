@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
@@ -56,7 +57,24 @@ Document randomWeight(const Document& document, Dice& dice) {
   return orUnchanged(document, setWeight(document, entry));
 }
 
+Document randomAdjustment(const Document& document, Dice& dice) {
+  const std::vector<std::string> controllers{"hips", "left-hand", "right-elbow", "spine-top"};
+  rig::Adjustment adjustment;
+  adjustment.controller = controllers[static_cast<std::size_t>(dice.below(4))];
+  if (dice.below(3) == 0) {
+    return removeAdjustments(document, adjustment.controller, 0);
+  }
+  rig::OffsetKey key;
+  key.frame = dice.below(20);
+  key.move = {0.01 * dice.below(10), 0.02, 0.0};
+  adjustment.keys = {key};
+  return orUnchanged(document, placeAdjustments(document, {&adjustment, 1}));
+}
+
 Document randomEdit(const Document& document, Dice& dice) {
+  if (dice.below(10) == 0) {
+    return randomAdjustment(document, dice);
+  }
   if (dice.below(8) == 0) {
     return randomWeight(document, dice);
   }

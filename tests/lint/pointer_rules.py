@@ -10,7 +10,7 @@ COMMENT_MARK = re.compile(r"^\s*(///?<?|#+|\*|-)?\s*")
 CODE_POINTER = re.compile(r"(?<![\w./(-])docs/(?P<page>[\w/-]+\.md)(?P<rest>, (?=[A-Z]))?")
 PAGE_POINTER = re.compile(r"\]\((?P<page>[\w./-]+\.md)\)(?P<rest>, (?=[A-Z]))?")
 HEADING = re.compile(r"^#+ +(.*\S)\s*$")
-UNSHIPPED = re.compile(r"\bspec/[\w-]+\.md|(?<![\w/])(commands|characters|controllers|editor|eye|bodies)\.md\b")
+UNSHIPPED = re.compile(r"\bspec/[\w-]+\.md|(?<![\w/])(commands|characters|editor|eye|bodies)\.md\b")
 NUMBERED = re.compile(r"\b[Ss]ection (\d|\")")
 
 

@@ -6,6 +6,7 @@
 
 #include "core/math/rotation.h"
 #include "rig/limb.h"
+#include "tests/support/rig/adjusted_biped.h"
 #include "tests/support/rig/rekeyed_clip.h"
 
 using namespace stretch;
@@ -61,6 +62,35 @@ TEST_CASE("a foot under the root follows the leg through its own channels") {
     });
     CHECK(hasFoot);
   }
+}
+
+TEST_CASE("a foot under the root stays where it is while the hips go down, and its leg reaches it") {
+  const MovingBiped moving = withDetachedFoot();
+  const Limb& leg = moving.limb("left-leg");
+  const Rekeyed rekeyed = rekeyedOf(moving, {moved("hips", {0.0, -0.15, 0.0})});
+  for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState keyed = poseOf(moving, rekeyed.clip, frame);
+    CHECK(glm::length(endPosition(leg, keyed) - endPosition(leg, source)) < 1e-4 * moving.biped.height);
+    const std::vector<Vec3> bones = limbPoints(leg, keyed);
+    const std::vector<Vec3> before = limbPoints(leg, source);
+    CHECK(std::abs(glm::length(bones[2] - bones[1]) - glm::length(before[2] - before[1])) < 1e-3);
+    CHECK(glm::length(bones[1] - before[1]) > 0.01);
+  }
+  const Rekeyed lifted = rekeyedOf(moving, {moved("left-foot", {0.0, 0.2, 0.0})});
+  CHECK(worstMiss(moving, lifted, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(endPosition(leg, poseOf(moving, lifted.clip, 0.0)).y >
+        endPosition(leg, sourceAtFrame(moving, 0.0)).y + 0.15);
+}
+
+TEST_CASE("a hand without a joint is put where it is asked to be by its estimated end") {
+  const MovingBiped moving = still(namedBody({.hands = false}));
+  const Limb& arm = moving.limb("right-arm");
+  const Vec3 move(0.1, -0.1, 0.1);
+  const FrameState source = sourceAtFrame(moving, 0.0);
+  const FrameState frame = atFrame(moving, adjusted(moving, {moved("right-hand", move)}), 0.0);
+  REQUIRE(arm.endNode == NodeIndex::none);
+  CHECK(glm::length(endPosition(arm, frame) - endPosition(arm, source) - move) < 1e-6);
 }
 
 TEST_CASE("a limb without an end joint is stretched to its estimated end") {

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "app/batch/options.h"
+#include "app/batch/trail_report.h"
+#include "app/batch/verb.h"
+#include "app/edits/adjustment_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "app/recipe/recipe.h"
+#include "app/schema/schema_json.h"
+#include "core/gltf/json.h"
+#include "rig/motion/apply_adjustments.h"
+#include "rig/motion/evaluate.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct PoseArguments {
+  FileArguments input;
+  OutputArguments output;
+  std::string recipe;
+  bool json = false;
+};
+
+// The adjustments alone: what a limb's trail or weight makes of a pose is another matter.
+Document adjustedOnly(Document document) {
+  document.trails.clear();
+  document.weights.clear();
+  return document;
+}
+
+// Where the controller was asked to be at a frame and where it came to; nothing where it only turns.
+std::optional<Json> placesAt(const Document& document, const rig::MotionState& motion,
+                             const std::string& controller, double frame) {
+  const Clip& clip = clipOf(document, motion.clip);
+  FrameState state = rig::sampledFrame(*document.scene, clip, frame / clip.framesPerSecond);
+  const std::vector<rig::AskedPlace> asked =
+      rig::applyAdjustments(*document.scene, motion.adjustments, state);
+  const auto own = std::ranges::find(asked, controller, &rig::AskedPlace::controller);
+  if (own == asked.end()) {
+    return std::nullopt;
+  }
+  const Vec3 reached = rig::controllerPlace(motion.adjustments, controller, state);
+  return Json{{"frame", frame},
+              {"asked", vectorToJson(own->place)},
+              {"reached", vectorToJson(reached)},
+              {"missed_by", glm::length(reached - own->place)}};
+}
+
+void warnOfMiss(const std::string& controller, const Json& place, double height, Json& warnings) {
+  constexpr double seen = 1e-3; // of the height
+  const double miss = place["missed_by"].get<double>();
+  if (miss > seen * height) {
+    warnings.push_back(
+        fmt::format("{} misses its place at frame {:g} by {:.4g}: its limb is not to stretch so far",
+                    controller, place["frame"].get<double>(), miss));
+  }
+}
+
+Json poseJson(const Document& document, const Recipe& recipe) {
+  const rig::MotionState motion = prepareMotion(adjustedOnly(document), recipe.clip);
+  Json report{{"clip", clipOf(document, recipe.clip).name},
+              {"controllers", Json::array()},
+              {"warnings", documentWarnings(document)}};
+  const bool hasMore = !recipe.trails.empty() || !recipe.weights.empty();
+  if (hasMore) {
+    report["warnings"].push_back(
+        "trails and weight of the recipe are left out: 'exaggerate --recipe' plays them");
+  }
+  for (const rig::Adjustment& adjustment : recipe.adjustments) {
+    Json keys = Json::array();
+    for (const rig::OffsetKey& key : adjustment.keys) {
+      const std::optional<Json> place = placesAt(document, motion, adjustment.controller, key.frame);
+      keys.push_back(place.value_or(Json{{"frame", key.frame}}));
+      if (place) {
+        warnOfMiss(adjustment.controller, *place, document.biped.height, report["warnings"]);
+      }
+    }
+    report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
+  }
+  return report;
+}
+
+std::string placeText(const Json& place) {
+  return fmt::format("{:.4f} {:.4f} {:.4f}", place[0].get<double>(), place[1].get<double>(),
+                     place[2].get<double>());
+}
+
+void printPose(const Json& report) {
+  for (const Json& controller : report["controllers"]) {
+    for (const Json& key : controller["keys"]) {
+      const std::string place =
+          key.contains("asked")
+              ? fmt::format("asked for {}, reached {}", placeText(key["asked"]), placeText(key["reached"]))
+              : std::string("set");
+      fmt::print("{}: frame {:g}: {}\n", controller["controller"].get<std::string>(),
+                 key["frame"].get<double>(), place);
+    }
+  }
+  for (const Json& warning : report["warnings"]) {
+    fmt::print("warning: {}\n", warning.get<std::string>());
+  }
+}
+
+Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
+  std::optional<int> clip;
+  if (!arguments.input.clip.empty()) {
+    const Result<int> named = clipOfArguments(arguments.input, document);
+    if (!named) {
+      return named.error();
+    }
+    clip = *named;
+  }
+  Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
+  if (recipe && recipe->adjustments.empty()) {
+    return Error{"holds no adjustments", arguments.recipe,
+                 R"(give a list "adjustments", as docs/recipes.md tells)"};
+  }
+  return recipe;
+}
+
+Status runPose(const PoseArguments& arguments) {
+  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
+    return apart;
+  }
+  Result<Document> document = openDocument(arguments.input);
+  if (!document) {
+    return document.error();
+  }
+  const Result<Recipe> recipe = wantedPose(arguments, *document);
+  if (!recipe) {
+    return recipe.error();
+  }
+  const Result<Document> posed = placeAdjustments(*document, recipe->adjustments);
+  if (!posed) {
+    return posed.error();
+  }
+  const Json report = poseJson(*posed, *recipe);
+  if (Status saved = saveDocument(*posed, arguments.output.file.path, arguments.output.save); !saved) {
+    return saved;
+  }
+  if (arguments.json) {
+    std::cout << report.dump(1) << '\n';
+  } else {
+    printPose(report);
+  }
+  return Success{};
+}
+
+} // namespace
+
+Verb poseVerb() {
+  return {
+      "pose", "Adjusts a clip by the controllers that a recipe keys, and saves the file.",
+      [](CommandLine& line) {
+        const auto arguments = std::make_shared<PoseArguments>();
+        addFileArguments(line, arguments->input);
+        addOutputArguments(line, arguments->output);
+        line.option("--recipe", arguments->recipe, "A recipe (JSON) with a list of adjustments").required();
+        addClipArguments(line, arguments->input);
+        addJson(line, arguments->json);
+        return [arguments] { return runPose(*arguments); };
+      }};
+}
+
+} // namespace stretch::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/schema/schema.h"
+#include "rig/controllers/adjustment.h"
+
+namespace stretch::app {
+
+/// What the numbers of an adjustment count in where they are written: lengths in world units, angles in
+/// radians.
+struct AdjustmentUnits {
+  double length = 1.0;
+  double angle = 1.0;
+};
+
+/// What an entry of the list "adjustments" names: a controller or an attribute.
+struct AdjustedName {
+  std::string id;
+  bool isAttribute = false;
+};
+
+/// An error when the entry names neither, or both.
+[[nodiscard]] Result<AdjustedName> adjustedName(const gltf::Json& json);
+
+/// Everything but the clip.
+[[nodiscard]] gltf::Json adjustmentToJson(const rig::Adjustment& adjustment, bool isAttribute,
+                                          const AdjustmentUnits& units);
+
+/// Reads what adjustmentToJson writes. `allowed` names further keys that the caller reads itself. A key of
+/// the wrong kind, an unknown one and an interpolation that does not exist are errors that name them.
+[[nodiscard]] Result<rig::Adjustment> adjustmentFromJson(const gltf::Json& json, const AdjustmentUnits& units,
+                                                         const std::vector<std::string>& allowed);
+
+} // namespace stretch::app

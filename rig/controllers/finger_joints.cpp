@@ -1,0 +1,57 @@
+#include "rig/controllers/finger_joints.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace stretch::rig {
+
+namespace {
+
+std::vector<NodeIndex> jointChildren(const Scene& scene, const std::set<NodeIndex>& skinned, NodeIndex node) {
+  std::vector<NodeIndex> children;
+  std::ranges::copy_if(scene.nodes[at(node)].children, std::back_inserter(children), [&](NodeIndex child) {
+    const Node& holder = scene.nodes[at(child)];
+    return !holder.isBindLeaf && (skinned.contains(child) || skinned.empty());
+  });
+  return children;
+}
+
+// Chains of joints below the hand, each without branches: a branching joint is part of the palm.
+void collectChains(const Scene& scene, const std::set<NodeIndex>& skinned, NodeIndex hand,
+                   std::vector<std::vector<NodeIndex>>& chains) {
+  for (const NodeIndex first : jointChildren(scene, skinned, hand)) {
+    std::vector<NodeIndex> chain{first};
+    std::vector<NodeIndex> next = jointChildren(scene, skinned, first);
+    while (next.size() == 1) {
+      chain.push_back(next.front());
+      next = jointChildren(scene, skinned, chain.back());
+    }
+    if (next.empty()) {
+      chains.push_back(std::move(chain));
+    } else {
+      collectChains(scene, skinned, chain.back(), chains);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::vector<NodeIndex>> fingerChains(const Scene& scene, const Limb& arm) {
+  std::vector<std::vector<NodeIndex>> chains;
+  if (arm.endNode.exists()) {
+    collectChains(scene, skinJoints(scene), arm.endNode, chains);
+  }
+  return chains;
+}
+
+std::vector<NodeIndex> fingerJoints(const Scene& scene, const Limb& arm) {
+  std::vector<NodeIndex> joints;
+  for (const std::vector<NodeIndex>& chain : fingerChains(scene, arm)) {
+    joints.insert(joints.end(), chain.begin(), chain.end());
+  }
+  return joints;
+}
+
+} // namespace stretch::rig

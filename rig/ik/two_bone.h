@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "core/math/types.h"
+#include "rig/ik/limb_shape.h"
+
+namespace stretch::rig {
+
+/// How far a limb of this length may reach for a target at `distance` (docs/controllers.md, Arms and legs):
+/// the distance itself up to a soft zone before its full length, never more than that length, with a
+/// continuous slope. A limb that stands straighter than the soft zone in its own pose (`poseReach`) keeps
+/// that.
+[[nodiscard]] double softReach(double length, double poseReach, double distance);
+
+/// A limb of two bones at one time, to be brought to a target by turning and scaling its bones. World space.
+struct TwoBoneProblem {
+  Vec3 base{0.0}; ///< The pose to be corrected: P0, P1, P2.
+  Vec3 joint{0.0};
+  Vec3 end{0.0};
+  Vec3 target{0.0};     ///< F.
+  Vec3 poleOffset{0.0}; ///< How far the pole is moved from its place; zero: the bend keeps its direction.
+  /// Which way the limb bends where the pose is too straight to tell: a unit vector across its line, or zero.
+  Vec3 usualBend{0.0};
+  double stretchSwitch = 1.0; ///< k: 1 reaches every target, 0 leaves the bones as long as they are.
+};
+
+/// What brings the limb there: each bone turns in world space about its start and is scaled by `scale`.
+struct TwoBoneShape {
+  std::array<Quat, 2> turns{Quat(1.0, 0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)};
+  double scale = 1.0; ///< Within [smallestStretch, largestStretch].
+  Vec3 joint{0.0};    ///< Where the middle joint and the end come to.
+  Vec3 end{0.0};
+  ShapeOutcome outcome = ShapeOutcome::reached; ///< clamped: the scale ended at a limit.
+};
+
+/// Exactly the identity where the target is the end and the pole has not moved. A limb whose bones or whose
+/// line have no length stays as it is (degenerate). Finite for every finite input.
+[[nodiscard]] TwoBoneShape solveTwoBone(const TwoBoneProblem& problem);
+
+/// Where the pole of a limb stands: half the limb's length before its joint, along the direction in which it
+/// bends.
+[[nodiscard]] Vec3 polePlace(const TwoBoneProblem& problem);
+
+} // namespace stretch::rig

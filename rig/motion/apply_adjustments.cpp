@@ -1,0 +1,385 @@
+#include "rig/motion/apply_adjustments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "rig/ik/spline_spine.h"
+#include "rig/ik/two_bone.h"
+#include "rig/motion/limb_deform.h"
+
+namespace stretch::rig {
+
+namespace {
+
+const Quat noTurn(1.0, 0.0, 0.0, 0.0);
+
+bool isTurn(const Quat& turn) {
+  constexpr double unseen = 1e-11;
+  return glm::length(Vec3(turn.x, turn.y, turn.z)) > unseen;
+}
+
+bool acts(const OffsetCurves& curves, double timeSeconds) {
+  return std::ranges::any_of(curves, [&](const auto& named) {
+    const Offset offset = offsetAt(curves, named.first, timeSeconds);
+    const bool drives = named.first.ends_with(".curl") || named.first.ends_with(".roll");
+    return offset.move != Vec3(0.0) || offset.turn != Vec3(0.0) || (drives && offset.value != 0.0);
+  });
+}
+
+// How a carrier took along what it carries, as one piece.
+struct CarrierChange {
+  Vec3 before{0.0};
+  Vec3 now{0.0};
+  Quat turn{1.0, 0.0, 0.0, 0.0};
+
+  [[nodiscard]] Vec3 point(const Vec3& world) const { return now + turn * (world - before); }
+};
+
+// Where an end is wanted, and how it is turned from its source orientation.
+struct EndGoal {
+  Vec3 place{0.0};
+  Quat turn{1.0, 0.0, 0.0, 0.0};
+};
+
+class Adjuster {
+public:
+  Adjuster(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame)
+      : scene_(scene), adjustments_(adjustments), frame_(frame), done_(adjustments.joints.size(), false) {}
+
+  std::vector<AskedPlace> run() {
+    moveBody();
+    source_ = frame_;
+    moveHips();
+    if (adjustments_.spine) {
+      turnJointsAbove(adjustments_.spine->limb);
+      moveSpine(*adjustments_.spine);
+    }
+    if (adjustments_.neck) {
+      turnJointsAbove(adjustments_.neck->limb);
+      moveNeck(*adjustments_.neck);
+    }
+    for (const AdjustedLimb& limb : adjustments_.limbs) {
+      turnJointsAbove(limb.limb);
+      moveLimb(limb);
+    }
+    turnJointsLeft();
+    return std::move(asked_);
+  }
+
+private:
+  [[nodiscard]] Offset offset(const std::string& id, double standard = 0.0) const {
+    return offsetAt(adjustments_.curves, id, frame_.timeSeconds, standard);
+  }
+  [[nodiscard]] double attribute(const std::string& id, double standard, double low, double high) const {
+    return std::clamp(offset(id, standard).value, low, high);
+  }
+  [[nodiscard]] Quat rotation(NodeIndex node) const { return rotationOf(frame_.worlds[at(node)]); }
+  [[nodiscard]] Vec3 place(NodeIndex node) const { return positionOf(frame_.worlds[at(node)]); }
+
+  void ask(const std::string& id, const Vec3& place) { asked_.push_back({id, place}); }
+
+  // The scene's axes as they are carried from the bind pose.
+  [[nodiscard]] Quat carriedAxes(NodeIndex carrier, const Quat& bind) const {
+    return carrier.exists() ? rotation(carrier) * glm::inverse(bind) : noTurn;
+  }
+
+  [[nodiscard]] CarrierChange changeOf(NodeIndex carrier) const {
+    CarrierChange change;
+    if (carrier.exists() && frame_.worlds[at(carrier)] != source_.worlds[at(carrier)]) {
+      change.before = positionOf(source_.worlds[at(carrier)]);
+      change.now = place(carrier);
+      change.turn = rotation(carrier) * glm::inverse(rotationOf(source_.worlds[at(carrier)]));
+    }
+    return change;
+  }
+
+  void moveBody() {
+    const Offset body = offset("body");
+    if (body.move == Vec3(0.0) && body.turn == Vec3(0.0)) {
+      return;
+    }
+    const Vec3 hips = place(adjustments_.hips);
+    const CarrierChange change{
+        {hips.x, 0.0, hips.z}, Vec3(hips.x, 0.0, hips.z) + body.move, rotationOfVector(body.turn)};
+    bodyTurn_ = change.turn;
+    for (const NodeIndex root : adjustments_.roots) {
+      placeNode(scene_, root, change.turn, change.point(place(root)), frame_);
+    }
+    ask("body", change.point(hips));
+  }
+
+  void moveHips() {
+    const Offset hips = offset("hips");
+    if (hips.move == Vec3(0.0) && hips.turn == Vec3(0.0)) {
+      return;
+    }
+    const Vec3 goal = place(adjustments_.hips) + bodyTurn_ * hips.move;
+    placeNode(scene_, adjustments_.hips, rotationOfVector(bodyTurn_ * hips.turn), goal, frame_);
+    ask("hips", goal);
+  }
+
+  void turnJoint(std::size_t index) {
+    const AdjustedJoint& joint = adjustments_.joints[index];
+    done_[index] = true;
+    const Offset own = offset(joint.id);
+    if (own.turn != Vec3(0.0)) {
+      const Quat axes = carriedAxes(scene_.nodes[at(joint.node)].parent, joint.parentBind);
+      placeNode(scene_, joint.node, rotationOfVector(axes * own.turn), place(joint.node), frame_);
+    }
+  }
+
+  void turnJointsAbove(const Limb& limb) {
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      if (!done_[i] && isAncestorOrSelf(scene_, adjustments_.joints[i].node, limb.joints.front())) {
+        turnJoint(i);
+      }
+    }
+  }
+
+  void turnJointsLeft() {
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      if (!done_[i]) {
+        turnJoint(i);
+      }
+    }
+  }
+
+  // What belongs to a limb and hangs elsewhere goes along with its base.
+  void carryDetached(const AdjustedLimb& adjusted) {
+    const NodeIndex base = adjusted.limb.joints.front();
+    const NodeIndex carrier = scene_.nodes[at(base)].parent;
+    const CarrierChange change = changeOf(carrier);
+    if (!carrier.exists() || frame_.worlds[at(carrier)] == source_.worlds[at(carrier)]) {
+      return;
+    }
+    std::vector<NodeIndex> members = adjusted.limb.joints;
+    members.push_back(adjusted.limb.endNode);
+    members.insert(members.end(), adjusted.topology.companions.begin(), adjusted.topology.companions.end());
+    for (const NodeIndex node : members) {
+      if (node.exists() && !isAncestorOrSelf(scene_, carrier, node)) {
+        const Quat left = change.turn * glm::inverse(turnSoFar(node));
+        placeNode(scene_, node, left, change.point(positionOf(source_.worlds[at(node)])), frame_);
+      }
+    }
+  }
+
+  [[nodiscard]] Quat turnSoFar(NodeIndex node) const {
+    const Mat4& before = source_.worlds[at(node)];
+    const Mat4& now = frame_.worlds[at(node)];
+    return before == now ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+  }
+
+  void moveSpine(const AdjustedLimb& adjusted) {
+    const Offset low = offset("spine-low");
+    const Offset middle = offset("spine-mid");
+    const Offset top = offset("spine-top");
+    const Vec3 none(0.0);
+    if (low.move == none && middle.move == none && top.move == none && top.turn == none) {
+      return;
+    }
+    const Limb& limb = adjusted.limb;
+    carryDetached(adjusted);
+    const Quat axes = carriedAxes(adjustments_.hips, adjustments_.hipsBind);
+    SplineSpineProblem problem;
+    problem.points = limbPoints(limb, frame_);
+    problem.along = adjusted.along;
+    problem.low = axes * low.move;
+    problem.middle = axes * middle.move;
+    problem.top = axes * top.move;
+    problem.turn = axes * top.turn;
+    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
+    const SplineSpineShape shape = solveSplineSpine(problem);
+    DeformOptions options{attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, shape.topTurn};
+    deformLimb(
+        scene_, limb, adjusted.topology,
+        {shape.turns, shape.stretches, shape.points.front() - problem.points.front(), shape.points.back()},
+        options, frame_);
+    ask("spine-low", shape.wanted.front());
+    ask("spine-top", shape.wanted.back());
+  }
+
+  // docs/controllers.md, Space and following.
+  [[nodiscard]] EndGoal goalOf(const AdjustedLimb& adjusted, NodeIndex carrier, const Quat& carrierBind,
+                               double standardFollow) const {
+    const Limb& limb = adjusted.limb;
+    const double follow = attribute(limb.id + ".follow", standardFollow, 0.0, 1.0);
+    const CarrierChange change = changeOf(carrier);
+    const Vec3 stays = endPosition(limb, source_);
+    EndGoal goal{stays + follow * (change.point(stays) - stays),
+                 follow >= 1.0 ? change.turn : glm::slerp(noTurn, change.turn, follow)};
+    const Offset own = offset(endController(limb.kind));
+    if (own.move != Vec3(0.0) || own.turn != Vec3(0.0)) {
+      const Quat axes = carriedAxes(carrier, carrierBind);
+      goal.place += axes * own.move;
+      goal.turn = rotationOfVector(axes * own.turn) * goal.turn;
+    }
+    return goal;
+  }
+
+  // How the end has to turn from where the frame has it.
+  [[nodiscard]] Quat endTurn(const Limb& limb, const EndGoal& goal) const {
+    return limb.endNode.exists() ? goal.turn * glm::inverse(turnSoFar(limb.endNode)) : noTurn;
+  }
+
+  [[nodiscard]] bool isThere(const Limb& limb, const EndGoal& goal) const {
+    constexpr double unseen = 1e-10; // of the limb
+    return glm::length(goal.place - endPosition(limb, frame_)) <= unseen * limb.restLength &&
+           !isTurn(endTurn(limb, goal));
+  }
+
+  [[nodiscard]] DeformOptions optionsOf(const Limb& limb, const EndGoal& goal) const {
+    return {attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, endTurn(limb, goal)};
+  }
+
+  // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
+  // is solved again from where it came to.
+  void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
+    constexpr int mostTries = 24;
+    constexpr double unseen = 1e-8; // of the limb
+    const double near = unseen * adjusted.limb.restLength;
+    Vec3 bend = pole;
+    for (int tries = 0; tries < mostTries; ++tries) {
+      const Vec3 end = adjusted.bendPoint > 0 ? bendTo(adjusted, goal, bend) : reachAsOne(adjusted, goal);
+      const bool isReachable = glm::length(goal.place - end) <= near;
+      if (!isReachable || glm::length(goal.place - endPosition(adjusted.limb, frame_)) <= near) {
+        return;
+      }
+      bend = Vec3(0.0);
+    }
+  }
+
+  // The shape turns and stretches as one piece. Answers where the end comes to if nothing is scaled unevenly.
+  Vec3 reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
+    const Limb& limb = adjusted.limb;
+    LimbShapeProblem problem;
+    problem.points = limbPoints(limb, frame_);
+    problem.target = goal.place;
+    problem.shortestReach = 1e-3 * limb.restLength;
+    problem.restLength = limb.restLength;
+    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
+    const LimbShape shape = solveLimbShape(problem);
+    deformLimb(scene_, limb, adjusted.topology, limbPose(shape), optionsOf(limb, goal), frame_);
+    return shape.end;
+  }
+
+  void moveNeck(const AdjustedLimb& adjusted) {
+    carryDetached(adjusted);
+    const EndGoal goal = goalOf(adjusted, adjustments_.chest, adjustments_.chestBind, 1.0);
+    if (adjustments_.curves.contains("head")) {
+      ask("head", goal.place);
+    }
+    if (!isThere(adjusted.limb, goal)) {
+      reach(adjusted, goal, Vec3(0.0));
+    }
+  }
+
+  void moveLimb(const AdjustedLimb& adjusted) {
+    carryDetached(adjusted);
+    const Limb& limb = adjusted.limb;
+    const bool leg = isLeg(limb);
+    EndGoal goal = leg ? goalOf(adjusted, adjustments_.hips, adjustments_.hipsBind, 0.0)
+                       : goalOf(adjusted, adjustments_.chest, adjustments_.chestBind, 1.0);
+    const double roll = leg ? attribute(endController(limb.kind) + ".roll", 0.0, -1.0, 1.0) : 0.0;
+    const Quat rolled = rollFoot(adjusted, roll, goal);
+    if (adjustments_.curves.contains(endController(limb.kind))) {
+      ask(endController(limb.kind), goal.place);
+    }
+    const Vec3 pole = poleOffset(adjusted);
+    if (pole != Vec3(0.0) || !isThere(limb, goal)) {
+      reach(adjusted, goal, pole);
+    }
+    if (roll > 0.0 && adjusted.roll.toes.exists()) {
+      placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
+    }
+    if (!leg) {
+      applyCurl(scene_, adjusted.fingers, attribute(endController(limb.kind) + ".curl", 0.0, -0.2, 1.0),
+                frame_);
+    }
+  }
+
+  // Turns the goal about the ball or the heel; answers by how much.
+  [[nodiscard]] Quat rollFoot(const AdjustedLimb& adjusted, double roll, EndGoal& goal) const {
+    if (roll == 0.0 || adjusted.roll.axis == Vec3(0.0)) {
+      return noTurn;
+    }
+    const Mat4& before = source_.worlds[at(adjusted.limb.endNode)];
+    const Vec3 about = roll > 0.0 ? adjusted.roll.ball : adjusted.roll.heel;
+    const Vec3 pivot = goal.place + goal.turn * transformVector(before, about);
+    const Vec3 axis = goal.turn * (rotationOf(before) * adjusted.roll.axis);
+    const Quat turn = axisAngle(axis, rollRadians(roll));
+    goal.place = pivot + turn * (goal.place - pivot);
+    goal.turn = turn * goal.turn;
+    return turn;
+  }
+
+  [[nodiscard]] Vec3 poleOffset(const AdjustedLimb& adjusted) const {
+    const Offset pole = offset(poleController(adjusted.limb.kind));
+    return pole.move == Vec3(0.0) ? pole.move
+                                  : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
+  }
+
+  // As a limb of two spans; answers as reachAsOne does.
+  Vec3 bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
+    const Limb& limb = adjusted.limb;
+    const std::vector<Vec3> points = limbPoints(limb, frame_);
+    TwoBoneProblem problem;
+    problem.base = points.front();
+    problem.joint = points[adjusted.bendPoint];
+    problem.end = points.back();
+    problem.target = goal.place;
+    problem.poleOffset = pole;
+    problem.usualBend = rotation(limb.joints.front()) * adjusted.usualBend;
+    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
+    const TwoBoneShape shape = solveTwoBone(problem);
+    LimbPose pose;
+    for (std::size_t bone = 0; bone < limb.joints.size(); ++bone) {
+      pose.turns.push_back(shape.turns[bone < adjusted.bendPoint ? 0 : 1]);
+      pose.stretches.push_back(shape.scale);
+    }
+    pose.end = shape.end;
+    deformLimb(scene_, limb, adjusted.topology, pose, optionsOf(limb, goal), frame_);
+    return shape.end;
+  }
+
+  const Scene& scene_;
+  const SolvedAdjustments& adjustments_;
+  FrameState& frame_;
+  FrameState source_; // as the body's controller carries it
+  Quat bodyTurn_{1.0, 0.0, 0.0, 0.0};
+  std::vector<bool> done_; // of the joints
+  std::vector<AskedPlace> asked_;
+};
+
+} // namespace
+
+std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
+                                         FrameState& frame) {
+  if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
+    return {};
+  }
+  return Adjuster(scene, adjustments, frame).run();
+}
+
+Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& controller,
+                     const FrameState& frame) {
+  for (const std::optional<AdjustedLimb>* limb : {&adjustments.spine, &adjustments.neck}) {
+    if (*limb && ((controller == "spine-top" && (*limb)->limb.kind == LimbKind::spine) ||
+                  (controller == "head" && (*limb)->limb.kind == LimbKind::neck))) {
+      return endPosition((*limb)->limb, frame);
+    }
+  }
+  if (controller == "spine-low" && adjustments.spine) {
+    return positionOf(frame.worlds[at(adjustments.spine->limb.joints.front())]);
+  }
+  for (const AdjustedLimb& limb : adjustments.limbs) {
+    if (controller == endController(limb.limb.kind)) {
+      return endPosition(limb.limb, frame);
+    }
+  }
+  return positionOf(frame.worlds[at(adjustments.hips)]);
+}
+
+} // namespace stretch::rig

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/matrix.hpp>
+
+#include "core/anim/frame_state.h"
+#include "core/scene/scene.h"
+
+namespace stretch::rig {
+
+/// The inverse, or the identity for what is scaled to nothing: there is no space to speak of then.
+[[nodiscard]] inline Mat4 inverseOf(const Mat4& matrix) {
+  return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
+}
+
+/// Writes local transforms of a frame while knowing the pose it started from.
+class PoseWriter {
+public:
+  PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
+
+  [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
+  [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
+
+  /// World matrix of the node's parent as it stands, parents of it having been written before.
+  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return !parent.exists() ? Mat4(1.0) : frame_.worlds[at(parent)];
+  }
+
+  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return !parent.exists() ? Mat4(1.0) : before_[at(parent)];
+  }
+
+  Transform& local(NodeIndex node) {
+    frame_.pose.usesMatrix[at(node)] = false;
+    return frame_.pose.locals[at(node)];
+  }
+
+  /// Recomputes the node's own world matrix; its children follow when they are written or at the end.
+  void refresh(NodeIndex node) {
+    frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
+  }
+
+  void refreshSubtree(NodeIndex node) {
+    refresh(node);
+    for (const NodeIndex child : scene_.nodes[at(node)].children) {
+      refreshSubtree(child);
+    }
+  }
+
+  /// Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
+  /// Seen from the parents, which may be mirrored: their world rotations alone would not tell.
+  void turnInWorld(NodeIndex node, const Quat& turn) {
+    const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
+    Transform& transform = local(node);
+    transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
+  }
+
+  void setWorldPosition(NodeIndex node, const Vec3& positionWorld) {
+    local(node).translation = transformPoint(inverseOf(parentWorld(node)), positionWorld);
+  }
+
+  void addStretch(NodeIndex node, const Mat3& stretch) {
+    if (frame_.stretch.empty()) {
+      frame_.stretch.assign(scene_.nodes.size(), Mat3(1.0));
+    }
+    frame_.stretch[at(node)] = stretch * frame_.stretch[at(node)];
+  }
+
+private:
+  const Scene& scene_;
+  FrameState& frame_;
+  std::vector<Mat4> before_;
+};
+
+} // namespace stretch::rig

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rig/controllers/controller.h"
+#include "rig/controllers/offset_curve.h"
+#include "rig/motion/foot_roll.h"
+#include "rig/motion/hand_curl.h"
+#include "rig/motion/limb_topology.h"
+
+namespace stretch::rig {
+
+/// The curves of all controllers and attributes of a clip, by their ids.
+using OffsetCurves = std::map<std::string, std::vector<OffsetCurve>>;
+
+/// What is offset at one time, of one controller or attribute: the sum over its curves, an attribute's value
+/// from the curve that covers the time. `standard`: the value of an attribute where none does.
+[[nodiscard]] Offset offsetAt(const OffsetCurves& curves, const std::string& id, double timeSeconds,
+                              double standard = 0.0);
+
+/// A limb that controllers may move.
+struct AdjustedLimb {
+  Limb limb;
+  LimbTopology topology;
+  std::vector<double> along; ///< u of each point of the limb: rest arc length over the whole.
+  std::size_t bendPoint = 0; ///< The point between its two spans: the joint that bends most; 0: it has one
+                             ///< bone.
+  Vec3 usualBend{0.0};       ///< In the space of the base joint: which way it bends.
+  Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
+  std::vector<FingerJoint> fingers;  ///< Of an arm.
+  FootRoll roll;                     ///< Of a leg.
+};
+
+/// A controller on any other joint.
+struct AdjustedJoint {
+  std::string id;
+  NodeIndex node;
+  Quat parentBind{1.0, 0.0, 0.0, 0.0};
+};
+
+/// Nodes that move together, and the controllers and attributes that they depend on.
+struct AdjustedPart {
+  std::vector<NodeIndex> nodes;
+  double boneLength = 0.0;
+  std::vector<std::string> ids;
+};
+
+/// The adjustments of one clip, ready for any time.
+struct SolvedAdjustments {
+  OffsetCurves curves; ///< Empty: nothing is adjusted, and nothing else is filled in.
+  NodeIndex hips;
+  std::vector<NodeIndex> roots; ///< What the body's controller moves: nothing of the character hangs
+                                ///< elsewhere.
+  NodeIndex chest;              ///< Carrier of head and hands: the end of the spine, else the hips.
+  Quat hipsBind{1.0, 0.0, 0.0, 0.0};
+  Quat chestBind{1.0, 0.0, 0.0, 0.0};
+  std::optional<AdjustedLimb> spine;
+  std::optional<AdjustedLimb> neck;
+  std::vector<AdjustedLimb> limbs; ///< Arms and legs.
+  std::vector<AdjustedJoint> joints;
+  std::vector<AdjustedPart> parts;
+  std::vector<NodeIndex> nodes; ///< Everything that is read or moved.
+
+  [[nodiscard]] bool empty() const { return curves.empty(); }
+};
+
+} // namespace stretch::rig
