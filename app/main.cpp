@@ -22,7 +22,7 @@ struct EditorStart {
 /// The two paths of a sequence: a base mesh and its cache, in any order.
 bool isMeshAndCache(const std::vector<std::string_view>& words) {
   using namespace stretch::skinning;
-  return (isMeshFile(words[0]) && isPointCache(words[1])) || (isPointCache(words[0]) && isMeshFile(words[1]));
+  return (isBaseMesh(words[0]) && isPointCache(words[1])) || (isPointCache(words[0]) && isBaseMesh(words[1]));
 }
 
 /// Everything that is no verb and no other option starts the editor.

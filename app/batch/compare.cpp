@@ -30,27 +30,35 @@ struct CompareArguments {
 using Words = std::vector<std::string>;
 
 /// A cache belongs to the mesh before it; everything else is a side of its own.
-Result<std::pair<Words, Words>> twoSides(const Words& words) {
+std::vector<Words> sidesOf(const Words& words, bool (*isBase)(const std::filesystem::path&)) {
   std::vector<Words> sides;
   for (const std::string& word : words) {
     const bool joins = !sides.empty() && sides.back().size() == 1 && skinning::isPointCache(word) &&
-                       skinning::isMeshFile(sides.back().front());
+                       isBase(sides.back().front());
     if (joins) {
       sides.back().push_back(word);
     } else {
       sides.push_back({word});
     }
   }
+  return sides;
+}
+
+/// A glTF before a cache is a side of its own, unless there would be too many.
+Result<std::pair<Words, Words>> twoSides(const Words& words) {
+  std::vector<Words> sides = sidesOf(words, skinning::isMeshFile);
+  if (sides.size() > 2) {
+    sides = sidesOf(words, skinning::isBaseMesh);
+  }
   if (sides.size() != 2) {
     return Error{fmt::format("two are compared, {} were named", sides.size()), "compare",
-                 "name two: each an animated glTF, a folder of frames, or BASE.obj CACHE.pc2"};
+                 "name two: each an animated glTF, a folder of frames, or a BASE mesh and its CACHE"};
   }
   return std::pair(sides[0], sides[1]);
 }
 
 bool isGltf(const Words& side) {
-  const std::string extension = std::filesystem::path(side.front()).extension().string();
-  return side.size() == 1 && (extension == ".glb" || extension == ".gltf" || extension == ".vrm");
+  return side.size() == 1 && skinning::isGltfFile(side.front());
 }
 
 /// `framesPerSecond` 0: at the rate that the file's own keys suggest.
@@ -165,7 +173,7 @@ Verb compareVerb() {
             const auto arguments = std::make_shared<CompareArguments>();
             line.options("FILES", arguments->words,
                          "The reference and what is compared with it: each an animated glTF, a folder of "
-                         "frames, or BASE.obj CACHE.pc2")
+                         "frames, or BASE CACHE (a mesh and its .pc2 or .mdd)")
                 .required()
                 .takes(2, 4);
             line.flag("--flattening", arguments->flattening,

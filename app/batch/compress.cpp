@@ -1,7 +1,9 @@
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -17,6 +19,7 @@
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
 #include "skinning/export/encode_gltf.h"
+#include "skinning/export/frame_stream.h"
 
 namespace stretch::app {
 
@@ -30,6 +33,7 @@ struct CompressArguments {
   std::string moduli;
   std::string skeleton;
   std::string table;
+  std::string stream;
   double framesPerSecond = 0.0;
   bool json = false;
 };
@@ -89,7 +93,32 @@ Status writeTable(const CompressArguments& arguments, const MeshSequence& sequen
   return writeText(arguments.table, curvatureTable(sequence, *compressed.model), MissingFolder::isError);
 }
 
-Status runCompress(const CompressArguments& arguments) {
+/// Writes the base, and the frames behind each other; adds to the report what they take.
+Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSequence& skinned,
+                   bool quantise, gltf::Json& report) {
+  if (arguments.stream.empty()) {
+    return Success{};
+  }
+  const std::filesystem::path folder(arguments.stream);
+  const skinning::FrameStream stream = skinning::streamOf(skinned, quantise);
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return Error{"the folder cannot be made", arguments.stream, problem.message()};
+  }
+  if (Status written = writeFile(folder / "frames.bin", stream.frames); !written) {
+    return written;
+  }
+  if (Status saved = gltf::save(stream.base, folder / "base.glb"); !saved) {
+    return saved;
+  }
+  report["stream"] = {{"bytes_per_frame", stream.frameBytes},
+                      {"base_bytes", std::filesystem::file_size(folder / "base.glb", problem)}};
+  return Success{};
+}
+
+/// No file that is written is one that is read, or another one that is written.
+Status checkPlaces(const CompressArguments& arguments) {
   std::vector<std::string> read = arguments.sequence;
   read.push_back(arguments.moduli);
   read.push_back(arguments.skeleton);
@@ -97,7 +126,11 @@ Status runCompress(const CompressArguments& arguments) {
     return apart;
   }
   read.push_back(arguments.output.path);
-  if (Status apart = checkOutput({arguments.table}, read); !apart) {
+  return checkOutput({arguments.table}, read);
+}
+
+Status runCompress(const CompressArguments& arguments) {
+  if (Status apart = checkPlaces(arguments); !apart) {
     return apart;
   }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
@@ -137,6 +170,9 @@ Status runCompress(const CompressArguments& arguments) {
   }
   gltf::Json report = compressionJson(*sequence, *compressed, encoded);
   report["seconds"] = seconds;
+  if (Status written = writeStream(arguments, compressed->skinned, encoding.quantise, report); !written) {
+    return written;
+  }
   if (Status told = addWrittenFile(*sequence, arguments.output.path, encoded, report); !told) {
     return told;
   }
@@ -153,9 +189,7 @@ Status runCompress(const CompressArguments& arguments) {
 Verb compressVerb() {
   return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
             const auto arguments = std::make_shared<CompressArguments>();
-            line.options("SEQUENCE", arguments->sequence,
-                         "A folder of OBJ or PLY frames, BASE.obj CACHE.pc2, an animated glTF, or a "
-                         "Sibernetic folder")
+            line.options("SEQUENCE", arguments->sequence, std::string("A mesh sequence: ") + sequenceWords)
                 .required()
                 .takes(1, 2);
             addOutputFile(line, arguments->output, "The .glb to write");
@@ -166,6 +200,9 @@ Verb compressVerb() {
             line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
             line.option("--curvature", arguments->table,
                         "CSV to write: curvature and length of the centre line, frame by frame");
+            line.option(
+                "--stream", arguments->stream,
+                "A folder to write: base.glb, and frames.bin of frames that each say all by themselves");
             addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
             addJson(line, arguments->json);
             return [arguments] { return runCompress(*arguments); };

@@ -26,6 +26,10 @@ constexpr double fastestRate = 10000.0;
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
+  addTolerant(line, arguments);
+}
+
+void addTolerant(CommandLine& line, FileArguments& arguments) {
   line.flag("--tolerant", arguments.tolerant,
             "Take a file that breaks the specification as well as it can be read");
 }

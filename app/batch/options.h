@@ -30,6 +30,9 @@ struct FileArguments {
 /// Declares FILE and --tolerant.
 void addFileArguments(CommandLine& line, FileArguments& arguments);
 
+/// Declares --tolerant.
+void addTolerant(CommandLine& line, FileArguments& arguments);
+
 /// Declares --clip and --fps, for verbs that work on one clip.
 void addClipArguments(CommandLine& line, FileArguments& arguments);
 
@@ -59,6 +62,11 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
 /// Declares --json.
 void addJson(CommandLine& line, bool& json);
+
+/// What a mesh sequence may be, for the help of a verb.
+inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BASE CACHE (a mesh and its .pc2 "
+                                             "or .mdd), an animated glTF, or a Sibernetic "
+                                             "folder";
 
 /// Whether the path names a sequence of meshes: a folder of frames, a mesh, a cache.
 [[nodiscard]] bool isSequence(const std::string& file);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sameFrame = 1e-3;
 
-bool isFinite(const rig::OffsetKey& key) {
+bool hasFiniteNumbers(const rig::OffsetKey& key) {
   const Vec3 sum = key.move + key.turn + key.moveSlope + key.turnSlope;
   return std::isfinite(sum.x + sum.y + sum.z + key.frame + key.value + key.valueSlope);
 }
@@ -96,7 +96,7 @@ Status checkKeys(const Document& document, const rig::ControllerList& list,
     return Error{"has no keys", adjustment.controller, "give one, such as {\"frame\": 0, ...}"};
   }
   for (const rig::OffsetKey& key : adjustment.keys) {
-    if (!isFinite(key)) {
+    if (!hasFiniteNumbers(key)) {
       return Error{"a number of a key is not finite", adjustment.controller, "give a number"};
     }
     Status fits = attribute != nullptr ? checkValueOf(key, *attribute)

@@ -103,11 +103,14 @@ std::string kindOf(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::pair<const char*, const char*> kinds[] = {
-      {".glb", "Binary glTF"}, {".gltf", "glTF with files beside it"},
-      {".vrm", "VRM avatar"},  {".obj", "OBJ mesh"},
-      {".ply", "PLY mesh"},    {".pc2", "Cache of a mesh sequence"},
-      {".json", "JSON text"}};
+  const std::pair<const char*, const char*> kinds[] = {{".glb", "Binary glTF"},
+                                                       {".gltf", "glTF with files beside it"},
+                                                       {".vrm", "VRM avatar"},
+                                                       {".obj", "OBJ mesh"},
+                                                       {".ply", "PLY mesh"},
+                                                       {".pc2", "Cache of a mesh sequence"},
+                                                       {".mdd", "Cache of a mesh sequence"},
+                                                       {".json", "JSON text"}};
   for (const auto& [known, kind] : kinds) {
     if (extension == known) {
       return kind;

@@ -32,6 +32,9 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
     analysis.problem = skeleton.error().what;
     return;
   }
+  for (const double along : skeleton->along) {
+    analysis.vertexSegments.push_back(skinning::segmentAt(*skeleton, along));
+  }
   const skinning::JointTracker tracker(*skeleton, mesh.frame(0));
   for (std::size_t frame = 0; frame < mesh.frameCount(); ++frame) {
     analysis.joints.push_back(tracker.joints(mesh.frame(frame)));

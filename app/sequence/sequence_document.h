@@ -15,9 +15,11 @@ namespace stretch::app {
 
 /// What is measured of a body before anything is compressed.
 struct SequenceAnalysis {
-  std::vector<double> vertexDiameters;   ///< Shape diameter around each vertex, mesh units; empty where the
-                                         ///< surface encloses nothing.
-  std::vector<std::vector<Vec3>> joints; ///< The centre line of each frame; empty for a body without one.
+  std::vector<double> vertexDiameters;     ///< Shape diameter around each vertex, mesh units; empty where the
+                                           ///< surface encloses nothing.
+  std::vector<std::vector<Vec3>> joints;   ///< The centre line of each frame; empty for a body without one.
+  std::vector<std::size_t> vertexSegments; ///< Segment of the centre line that each vertex belongs to; empty
+                                           ///< for a body without one.
   std::vector<skinning::CurvatureLength> measured; ///< Of the centre line, one for each frame.
   std::string problem;                             ///< Why something is missing, one line; empty otherwise.
   Vec3 low{0.0};                                   ///< The box around all frames.

@@ -62,6 +62,26 @@ std::optional<Status> SequenceSession::takeCompression() {
   return Status(Success{});
 }
 
+bool canShow(const SequenceDocument& document, SequenceLook look) {
+  const bool hasResult = document.result != nullptr;
+  const bool hasThickness = !document.analysis->vertexDiameters.empty();
+  const bool hasSegments = hasResult || !document.analysis->joints.empty();
+  switch (look) {
+  case SequenceLook::error:
+    return hasResult;
+  case SequenceLook::thickness:
+    return hasThickness;
+  case SequenceLook::segments:
+    return hasSegments;
+  case SequenceLook::cylinders:
+    return hasSegments && hasThickness;
+  case SequenceLook::material:
+  case SequenceLook::compare:
+    break;
+  }
+  return true;
+}
+
 double lastFrame(const SequenceSession& session) {
   return static_cast<double>(session.document().mesh->frameCount() - 1);
 }

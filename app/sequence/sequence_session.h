@@ -33,11 +33,14 @@ private:
   std::future<Result<Compression>> work_;
 };
 
-/// What colours the surface of a sequence.
-enum class SequenceColours {
-  plain,    ///< Red for the original, green for the skinned result.
-  error,    ///< How far the result is from the original, vertex by vertex.
-  thickness ///< The shape diameter.
+/// What is shown of a sequence.
+enum class SequenceLook {
+  material,  ///< The materials of its source.
+  compare,   ///< Red for the original, green for the skinned result.
+  error,     ///< How far the result is from the original, vertex by vertex, as colour.
+  thickness, ///< The shape diameter as colour.
+  segments,  ///< A colour for each bone, mixed by the weights.
+  cylinders  ///< The segments as cylinders, as the elastic model sees them.
 };
 
 /// What is looked at: not part of the document.
@@ -45,7 +48,7 @@ struct SequenceView {
   double frame = 0.0; ///< Playhead.
   bool showOriginal = true;
   bool showSkinned = true; ///< Where there is a result.
-  SequenceColours colours = SequenceColours::plain;
+  SequenceLook look = SequenceLook::material;
 };
 
 /// An open mesh sequence: the door for its edits, what is looked at, and the compression that is being made.
@@ -71,6 +74,10 @@ private:
   SequenceView view_;
   std::unique_ptr<CompressionJob> job_; ///< Null: nothing is being made.
 };
+
+/// Whether there is what the look shows: the error needs a result, the thickness a surface that encloses
+/// something, segments and cylinders a centre line or a result.
+[[nodiscard]] bool canShow(const SequenceDocument& document, SequenceLook look);
 
 /// The last frame, >= 0.
 [[nodiscard]] double lastFrame(const SequenceSession& session);

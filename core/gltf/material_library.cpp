@@ -1,5 +1,6 @@
 #include "core/gltf/material_library.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include "core/gltf/fields.h"
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
+#include "core/gltf/problems.h"
 #include "core/gltf/webp_image.h"
 
 namespace stretch::gltf {
@@ -237,6 +239,21 @@ void putMaterials(const Source& materials, Json& json,
         addView(bytes.subspan(wholeOr(view, "byteOffset", 0), wholeOr(view, "byteLength", 0)));
     json["images"][i]["bufferView"] = added;
   }
+}
+
+ShownMaterials shownMaterials(const Source& materials) {
+  Problems told; // what cannot be shown was told when the file was read
+  const std::vector<Material> drawn = importMaterials(materials, told);
+  ShownMaterials shown;
+  shown.images = importImages(materials, drawn, told);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const int index = static_cast<int>(i);
+    const int baseColorSet = std::max(baseColorTexCoord(materials, index).value_or(0), 0);
+    const int emissiveSet = std::max(emissiveTexCoord(materials, index).value_or(baseColorSet), 0);
+    shown.materials.push_back(
+        {drawn[i], static_cast<std::size_t>(baseColorSet), static_cast<std::size_t>(emissiveSet)});
+  }
+  return shown;
 }
 
 } // namespace stretch::gltf

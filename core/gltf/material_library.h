@@ -8,6 +8,7 @@
 
 #include "core/base/file.h"
 #include "core/gltf/source.h"
+#include "core/scene/scene.h"
 
 namespace stretch::gltf {
 
@@ -24,5 +25,21 @@ std::size_t addTexture(Source& materials, const Bytes& image, const std::string&
 /// index of its buffer view.
 void putMaterials(const Source& materials, Json& json,
                   const std::function<std::size_t(std::span<const std::uint8_t>)>& addView);
+
+/// A material as the viewport draws it, with the sets of texture coordinates that its textures use.
+struct ShownMaterial {
+  Material material;
+  std::size_t baseColorSet = 0;
+  std::size_t emissiveSet = 0;
+};
+
+/// What the viewport draws of materials: as Scene holds them, images decoded.
+struct ShownMaterials {
+  std::vector<ShownMaterial> materials;
+  std::vector<Image> images;
+};
+
+/// Of a source as materialsOf makes it. Textures that cannot be shown are left out.
+[[nodiscard]] ShownMaterials shownMaterials(const Source& materials);
 
 } // namespace stretch::gltf

@@ -36,13 +36,25 @@ void collectChains(const Scene& scene, const std::set<NodeIndex>& skinned, NodeI
   }
 }
 
+// What is held in the hand of a skinned character hangs there by a joint of its own, with a mesh that no skin
+// bends.
+bool holdsProp(const Scene& scene, NodeIndex node) {
+  const Node& holder = scene.nodes[at(node)];
+  return (holder.mesh >= 0 && holder.skin < 0) ||
+         std::ranges::any_of(holder.children, [&](NodeIndex child) { return holdsProp(scene, child); });
+}
+
 } // namespace
 
 std::vector<std::vector<NodeIndex>> fingerChains(const Scene& scene, const Limb& arm) {
   std::vector<std::vector<NodeIndex>> chains;
+  const std::set<NodeIndex> skinned = skinJoints(scene);
   if (arm.endNode.exists()) {
-    collectChains(scene, skinJoints(scene), arm.endNode, chains);
+    collectChains(scene, skinned, arm.endNode, chains);
   }
+  std::erase_if(chains, [&](const std::vector<NodeIndex>& chain) {
+    return !skinned.empty() && holdsProp(scene, chain.front());
+  });
   return chains;
 }
 

@@ -1,10 +1,13 @@
 #include "skinning/sequence/read_sequence.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <system_error>
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/number.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/text.h"
 
@@ -76,6 +79,75 @@ Result<std::vector<std::filesystem::path>> frameFiles(const std::filesystem::pat
   return files;
 }
 
+/// A file name taken apart: "wolf-", "12", ".obj".
+struct NumberedName {
+  std::vector<std::string> texts;
+  std::vector<std::uint64_t> numbers;
+};
+
+NumberedName takenApart(const std::string& name) {
+  NumberedName parts{{""}, {}};
+  for (std::size_t i = 0; i < name.size();) {
+    if (!isDigit(name[i])) {
+      parts.texts.back() += name[i++];
+      continue;
+    }
+    const std::size_t end = std::min(name.find_first_not_of("0123456789", i), name.size());
+    parts.numbers.push_back(parseNumber<std::uint64_t>(name.substr(i, end - i)).value_or(0));
+    parts.texts.emplace_back();
+    i = end;
+  }
+  return parts;
+}
+
+/// The number of each file: the last one in its name that differs; empty where the names are not alike
+/// otherwise.
+std::vector<std::uint64_t> frameNumbers(const std::vector<std::filesystem::path>& files) {
+  std::vector<NumberedName> names;
+  for (const std::filesystem::path& file : files) {
+    names.push_back(takenApart(file.stem().string()));
+    if (names.back().texts != names.front().texts) {
+      return {};
+    }
+  }
+  for (std::size_t place = names.front().numbers.size(); place-- > 0;) {
+    std::vector<std::uint64_t> numbers;
+    for (const NumberedName& name : names) {
+      numbers.push_back(name.numbers[place]);
+    }
+    if (std::ranges::adjacent_find(numbers, std::ranges::not_equal_to()) != numbers.end()) {
+      std::ranges::sort(numbers);
+      return numbers;
+    }
+  }
+  return {};
+}
+
+/// "7, 9 to 12": what is missing in a row of numbers that go up by the least of its steps; empty for nothing.
+std::string missingNumbers(const std::vector<std::uint64_t>& numbers) {
+  std::uint64_t step = 0;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    const std::uint64_t gap = numbers[i] - numbers[i - 1];
+    step = step == 0 || (gap > 0 && gap < step) ? gap : step;
+  }
+  constexpr int mostTold = 8;
+  std::string told;
+  int count = 0;
+  for (std::size_t i = 1; step > 0 && i < numbers.size(); ++i) {
+    const std::uint64_t first = numbers[i - 1] + step;
+    const std::uint64_t last = numbers[i] - std::min(step, numbers[i]);
+    if (numbers[i] <= first || (numbers[i] - first) % step != 0) {
+      continue;
+    }
+    if (++count > mostTold) {
+      return told + " and more";
+    }
+    told += (told.empty() ? "" : ", ") + std::to_string(first);
+    told += last > first ? " to " + std::to_string(last) : "";
+  }
+  return told;
+}
+
 Status addFrame(MeshSequence& sequence, const MeshFile& mesh, const std::string& file) {
   if (sequence.vertexCount == 0) {
     sequence.vertexCount = mesh.positions.size();
@@ -118,6 +190,9 @@ Result<MeshSequence> readFrameFolder(const std::filesystem::path& folder, const 
   }
   MeshSequence sequence;
   sequence.name = folder.filename().string();
+  if (const std::string missing = missingNumbers(frameNumbers(*files)); !missing.empty()) {
+    sequence.warnings.push_back("no frame has the number " + missing + ": the next one follows at once");
+  }
   for (std::size_t i = 0; i < files->size(); ++i) {
     const std::filesystem::path& path = files.value()[i];
     const auto mesh = readMeshFile(path);

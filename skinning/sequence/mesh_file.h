@@ -46,10 +46,17 @@ struct MeshFile {
                                                                          const MeshFile& mesh,
                                                                          std::vector<std::string>& warnings);
 
-/// Whether the extension is .pc2.
+/// Whether the extension is .glb, .gltf or .vrm.
+[[nodiscard]] bool isGltfFile(const std::filesystem::path& path);
+
+/// Whether the extension is one of meshes that a point cache can move: .obj, .ply, or a glTF's.
+[[nodiscard]] bool isBaseMesh(const std::filesystem::path& path);
+
+/// Whether the extension is .pc2 or .mdd.
 [[nodiscard]] bool isPointCache(const std::filesystem::path& path);
 
-/// Number of points that the header of a cache promises. An error for bytes that are not a point cache.
+/// Number of points that the header of a cache promises. An error for a file that is no point cache, or
+/// shorter than it says.
 [[nodiscard]] Result<std::uint64_t> pointsOfCache(const std::filesystem::path& cache);
 
 } // namespace stretch::skinning

@@ -1,69 +1,84 @@
-#include "skinning/sequence/mesh_file.h"
-
-#include <array>
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <span>
-#include <system_error>
+#include <utility>
 
+#include <fmt/core.h>
+
+#include "core/gltf/load_as_it_stands.h"
+#include "skinning/linear_blend_skinning.h"
+#include "skinning/sequence/cache_header.h"
+#include "skinning/sequence/gltf_surface.h"
+#include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"
 #include "skinning/sequence/text.h"
 
 namespace stretch::skinning {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "point caches are read as they lie in the file");
-
-struct CacheHeader {
-  std::uint64_t points = 0;
-  std::uint64_t samples = 0;
-};
-
-constexpr std::size_t headerBytes = 32;
-
-template <typename T>
-T readAt(const std::array<char, headerBytes>& bytes, std::size_t offset) {
-  T value{};
-  std::memcpy(&value, bytes.data() + offset, sizeof(T));
-  return value;
+/// A sequence without frames: what the base mesh of a cache says.
+Result<MeshSequence> sequenceOfGltf(const std::filesystem::path& base) {
+  const auto loaded = gltf::loadAsItStands(base);
+  if (!loaded) {
+    return loaded.error();
+  }
+  MeshSequence sequence;
+  const Scene& scene = *loaded->scene;
+  gltf::MeshSurface surface = surfaceOf(*loaded, frameOf(scene, restPose(scene), 0.0), sequence.warnings);
+  sequence.vertexCount = surface.places.size();
+  sequence.triangles = surface.triangles;
+  if (sequence.triangles.empty()) {
+    return Error{"the file shows no mesh", base.string(), "give the mesh that the cache was made of"};
+  }
+  sequence.surface = std::make_shared<const gltf::MeshSurface>(std::move(surface));
+  return sequence;
 }
 
-Result<CacheHeader> readHeader(std::ifstream& stream, const std::string& place) {
-  constexpr std::array<char, 12> magic{'P', 'O', 'I', 'N', 'T', 'C', 'A', 'C', 'H', 'E', '2', '\0'};
-  std::array<char, headerBytes> bytes{};
-  stream.read(bytes.data(), headerBytes);
-  if (stream.gcount() != headerBytes || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) {
-    return Error{"the file is no PC2 point cache", place, "export the cache as PC2"};
+Result<MeshSequence> sequenceOfBase(const std::filesystem::path& base) {
+  if (isGltfFile(base)) {
+    return sequenceOfGltf(base);
   }
-  const auto version = readAt<std::int32_t>(bytes, 12);
-  const auto points = readAt<std::int32_t>(bytes, 16);
-  const auto samples = readAt<std::int32_t>(bytes, 28);
-  if (version != 1 || points <= 0 || samples <= 0) {
-    return Error{"the header of the point cache makes no sense (version " + std::to_string(version) + ", " +
-                     std::to_string(points) + " points, " + std::to_string(samples) + " samples)",
-                 place, "export the cache again"};
+  auto mesh = readMeshFile(base);
+  if (!mesh) {
+    return mesh.error();
   }
-  return CacheHeader{static_cast<std::uint64_t>(points), static_cast<std::uint64_t>(samples)};
+  MeshSequence sequence;
+  sequence.vertexCount = mesh->positions.size();
+  sequence.surface = surfaceOfMeshFile(base, *mesh, sequence.warnings);
+  sequence.triangles = std::move(mesh->triangles);
+  return sequence;
 }
 
-Status readSamples(std::ifstream& stream, const std::string& place, MeshSequence& sequence,
-                   std::size_t samples, const Progress& progress) {
+/// Puts a sample of the file into a frame.
+void takeSample(std::vector<char>& bytes, bool bigEndian, std::span<glm::vec3> frame) {
+  if (bigEndian) {
+    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+      std::swap(bytes[i], bytes[i + 3]);
+      std::swap(bytes[i + 1], bytes[i + 2]);
+    }
+  }
   static_assert(sizeof(glm::vec3) == 12);
+  std::memcpy(static_cast<void*>(frame.data()), bytes.data(), bytes.size());
+}
+
+Status readSamples(std::ifstream& stream, const std::string& place, const CacheHeader& header,
+                   MeshSequence& sequence, const Progress& progress) {
+  const auto samples = static_cast<std::size_t>(header.samples);
   sequence.positions.resize(sequence.vertexCount * samples);
+  std::vector<char> bytes(header.sampleBytes());
   for (std::size_t s = 0; s < samples; ++s) {
     const std::span<glm::vec3> frame = sequence.frame(s);
-    std::vector<char> bytes(sequence.vertexCount * sizeof(glm::vec3));
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    std::memcpy(static_cast<void*>(frame.data()), bytes.data(), bytes.size());
+    takeSample(bytes, header.bigEndian, frame);
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
       if (!std::isfinite(frame[v].x + frame[v].y + frame[v].z)) {
-        return Error{"vertex " + std::to_string(v) + " is no finite position",
-                     place + ", sample " + std::to_string(s), "export the cache again"};
+        return Error{fmt::format("vertex {} is no finite position", v),
+                     fmt::format("{}, sample {}", place, s), "export the cache again"};
       }
     }
-    sequence.frameNames.push_back("sample " + std::to_string(s));
+    sequence.frameNames.push_back(fmt::format("sample {}", s));
     if (progress) {
       progress(static_cast<double>(s + 1) / static_cast<double>(samples));
     }
@@ -71,57 +86,69 @@ Status readSamples(std::ifstream& stream, const std::string& place, MeshSequence
   return Success{};
 }
 
-} // namespace
-
-bool isPointCache(const std::filesystem::path& path) {
-  return lowerExtension(path) == ".pc2";
+/// The rate that the times of the samples make; a clip plays them evenly.
+void takeRate(const std::vector<double>& times, MeshSequence& sequence) {
+  if (times.size() < 2) {
+    return;
+  }
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  constexpr double fastest = 10000.0; // frames per second
+  if (!(step > 1.0 / fastest)) {
+    sequence.warnings.push_back("the times of the cache do not move on: 30 frames per second are taken");
+    return;
+  }
+  double worst = 0.0;
+  for (std::size_t s = 0; s < times.size(); ++s) {
+    worst = std::max(worst, std::abs(times[s] - times.front() - static_cast<double>(s) * step));
+  }
+  sequence.framesPerSecond = 1.0 / step;
+  // Times in single precision: a rate that is meant to be whole is.
+  if (const double whole = std::round(sequence.framesPerSecond);
+      std::abs(sequence.framesPerSecond - whole) < 1e-3 * whole) {
+    sequence.framesPerSecond = whole;
+  }
+  if (worst > 0.1 * step) {
+    sequence.warnings.push_back(
+        fmt::format("the times of the cache are uneven: it plays at {:.4g} frames per "
+                    "second, its mean",
+                    sequence.framesPerSecond));
+  }
 }
 
-Result<std::uint64_t> pointsOfCache(const std::filesystem::path& cache) {
-  std::ifstream stream(cache, std::ios::binary);
-  const auto header = readHeader(stream, cache.filename().string());
-  if (!header) {
-    return header.error();
-  }
-  return header->points;
+} // namespace
+
+bool isGltfFile(const std::filesystem::path& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
+}
+
+bool isBaseMesh(const std::filesystem::path& path) {
+  return isMeshFile(path) || isGltfFile(path);
 }
 
 Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std::filesystem::path& cache,
                                     const Progress& progress) {
-  auto mesh = readMeshFile(base);
-  if (!mesh) {
-    return mesh.error();
+  if (!isBaseMesh(base)) {
+    return Error{"is no mesh that a cache could move", base.string(), "give an OBJ, PLY or glTF file"};
+  }
+  Result<MeshSequence> sequence = sequenceOfBase(base);
+  if (!sequence) {
+    return sequence;
   }
   const std::string place = cache.filename().string();
-  std::error_code problem;
-  const auto fileBytes = std::filesystem::file_size(cache, problem);
-  std::ifstream stream(cache, std::ios::binary);
-  if (problem || !stream) {
-    return Error{"the file cannot be read", cache.string(), "check that it exists and may be read"};
-  }
-  const auto header = readHeader(stream, place);
+  std::ifstream stream;
+  const auto header = readCacheHeader(stream, cache);
   if (!header) {
     return header.error();
   }
-  if (header->points != mesh->positions.size()) {
-    return Error{"the cache has " + std::to_string(header->points) + " points where " +
-                     base.filename().string() + " has " + std::to_string(mesh->positions.size()) +
-                     " vertices",
+  if (header->points != sequence->vertexCount) {
+    return Error{fmt::format("the cache has {} points where {} has {} vertices", header->points,
+                             base.filename().string(), sequence->vertexCount),
                  place, "give the mesh that the cache was made of"};
   }
-  const std::uint64_t expected = headerBytes + header->points * header->samples * sizeof(glm::vec3);
-  if (fileBytes < expected) {
-    return Error{"the cache is cut short: " + std::to_string(fileBytes) + " bytes of " +
-                     std::to_string(expected),
-                 place, "copy or export it again"};
-  }
-  MeshSequence sequence;
-  sequence.name = cache.stem().string();
-  sequence.vertexCount = mesh->positions.size();
-  sequence.surface = surfaceOfMeshFile(base, *mesh, sequence.warnings);
-  sequence.triangles = std::move(mesh->triangles);
-  const auto read = readSamples(stream, place, sequence, static_cast<std::size_t>(header->samples), progress);
-  if (!read) {
+  sequence->name = cache.stem().string();
+  takeRate(header->timeSeconds, *sequence);
+  if (const Status read = readSamples(stream, place, *header, *sequence, progress); !read) {
     return read.error();
   }
   return sequence;

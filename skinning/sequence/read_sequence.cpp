@@ -2,10 +2,45 @@
 
 #include <system_error>
 
+#include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/topology.h"
 
 namespace stretch::skinning {
 namespace {
+
+/// Files of a glTF split vertices along seams: the sequence moves each place once.
+void joinSplit(MeshSequence& sequence) {
+  if (const std::size_t joined = joinDuplicates(sequence); joined > 0) {
+    sequence.warnings.push_back(std::to_string(joined) +
+                                " vertices that lie on another one in every frame were joined with it");
+  }
+}
+
+/// What is missing where a single file was named.
+Error aloneError(const std::filesystem::path& path) {
+  if (!isPointCache(path)) {
+    return Error{
+        "a single file is no mesh sequence", path.string(),
+        "give a folder of frames, a .pc2 or .mdd cache with the mesh it was made of, or a glTF with a "
+        "morph-target clip"};
+  }
+  const auto points = pointsOfCache(path);
+  return points ? Error{"no OBJ or PLY beside the cache has its " + std::to_string(*points) + " points",
+                        path.string(), "name the mesh that it was made of with it: BASE.obj CACHE.pc2"}
+                : points.error();
+}
+
+Result<MeshSequence> readTwo(const std::filesystem::path& base, const std::filesystem::path& cache,
+                             const Progress& progress) {
+  if (!isPointCache(cache)) {
+    return Error{"is no point cache", cache.string(), "name a base mesh and its .pc2 or .mdd cache"};
+  }
+  auto sequence = readPointCache(base, cache, progress);
+  if (sequence && isGltfFile(base)) {
+    joinSplit(*sequence);
+  }
+  return sequence;
+}
 
 Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& progress) {
   std::error_code problem;
@@ -16,20 +51,12 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
   if (!std::filesystem::exists(path, problem)) {
     return Error{"there is no such file or folder", path.string(), "check the path"};
   }
-  const std::string extension = path.extension().string();
-  if (extension != ".glb" && extension != ".gltf" && extension != ".vrm") {
-    return Error{
-        "a single file is no mesh sequence", path.string(),
-        "give a folder of frames, a .pc2 cache with the mesh it was made of, or a glTF with a morph-target "
-        "clip"};
+  if (!isGltfFile(path)) {
+    return aloneError(path);
   }
   auto sequence = readAnimatedGltf(path, {}, progress);
   if (sequence) {
-    const std::size_t joined = joinDuplicates(sequence.value());
-    if (joined > 0) {
-      sequence.value().warnings.push_back(
-          std::to_string(joined) + " vertices that lie on another one in every frame were joined with it");
-    }
+    joinSplit(*sequence);
   }
   return sequence;
 }
@@ -42,8 +69,7 @@ Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& name
     return Error{"a sequence is one folder or file, or a base mesh and its cache", "",
                  "name one or two paths"};
   }
-  auto sequence =
-      paths.size() == 1 ? readOne(paths[0], progress) : readPointCache(paths[0], paths[1], progress);
+  auto sequence = paths.size() == 1 ? readOne(paths[0], progress) : readTwo(paths[0], paths[1], progress);
   if (!sequence) {
     return sequence;
   }

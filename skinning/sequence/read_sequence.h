@@ -15,12 +15,15 @@ using Progress = std::function<void(double)>;
 
 /// A folder of numbered .obj or .ply frames, in the order of the numbers in their names (the last number that
 /// differs; with or without leading zeros). Every frame must have the vertices and the triangles of the
-/// first.
+/// first. Numbers that are missing between others are told.
 [[nodiscard]] Result<MeshSequence> readFrameFolder(const std::filesystem::path& folder,
                                                    const Progress& progress = {});
 
-/// A base mesh (.obj or .ply) with a PC2 point cache of its vertices. Little endian; header: "POINTCACHE2\0",
-/// version 1, points, start frame, frames between samples, samples.
+/// A base mesh (OBJ, PLY or glTF) with a point cache of its vertices, in the order of its file: of an OBJ the
+/// `v` lines, of a glTF the vertices of all meshes that it shows. PC2 (little endian; "POINTCACHE2\0",
+/// version 1, points, start frame, frames between samples, samples) or MDD (big endian; samples, points, the
+/// time of each sample in seconds); then x, y, z of every point, sample after sample. The times of an MDD
+/// give the frame rate.
 [[nodiscard]] Result<MeshSequence> readPointCache(const std::filesystem::path& base,
                                                   const std::filesystem::path& cache,
                                                   const Progress& progress = {});

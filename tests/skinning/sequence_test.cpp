@@ -71,7 +71,8 @@ TEST_CASE("a folder of frames is read in the order of its numbers, with or witho
   }
   CHECK(sequence->vertexCount == 4);
   CHECK(sequence->triangles.size() == 4);
-  CHECK(sequence->warnings.empty());
+  REQUIRE(sequence->warnings.size() == 1);
+  CHECK_THAT(sequence->warnings[0], Contains("number 4 to 8, 12 to 99:"));
 }
 
 TEST_CASE("negative indices, slashes and polygons of an OBJ are understood") {

@@ -1,5 +1,6 @@
 #include "ui/batch/render_verb.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -15,8 +16,10 @@
 #include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
+#include "core/gltf/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
+#include "ui/panels/view_schema.h"
 #include "ui/render/image_edits.h"
 #include "ui/render/picture.h"
 
@@ -25,7 +28,9 @@ namespace stretch::ui {
 namespace {
 
 struct RenderArguments {
+  std::vector<std::string> files;
   app::FileArguments input;
+  app::SettingTexts look;
   std::string output;
   std::string frame;
   std::string frames;
@@ -34,8 +39,10 @@ struct RenderArguments {
   std::string trails;
   std::string over;
   int ghosts = 0;
+  int bones = 0; ///< 0: as many as the editor begins with.
   bool sheet = false;
   bool skeleton = false;
+  bool stages = false;
 };
 
 struct PixelSize {
@@ -110,13 +117,11 @@ Result<std::vector<double>> framesOf(const RenderArguments& arguments, double la
   if (!arguments.sheet || lastFrame < 0.0) {
     return std::vector<double>{0.0};
   }
-  // A sheet without frames shows the whole clip in twelve pictures.
-  constexpr int pictures = 12;
+  // A sheet without frames shows the whole clip in twelve pictures, a shorter one frame by frame.
+  const int steps = static_cast<int>(std::clamp(std::floor(lastFrame), 1.0, 11.0));
   std::vector<double> frames;
-  frames.reserve(pictures);
-
-  for (int i = 0; i < pictures; ++i) {
-    frames.push_back(std::round(lastFrame * i / (pictures - 1)));
+  for (int i = 0; i <= steps; ++i) {
+    frames.push_back(std::round(lastFrame * i / steps));
   }
   return frames;
 }
@@ -178,38 +183,109 @@ Result<PictureOptions> optionsOf(const RenderArguments& arguments) {
   return options;
 }
 
+/// Whether an option was given that only a mesh sequence has.
+bool asksForSequence(const RenderArguments& arguments) {
+  const bool hasLook = app::textOf(arguments.look, sequenceViewSchema().front()) != nullptr;
+  return hasLook || arguments.stages || arguments.bones > 0 || !arguments.over.empty();
+}
+
+/// Whether the look needs the sequence compressed first.
+bool needsResult(const RenderArguments& arguments, app::SequenceLook look) {
+  return arguments.stages || arguments.bones > 0 ||
+         (look == app::SequenceLook::error && arguments.over.empty());
+}
+
+Result<SequenceContent> analysedContent(const RenderArguments& arguments, app::SequenceLook look) {
+  Result<app::SequenceDocument> document =
+      app::openSequence({arguments.files.begin(), arguments.files.end()});
+  if (!document) {
+    return document.error();
+  }
+  const bool bySegments =
+      arguments.skeleton || look == app::SequenceLook::segments || look == app::SequenceLook::cylinders;
+  if (needsResult(arguments, look) || (bySegments && document->analysis->joints.empty())) {
+    document->settings.bones = arguments.bones > 0 ? arguments.bones : document->settings.bones;
+    Result<app::Compression> made = app::makeCompression(*document->mesh, document->settings);
+    if (!made) {
+      return made.error();
+    }
+    document->result = std::make_shared<const app::Compression>(std::move(made).value());
+  }
+  if (!app::canShow(*document, look)) {
+    return Error{"there is nothing to show for this look", arguments.files.back(),
+                 document->analysis->problem};
+  }
+  return contentOf(*document);
+}
+
+Result<SequenceContent> shownContent(const RenderArguments& arguments, app::SequenceLook look) {
+  const bool plain = look == app::SequenceLook::material || look == app::SequenceLook::compare ||
+                     (look == app::SequenceLook::error && !arguments.over.empty());
+  const bool needsAnalysis = !plain || arguments.stages || arguments.skeleton || arguments.bones > 0;
+  if (needsAnalysis && !arguments.over.empty()) {
+    return Error{"a clip that was read has no bones to show", "--over",
+                 "leave --skeleton, --bones and --stages out, and take the look material, compare or error"};
+  }
+  if (needsAnalysis) {
+    return analysedContent(arguments, look);
+  }
+  Result<MeshSequence> sequence = skinning::readSequence({arguments.files.begin(), arguments.files.end()});
+  if (!sequence) {
+    return sequence.error();
+  }
+  SequenceContent content;
+  if (!arguments.over.empty()) {
+    Result<MeshSequence> over = skinning::readAnimatedGltf(arguments.over);
+    if (!over) {
+      return over.error();
+    }
+    skinning::joinUntilAlike(*sequence, *over);
+    content.resultFrames = std::make_shared<const MeshSequence>(std::move(over).value());
+  }
+  content.original = std::make_shared<const MeshSequence>(std::move(sequence).value());
+  return content;
+}
+
+/// A clip over a sequence is compared with it, unless another look is asked for.
+Result<app::SequenceView> viewOf(const RenderArguments& arguments) {
+  app::SequenceView view;
+  view.look = arguments.over.empty() ? app::SequenceLook::material : app::SequenceLook::compare;
+  if (const Status set = app::setFromTexts(sequenceViewSchema(), arguments.look, view); !set) {
+    return set.error();
+  }
+  return view;
+}
+
 Status renderSequence(const RenderArguments& arguments) {
-  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0 ||
-      arguments.skeleton) {
-    return Error{"a mesh sequence has no clips, trails, ghosts or skeleton", "render",
-                 "leave --clip, --trails, --ghosts and --skeleton out"};
+  if (!arguments.input.clip.empty() || !arguments.trails.empty() || arguments.ghosts > 0) {
+    return Error{"a mesh sequence has no clips, trails or ghosts", "render",
+                 "leave --clip, --trails and --ghosts out"};
   }
   Result<PictureOptions> options = optionsOf(arguments);
-  Result<MeshSequence> sequence = skinning::readSequence({arguments.input.file});
-  if (!options || !sequence) {
-    return options ? sequence.error() : options.error();
+  const Result<app::SequenceView> view = viewOf(arguments);
+  if (!options || !view) {
+    return options ? view.error() : options.error();
   }
-  std::optional<MeshSequence> over;
-  if (!arguments.over.empty()) {
-    Result<MeshSequence> read = skinning::readAnimatedGltf(arguments.over);
-    if (!read) {
-      return read.error();
-    }
-    over = std::move(read).value();
-    skinning::joinUntilAlike(*sequence, *over);
+  const Result<SequenceContent> content = shownContent(arguments, view->look);
+  if (!content) {
+    return content.error();
   }
   const Result<std::vector<double>> frames =
-      framesOf(arguments, static_cast<double>(sequence->frameCount() - 1));
+      framesOf(arguments, static_cast<double>(content->original->frameCount() - 1));
   if (!frames) {
     return frames.error();
   }
+  if (arguments.stages) {
+    const Result<Image> sheet = drawStages(*content, *frames, *options);
+    return sheet ? writePng(arguments.output, *sheet) : Status(sheet.error());
+  }
   const Result<SequencePictures> pictures =
-      picturesOfSequence(*sequence, over ? &*over : nullptr, *frames, *options);
+      picturesOfSequence(*content, *view, {arguments.skeleton, {}}, *frames, *options);
   if (!pictures) {
     return pictures.error();
   }
   options->camera = pictures->camera;
-  return draw(arguments, pictures->scene, *frames, pictures->pictures, *options);
+  return draw(arguments, pictures->drawing->scene(), *frames, pictures->pictures, *options);
 }
 
 Status renderCharacter(const RenderArguments& arguments) {
@@ -244,15 +320,25 @@ Status renderCharacter(const RenderArguments& arguments) {
               *options);
 }
 
-Status runRender(const RenderArguments& arguments) {
-  if (app::namesSequence({arguments.input.file})) {
+Status runRender(RenderArguments arguments) {
+  if (app::namesSequence({arguments.files.begin(), arguments.files.end()}) || asksForSequence(arguments)) {
     return renderSequence(arguments);
   }
-  if (!arguments.over.empty()) {
-    return Error{"--over draws a clip over a mesh sequence, and this is none", arguments.input.file,
-                 "give a folder of frames or a .pc2 cache to draw it over"};
-  }
+  arguments.input.file = arguments.files.front();
   return renderCharacter(arguments);
+}
+
+void addSequenceOptions(app::CommandLine& line, RenderArguments& arguments) {
+  constexpr const char* heading = "Mesh sequences";
+  line.option("--over", arguments.over, "A clip that was compressed from the sequence, drawn over it")
+      .group(heading);
+  app::addSettingOptions(line, sequenceViewSchema(), arguments.look, heading);
+  line.option("--bones", arguments.bones, "Compress the sequence first, to this many bones")
+      .between(1, 1000)
+      .group(heading);
+  line.flag("--stages", arguments.stages,
+            "Mesh, skeleton, segments and stretched mesh beside each other, a row for each frame")
+      .group(heading);
 }
 
 } // namespace
@@ -263,20 +349,24 @@ app::Verb renderVerb() {
       "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
       [](app::CommandLine& line) {
         const auto arguments = std::make_shared<RenderArguments>();
-        app::addFileArguments(line, arguments->input);
+        line.options("FILE", arguments->files,
+                     std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
+            .required()
+            .takes(1, 2);
+        app::addTolerant(line, arguments->input);
         line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN").required();
         app::addClipArguments(line, arguments->input);
         const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
         line.option("--frames", arguments->frames, "A numbered series, A:B or A:B:STEP").excludes(frame);
-        line.flag("--sheet", arguments->sheet, "All frames on one contact sheet");
+        line.flag("--sheet", arguments->sheet,
+                  "One contact sheet: the frames of --frames, else twelve over the whole clip");
         line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
         line.option("--view", arguments->view, "front, side, top or three-quarter").showDefault();
         line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
         line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
             .between(0, 20);
-        line.option("--over", arguments->over,
-                    "A clip that was compressed from a mesh sequence, drawn over it");
         line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+        addSequenceOptions(line, *arguments);
         return [arguments] { return runRender(*arguments); };
       }};
 }

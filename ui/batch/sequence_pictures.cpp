@@ -1,39 +1,19 @@
 #include "ui/batch/sequence_pictures.h"
 
+#include <array>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/evaluate/evaluate.h"
+#include "ui/render/image_edits.h"
 #include "ui/render/sequence_scene.h"
-#include "ui/render/value_colors.h"
 #include "ui/viewport/assemble_picture.h"
-#include "ui/widgets/theme.h"
 
 namespace stretch::ui {
 
 namespace {
-
-constexpr ImU32 clay = IM_COL32(0xB9, 0xB4, 0xAC, 255);
-
-PlainMesh meshOf(const MeshSequence& sequence, std::size_t frame, ImU32 colour) {
-  return {sequence.frame(frame), sequence.triangles, {linearLight(toColour(colour))}};
-}
-
-/// Makes the frames morph targets of the primitive, which is the first frame.
-void addTargets(const MeshSequence& sequence, const std::vector<std::size_t>& frames, Primitive& primitive) {
-  for (const std::size_t frame : frames) {
-    const PlainMesh mesh = meshOf(sequence, frame, clay);
-    const Primitive posed = sceneOfMeshes(std::span(&mesh, 1)).meshes[0].primitives[0];
-    MorphTarget target;
-    for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
-      target.positions.push_back(posed.positions[v] - primitive.positions[v]);
-      target.normals.push_back(posed.normals[v] - primitive.normals[v]);
-    }
-    primitive.morphTargets.push_back(std::move(target));
-  }
-}
 
 Result<std::vector<std::size_t>> wholeFrames(const MeshSequence& sequence,
                                              const std::vector<double>& frames) {
@@ -63,44 +43,107 @@ Camera cameraOf(const MeshSequence& sequence, const std::vector<std::size_t>& fr
   return fitted(lookFrom(Camera{}, options.view, yaw), viewport, box, 0.06);
 }
 
+Status checkResult(const SequenceContent& content) {
+  const MeshSequence& sequence = *content.original;
+  const std::shared_ptr<const MeshSequence>& result = content.resultFrames;
+  if (result != nullptr &&
+      (result->vertexCount != sequence.vertexCount || result->frameCount() != sequence.frameCount())) {
+    return Error{fmt::format("the clip has {} vertices and {} frames, the sequence {} and {}",
+                             result->vertexCount, result->frameCount(), sequence.vertexCount,
+                             sequence.frameCount()),
+                 result->name, "give what was compressed from this sequence"};
+  }
+  return Success{};
+}
+
+std::string labelOf(const SequenceExtras& extras, std::size_t frame, bool several) {
+  const std::string number = several ? fmt::format("frame {}", frame) : std::string();
+  return extras.name + (extras.name.empty() || number.empty() ? "" : ", ") + number;
+}
+
+std::optional<PictureLegend> pictureLegend(const std::optional<SequenceLegend>& legend) {
+  if (!legend) {
+    return std::nullopt;
+  }
+  constexpr int steps = 256;
+  PictureLegend drawn{legend->title, legend->low, legend->high, legend->detail, {}};
+  for (int i = 0; i < steps; ++i) {
+    drawn.colours.push_back(legend->colour((i + 0.5) / steps));
+  }
+  return drawn;
+}
+
 } // namespace
 
-Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence, const MeshSequence* over,
-                                            const std::vector<double>& frames,
+Result<SequencePictures> picturesOfSequence(const SequenceContent& content, const app::SequenceView& view,
+                                            const SequenceExtras& extras, const std::vector<double>& frames,
                                             const PictureOptions& options) {
+  const MeshSequence& sequence = *content.original;
   const Result<std::vector<std::size_t>> whole = wholeFrames(sequence, frames);
   if (!whole) {
     return whole.error();
   }
-  if (over != nullptr &&
-      (over->vertexCount != sequence.vertexCount || over->frameCount() != sequence.frameCount())) {
-    return Error{fmt::format("the clip has {} vertices and {} frames, the sequence {} and {}",
-                             over->vertexCount, over->frameCount(), sequence.vertexCount,
-                             sequence.frameCount()),
-                 over->name, "give what was compressed from this sequence"};
+  if (const Status fits = checkResult(content); !fits) {
+    return fits.error();
   }
   SequencePictures result;
-  std::vector<PlainMesh> meshes{meshOf(sequence, 0, over != nullptr ? originalMeshColour : clay)};
-  if (over != nullptr) {
-    meshes.push_back(meshOf(*over, 0, skinnedMeshColour));
-  }
-  result.scene = sceneOfMeshes(meshes);
-  addTargets(sequence, *whole, result.scene.meshes[0].primitives[0]);
-  if (over != nullptr) {
-    addTargets(*over, *whole, result.scene.meshes[1].primitives[0]);
-  }
-  for (std::size_t i = 0; i < whole->size(); ++i) {
+  result.drawing = std::make_shared<const SequencePicture>(content, view);
+  for (const std::size_t frame : *whole) {
     PictureFrame picture;
-    picture.content.frame = restOf(result.scene);
-    for (std::vector<float>& weights : picture.content.frame.pose.weights) {
-      weights.assign(whole->size(), 0.0F);
-      weights[i] = 1.0F;
+    picture.content.frame = restOf(result.drawing->scene());
+    picture.content.shape = [drawing = result.drawing, frame] { return drawing->shapeAt(frame); };
+    if (extras.bones) {
+      picture.content.bones = drawBones(content, frame, picture.content.style.palette);
     }
-    picture.label = whole->size() > 1 ? fmt::format("frame {}", whole.value()[i]) : std::string();
+    picture.label = labelOf(extras, frame, whole->size() > 1);
+    picture.legend = pictureLegend(result.drawing->legend());
     result.pictures.push_back(std::move(picture));
   }
   result.camera = cameraOf(sequence, *whole, options);
   return result;
+}
+
+Result<Image> drawStages(const SequenceContent& content, const std::vector<double>& frames,
+                         const PictureOptions& options) {
+  using app::SequenceLook;
+  struct Stage {
+    const char* name;
+    SequenceLook look;
+    bool showsResult;
+    bool bones;
+  };
+  constexpr std::array<Stage, 4> stages{{{"mesh", SequenceLook::material, false, false},
+                                         {"skeleton", SequenceLook::material, false, true},
+                                         {"segments", SequenceLook::segments, true, true},
+                                         {"stretched", SequenceLook::material, true, false}}};
+  const SheetLayout layout = layOutSheet(stages.size() * frames.size(), options.widthPixels,
+                                         options.heightPixels, static_cast<int>(stages.size()));
+  if (Status fits = checkSheet(layout, stages.size() * frames.size()); !fits) {
+    return fits.error();
+  }
+  Image sheet = filled(layout.widthPixels, layout.heightPixels, SceneStyle{}.palette.backgroundBottom);
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    app::SequenceView view;
+    view.look = stages[s].look;
+    view.showSkinned = stages[s].showsResult;
+    const Result<SequencePictures> drawn =
+        picturesOfSequence(content, view, {stages[s].bones, stages[s].name}, frames, options);
+    if (!drawn) {
+      return drawn.error();
+    }
+    PictureOptions seen = options;
+    seen.camera = drawn->camera;
+    const Status made = renderSeries(drawn->drawing->scene(), drawn->pictures, seen,
+                                     [&](std::size_t row, const Image& picture) {
+                                       const std::size_t cell = row * stages.size() + s;
+                                       paste(sheet, picture, layout.left(cell), layout.top(cell));
+                                       return Status(Success{});
+                                     });
+    if (!made) {
+      return made.error();
+    }
+  }
+  return sheet;
 }
 
 std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,

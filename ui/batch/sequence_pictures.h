@@ -5,25 +5,37 @@
 
 #include "app/document.h"
 #include "core/base/result.h"
-#include "core/scene/mesh_sequence.h"
 #include "rig/motion/motion.h"
 #include "ui/render/picture.h"
+#include "ui/viewport/sequence_picture.h"
 
 namespace stretch::ui {
 
-/// Frames of a mesh sequence for the maker of pictures: one scene, whose morph targets are the frames.
+/// Frames of a mesh sequence for the maker of pictures: one scene, and each picture a shape of it.
 struct SequencePictures {
-  Scene scene;
-  std::vector<PictureFrame> pictures; ///< One for each frame that was asked for.
-  Camera camera;                      ///< Sees all of them.
+  std::shared_ptr<const SequencePicture> drawing; ///< Holds the scene.
+  std::vector<PictureFrame> pictures;             ///< One for each frame that was asked for.
+  Camera camera;                                  ///< Sees all of them.
 };
 
-/// `over`: a second sequence that is drawn over the first one, which is then red and the second green; null
-/// for none. An error when it does not have the same vertices and frames, or when a frame is not there.
-[[nodiscard]] Result<SequencePictures> picturesOfSequence(const MeshSequence& sequence,
-                                                          const MeshSequence* over,
+/// What is drawn of a sequence, beyond the look.
+struct SequenceExtras {
+  bool bones = false;    ///< Over the mesh; the content then needs its analysis.
+  std::string name = {}; ///< Begins the label of each picture; may be empty.
+};
+
+/// An error when the frames of a result are not those of the sequence, or when a frame is not there.
+[[nodiscard]] Result<SequencePictures> picturesOfSequence(const SequenceContent& content,
+                                                          const app::SequenceView& view,
+                                                          const SequenceExtras& extras,
                                                           const std::vector<double>& frames,
                                                           const PictureOptions& options);
+
+/// The four stages of the method beside each other, a row for each frame: the mesh as it was simulated, its
+/// skeleton, the segments by their weights, the mesh as the stretched bones move it. The content has a
+/// result.
+[[nodiscard]] Result<Image> drawStages(const SequenceContent& content, const std::vector<double>& frames,
+                                       const PictureOptions& options);
 
 /// What pictures of a character show beyond its trails.
 struct CharacterLook {

@@ -36,7 +36,7 @@ std::vector<FileType> fileTypesOf(FilePurpose purpose) {
   }
   return {{"All", extensionsOf(purpose)},
           {"Characters", {".glb", ".gltf", ".vrm"}},
-          {"Sequences", {".obj", ".ply", ".pc2"}}};
+          {"Sequences", {".obj", ".ply", ".pc2", ".mdd"}}};
 }
 
 std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, std::size_t most) {
@@ -54,7 +54,7 @@ std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, st
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return {".glb", ".gltf", ".vrm", ".pc2", ".obj", ".ply"};
+    return {".glb", ".gltf", ".vrm", ".pc2", ".mdd", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:

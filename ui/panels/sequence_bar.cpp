@@ -1,6 +1,8 @@
 #include "app/commands/command_ids.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/view_schema.h"
+#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 
 namespace stretch::ui {
@@ -20,34 +22,33 @@ void swatch(const PanelContext& context, ImU32 colour) {
 }
 
 void meshSwitch(PanelContext& context, const char* id, const char* text, ImU32 colour) {
-  const bool coloured = context.sequence().view().colours == app::SequenceColours::plain;
+  const bool coloured = context.sequence().view().look == app::SequenceLook::compare;
   swatch(context, coloured ? colour : faded(context.theme.colours.quietText, 0.5F));
   commandButton(context, {.command = id, .text = text, .emphasis = Emphasis::quiet});
   ImGui::SameLine(0.0F, context.theme.unit());
 }
 
-void coloursChoice(PanelContext& context) {
+void lookChoice(PanelContext& context) {
   app::SequenceSession& session = context.sequence();
-  const bool hasThickness = !session.document().analysis->vertexDiameters.empty();
-  const std::vector<Choice> choices{
-      {"Plain", {"Plain", "The original in red, the skinned result in green.", {}}},
-      {"Error",
-       {"Error", "How far each vertex of the result is from the original.", {}},
-       session.document().result != nullptr},
-      {"Thickness",
-       {"Thickness", "The shape diameter: how thick the body is under each vertex.", {}},
-       hasThickness}};
-  const float width = context.theme.px(228.0F);
-  const float free = ImGui::GetContentRegionAvail().x;
-  if (free > width) {
-    ImGui::SameLine(0.0F, free - width);
+  std::vector<Choice> choices;
+  for (const app::SettingChoice& choice : sequenceViewSchema().front().choices) {
+    const std::string label = capitalised(choice.name);
+    const auto look = static_cast<app::SequenceLook>(choices.size());
+    choices.push_back({label, {label, choice.help, {}}, app::canShow(session.document(), look)});
   }
-  ImGui::BeginChild("sequence/colours-box", {std::min(width, free), context.theme.rowHeight()});
-  const int chosen =
-      segmented(widgetsOf(context), "sequence/colours", choices, static_cast<int>(session.view().colours));
+  const float free = ImGui::GetContentRegionAvail().x;
+  const float sideBySide = context.theme.px(380.0F);
+  const float width = std::min(free, free < sideBySide ? context.theme.px(112.0F) : sideBySide);
+  ImGui::SameLine(0.0F, free - width);
+  const int now = static_cast<int>(session.view().look);
+  const WidgetContext widgets = widgetsOf(context);
+  ImGui::BeginChild("sequence/look-box", {width, context.theme.rowHeight()});
+  const int chosen = width < sideBySide ? dropdown(widgets, "sequence/look", choices, now,
+                                                   {"Look", sequenceViewSchema().front().help, {}})
+                                        : segmented(widgets, "sequence/look", choices, now);
   ImGui::EndChild();
   if (chosen >= 0) {
-    session.view().colours = static_cast<app::SequenceColours>(chosen);
+    session.view().look = static_cast<app::SequenceLook>(chosen);
   }
 }
 
@@ -59,7 +60,7 @@ void drawSequenceBar(PanelContext& context) {
   iconButton(context, command::viewSkeleton, icon::skeleton, "Sk");
   iconButton(context, command::viewWire, icon::wire, "Wi");
   iconButton(context, command::viewGrid, icon::grid, "Gr");
-  coloursChoice(context);
+  lookChoice(context);
 }
 
 } // namespace stretch::ui

@@ -93,6 +93,21 @@ app::Schema<ViewportOverlays> ghostDrawing() {
   };
 }
 
+app::Schema<app::SequenceView> sequenceLooks() {
+  return {
+      setting<app::SequenceView>(
+          {.name = "look",
+           .choices = {{"material", "The materials, textures and colours of the source."},
+                       {"compare", "The original in red, the skinned result in green over it."},
+                       {"error", "How far each vertex of the result is from the original."},
+                       {"thickness", "The shape diameter: how thick the body is under each vertex."},
+                       {"segments", "A colour for each bone, mixed by the weights of the vertices."},
+                       {"cylinders", "The segments as the elastic model sees them: cylinders that stretch."}},
+           .help = "What is shown of a mesh sequence."},
+          &app::SequenceView::look),
+  };
+}
+
 app::Schema<UiState> windowWays() {
   return {
       setting<UiState>({.name = "theme",
@@ -145,6 +160,11 @@ app::Schema<UiState> windowWays() {
 const app::Schema<ViewportOverlays>& overlaySchema() {
   static const app::Schema<ViewportOverlays> schema =
       app::joined<ViewportOverlays>({shownThings(), trailDrawing(), ghostDrawing()});
+  return schema;
+}
+
+const app::Schema<app::SequenceView>& sequenceViewSchema() {
+  static const app::Schema<app::SequenceView> schema = sequenceLooks();
   return schema;
 }
 

@@ -20,6 +20,17 @@ std::size_t vertexCountOf(const Scene& scene) {
   return count;
 }
 
+/// For each mesh the number of its first primitive, counted through all meshes.
+std::vector<std::size_t> firstPrimitivesOf(const Scene& scene) {
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    first.push_back(count);
+    count += mesh.primitives.size();
+  }
+  return first;
+}
+
 Vec3 posed(const glm::vec3& position, const VertexInfluences& influences, const std::vector<Mat4>& matrices) {
   Vec3 sum(0.0);
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
@@ -33,21 +44,30 @@ Vec3 posed(const glm::vec3& position, const VertexInfluences& influences, const 
 
 } // namespace
 
-BoundsSampler::BoundsSampler(const Scene& scene, std::size_t sampleCount) {
-  const std::size_t step =
-      std::max<std::size_t>(1, vertexCountOf(scene) / std::max<std::size_t>(1, sampleCount));
+BoundsSampler::BoundsSampler(const Scene& scene, std::size_t sampleCount)
+    : step_(std::max<std::size_t>(1, vertexCountOf(scene) / std::max<std::size_t>(1, sampleCount))) {
+  const std::vector<std::size_t> firstPrimitives = firstPrimitivesOf(scene);
   for (std::size_t nodeIndex = 0; nodeIndex < scene.nodes.size(); ++nodeIndex) {
     const Node& node = scene.nodes[nodeIndex];
     if (node.mesh < 0) {
       continue;
     }
+    std::size_t number = firstPrimitives[static_cast<std::size_t>(node.mesh)];
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      Group group{NodeIndex(nodeIndex), primitive.influences.empty() ? -1 : node.skin, {}};
-      for (std::size_t i = 0; i < primitive.positions.size(); i += step) {
+      Group group{NodeIndex(nodeIndex), primitive.influences.empty() ? -1 : node.skin, number++, {}};
+      for (std::size_t i = 0; i < primitive.positions.size(); i += step_) {
         group.samples.push_back(
             {primitive.positions[i], group.skin >= 0 ? primitive.influences[i] : VertexInfluences{}});
       }
       groups_.push_back(std::move(group));
+    }
+  }
+}
+
+void BoundsSampler::reshape(const SceneShape& shape) {
+  for (Group& group : groups_) {
+    for (std::size_t i = 0; i < group.samples.size(); ++i) {
+      group.samples[i].position = shape[group.primitive].positions[i * step_];
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "core/anim/frame_state.h"
 #include "ui/render/camera.h"
+#include "ui/render/scene_shape.h"
 
 namespace stretch::ui {
 
@@ -20,6 +21,9 @@ public:
   /// Box of the posed sample in world units; empty when the scene draws nothing.
   [[nodiscard]] Box boxOf(const Scene& scene, const FrameState& frame) const;
 
+  /// Takes the places of the sample from a shape of the scene.
+  void reshape(const SceneShape& shape);
+
 private:
   struct Sample {
     glm::vec3 position;
@@ -28,8 +32,10 @@ private:
   struct Group {
     NodeIndex node;
     int skin = -1;
+    std::size_t primitive = 0; ///< Counted through all meshes of the scene.
     std::vector<Sample> samples;
   };
+  std::size_t step_ = 1; ///< From one vertex of a sample to the next.
   std::vector<Group> groups_;
 };
 

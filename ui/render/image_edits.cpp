@@ -77,10 +77,11 @@ Image filled(int widthPixels, int heightPixels, const glm::vec3& colorSrgb) {
 }
 
 void paste(Image& sheet, const Image& picture, int x, int y) {
-  const int columns = std::min(picture.width, sheet.width - x);
-  for (int row = 0; row < picture.height && y + row < sheet.height && columns > 0; ++row) {
-    const auto* first = picture.rgba.data() + offsetOf(picture, 0, row);
-    std::copy(first, first + 4 * columns, sheet.rgba.data() + offsetOf(sheet, x, y + row));
+  const int left = std::max(0, -x);
+  const int right = std::min(picture.width, sheet.width - x);
+  for (int row = std::max(0, -y); row < std::min(picture.height, sheet.height - y) && left < right; ++row) {
+    const auto* first = picture.rgba.data() + offsetOf(picture, left, row);
+    std::copy(first, first + 4 * (right - left), sheet.rgba.data() + offsetOf(sheet, x + left, y + row));
   }
 }
 
@@ -103,6 +104,16 @@ SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, 
   layout.widthPixels = clampedSide(static_cast<long long>(layout.columns) * layout.cellWidth - gapPixels);
   layout.heightPixels = clampedSide(rows * layout.cellHeight - gapPixels);
   return layout;
+}
+
+Status checkSheet(const SheetLayout& layout, std::size_t count) {
+  constexpr int largestSheet = 16384;
+  if (count > 0 && layout.widthPixels <= largestSheet && layout.heightPixels <= largestSheet) {
+    return Success{};
+  }
+  return Error{
+      "a contact sheet of " + std::to_string(count) + " pictures cannot be made", "sheet",
+      "choose between 1 frame and what fits on 16384 pixels along a side: a smaller size or a larger step"};
 }
 
 Result<std::vector<std::uint8_t>> encodePng(const Image& image) {

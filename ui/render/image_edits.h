@@ -37,6 +37,9 @@ struct SheetLayout {
 /// clamped.
 [[nodiscard]] SheetLayout layOutSheet(std::size_t count, int pictureWidth, int pictureHeight, int columns);
 
+/// An error for a sheet without pictures, or over 16384 pixels along a side.
+[[nodiscard]] Status checkSheet(const SheetLayout& layout, std::size_t count);
+
 /// The picture as a PNG file's bytes (RGBA). Empty pictures are an error.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodePng(const Image& image);
 

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int smallestSide = 16;
 constexpr int largestSide = 8192;
-constexpr int largestSheet = 16384;
 
 Camera cameraFor(const PictureOptions& options, const Viewport& viewport, const Box& shown) {
   return options.camera
@@ -88,6 +87,9 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   const PictureContent& content = picture.content;
   SceneStyle style = content.style;
   style.measures = parts.measures;
+  if (content.shape) {
+    parts.renderer.reshape(content.shape());
+  }
   const Overlay overlay = overlayOf(*parts.scene, parts.view, content);
   const Status drawn =
       parts.renderer.draw(parts.target, parts.view, {content.frame, content.ghosts, overlay, style});
@@ -98,6 +100,9 @@ Result<Image> PictureMaker::draw(const PictureFrame& picture) {
   makeOpaque(image);
   const int margin = labelHeight(parts.options);
   parts.face.write(image, margin, 2 * margin, picture.label, style.palette.label);
+  if (picture.legend) {
+    drawLegend(image, parts.face, margin, *picture.legend, style.palette.label);
+  }
   return image;
 }
 
@@ -147,10 +152,8 @@ Status renderSeries(const Scene& scene, std::span<const PictureFrame> pictures, 
 Result<Image> renderSheet(const Scene& scene, std::span<const PictureFrame> pictures,
                           const PictureOptions& options, int columns) {
   const SheetLayout layout = layOutSheet(pictures.size(), options.widthPixels, options.heightPixels, columns);
-  if (pictures.empty() || layout.widthPixels > largestSheet || layout.heightPixels > largestSheet) {
-    return Error{
-        "a contact sheet of " + std::to_string(pictures.size()) + " pictures cannot be made", "sheet",
-        "choose between 1 frame and what fits on 16384 pixels along a side: a smaller size or a larger step"};
+  if (const Status fits = checkSheet(layout, pictures.size()); !fits) {
+    return fits.error();
   }
   Image sheet = filled(layout.widthPixels, layout.heightPixels,
                        pictures.front().content.style.palette.backgroundBottom);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/render/picture_content.h"
+#include "ui/render/picture_legend.h"
 
 namespace stretch::ui {
 
@@ -14,6 +15,7 @@ namespace stretch::ui {
 struct PictureFrame {
   PictureContent content; ///< The measures in its style are taken from the scene instead.
   std::string label = {}; ///< "frame 12", written in the corner; empty for none.
+  std::optional<PictureLegend> legend = {};
 };
 
 /// How pictures without a display are made.

@@ -8,7 +8,7 @@
 namespace stretch::ui {
 
 Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& content) {
-  Overlay overlay;
+  Overlay overlay = content.bones;
   if (content.skeleton) {
     overlay.add(
         drawSkeleton(scene, content.frame, skeletonStyle(content.style.palette), content.style.highlight));

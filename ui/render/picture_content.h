@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct StyledTrail {
 /// What is drawn of a scene at one moment, wherever the camera stands.
 struct PictureContent {
   FrameState frame = {};
-  std::vector<Ghost> ghosts = {}; ///< The farthest in time first.
+  std::function<SceneShape()> shape = {}; ///< Asked for when the picture is drawn; empty: the scene's own.
+  std::vector<Ghost> ghosts = {};         ///< The farthest in time first.
   SceneStyle style = {};
+  Overlay bones = {};    ///< Of a mesh sequence, drawn as they are.
   bool skeleton = false; ///< Bones over the mesh; `style.highlight` tells which are selected.
   std::vector<StyledTrail> trails = {};
   std::optional<AxisHandles> handles = {};

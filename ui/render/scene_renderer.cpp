@@ -106,6 +106,12 @@ void SceneRenderer::setScene(const Scene& scene) {
   parts_->bounds.emplace(scene);
 }
 
+void SceneRenderer::reshape(const SceneShape& shape) {
+  const GlStateGuard guard;
+  ui::reshape(parts_->uploaded, *parts_->scene, shape);
+  parts_->bounds->reshape(shape);
+}
+
 void SceneRenderer::draw(const View& view, const FrameState& frame, std::span<const Ghost> ghosts,
                          const SceneStyle& style, unsigned targetFramebuffer) {
   const GlStateGuard guard;

@@ -8,6 +8,7 @@
 #include "ui/render/camera.h"
 #include "ui/render/palette.h"
 #include "ui/render/quality.h"
+#include "ui/render/scene_shape.h"
 
 namespace stretch::ui {
 
@@ -51,6 +52,9 @@ public:
 
   /// Uploads the scene; replaces the one before. The scene must outlive the renderer's use of it.
   void setScene(const Scene& scene);
+
+  /// Moves the vertices of the scene; everything else stays on the graphics card as it is.
+  void reshape(const SceneShape& shape);
 
   /// Background, floor with shadows, ghosts, character. `targetFramebuffer` is the framebuffer to draw into.
   void draw(const View& view, const FrameState& frame, std::span<const Ghost> ghosts, const SceneStyle& style,

@@ -31,15 +31,15 @@ std::vector<ShapeVertex> shapeOf(const std::vector<glm::vec3>& positions,
   return shape;
 }
 
-GlBuffer uploadSurface(const Primitive& primitive) {
+std::vector<SurfaceVertex> surfaceOf(const Primitive& primitive, const std::vector<glm::vec4>& colors) {
   std::vector<SurfaceVertex> surface(primitive.positions.size());
   for (std::size_t i = 0; i < surface.size(); ++i) {
     surface[i].texCoord = i < primitive.texCoords.size() ? primitive.texCoords[i] : glm::vec2(0.0F);
     surface[i].emissiveTexCoord =
         i < primitive.emissiveTexCoords.size() ? primitive.emissiveTexCoords[i] : surface[i].texCoord;
-    surface[i].color = i < primitive.colors.size() ? primitive.colors[i] : glm::vec4(1.0F);
+    surface[i].color = i < colors.size() ? colors[i] : glm::vec4(1.0F);
   }
-  return uploadBuffer(bytesOf(surface));
+  return surface;
 }
 
 int influenceCountOf(const Primitive& primitive) {
@@ -54,9 +54,10 @@ int influenceCountOf(const Primitive& primitive) {
   return count;
 }
 
-UploadedPart uploadPart(const Primitive& primitive, int mesh) {
+UploadedPart uploadPart(const Primitive& primitive, int mesh, std::size_t number) {
   UploadedPart part;
   part.mesh = mesh;
+  part.primitive = number;
   part.material = primitive.material;
   part.vertexCount = static_cast<int>(primitive.positions.size());
   part.indexCount = static_cast<int>(primitive.indices.size());
@@ -64,7 +65,7 @@ UploadedPart uploadPart(const Primitive& primitive, int mesh) {
   part.hasTexCoords = !primitive.texCoords.empty();
   part.hasColors = !primitive.colors.empty();
   part.shape = uploadBuffer(bytesOf(shapeOf(primitive.positions, primitive.normals)));
-  part.surface = uploadSurface(primitive);
+  part.surface = uploadBuffer(bytesOf(surfaceOf(primitive, primitive.colors)));
   part.indices = uploadBuffer(bytesOf(primitive.indices));
   if (!primitive.influences.empty()) {
     check(primitive.influences.size() == primitive.positions.size(), "one set of influences for each vertex");
@@ -137,12 +138,14 @@ GlTexture uploadTexture(const Image& image) {
 // Parts of each mesh lie next to each other: firstPart[mesh] .. firstPart[mesh + 1].
 std::vector<std::size_t> uploadParts(const Scene& scene, std::vector<UploadedPart>& parts) {
   std::vector<std::size_t> firstPart;
+  std::size_t number = 0;
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     firstPart.push_back(parts.size());
     for (const Primitive& primitive : scene.meshes[mesh].primitives) {
       if (!primitive.positions.empty() && !primitive.indices.empty()) {
-        parts.push_back(uploadPart(primitive, static_cast<int>(mesh)));
+        parts.push_back(uploadPart(primitive, static_cast<int>(mesh), number));
       }
+      ++number;
     }
   }
   firstPart.push_back(parts.size());
@@ -204,6 +207,24 @@ void morph(UploadedPart& part, const std::vector<float>& weights) {
   }
   replaceBuffer(part.shape, bytesOf(shapeOf(positions, normals)));
   part.shapeWeights = weights;
+}
+
+void reshape(UploadedScene& uploaded, const Scene& scene, const SceneShape& shape) {
+  std::vector<const Primitive*> primitives;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      primitives.push_back(&primitive);
+    }
+  }
+  check(shape.size() == primitives.size(), "a shape for each primitive");
+  for (const UploadedPart& part : uploaded.parts) {
+    const PrimitiveShape& moved = shape[part.primitive];
+    check(moved.positions.size() == static_cast<std::size_t>(part.vertexCount), "a place for each vertex");
+    replaceBuffer(part.shape, bytesOf(shapeOf(moved.positions, moved.normals)));
+    if (!moved.colors.empty()) {
+      replaceBuffer(part.surface, bytesOf(surfaceOf(*primitives[part.primitive], moved.colors)));
+    }
+  }
 }
 
 } // namespace stretch::ui

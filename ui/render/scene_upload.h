@@ -4,6 +4,7 @@
 
 #include "core/scene/scene.h"
 #include "ui/render/gl_objects.h"
+#include "ui/render/scene_shape.h"
 
 namespace stretch::ui {
 
@@ -14,13 +15,14 @@ inline constexpr std::size_t posedFloats = 8;
 /// One primitive in the graphics card's memory, shared by every node that shows its mesh.
 struct UploadedPart {
   int mesh = -1;
+  std::size_t primitive = 0; ///< Counted through all meshes of the scene.
   int material = -1;
   int vertexCount = 0;
   int indexCount = 0;
   int influenceCount = 0; ///< Largest number of influences that a vertex uses; 0 when not skinned.
   bool hasTexCoords = false;
   bool hasColors = false;
-  GlBuffer shape;      ///< Position and normal, interleaved; rewritten when morph weights change.
+  GlBuffer shape;      ///< Position and normal, interleaved; rewritten when morph weights or shapes change.
   GlBuffer influences; ///< VertexInfluences as they are in memory.
   GlBuffer surface;    ///< Texture coordinates and colour, interleaved.
   GlBuffer indices;
@@ -55,5 +57,8 @@ struct UploadedScene {
 
 /// Makes `shape` hold the mesh at these morph weights (missing ones count as 0).
 void morph(UploadedPart& part, const std::vector<float>& weights);
+
+/// Makes the vertices stand where the shape says. `scene` is what was uploaded; the shape has to fit it.
+void reshape(UploadedScene& uploaded, const Scene& scene, const SceneShape& shape);
 
 } // namespace stretch::ui

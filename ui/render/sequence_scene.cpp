@@ -1,6 +1,11 @@
 #include "ui/render/sequence_scene.h"
 
+#include <utility>
+
 #include <glm/geometric.hpp>
+
+#include "ui/render/palette.h"
+#include "ui/render/value_colors.h"
 
 namespace stretch::ui {
 
@@ -9,22 +14,20 @@ namespace {
 std::vector<glm::vec3> normalsOf(const PlainMesh& mesh) {
   std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0.0F));
   for (const Triangle& t : mesh.triangles) {
-    const glm::vec3& a = mesh.positions[t[0]];
-    const glm::vec3 area = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+    const glm::vec3 area = triangleArea(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
     for (const std::uint32_t corner : t) {
       normals[corner] += area;
     }
   }
   for (glm::vec3& normal : normals) {
-    const float length = glm::length(normal);
-    normal = length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
+    normal = normalOfAreas(normal);
   }
   return normals;
 }
 
 Primitive primitiveOf(const PlainMesh& mesh) {
   Primitive primitive;
-  primitive.positions.assign(mesh.positions.begin(), mesh.positions.end());
+  primitive.positions = mesh.positions;
   primitive.normals = normalsOf(mesh);
   primitive.colors = mesh.colors;
   if (mesh.colors.size() == 1) {
@@ -42,23 +45,53 @@ Primitive primitiveOf(const PlainMesh& mesh) {
 
 Scene sceneOfMeshes(std::span<const PlainMesh> meshes) {
   Scene scene;
-  Material material;
-  material.name = "surface";
-  material.doubleSided = true;
-  scene.materials.push_back(material);
+  scene.materials.push_back(plainSurface(glm::vec4(1.0F)));
   for (const PlainMesh& mesh : meshes) {
-    const int index = static_cast<int>(scene.meshes.size());
-    scene.meshes.push_back({"frame", {primitiveOf(mesh)}, {}});
-    Node node;
-    node.mesh = index;
-    scene.nodes.push_back(node);
-    scene.roots.emplace_back(scene.nodes.size() - 1);
+    addMeshNode(scene, {"frame", {primitiveOf(mesh)}, {}});
   }
   return scene;
 }
 
+SceneShape shapeOfMeshes(std::span<const PlainMesh> meshes) {
+  SceneShape shape;
+  for (const PlainMesh& mesh : meshes) {
+    const bool each = mesh.colors.size() == mesh.positions.size();
+    shape.push_back({mesh.positions, normalsOf(mesh), each ? mesh.colors : std::vector<glm::vec4>()});
+  }
+  return shape;
+}
+
 FrameState restOf(const Scene& scene) {
   return frameOf(scene, restPose(scene), 0.0);
+}
+
+void addMeshNode(Scene& scene, Mesh mesh) {
+  Node node;
+  node.mesh = static_cast<int>(scene.meshes.size());
+  scene.meshes.push_back(std::move(mesh));
+  scene.nodes.push_back(std::move(node));
+  scene.roots.emplace_back(scene.nodes.size() - 1);
+}
+
+Material plainSurface(const glm::vec4& baseColor) {
+  Material material;
+  material.name = "surface";
+  material.baseColor = baseColor;
+  material.doubleSided = true;
+  return material;
+}
+
+glm::vec4 clayColor() {
+  return linearLight(rgba(0xB9B4AC));
+}
+
+glm::vec3 triangleArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return glm::cross(b - a, c - a);
+}
+
+glm::vec3 normalOfAreas(const glm::vec3& sum) {
+  const float length = glm::length(sum);
+  return length > 0.0F ? sum / length : glm::vec3(0.0F, 1.0F, 0.0F);
 }
 
 } // namespace stretch::ui

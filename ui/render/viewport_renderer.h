@@ -24,6 +24,8 @@ public:
 
   /// Uploads the scene; call again when another file was opened. The scene must live as long as it is drawn.
   void setScene(const Scene& scene) { scene_.setScene(scene); }
+  /// See SceneRenderer::reshape.
+  void reshape(const SceneShape& shape) { scene_.reshape(shape); }
 
   /// Draws and resolves. The target gets the viewport's size and the style's samples first, so a pane just
   /// passes its size in. The state of the context that the caller set stays as it was.

@@ -238,4 +238,8 @@ glm::vec4 toColour(ImU32 colour) {
   return {value.x, value.y, value.z, value.w};
 }
 
+ImU32 packed(const glm::vec4& colour) {
+  return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
+}
+
 } // namespace stretch::ui

@@ -55,4 +55,7 @@ struct PictureSelection {
 /// A colour of the theme (Dear ImGui's packed sRGB) as shaders take it.
 [[nodiscard]] glm::vec4 toColour(ImU32 colour);
 
+/// The other way, opaque.
+[[nodiscard]] ImU32 packed(const glm::vec4& colour);
+
 } // namespace stretch::ui

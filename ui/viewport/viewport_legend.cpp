@@ -27,10 +27,6 @@ struct LegendRow {
   const char* text;
 };
 
-ImU32 packed(const glm::vec4& colour) {
-  return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F});
-}
-
 /// The trail that the legend is about: the selected one, else any that is drawn.
 const ShownTrail* explainedTrail(const ViewportContext& context) {
   const app::Session& session = *context.open.character();

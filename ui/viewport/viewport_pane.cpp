@@ -49,9 +49,11 @@ void addOverlay(Hash& key, const Overlay& overlay) {
   }
 }
 
-std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const Scene* scene, ThemeKind theme) {
+std::uint64_t keyOf(const View& view, const ViewportPicture& picture, const ViewportGpu& gpu,
+                    ThemeKind theme) {
   Hash key;
-  key.mix(scene);
+  key.mix(gpu.uploaded.get());
+  key.mix(gpu.sequence.shapes);
   key.mix(theme);
   key.mix(view.view);
   key.mix(view.projection);
@@ -174,7 +176,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
 
 void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
                  const ViewportPicture& picture) {
-  const std::uint64_t key = keyOf(context.viewport.view, picture, gpu.uploaded.get(), context.theme.kind);
+  const std::uint64_t key = keyOf(context.viewport.view, picture, gpu, context.theme.kind);
   if (key == drawn.contentKey && drawn.target.textureId() != 0) {
     return;
   }
@@ -197,7 +199,7 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
     return renderer.error();
   }
   return std::make_unique<ViewportGpu>(ViewportGpu{
-      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, 0, false});
+      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, {}, false});
 }
 
 void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit) {

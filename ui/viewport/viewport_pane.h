@@ -7,6 +7,7 @@
 #include "ui/render/bounds.h"
 #include "ui/render/quality.h"
 #include "ui/render/viewport_renderer.h"
+#include "ui/viewport/sequence_picture.h"
 #include "ui/viewport/viewport_context.h"
 
 namespace stretch::ui {
@@ -15,6 +16,15 @@ namespace stretch::ui {
 struct DrawnPicture {
   RenderTarget target;
   std::uint64_t contentKey = 0; ///< Of what was drawn; it is not drawn again while this stays.
+};
+
+/// What of a mesh sequence is on the graphics card.
+struct SequenceUpload {
+  std::unique_ptr<SequencePicture> picture; ///< Null: nothing yet.
+  std::shared_ptr<const Scene> scene;
+  std::uint64_t key = 0;    ///< Of what the picture was made from.
+  std::size_t frame = 0;    ///< Whose vertices are there.
+  std::uint64_t shapes = 0; ///< Number of times that vertices were moved.
 };
 
 /// What the viewport keeps on the graphics card; must go before its context.
@@ -26,8 +36,8 @@ struct ViewportGpu {
   std::shared_ptr<const Scene> uploaded;
   std::optional<BoundsSampler> bounds;
   SceneMeasures measures;
-  std::uint64_t sequenceKey = 0; ///< Of the frame of a mesh sequence that `uploaded` holds.
-  bool drewPicture = false;      ///< In this frame: tells the governor whether the frame's time counts.
+  SequenceUpload sequence;
+  bool drewPicture = false; ///< In this frame: tells the governor whether the frame's time counts.
 };
 
 [[nodiscard]] Result<std::unique_ptr<ViewportGpu>> createViewportGpu();

@@ -19,6 +19,7 @@
 #include "core/gltf/uri.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/core/two_sheets.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -26,12 +27,8 @@ using gltf::Json;
 
 namespace {
 
-constexpr const char* pngUri =
-    "data:image/png;base64,"
-    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
-
 Bytes pngBytes() {
-  return gltf::decodeDataUri(pngUri)->bytes;
+  return gltf::decodeDataUri(test::onePixelUri)->bytes;
 }
 
 // A vertex by what it shows, rounded so that values out of files compare.
@@ -146,52 +143,6 @@ Bytes imageOf(const gltf::Loaded& file, std::size_t image) {
   return gltf::encodedImage(*file.source, (*file.source->json)["images"][image]).value();
 }
 
-// Two triangles each, apart, with a morph target that lifts them: "sail" of cloth with two sets of texture
-// coordinates, "flag" painted by vertices.
-test::GlbBuilder twoSheets() {
-  test::GlbBuilder glb;
-  glb.json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
-    "nodes": [{"mesh": 0}, {"mesh": 1, "translation": [5, 0, 0]}],
-    "materials": [{"name": "plain"}, {"name": "cloth", "alphaMode": "MASK", "alphaCutoff": 0.25,
-      "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.375},
-      "occlusionTexture": {"index": 0, "texCoord": 1}, "extensions": {"KHR_materials_unlit": {}}}],
-    "extensionsUsed": ["KHR_materials_unlit"],
-    "textures": [{"source": 0, "sampler": 0}], "samplers": [{"wrapS": 33071}]})");
-  glb.json["images"] = {{{"uri", pngUri}, {"name", "weave"}}};
-  const auto sheet = [&](const char* name, int material) {
-    const int places = glb.floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3", 3);
-    for (const char* const bound : {"min", "max"}) {
-      const float value = bound[1] == 'i' ? 0.0F : 1.0F;
-      glb.json["accessors"][static_cast<std::size_t>(places)][bound] = {value, value, 0.0F};
-    }
-    const int lifted = glb.floats({0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 2}, "VEC3", 3);
-    glb.json["accessors"][static_cast<std::size_t>(lifted)]["min"] = {0, 0, 0};
-    glb.json["accessors"][static_cast<std::size_t>(lifted)]["max"] = {0, 0, 2};
-    const int indices = glb.accessor<std::uint16_t>({0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 1);
-    const Json primitive{{"attributes", {{"POSITION", places}}},
-                         {"indices", indices},
-                         {"material", material},
-                         {"targets", {{{"POSITION", lifted}}}}};
-    glb.json["meshes"].push_back({{"name", name}, {"primitives", {primitive}}, {"weights", {0}}});
-  };
-  sheet("sail", 1);
-  sheet("flag", 0);
-  Json& sail = glb.json["meshes"][0]["primitives"][0]["attributes"];
-  sail["TEXCOORD_0"] = glb.floats({0, 0, 1, 0, 1, 1, 0, 1}, "VEC2", 2);
-  sail["TEXCOORD_1"] = glb.floats({.5F, 0, .75F, 0, .75F, .5F, .5F, .5F}, "VEC2", 2);
-  glb.json["meshes"][1]["primitives"][0]["attributes"]["COLOR_0"] =
-      glb.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, .5F, .5F, .5F, 1}, "VEC4", 4);
-  const int times = glb.floats({0, 0.5F, 1}, "SCALAR", 1);
-  glb.json["accessors"][static_cast<std::size_t>(times)]["min"] = {0};
-  glb.json["accessors"][static_cast<std::size_t>(times)]["max"] = {1};
-  const int weights = glb.floats({0, 1, 0}, "SCALAR", 1);
-  const Json channels{{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}},
-                      {{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}}};
-  glb.json["animations"] = {
-      {{"name", "flutter"}, {"samplers", {{{"input", times}, {"output", weights}}}}, {"channels", channels}}};
-  return glb;
-}
-
 } // namespace
 
 TEST_CASE("an OBJ sequence keeps its seams, hard edges and the materials of its MTL file") {
@@ -254,7 +205,7 @@ TEST_CASE("an OBJ whose material file or picture is missing is told and compress
 
 TEST_CASE("a glTF sequence keeps meshes, materials, pictures, all texture coordinates, colours and names") {
   const test::TemporaryFolder folder;
-  twoSheets().write(folder / "sheets.glb");
+  test::twoSheets().write(folder / "sheets.glb");
   const gltf::Loaded file = compressed((folder / "sheets.glb").string(), folder / "out.glb");
   const Json& json = file.source->json;
 

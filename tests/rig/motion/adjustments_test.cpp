@@ -268,6 +268,23 @@ TEST_CASE("a curl of one makes a fist, by the fingers' joints alone") {
   CHECK(glm::length(placeOf(moving, frame, "hand.r") - placeOf(moving, source, "hand.r")) <= 0.0);
 }
 
+TEST_CASE("a sword that hangs on a joint of the hand is no finger") {
+  MovingBiped moving = punchingBiped();
+  const NodeIndex hand = moving.node.at("hand.r");
+  const std::vector<NodeIndex> fingers = fingerJoints(moving.scene, moving.limb("right-arm"));
+  const NodeIndex slot(moving.scene.nodes.size());
+  const NodeIndex sword(moving.scene.nodes.size() + 1);
+  moving.scene.nodes.resize(moving.scene.nodes.size() + 2);
+  moving.scene.nodes[at(hand)].children.push_back(slot);
+  moving.scene.nodes[at(slot)].parent = hand;
+  moving.scene.nodes[at(slot)].children = {sword};
+  moving.scene.nodes[at(sword)].parent = slot;
+  moving.scene.nodes[at(sword)].mesh = 0;
+  moving.scene.skins.front().joints.push_back(slot);
+  moving.scene.skins.front().inverseBind.emplace_back(1.0);
+  CHECK(fingerJoints(moving.scene, moving.limb("right-arm")) == fingers);
+}
+
 TEST_CASE("a limb whose stretch is off falls short of what is too far, and points at it") {
   const MovingBiped moving = punchingBiped();
   const std::vector<Adjustment> far{moved("left-hand", {2.0, 0.0, 0.0}), valued("left-arm.stretch", 0.0)};

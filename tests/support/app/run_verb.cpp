@@ -3,24 +3,25 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/batch/verb.h"
 #include "tests/support/app/captured_errors.h"
 
 namespace stretch::test {
 
-int exitCodeOf(const std::vector<std::string>& words) {
+int exitCodeOf(const std::vector<std::string>& words, const std::vector<app::Verb>& others) {
   std::vector<const char*> arguments{"stretch-engine"};
   for (const std::string& word : words) {
     arguments.push_back(word.c_str());
   }
-  return app::runVerbs(app::batchVerbs(), static_cast<int>(arguments.size()), arguments.data());
+  std::vector<app::Verb> verbs = app::batchVerbs();
+  verbs.insert(verbs.end(), others.begin(), others.end());
+  return app::runVerbs(verbs, static_cast<int>(arguments.size()), arguments.data());
 }
 
-VerbAnswer runVerb(const std::vector<std::string>& words) {
+VerbAnswer runVerb(const std::vector<std::string>& words, const std::vector<app::Verb>& others) {
   const CapturedErrors errors;
   const std::ostringstream output;
   std::streambuf* const original = std::cout.rdbuf(output.rdbuf());
-  const int exitCode = exitCodeOf(words);
+  const int exitCode = exitCodeOf(words, others);
   std::cout.rdbuf(original);
   return {exitCode, output.str(), errors.text()};
 }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/batch/verb.h"
+
 namespace stretch::test {
 
 struct VerbAnswer {
@@ -11,10 +13,12 @@ struct VerbAnswer {
   std::string told;   ///< On standard error.
 };
 
-/// The program without a window, with these words on its command line.
-[[nodiscard]] VerbAnswer runVerb(const std::vector<std::string>& words);
+/// The program without a window, with these words on its command line. `others`: verbs that are not of
+/// app::batchVerbs().
+[[nodiscard]] VerbAnswer runVerb(const std::vector<std::string>& words,
+                                 const std::vector<app::Verb>& others = {});
 
 /// The same, with what it says left where it goes.
-int exitCodeOf(const std::vector<std::string>& words);
+int exitCodeOf(const std::vector<std::string>& words, const std::vector<app::Verb>& others = {});
 
 } // namespace stretch::test

@@ -20,6 +20,7 @@
 #include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
 #include "skinning/linear_blend_skinning.h"
+#include "ui/panels/view_schema.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::test {
@@ -243,9 +244,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   return trail == nullptr ? std::nullopt : trailState(*trail, name);
 }
 
-std::string nameOf(app::SequenceColours colours) {
-  constexpr std::array<const char*, 3> names{"plain", "error", "thickness"};
-  return names[static_cast<std::size_t>(colours)];
+std::string nameOf(app::SequenceLook look) {
+  return sequenceViewSchema().front().choices[static_cast<std::size_t>(look)].name;
 }
 
 std::optional<std::string> sequenceState(const app::SequenceSession& session, std::string_view name) {
@@ -260,7 +260,7 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
                              : std::to_string(document.result->compressed.skinned.bones.size())},
       {"sequence.original", yesNo(session.view().showOriginal)},
       {"sequence.skinned", yesNo(session.view().showSkinned)},
-      {"sequence.colours", nameOf(session.view().colours)},
+      {"sequence.look", nameOf(session.view().look)},
       {"sequence.skip", std::to_string(document.settings.body.firstFittedFrame)},
       {"sequence.moduli", std::to_string(document.settings.body.moduli.ranges.size())},
       {"frame", number(session.view().frame)},

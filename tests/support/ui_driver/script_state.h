@@ -21,7 +21,7 @@ namespace stretch::test {
 /// tip-told-out (of the picture), tooltip, weight.limbs
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
-/// sequence.original, sequence.skinned, sequence.colours, sequence.skip, sequence.moduli; compressing.
+/// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.
 /// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
 /// bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);

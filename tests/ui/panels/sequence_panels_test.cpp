@@ -150,13 +150,13 @@ TEST_CASE("Segments get a modulus of their own, and lose it") {
 
 TEST_CASE("What colours the surface is chosen over the viewport; the error needs a result") {
   SequencePanels panels;
-  panels.driver.click("sequence/colours/Error");
-  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::plain);
-  panels.driver.click("sequence/colours/Thickness");
-  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::thickness);
+  panels.driver.click("sequence/look/Error");
+  CHECK(panels.driver.open.sequence()->view().look == app::SequenceLook::material);
+  panels.driver.click("sequence/look/Thickness");
+  CHECK(panels.driver.open.sequence()->view().look == app::SequenceLook::thickness);
   panels.compress();
-  panels.driver.click("sequence/colours/Error");
-  CHECK(panels.driver.open.sequence()->view().colours == app::SequenceColours::error);
+  panels.driver.click("sequence/look/Error");
+  CHECK(panels.driver.open.sequence()->view().look == app::SequenceLook::error);
 }
 
 TEST_CASE("A click on a point of the plot goes to its frame") {

@@ -46,6 +46,7 @@ void openSequence(GuiStage& stage) {
   document.result = std::make_shared<const app::Compression>(std::move(made).value());
   stage.open.open(std::move(document));
   stage.open.sequence()->view().frame = 8.0;
+  stage.open.sequence()->view().look = app::SequenceLook::compare;
 }
 
 struct Overlays {
@@ -103,12 +104,23 @@ const Overlays overlays[] = {
     {"sequence-error",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.open.sequence()->view().colours = app::SequenceColours::error;
+       stage.open.sequence()->view().look = app::SequenceLook::error;
      }},
     {"sequence-thickness",
      [](GuiStage& stage) {
        openSequence(stage);
-       stage.open.sequence()->view().colours = app::SequenceColours::thickness;
+       stage.open.sequence()->view().look = app::SequenceLook::thickness;
+       stage.ui.overlays.skeleton = true;
+     }},
+    {"sequence-segments",
+     [](GuiStage& stage) {
+       openSequence(stage);
+       stage.open.sequence()->view().look = app::SequenceLook::segments;
+     }},
+    {"sequence-cylinders",
+     [](GuiStage& stage) {
+       openSequence(stage);
+       stage.open.sequence()->view().look = app::SequenceLook::cylinders;
        stage.ui.overlays.skeleton = true;
      }},
     {"empty", [](GuiStage& stage) { stage.open = {}; }},

@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <memory>
+#include <utility>
+
 #include <glm/geometric.hpp>
 
 #include "tests/support/skinning/bodies.h"
@@ -78,26 +81,27 @@ TEST_CASE("a frame becomes a scene: one node for each mesh, smooth normals, colo
 }
 
 TEST_CASE("pictures of a sequence show the frames that were asked for, one scene for all") {
-  const MeshSequence tube = test::shorteningTube(6, 2.0, 0.0, 0.0);
-  const auto pictures = picturesOfSequence(tube, &tube, {0.0, 5.0}, {});
+  const auto tube = std::make_shared<const MeshSequence>(test::shorteningTube(6, 2.0, 0.0, 0.0));
+  SequenceContent content{tube, nullptr, nullptr, tube};
+  app::SequenceView compared;
+  compared.look = app::SequenceLook::compare;
+  const auto pictures = picturesOfSequence(content, compared, {}, {0.0, 5.0}, {});
   REQUIRE(pictures);
   REQUIRE(pictures->pictures.size() == 2);
-  REQUIRE(pictures->scene.meshes.size() == 2);
-  const Primitive& primitive = pictures->scene.meshes[1].primitives[0];
-  REQUIRE(primitive.morphTargets.size() == 2);
-  const std::vector<float>& weights = pictures->pictures[1].content.frame.pose.weights[1];
-  CHECK(weights == std::vector<float>{0.0F, 1.0F});
-  const std::size_t vertex = tube.vertexCount / 2;
-  CHECK(glm::distance(primitive.positions[vertex] + primitive.morphTargets[1].positions[vertex],
-                      tube.frame(5)[vertex]) < 1e-5F);
+  CHECK(pictures->drawing->scene().meshes.size() == 2);
+  const SceneShape last = pictures->pictures[1].content.shape();
+  REQUIRE(last.size() == 2);
+  const std::size_t vertex = tube->vertexCount / 2;
+  CHECK(last[1].positions[vertex] == std::as_const(*tube).frame(5)[vertex]);
+  CHECK(pictures->pictures[1].label == "frame 5");
 }
 
 TEST_CASE("frames that are not there and clips of other meshes are refused") {
-  const MeshSequence tube = test::shorteningTube(6, 2.0, 0.0, 0.0);
-  const MeshSequence shorter = test::shorteningTube(5, 2.0, 0.0, 0.0);
-  CHECK_FALSE(picturesOfSequence(tube, nullptr, {6.0}, {}));
-  CHECK_FALSE(picturesOfSequence(tube, nullptr, {-1.0}, {}));
-  CHECK_FALSE(picturesOfSequence(tube, &shorter, {0.0}, {}));
+  const auto tube = std::make_shared<const MeshSequence>(test::shorteningTube(6, 2.0, 0.0, 0.0));
+  const auto shorter = std::make_shared<const MeshSequence>(test::shorteningTube(5, 2.0, 0.0, 0.0));
+  CHECK_FALSE(picturesOfSequence({tube, nullptr, nullptr, nullptr}, {}, {}, {6.0}, {}));
+  CHECK_FALSE(picturesOfSequence({tube, nullptr, nullptr, nullptr}, {}, {}, {-1.0}, {}));
+  CHECK_FALSE(picturesOfSequence({tube, nullptr, nullptr, shorter}, {}, {}, {0.0}, {}));
 }
 
 TEST_CASE("Picture: the wrong half of a body is red, the right one grey") {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/gltf/source.h"
+#include "skinning/skinned_sequence.h"
+
+namespace stretch::skinning {
+
+/// A skinned clip in two parts, for a server that sends frames as they come and a client that shows them
+/// (docs/stream.md): what stays, and frames of equal length, each of which says all by itself.
+struct FrameStream {
+  gltf::Source base; ///< Mesh, weights, skin and nodes without a clip. Its extras say which node
+                     ///< takes what of a frame.
+  std::vector<std::uint8_t> frames; ///< One after the other: more can be appended.
+  std::size_t frameBytes = 0;       ///< Of each.
+
+  [[nodiscard]] std::span<const std::uint8_t> frame(std::size_t index) const {
+    return {frames.data() + index * frameBytes, frameBytes};
+  }
+};
+
+inline constexpr std::uint8_t streamVersion = 1;
+inline constexpr std::size_t streamHeaderBytes = 8;
+
+/// The courses that encodeGltf writes for the clip, cut into frames: with `quantise` rotations are 16-bit
+/// integers. The sequence has at least one frame.
+[[nodiscard]] FrameStream streamOf(const SkinnedSequence& sequence, bool quantise);
+
+} // namespace stretch::skinning

@@ -1,0 +1,113 @@
+// What the viewport keeps of a mesh sequence while it plays, and its looks.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <span>
+
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/ui/gui_stage.h"
+#include "ui/render/value_colors.h"
+#include "ui/viewport/sequence_picture.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+app::SequenceDocument tubeDocument(bool compressed) {
+  app::SequenceDocument document;
+  document.paths = {"tube"};
+  document.mesh = std::make_shared<const MeshSequence>(test::shorteningTube(8, 2.0, 0.06, 0.1));
+  document.analysis = std::make_shared<const app::SequenceAnalysis>(app::analyseSequence(*document.mesh));
+  document.settings.bones = 7;
+  document.settings.stretch = skinning::StretchOption::measured;
+  if (compressed) {
+    auto made = app::makeCompression(*document.mesh, document.settings);
+    REQUIRE(made);
+    document.result = std::make_shared<const app::Compression>(std::move(made).value());
+  }
+  return document;
+}
+
+SequencePicture pictureOf(const app::SequenceDocument& document, app::SequenceLook look) {
+  app::SequenceView view;
+  view.look = look;
+  return {contentOf(document), view};
+}
+
+} // namespace
+
+TEST_CASE("while a sequence plays its vertices move, and nothing else is uploaded again") {
+  test::GuiPainter painter;
+  test::GuiStage stage(painter, ThemeKind::dark, 264.0F, 240.0F);
+  stage.open.open(tubeDocument(false));
+  stage.showViewport();
+  const ViewportGpu& gpu = painter.viewportGpu();
+  const Scene* const scene = gpu.uploaded.get();
+  const std::uint64_t shapes = gpu.sequence.shapes;
+  const Image first = stage.picture();
+  stage.showViewport();
+  CHECK(gpu.sequence.shapes == shapes);
+  stage.open.sequence()->view().frame = 7.0;
+  stage.showViewport();
+  CHECK(gpu.uploaded.get() == scene);
+  CHECK(gpu.sequence.shapes == shapes + 1);
+  CHECK(stage.picture().rgba != first.rgba);
+  stage.open.sequence()->view().look = app::SequenceLook::segments;
+  stage.showViewport();
+  CHECK(gpu.uploaded.get() != scene);
+}
+
+TEST_CASE("the segments of a body are cylinders as wide as it is, and stretch as its bones do") {
+  const app::SequenceDocument document = tubeDocument(true);
+  const SegmentCylinders cylinders(*document.analysis, &document.result->compressed.skinned);
+  REQUIRE(cylinders.count() == 7);
+  for (std::size_t middle = 1; middle < 6; ++middle) {
+    CHECK(cylinders.widths()[middle] == Approx(1.0).epsilon(0.1));
+  }
+  const std::size_t perCylinder = cylinders.meshAt(0).positions.size() / 7;
+  const auto height = [](std::span<const glm::vec3> positions) {
+    const auto [low, high] = std::ranges::minmax(positions, {}, &glm::vec3::y);
+    return static_cast<double>(high.y - low.y);
+  };
+  const auto cylinderHeight = [&](std::size_t frame) {
+    const PlainMesh mesh = cylinders.meshAt(frame);
+    return height(std::span(mesh.positions).subspan(3 * perCylinder, perCylinder));
+  };
+  const MeshSequence& tube = *document.mesh;
+  const double flattened = height(tube.frame(7)) / height(tube.frame(0));
+  REQUIRE(flattened < 0.97);
+  CHECK(cylinderHeight(0) == Approx(cylinders.widths()[3]).epsilon(0.02));
+  CHECK(cylinderHeight(7) / cylinderHeight(0) == Approx(flattened).margin(0.01));
+}
+
+TEST_CASE("before there is a result the segments are those of the centre line") {
+  const app::SequenceDocument document = tubeDocument(false);
+  CHECK(SegmentCylinders(*document.analysis, nullptr).count() == 30);
+  const auto legend = pictureOf(document, app::SequenceLook::segments).legend();
+  REQUIRE(legend);
+  CHECK(legend->high == "29");
+  CHECK(legend->colour(0.0) != legend->colour(1.5 / 30.0));
+}
+
+TEST_CASE("looks that show values say what their colours mean, with figures") {
+  const app::SequenceDocument document = tubeDocument(true);
+  const auto error = pictureOf(document, app::SequenceLook::error).legend();
+  REQUIRE(error);
+  CHECK_THAT(error->detail, Catch::Contains("% of the diagonal"));
+  const auto cylinders = pictureOf(document, app::SequenceLook::cylinders).legend();
+  REQUIRE(cylinders);
+  CHECK_THAT(cylinders->detail, Catch::Contains("units wide"));
+  CHECK_FALSE(pictureOf(document, app::SequenceLook::material).legend());
+}
+
+TEST_CASE("vertices take the colours of their bones, mixed by the weights") {
+  std::vector<skinning::Influences> segments(2);
+  segments[0].bones = {1, 0, 0, 0};
+  segments[0].weights = {1.0F, 0.0F, 0.0F, 0.0F};
+  segments[1].bones = {1, 2, 0, 0};
+  segments[1].weights = {0.5F, 0.5F, 0.0F, 0.0F};
+  const auto colors = segmentColors(segments);
+  CHECK(colors[0] == linearLight(segmentColor(1)));
+  CHECK(colors[1].r == Approx(0.5 * (linearLight(segmentColor(1)).r + linearLight(segmentColor(2)).r)));
+}
