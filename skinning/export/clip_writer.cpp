@@ -33,6 +33,9 @@ ClipWriter::ClipWriter(gltf::Json& json, GltfBuffers& buffers, const std::string
     : json_(json), buffers_(buffers), encoding_(encoding) {
   json_["animations"] = gltf::Json::array(
       {{{"name", name}, {"channels", gltf::Json::array()}, {"samplers", gltf::Json::array()}}});
+  if (encoding.keyBound > 0.0) { // The keys that are left would tell another rate.
+    json_["animations"][0]["extras"]["stretch_engine"] = {{"frames_per_second", encoding.framesPerSecond}};
+  }
 }
 
 void ClipWriter::setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,

@@ -343,6 +343,14 @@ private:
 
 } // namespace
 
+namespace {
+
+std::size_t bytesOf(const EncodedClip& clip) {
+  return clip.source.buffers[0].size() + clip.bytesOfJson;
+}
+
+} // namespace
+
 EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings) {
   if (!(settings.keyTolerancePercent > 0.0)) {
     return Encoder(sequence, settings, 0.0).encode();
@@ -354,9 +362,10 @@ EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& se
     return Encoder(bare, plain, bound).encode().source;
   };
   const KeyBound keys = findKeyBound(sequence, settings.keyTolerancePercent, encoded);
+  EncodedClip every = Encoder(sequence, settings, 0.0).encode();
   EncodedClip clip = Encoder(sequence, settings, keys.bound).encode();
   clip.keyErrorPercent = keys.largestPercent;
-  return clip;
+  return bytesOf(clip) < bytesOf(every) ? clip : every;
 }
 
 std::size_t sourceBytesPerFrame(const MeshSequence& sequence) {

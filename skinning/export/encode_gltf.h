@@ -16,12 +16,12 @@ struct EncodeSettings {
   /// have none. Scales: absolute; rotations: chord of the half angle; translations: times the diagonal of the
   /// bind pose's box.
   double tolerance = 1e-6;
-  bool quantiseMesh = false;        ///< Places, normals, texture coordinates and colours as integers
-                                    ///< (KHR_mesh_quantization).
-  bool meshopt = false;             ///< All data but images compressed (EXT_meshopt_compression).
-  double keyTolerancePercent = 0.0; ///< Keys are left out as long as no vertex of any frame is moved farther
-                                    ///< than this, in percent of the diagonal of the bind pose's box. 0:
-                                    ///< every frame is a key.
+  bool quantiseMesh = false; ///< Places, normals, texture coordinates and colours as integers
+                             ///< (KHR_mesh_quantization).
+  bool meshopt = false;      ///< All data but images compressed (EXT_meshopt_compression).
+  /// Keys are left out as long as no vertex of any frame is moved farther than this, in percent of the
+  /// diagonal of the bind pose's box. 0, or where that would take more than it saves: every frame is a key.
+  double keyTolerancePercent = 0.0;
 
   friend bool operator==(const EncodeSettings&, const EncodeSettings&) = default;
 };

@@ -23,6 +23,7 @@ READERS = pathlib.Path(__file__).resolve().parent / "readers"
 VERTEX_TOLERANCE = 1e-4  # of the diagonal
 ERROR_TOLERANCE = 5e-3  # RMSE, percent of the diagonal: what 16-bit rotations may cost
 FRAMES_LOOKED_AT = 9
+PACKED = ["--quantise", "--quantise-mesh", "--meshopt"]
 VERTEX_STEP = 5
 
 
@@ -120,9 +121,15 @@ class Check:
         }
         for name, words in sequences.items():
             for stretch in ("none", "elastic", "measured"):
-                for encoding in ([], ["--quantise"]):
+                for encoding in ([], ["--quantise"], PACKED):
                     arguments = ["--bones", 20, "--stretch", stretch, "--skip", 5, *encoding]
                     self.compressed(words, " ".join([name, stretch, *encoding]), arguments, folder)
+
+        wolf = [self.data / "mesh-sequence" / "wolf"]
+        for joints in ("tree", "free"):
+            for encoding in ([], PACKED):
+                arguments = ["--bones", 20, "--stretch", "measured", "--joints", joints, *encoding]
+                self.compressed(wolf, " ".join(["wolf", joints, *encoding]), arguments, folder)
 
     def broken(self, folder):
         worm, frames = self.data / "worm", self.data / "mesh-sequence" / "dem-bones" / "frames"

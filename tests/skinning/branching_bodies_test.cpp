@@ -175,6 +175,19 @@ TEST_CASE("the fewest bones that meet a tolerance are found") {
   CHECK(compressedBody(measuredWith(bones - 1)).metrics.rmsePercent > 0.5);
 }
 
+TEST_CASE("asked for the error that some bones have, no more than these are taken") {
+  for (const int bones : {3, 6, 11}) {
+    CompressSettings settings = measuredWith(bones);
+    const auto known = compress(jellyTube(), settings);
+    REQUIRE(known);
+    settings.tolerancePercent = known->metrics.rmsePercent;
+    const auto found = compress(jellyTube(), settings);
+    REQUIRE(found);
+    CHECK(found->skinned.bones.size() <= static_cast<std::size_t>(bones));
+    CHECK(found->metrics.rmsePercent <= *settings.tolerancePercent);
+  }
+}
+
 TEST_CASE("a tolerance that no number of bones meets is told") {
   CompressSettings settings;
   settings.stretch = StretchOption::none;

