@@ -161,6 +161,7 @@ Status startExaggerating(Shell& shell, app::OverlapChoice choice) {
   if (!started) {
     return started;
   }
+  hideNews(shell.ui); // What was told of another limb would hide this one.
   const auto& tool = std::get<ExaggerateTool>(shell.tool);
   if (standsStill(session, tool)) {
     refuse(shell, stillNews(session, tool, [&](const std::string& id) {

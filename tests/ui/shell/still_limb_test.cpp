@@ -77,10 +77,9 @@ TEST_CASE("E on another stroke than the limb's strongest says which frames are t
             fmt::format("taken, frames {:.4g} to {:.4g}; the strongest, {}, is free", other.startFrame,
                         other.endFrame, where)) != std::string::npos);
   finishTool(session, shell.tool, false);
-  shell.ui.toasts.clear();
   session.view().frame = std::floor(0.5 * (strongest.startFrame + strongest.endFrame));
   runCommand(shell, command::trailExaggerate);
-  CHECK(shell.ui.toasts.empty());
+  CHECK(shell.ui.toasts.empty()); // Nor does what was told before stay in the way.
 }
 
 TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as it is, says so") {
