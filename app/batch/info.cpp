@@ -10,6 +10,7 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
 #include "core/scene/mesh_sequence.h"
 
@@ -96,15 +97,7 @@ Json trailJson(const Document& document, const rig::Trail& trail) {
             {"range", {trail.settings.startFrame, trail.settings.endFrame}},
             {"scale", trail.settings.scale},
             {"state", stateOf(trail)}};
-  if (!trail.name.empty()) {
-    json["name"] = trail.name;
-  }
-  if (trail.group > 0) {
-    json["group"] = trail.group;
-  }
-  if (trail.group > 0 && !trail.groupName.empty()) {
-    json["group_name"] = trail.groupName;
-  }
+  addNames(trail, json);
   return json;
 }
 

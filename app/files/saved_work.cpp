@@ -44,15 +44,7 @@ Json savedTrail(const rig::Trail& trail) {
   json["pinned"] = trail.pinned;
   json["control_frames"] = trail.controlFrames;
   json["follow"] = trail.follow;
-  if (!trail.name.empty()) {
-    json["name"] = trail.name;
-  }
-  if (trail.group > 0) {
-    json["group"] = trail.group;
-  }
-  if (trail.group > 0 && !trail.groupName.empty()) {
-    json["group_name"] = trail.groupName;
-  }
+  addNames(trail, json);
   return json;
 }
 

@@ -121,6 +121,18 @@ Status readOther(const std::string& key, const Json& value, double lengthUnit, T
 
 } // namespace
 
+void addNames(const rig::Trail& trail, Json& json) {
+  if (!trail.name.empty()) {
+    json["name"] = trail.name;
+  }
+  if (trail.group > 0) {
+    json["group"] = trail.group;
+  }
+  if (trail.group > 0 && !trail.groupName.empty()) {
+    json["group_name"] = trail.groupName;
+  }
+}
+
 Json trailToJson(const TrailSettings& settings, double lengthUnit) {
   Json json;
   json["range"] = Json::array({settings.startFrame, settings.endFrame});

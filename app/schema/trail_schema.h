@@ -13,6 +13,9 @@ namespace stretch::app {
 /// world units: 1 for metres, the limb's rest length for offsets in lengths of the limb.
 [[nodiscard]] gltf::Json trailToJson(const rig::TrailSettings& settings, double lengthUnit);
 
+/// Adds what the user called a trail and its group, and which group it is; nothing where there is none.
+void addNames(const rig::Trail& trail, gltf::Json& json);
+
 /// Reads what trailToJson writes; what is missing keeps its value in `settings`. `allowed` names further keys
 /// that the caller reads itself. An unknown key or a wrong value is an error that names it.
 [[nodiscard]] Status trailFromJson(const gltf::Json& json, double lengthUnit,
