@@ -29,8 +29,15 @@ std::optional<WayBackProblem> wayBackProblem(const Document& document, const rig
   const double used = trail.release.seconds() * motion.framesPerSecond;
   const double peaceful =
       std::min(trail.wantedReleaseSeconds, trail.calmReleaseSeconds) * motion.framesPerSecond;
-  if (!trail.active || motion.loops || used > peaceful - hardly) {
+  if (!trail.active || used > peaceful - hardly) {
     return std::nullopt;
+  }
+  const bool forwards = trail.settings.pivot == rig::Pivot::start;
+  if (motion.loops) {
+    return WayBackProblem{fmt::format("the limb {} {}, faster than the stroke, because its range begins "
+                                      "again there; make the range shorter",
+                                      forwards ? "snaps back" : "leaps out", inFrames(used)),
+                          false};
   }
   if (endsMeet(document, motion.clip)) {
     return WayBackProblem{fmt::format("the clip's last pose is its first, and played as a loop the limb "
@@ -41,7 +48,6 @@ std::optional<WayBackProblem> wayBackProblem(const Document& document, const rig
   if (used < hardly) {
     return std::nullopt; // The clip ends with the stretch: it is held.
   }
-  const bool forwards = trail.settings.pivot == rig::Pivot::start;
   return WayBackProblem{fmt::format("the limb {} {}, faster than the stroke, because the clip {} there; "
                                     "{} the range {}",
                                     forwards ? "snaps back" : "leaps out", inFrames(used),

@@ -17,8 +17,9 @@ struct WayBackProblem {
   bool loopHelps = false; ///< Marking the clip as a loop mends it, for its ends meet.
 };
 
-/// Nothing where an active trail comes back in peace: its release is cut by the clip and takes the limb back
-/// faster than it came, or not at all on a clip that can be played as a loop.
+/// Nothing where an active trail comes back in peace: its release is cut by the clip, or by its range
+/// that begins again on a loop, and takes the limb back faster than it came, or not at all on a clip that can
+/// be played as a loop.
 [[nodiscard]] std::optional<WayBackProblem>
 wayBackProblem(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail);
 

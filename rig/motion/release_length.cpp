@@ -70,11 +70,13 @@ std::optional<double> toNextKey(const Clip& clip, const SolvedTrail& solved,
   return before == keys.begin() ? std::nullopt : std::optional(solved.tipSeconds - *(before - 1));
 }
 
+// On a loop until the range begins again: there the limb starts from its own path.
 double roomFor(const MotionInput& input, const SolvedTrail& solved) {
   const Clip& clip = *input.clip;
   const double inside = isForwards(solved) ? clip.endSeconds - solved.endSeconds
                                            : solved.startSeconds - std::min(0.0, clip.startSeconds);
-  const double room = input.loops ? clip.endSeconds - clip.startSeconds : inside;
+  const double range = solved.endSeconds - solved.startSeconds;
+  const double room = input.loops ? clip.endSeconds - clip.startSeconds - range : inside;
   return std::max(0.0, std::min(room, longestFrames / clip.framesPerSecond));
 }
 

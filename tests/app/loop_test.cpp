@@ -63,6 +63,14 @@ TEST_CASE(
   CHECK(motion.trails.front().release.seconds() > 0.0);
 }
 
+TEST_CASE("A way back that is cut because its range begins again on a loop is told") {
+  const Document looped = setLooping(withTrailTo(shadowBoxer(), 1.0, 20.0), 0, true);
+  const auto problem = problemOf(looped);
+  REQUIRE(problem);
+  CHECK_FALSE(problem->loopHelps);
+  CHECK_THAT(problem->what, Contains("snaps back in 1 frame") && Contains("make the range shorter"));
+}
+
 TEST_CASE("A way back that the clip's end cuts short is told; a stretch that lasts to the end is held") {
   const auto problem = problemOf(withTrailTo(test::boxer(), 5.0, 19.5));
   REQUIRE(problem);

@@ -196,6 +196,22 @@ TEST_CASE("on a loop the release wraps to the clip's start, without a jump where
   CHECK(miss(moving, motion, 8.0) == 0.0);
 }
 
+TEST_CASE("on a loop a release ends where the range begins again, without a jump there") {
+  const MovingBiped moving = punchingBiped();
+  for (const Pivot pivot : {Pivot::start, Pivot::end}) {
+    Trail trail = connectedTrail("left-arm", 4, 20, 2.0);
+    trail.settings.pivot = pivot;
+    trail.settings.releaseFrames = 14.0; // Of which the loop of 24 frames has room for 8.
+    const MotionState motion = solved(moving, {trail}, true);
+    CHECK(motion.trails.front().release.seconds() * motion.framesPerSecond == Approx(8.0));
+    const double again = pivot == Pivot::start ? 4.0 : 20.0;
+    const Vec3 before = handOffset(moving, motion, again - 1e-4);
+    const Vec3 after = handOffset(moving, motion, again + 1e-4);
+    CAPTURE(pivot == Pivot::start, glm::length(before), glm::length(after));
+    CHECK(glm::length(after - before) < 1e-3 * moving.biped.height);
+  }
+}
+
 TEST_CASE("the hand comes as far as the stop plane and not past it") {
   const MovingBiped moving = punchingBiped();
   const Limb& arm = moving.limb("left-arm");
