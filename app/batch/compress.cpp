@@ -40,7 +40,7 @@ struct CompressArguments {
 
 Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments) {
   skinning::CompressSettings settings;
-  if (const Status set = setFromTexts(sequenceSchema(), arguments.settings, settings); !set) {
+  if (Status set = setFromTexts(sequenceSchema(), arguments.settings, settings); !set) {
     return set.error();
   }
   if (!arguments.skeleton.empty()) {

@@ -126,6 +126,7 @@ Status checkSkeleton(const std::vector<SkinBone>& bones, const MeshSequence& seq
   constexpr double most = 4.0;
   constexpr double margin = 0.1;
   std::vector<Vec3> pivots;
+  pivots.reserve(bones.size());
   for (const SkinBone& bone : bones) {
     pivots.push_back(bone.pivot);
   }

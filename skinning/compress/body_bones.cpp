@@ -116,7 +116,7 @@ Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const 
   skinned = bonesOfBody(sequence, body, *model);
   skinned.chained = settings.stretch != StretchOption::measured;
   result.segmentWidths = body.widths;
-  if (const Status weighted = addGeodesicWeights(skinned); !weighted) {
+  if (Status weighted = addGeodesicWeights(skinned); !weighted) {
     return weighted;
   }
   if (settings.stretch == StretchOption::elastic) {
@@ -161,7 +161,7 @@ Status compressWithSkeleton(const MeshSequence& sequence, const CompressSettings
   }
   result.skinned = withoutBones(sequence);
   result.skinned.bones = settings.skeleton;
-  if (const Status weighted = addGeodesicWeights(result.skinned); !weighted) {
+  if (Status weighted = addGeodesicWeights(result.skinned); !weighted) {
     return weighted;
   }
   fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);

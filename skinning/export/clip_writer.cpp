@@ -72,6 +72,7 @@ std::size_t ClipWriter::timesOf(const std::vector<std::size_t>& keys) {
     return found->second;
   }
   std::vector<float> seconds;
+  seconds.reserve(keys.size());
   for (const std::size_t key : keys) {
     seconds.push_back(static_cast<float>(static_cast<double>(key) / encoding_.framesPerSecond));
   }

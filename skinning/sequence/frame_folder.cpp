@@ -112,6 +112,7 @@ std::vector<std::uint64_t> frameNumbers(const std::vector<std::filesystem::path>
   }
   for (std::size_t place = names.front().numbers.size(); place-- > 0;) {
     std::vector<std::uint64_t> numbers;
+    numbers.reserve(names.size());
     for (const NumberedName& name : names) {
       numbers.push_back(name.numbers[place]);
     }

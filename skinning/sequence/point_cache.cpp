@@ -94,7 +94,7 @@ void takeRate(const std::vector<double>& times, MeshSequence& sequence) {
   const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   constexpr double fastest = 10000.0; // frames per second
   if (!(step > 1.0 / fastest)) {
-    sequence.warnings.push_back("the times of the cache do not move on: 30 frames per second are taken");
+    sequence.warnings.emplace_back("the times of the cache do not move on: 30 frames per second are taken");
     return;
   }
   double worst = 0.0;

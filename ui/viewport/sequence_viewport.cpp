@@ -58,7 +58,7 @@ SceneStyle sequenceStyleOf(const ViewportContext& context, const ViewportGpu& gp
 }
 
 void drawLegend(ViewportContext& context, const SequencePicture& picture) {
-  const std::optional<SequenceLegend> legend = picture.legend();
+  const std::optional<SequenceLegend>& legend = picture.legend();
   if (!legend) {
     return;
   }
