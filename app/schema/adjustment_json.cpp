@@ -55,7 +55,8 @@ Status readVector(const Json& json, const std::string& key, double unit, Vec3& v
 }
 
 Status readInterpolation(const Json& json, KeyInterpolation& interpolation) {
-  const auto* const found = std::ranges::find_if(interpolationNames, [&](const char* name) { return json == name; });
+  const auto* const found =
+      std::ranges::find_if(interpolationNames, [&](const char* name) { return json == name; });
   if (found == interpolationNames.end()) {
     return Error{json.dump() + " is no interpolation", "interpolation",
                  "give auto, flat, linear, stepped or free"};
