@@ -299,6 +299,6 @@ TEST_CASE("bones that are stretched out of proportion are told with their frames
   const auto result = compress(skinAllFrames(truth), measuredWith(6));
   REQUIRE(result);
   CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
-    return warning.find("scaled") != std::string::npos && warning.find("7") != std::string::npos;
+    return warning.find("scaled") != std::string::npos && warning.find('7') != std::string::npos;
   }));
 }
