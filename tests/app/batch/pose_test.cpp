@@ -148,6 +148,16 @@ TEST_CASE(
   CHECK(*readFile(folder / "without.glb") == *readFile(posedCharacter));
 }
 
+TEST_CASE("adjustments of another clip than the first come back on it") {
+  const test::TemporaryFolder folder;
+  const Json recipe = poseRecipe(Json::array({controllerKey("left-hand", 6, {{"move", {0.0, 0.2, 0.0}}})}));
+  const Posed posed = pose(folder, recipe, {"--clip", "Guard"});
+  REQUIRE(posed.answer.exitCode == 0);
+  const Document file = openedFile(posed.path);
+  REQUIRE(file.adjustments.size() == 1);
+  CHECK(clipOf(file, file.adjustments[0].clip).name == "Guard");
+}
+
 TEST_CASE("a recipe that is written from a document poses another one alike") {
   const test::TemporaryFolder folder;
   const Json recipe =
