@@ -7,7 +7,7 @@ mkdir -p "$folder"
 
 # page NAME WORDS SENTENCE
 page() {
-  help2man --no-info --no-discard-stderr --section 1 --name "$3" --help-option "$2 --help" --version-string "$version" "$program" |
+  help2man --no-info --no-discard-stderr --name "$3" --help-option "$2 --help" --version-string "$version" "$program" |
     sed -e "s/^\.TH [^ ]*/.TH ${1^^}/" -e "s/^stretch-engine \\\\-/$1 \\\\-/" >"$folder/$1.1"
   gzip -9n "$folder/$1.1"
 }
