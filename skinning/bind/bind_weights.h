@@ -1,29 +1,26 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/scene/mesh_sequence.h"
+#include "skinning/bind/bone_lines.h"
 #include "skinning/skinned_sequence.h"
 
 namespace stretch::skinning {
 
-/// A joint that a mesh is to follow, in the space of the mesh.
-struct BindJoint {
-  Vec3 place{0.0};
-  int parent = -1; ///< Index into the joints; -1: none.
-};
-
 struct BindSettings {
   int cubesAlong = 110;  ///< Along the longest side of the mesh's box.
-  double blend = 0.35;   ///< How far two bones share the mesh about their joint, in radii of the body there.
-  double regions = 1.0;  ///< How much a thick bone's section counts against a thin one's: 0 for lines alone.
-  double shells = 0.6;
+  double blend = 0.6;    ///< How far two bones share the mesh about their border, in radii of the body there.
+  double sections = 0.1; ///< How much a bone's radius counts against a thinner one's (boneRegions).
 };
 
-/// Skin weights by distance inside the body (docs/binding.md).
+/// Skin weights of a body that was never bound, by the way inside it (after O. Dionne and M. de Lasa,
+/// "Geodesic Voxel Binding for Production Character Meshes", 2013): the body is filled with cubes, each goes
+/// to the bone that is nearest to it inside, borders between two bones are blended over a part of the body's
+/// thickness there, and shells that hold one bone follow it as one piece. At most four weights for each
+/// vertex, sum 1. Space of the mesh; any triangles will do (voxelBody). Error: no joints, no triangles, more
+/// joints than weights can name.
 [[nodiscard]] Result<std::vector<Influences>> bindWeights(std::span<const glm::vec3> positions,
                                                           const std::vector<Triangle>& triangles,
                                                           const std::vector<BindJoint>& joints,

@@ -31,11 +31,14 @@ struct VoxelBody {
   static constexpr std::int32_t outside = -1;
 
   VoxelGrid grid;
-  std::vector<std::int32_t> cellAt;   ///< For each cube its cell, or `outside`.
-  std::vector<std::uint32_t> cubeOf;  ///< For each cell its cube.
-  std::vector<float> depths;          ///< For each cell how far it is from the outside, units of the mesh.
+  std::vector<std::int32_t> cellAt;  ///< For each cube its cell, or `outside`.
+  std::vector<std::uint32_t> cubeOf; ///< For each cell its cube.
+  std::vector<float> depths;         ///< For each cell how far it is from the outside, units of the mesh.
 
   [[nodiscard]] std::size_t cellCount() const { return cubeOf.size(); }
+  [[nodiscard]] Vec3 middleOf(std::size_t cell) const {
+    return grid.middleOf(grid.placeOfIndex(cubeOf[cell]));
+  }
   /// The cell that a point lies in, or the nearest one within a few cubes; `outside` where there is none.
   [[nodiscard]] std::int32_t cellNear(const Vec3& point, int cubesAround) const;
 };

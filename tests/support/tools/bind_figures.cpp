@@ -11,7 +11,7 @@
 using namespace stretch;
 int main(int argc, char** argv) {
   skinning::BindSettings settings;
-  settings.cubesAlong = std::atoi(argv[1]); settings.blend = std::atof(argv[2]); settings.regions = std::atof(argv[3]); settings.shells = std::atof(argv[4]);
+  settings.cubesAlong = std::atoi(argv[1]); settings.blend = std::atof(argv[2]); settings.sections = std::atof(argv[3]);
   for (int f = 5; f < argc; ++f) {
     const Result<app::Document> document = app::openDocument(argv[f]);
     if (!document) { std::puts(document.error().line().c_str()); continue; }
