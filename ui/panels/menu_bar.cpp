@@ -100,8 +100,8 @@ void drawMenuBar(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
   drawMenu(context,
            {"File",
-            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
-             recipeSave, "", fileQuit}},
+            {fileOpen, fileBundledPunch, fileBundledSwing, fileBundledLeap, "", fileSave, fileSaveAs,
+             fileSaveIncremental, fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
@@ -148,7 +148,7 @@ void drawMenuBar(PanelContext& context) {
        {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewSkeleton,
         viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
       false);
-  drawMenu(context, {"Help", {palette, keys, about}}, false);
+  drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);
 }

@@ -160,6 +160,19 @@ struct FileEntry {
   std::uintmax_t bytes = 0;
 };
 
+/// What the editor offers while nothing is open.
+struct WelcomeState {
+  int highlighted = 0;  ///< Entry that the keys are on.
+  int columns = 1;      ///< Of the entries that have pictures, as they were drawn last.
+  bool entered = false; ///< The highlighted entry is to be opened.
+};
+
+/// The tour through the first punch.
+struct TourState {
+  bool pending = false; ///< It begins when the bundled punch is opened.
+  int step = -1;        ///< -1: it does not run.
+};
+
 /// To open: set `open`, `purpose`, and, where known, `folder` and `typed` (the proposed name); the rest as it
 /// is here.
 struct FileDialogState {
@@ -226,6 +239,16 @@ struct UiAnswers {
   std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
+  bool keepSettings = false; ///< The user's settings are to be written at once.
+};
+
+/// One step of the tour, as its card shows it.
+struct TourCard {
+  int step = 0; ///< From 0.
+  int steps = 0;
+  std::string title;
+  std::string text;
+  std::string key; ///< What to press.
 };
 
 /// What is going on in this frame, as the panels show it: made anew for each one.
@@ -237,7 +260,8 @@ struct EditorStatus {
   std::vector<KeyHint> keyHints; ///< What the keys do in a modal.
   std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
   float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
-  std::string pressedKey; ///< Pressed in this frame, as Command::keys spells it: for the keys overview.
+  std::string pressedKey;       ///< Pressed in this frame, as Command::keys spells it: for the keys overview.
+  std::optional<TourCard> tour; ///< While it runs.
 };
 
 /// View state of all panels: no widget keeps anything anywhere else. Not part of the document, not undone.
@@ -266,7 +290,9 @@ struct UiState {
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool navigationChoiceOpen = false;         ///< The first start.
+  bool navigationChoiceOpen = false; ///< The first start.
+  WelcomeState welcome;
+  TourState tour;
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;

@@ -135,6 +135,9 @@ app::Schema<UiState> windowWays() {
                         .row = {.section = "settings", .label = "Go to the tip"}},
                        &UiState::exaggerateAtTip),
       setting<UiState>(
+          {.name = "tour_pending", .help = "The tour begins when the bundled punch is opened."},
+          [](auto& ui) -> auto& { return ui.tour.pending; }),
+      setting<UiState>(
           {.name = "loop", .help = "Playing begins again at the end."},
           [](auto& ui) -> auto& { return ui.timeline.loop; }),
       setting<UiState>(

@@ -13,6 +13,8 @@
 #include "ui/shell/gui.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/shell_commands.h"
+#include "ui/shell/tour.h"
+#include "ui/shell/welcome_keys.h"
 #include "ui/viewport/viewport_pane.h"
 
 namespace stretch::ui {
@@ -44,6 +46,7 @@ void readUserFiles(Shell& shell) {
     readSettings(*settings, shell.ui, shell.panes, shell.window);
   }
   shell.ui.navigationChoiceOpen = !settings;
+  shell.ui.tour.pending = shell.ui.tour.pending || !settings;
   shell.commands = editorCommands();
   shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
   if (const auto keys = readText(keysPath())) {
@@ -111,7 +114,7 @@ void takeAnswers(Editor& editor) {
     shell.ui.navigationChoiceOpen = false;
     changed = true;
   }
-  if (changed) {
+  if (changed || std::exchange(answers.keepSettings, false)) {
     saveUserFiles(editor);
   }
 }
@@ -130,6 +133,9 @@ void takeKeys(Editor& editor) {
       hideTooltip();
     }
     const bool owned = widgetsTakeKeys(shell);
+    if (!owned && input.down && (pressWelcomeKey(shell, input.press) || pressTourKey(shell, input.press))) {
+      continue;
+    }
     if (!owned || !input.down) {
       dispatchKey(shell, input);
     } else if (input.down) {
@@ -229,6 +235,7 @@ void drawEverything(Editor& editor) {
   ViewportContext viewport{context, shell.viewport, shell.tool};
   drawViewportPane(viewport, *editor.gpu, drawOverlayBar(context, panels, rects.viewport), pixelsPerUnit);
   drawBottomPanes(context, panels, shell, rects);
+  drawTour(context, shell.viewport.box);
   drawSplitters(context, rects, shell.panes);
   drawDialogs(context);
 }
@@ -264,6 +271,7 @@ void drawFrame(Editor& editor) {
   describeCommands(shell);
   editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
+  updateTour(shell);
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
   drawEverything(editor);
@@ -343,6 +351,7 @@ int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptio
   }
   if (options.hand != nullptr) {
     editor->shell.ui.navigationChoiceOpen = false;
+    editor->shell.ui.tour.pending = options.firstStart;
   }
   if (!files.empty()) {
     openFile(editor->shell, files);

@@ -11,12 +11,14 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/files/bundled_files.h"
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/tour.h"
 
 namespace stretch::ui {
 
@@ -277,8 +279,20 @@ auto askingFor(FilePurpose purpose) {
 
 } // namespace
 
+namespace {
+
+ShellCommand bundledCommand(const app::BundledClip& clip) {
+  return entry(clip.commandId, std::string("Bundled clip: ") + clip.name, clip.line, {}, nothingNeeded,
+               [file = std::string(clip.file)](Shell& shell) { return openBundled(shell, file); });
+}
+
+} // namespace
+
 std::vector<ShellCommand> fileCommands() {
   return {
+      bundledCommand(app::bundledClips()[0]),
+      bundledCommand(app::bundledClips()[1]),
+      bundledCommand(app::bundledClips()[2]),
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
             {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
@@ -391,6 +405,10 @@ std::vector<ShellCommand> helpCommands() {
               shell.ui.keys = {};
               shell.ui.keys.open = true;
             })),
+      entry(command::tour, "Tour", "Goes through the first punch step by step, on the bundled clip.", {},
+            nothingNeeded, startTour),
+      entry(command::tourEnd, "End the tour", "Takes the tour's card away.", {},
+            {isOnTour, "the tour does not run"}, doing(endTour)),
       entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
       entry(command::about, "About", "What this program is.", {}, nothingNeeded,

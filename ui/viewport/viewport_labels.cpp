@@ -300,26 +300,4 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawStateLabels(context);
 }
 
-void drawEmptyViewport(ViewportContext& context, const Rect& box) {
-  const Theme& theme = context.theme;
-  ImGui::GetWindowDrawList()->AddRectFilled(box.min, box.max, theme.colours.background);
-  const WidgetContext widgets{theme, context.items};
-  const float width = std::min(theme.px(320.0F), box.width() - 2.0F * theme.unit());
-  ImGui::SetCursorScreenPos({box.centre().x - 0.5F * width, box.centre().y - theme.px(90.0F)});
-  ImGui::BeginChild("viewport-empty", {width, theme.px(200.0F)}, false, ImGuiWindowFlags_NoBackground);
-  if (!context.status.busyText.empty()) {
-    emptyState(widgets, icon::clock, context.status.busyText, "The window stays alive meanwhile.");
-  } else {
-    emptyState(widgets, icon::cube, "Drop a character here",
-               "A rigged biped with a clip, as .glb or .gltf. Or open one from the disk.");
-    ButtonSpec open{.id = "viewport/open", .icon = icon::folderOpen, .text = "Open a file"};
-    open.emphasis = Emphasis::primary;
-    open.width = width;
-    if (button(widgets, open)) {
-      request(context, command::fileOpen);
-    }
-  }
-  ImGui::EndChild();
-}
-
 } // namespace stretch::ui

@@ -341,6 +341,8 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   const std::map<std::string_view, std::string> states{
       {"file", shell.files.path().filename().string()},
       {"unsaved", yesNo(app::hasUnsavedWork(shell.open))},
+      {"tour", number(shell.ui.tour.step + 1)},
+      {"welcome", number(shell.open.isEmpty() ? shell.ui.welcome.highlighted + 1 : 0)},
       {"busy", yesNo(shell.files.isOpening())},
       {"compressing", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing())},
       {"modal", statusOf(shell).modalText},
