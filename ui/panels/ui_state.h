@@ -165,6 +165,7 @@ struct WelcomeState {
   int highlighted = 0;  ///< Entry that the keys are on.
   int columns = 1;      ///< Of the entries that have pictures, as they were drawn last.
   bool entered = false; ///< The highlighted entry is to be opened.
+  bool moved = false;   ///< The highlight has not been scrolled to yet.
 };
 
 /// The tour through the first punch.

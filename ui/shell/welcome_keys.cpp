@@ -43,6 +43,7 @@ bool pressWelcomeKey(Shell& shell, const app::KeyPress& press) {
   if (step) {
     const int last = static_cast<int>(welcomeEntries(shell.ui).size()) - 1;
     welcome.highlighted = std::clamp(welcome.highlighted + *step, 0, last);
+    welcome.moved = true;
   }
   return step.has_value();
 }

@@ -53,36 +53,65 @@ void drawFrame(const Theme& theme, const Control& place, bool highlighted) {
                 theme.px(6.0F), 0, theme.px(highlighted ? 2.0F : 1.0F));
 }
 
-/// A bundled clip: its picture, its name and a line. True when it was clicked.
-bool clipCard(ViewportContext& context, const app::BundledClip& clip, const GlTexture& picture, float width,
-              bool highlighted) {
-  const Theme& theme = context.theme;
-  const WidgetContext widgets = widgetsOf(context);
+/// Where the parts of a bundled clip's entry lie: the picture over the text, or beside it where the entries
+/// stand one under the other.
+struct CardPlan {
+  ImVec2 size;
+  Rect picture; ///< From the entry's corner.
+  Rect text;
+};
+
+CardPlan planCard(const Theme& theme, float width, bool upright) {
   const float pad = theme.px(8.0F);
-  const float pictureHeight = std::floor((width - 2.0F * pad) / pictureRatio);
-  const float line = theme.px(18.0F);
-  const auto lines = wrapped(theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont(), clip.line,
-                             width - 2.0F * pad, 2);
-  const Control place = takePlace(widgets, std::string("welcome/") + clip.file,
-                                  {width, pictureHeight + theme.px(22.0F) + 2.0F * line + 2.5F * pad});
-  drawFrame(theme, place, highlighted);
-  const ImVec2 corner{place.box.min.x + pad, place.box.min.y + pad};
-  const ImVec2 end{place.box.max.x - pad, corner.y + pictureHeight};
+  const float textHeight = theme.px(58.0F);
+  if (!upright) {
+    const Rect picture{{pad, pad}, {pad + std::floor(pictureRatio * textHeight), pad + textHeight}};
+    return {{width, textHeight + 2.0F * pad},
+            picture,
+            {{picture.max.x + pad, pad}, {width - pad, pad + textHeight}}};
+  }
+  const float inner = width - 2.0F * pad;
+  const float end = pad + std::floor(inner / pictureRatio);
+  const Rect text{{pad, end + 0.5F * pad}, {width - pad, end + 0.5F * pad + textHeight}};
+  return {{width, text.max.y + pad}, {{pad, pad}, {width - pad, end}}, text};
+}
+
+Rect shifted(const Rect& rect, const ImVec2& by) {
+  return {{rect.min.x + by.x, rect.min.y + by.y}, {rect.max.x + by.x, rect.max.y + by.y}};
+}
+
+void drawClipPicture(const Theme& theme, const GlTexture& picture, const Rect& box) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  if (picture) {
-    list->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.name())), corner,
-                          end, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE, theme.corner());
-  } else {
-    list->AddRectFilled(corner, end, theme.colours.sunken, theme.corner());
+  if (!picture) {
+    list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
+    return;
   }
-  float y = end.y + 0.5F * pad;
-  drawText(widgets, theme.fonts.strong, {{corner.x, y}, {end.x, y + theme.px(22.0F)}}, theme.colours.text,
-           clip.name);
-  y += theme.px(22.0F);
-  for (const std::string_view text : lines) {
-    drawText(widgets, theme.fonts.label, {{corner.x, y}, {end.x, y + line}}, theme.colours.quietText, text);
-    y += line;
+  auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.name()));
+  list->AddImageRounded(texture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
+                        theme.corner());
+}
+
+/// The name of a clip and its line, on two rows.
+void drawClipText(const WidgetContext& widgets, const app::BundledClip& clip, const Rect& box) {
+  const Theme& theme = widgets.theme;
+  float y = box.min.y + theme.px(22.0F);
+  drawText(widgets, theme.fonts.strong, {box.min, {box.max.x, y}}, theme.colours.text, clip.name);
+  ImFont* const label = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
+  for (const std::string_view text : wrapped(label, clip.line, box.width(), 2)) {
+    drawText(widgets, theme.fonts.label, {{box.min.x, y}, {box.max.x, y + theme.px(18.0F)}},
+             theme.colours.quietText, text);
+    y += theme.px(18.0F);
   }
+}
+
+/// A bundled clip: its picture, its name and a line. True when it was clicked.
+bool clipCard(ViewportContext& context, const app::BundledClip& clip, const GlTexture& picture,
+              const CardPlan& plan, bool highlighted) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Control place = takePlace(widgets, std::string("welcome/") + clip.file, plan.size);
+  drawFrame(context.theme, place, highlighted);
+  drawClipPicture(context.theme, picture, shifted(plan.picture, place.box.min));
+  drawClipText(widgets, clip, shifted(plan.text, place.box.min));
   tooltip(widgets, {clip.name, clip.line, {}});
   return place.clicked;
 }
@@ -112,6 +141,14 @@ bool recentRow(ViewportContext& context, const std::filesystem::path& file, std:
   return place.clicked;
 }
 
+/// Scrolls to the last widget if the keys have just come to it.
+void showHighlighted(ViewportContext& context, bool highlighted) {
+  if (highlighted && context.ui.welcome.moved) {
+    ImGui::SetScrollHereY();
+    context.ui.welcome.moved = false;
+  }
+}
+
 /// Entries with pictures, as many beside each other as have room.
 void clipCards(ViewportContext& context, const WelcomePictures& pictures,
                const std::vector<WelcomeEntry>& entries) {
@@ -123,14 +160,16 @@ void clipCards(ViewportContext& context, const WelcomePictures& pictures,
   context.ui.welcome.columns = columns;
   const float width =
       std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  const CardPlan plan = planCard(theme, width, columns > 1);
   for (std::size_t i = 0; i < app::bundledClips().size(); ++i) {
     if (i % static_cast<std::size_t>(columns) != 0) {
       ImGui::SameLine(0.0F, gap);
     }
     const bool highlighted = context.ui.welcome.highlighted == static_cast<int>(i);
-    if (clipCard(context, *entries[i].clip, pictures.textures[i], width, highlighted)) {
+    if (clipCard(context, *entries[i].clip, pictures.textures[i], plan, highlighted)) {
       open(context, entries[i]);
     }
+    showHighlighted(context, highlighted);
   }
 }
 
@@ -147,6 +186,7 @@ void recentFiles(ViewportContext& context, const std::vector<WelcomeEntry>& entr
                   context.ui.welcome.highlighted == static_cast<int>(i))) {
       open(context, entries[i]);
     }
+    showHighlighted(context, context.ui.welcome.highlighted == static_cast<int>(i));
   }
 }
 
@@ -159,7 +199,7 @@ void welcomeContent(ViewportContext& context, const WelcomePictures& pictures) {
   ImGui::PushFont(theme.fonts.heading);
   ImGui::TextUnformatted("Begin with a clip");
   ImGui::PopFont();
-  note(widgets, "Arrows choose, Enter opens. Or drop a rigged biped here: .glb, .gltf or .vrm.");
+  note(widgets, "Arrows choose, Enter opens. Or drop a file here.");
   verticalSpace(widgets, 4.0F);
   clipCards(context, pictures, entries);
   verticalSpace(widgets, 4.0F);
@@ -170,6 +210,7 @@ void welcomeContent(ViewportContext& context, const WelcomePictures& pictures) {
   if (ui::button(widgets, button)) {
     open(context, entries[dialog]);
   }
+  showHighlighted(context, welcome.highlighted == static_cast<int>(dialog));
   recentFiles(context, entries, dialog + 1);
   if (std::exchange(welcome.entered, false)) {
     open(context, entries[static_cast<std::size_t>(welcome.highlighted)]);
