@@ -146,9 +146,9 @@ inline constexpr const char* poseKeyLinear = "pose.key-linear";
 inline constexpr const char* poseKeyStepped = "pose.key-stepped";
 inline constexpr const char* poseKeyFree = "pose.key-free";
 
-inline constexpr const char* fileBundledPunch = "file.bundled-punch";
-inline constexpr const char* fileBundledSwing = "file.bundled-swing";
-inline constexpr const char* fileBundledLeap = "file.bundled-leap";
+inline constexpr const char* bundledPunch = "help.bundled-punch";
+inline constexpr const char* bundledSwing = "help.bundled-swing";
+inline constexpr const char* bundledLeap = "help.bundled-leap";
 inline constexpr const char* tour = "help.tour";
 inline constexpr const char* tourEnd = "help.tour-end";
 

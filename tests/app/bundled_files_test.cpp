@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/files/bundled_files.h"
+#include "app/bundled_files.h"
 #include "app/open_document.h"
 #include "tests/support/temporary_folder.h"
 

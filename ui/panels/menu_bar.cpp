@@ -100,8 +100,8 @@ void drawMenuBar(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
   drawMenu(context,
            {"File",
-            {fileOpen, fileBundledPunch, fileBundledSwing, fileBundledLeap, "", fileSave, fileSaveAs,
-             fileSaveIncremental, fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
+            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
+             fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/files/bundled_files.h"
+#include "app/bundled_files.h"
 #include "ui/panels/ui_state.h"
 
 namespace stretch::ui {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/bundled_files.h"
 #include "app/edits/place_trails.h"
-#include "app/files/bundled_files.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json.h"

@@ -5,13 +5,13 @@
 
 #include <fmt/core.h>
 
+#include "app/bundled_files.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
-#include "app/files/bundled_files.h"
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
@@ -290,9 +290,6 @@ ShellCommand bundledCommand(const app::BundledClip& clip) {
 
 std::vector<ShellCommand> fileCommands() {
   return {
-      bundledCommand(app::bundledClips()[0]),
-      bundledCommand(app::bundledClips()[1]),
-      bundledCommand(app::bundledClips()[2]),
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
             {"Ctrl+O"}, nothingNeeded, askingFor(FilePurpose::openModel)),
       entry(command::fileSave, "Save",
@@ -415,6 +412,9 @@ std::vector<ShellCommand> helpCommands() {
             doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
       entry(command::keysExport, "Export the keys",
             "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
+      bundledCommand(app::bundledClips()[0]),
+      bundledCommand(app::bundledClips()[1]),
+      bundledCommand(app::bundledClips()[2]),
   };
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/bundled_files.h"
 #include "app/commands/selection.h"
-#include "app/files/bundled_files.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 

@@ -1,4 +1,4 @@
-#include "app/files/bundled_files.h"
+#include "app/bundled_files.h"
 
 #include "app/commands/command_ids.h"
 
@@ -9,11 +9,11 @@ namespace fs = std::filesystem;
 const std::array<BundledClip, 3>& bundledClips() {
   static constexpr std::array<BundledClip, 3> clips{
       {{"dummy.glb", "dummy.png", "One-two punch", "A jab that reaches three arms far.",
-        command::fileBundledPunch},
+        command::bundledPunch},
        {"dummy_swing.glb", "dummy_swing.png", "Baseball swing", "Two hands, one bat, twice the reach.",
-        command::fileBundledSwing},
+        command::bundledSwing},
        {"dummy_leap.glb", "dummy_leap.png", "Leap and landing", "The whole body stretches over ledges.",
-        command::fileBundledLeap}}};
+        command::bundledLeap}}};
   return clips;
 }
 
