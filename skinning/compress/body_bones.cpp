@@ -145,6 +145,12 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
   }
   result.warnings.push_back(reason.what + ": each part of it that moves alike has a bone");
   result.skinned = clustersOfMotion(sequence, settings.bones, settings.body.firstFittedFrame);
+  const std::size_t found = result.skinned.bones.size();
+  if (found < static_cast<std::size_t>(settings.bones)) {
+    result.warnings.push_back(fmt::format("{} bones instead of {}: no part that is left can be split so that "
+                                          "both pieces keep four vertices and move apart",
+                                          found, settings.bones));
+  }
   fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
   if (settings.joints == JointOption::tree) {
     hangTogether(result.skinned);

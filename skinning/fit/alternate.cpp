@@ -23,7 +23,8 @@ void alternate(FitState& state, const FitSettings& settings, const Proceed& proc
   bones();
   double before = fit::rootMeanSquare(state);
   int idle = 0;
-  for (int round = 0; round < settings.rounds && idle < 2; ++round) {
+  constexpr double exact = 1e-7; // Of the diagonal: what single precision tells apart.
+  for (int round = 0; round < settings.rounds && idle < 2 && before > exact; ++round) {
     if (settings.fitWeights) {
       fit::solveWeights(state, std::max(settings.candidates, 2 * settings.influences), settings.influences);
     }

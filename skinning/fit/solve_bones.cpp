@@ -1,6 +1,8 @@
 #include "skinning/fit/solve_bones.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -90,16 +92,41 @@ BindMoments::BindMoments(const FitState& state)
   }
 }
 
-std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame) {
-  std::vector<BoneMatrix> moments(state.boneCount, BoneMatrix::Zero());
+ObservedMoments::ObservedMoments(const FitState& state)
+    : frames_(static_cast<Eigen::Index>(state.frameCount)), moments_(state.boneCount) {
+  struct Member {
+    std::size_t vertex = 0;
+    double weight = 0.0;
+  };
+  std::vector<std::vector<Member>> members(state.boneCount);
   for (std::size_t v = 0; v < state.vertexCount(); ++v) {
-    const Eigen::Matrix<double, 3, 4> product =
-        observedAt(state, v, frame) * homogeneous(state.bind[v]).transpose();
     const Influences& influences = state.influences[v];
     for (std::size_t i = 0; i < Influences::capacity; ++i) {
       if (influences.weights[i] != 0.0F) {
-        moments[influences.bones[i]] += static_cast<double>(influences.weights[i]) * product;
+        members[influences.bones[i]].push_back({v, static_cast<double>(influences.weights[i])});
       }
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, moments_.size(), [&](std::size_t b) {
+    OfBone& moment = moments_[b];
+    moment = OfBone::Zero(3 * frames_, 4);
+    Eigen::VectorXd path(3 * frames_);
+    for (const Member& member : members[b]) {
+      path = state.observed.col(static_cast<Eigen::Index>(member.vertex)).cast<double>();
+      const Eigen::Vector4d point = member.weight * homogeneous(state.bind[member.vertex]);
+      for (Eigen::Index column = 0; column < 4; ++column) {
+        moment.col(column) += point(column) * path;
+      }
+    }
+  });
+}
+
+std::vector<BoneMatrix> ObservedMoments::at(std::size_t frame) const {
+  const auto k = static_cast<Eigen::Index>(frame);
+  std::vector<BoneMatrix> moments(moments_.size());
+  for (std::size_t b = 0; b < moments.size(); ++b) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      moments[b].row(axis) = moments_[b].row(axis * frames_ + k);
     }
   }
   return moments;
@@ -107,8 +134,9 @@ std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame
 
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps) {
   const BindMoments bind(state);
+  const ObservedMoments moments(state);
   tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    const std::vector<BoneMatrix> observed = observedMoments(state, frame);
+    const std::vector<BoneMatrix> observed = moments.at(frame);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (std::size_t b = 0; b < state.boneCount; ++b) {
         BoneMatrix pull = observed[b];
@@ -123,10 +151,10 @@ void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit 
 }
 
 double rootMeanSquare(const FitState& state) {
-  std::vector<double> sums(state.frameCount, 0.0);
-  tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    for (std::size_t v = 0; v < state.vertexCount(); ++v) {
-      const Influences& influences = state.influences[v];
+  std::vector<double> sums(state.vertexCount(), 0.0);
+  tbb::parallel_for(std::size_t{0}, state.vertexCount(), [&](std::size_t v) {
+    const Influences& influences = state.influences[v];
+    for (std::size_t frame = 0; frame < state.frameCount; ++frame) {
       Eigen::Vector3d deviation = -observedAt(state, v, frame);
       for (std::size_t i = 0; i < Influences::capacity; ++i) {
         if (influences.weights[i] != 0.0F) {
@@ -134,13 +162,10 @@ double rootMeanSquare(const FitState& state) {
                        homogeneous(state.bind[v]);
         }
       }
-      sums[frame] += deviation.squaredNorm();
+      sums[v] += deviation.squaredNorm();
     }
   });
-  double total = 0.0;
-  for (const double sum : sums) {
-    total += sum;
-  }
+  const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
   return std::sqrt(total / static_cast<double>(state.frameCount * state.vertexCount()));
 }
 
