@@ -172,7 +172,7 @@ TEST_CASE("a prop stays in the hand that holds it") {
   const NodeIndex stick(source.scene->nodes.size() - 1);
   const auto inHand = [&](const Document& document, double frame) {
     const Mat4 hand = test::worldOf(document, findLimb(document, "right-arm")->endNode, frame);
-    return seenFrom({positionOf(hand), rotationOf(hand)},
+    return rig::seenFrom({positionOf(hand), rotationOf(hand)},
                     {test::nodeOf(document, stick, frame), Quat(1, 0, 0, 0)})
         .position;
   };
