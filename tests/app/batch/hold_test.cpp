@@ -173,7 +173,7 @@ TEST_CASE("a prop stays in the hand that holds it") {
   const auto inHand = [&](const Document& document, double frame) {
     const Mat4 hand = test::worldOf(document, findLimb(document, "right-arm")->endNode, frame);
     return rig::seenFrom({positionOf(hand), rotationOf(hand)},
-                    {test::nodeOf(document, stick, frame), Quat(1, 0, 0, 0)})
+                         {test::nodeOf(document, stick, frame), Quat(1, 0, 0, 0)})
         .position;
   };
   for (const double frame : halfFrames(0, 40)) {
