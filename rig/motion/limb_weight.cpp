@@ -206,7 +206,8 @@ void putDown(const Scene& scene, const Moving& moving, FrameState& frame) {
 }
 
 bool isUnder(const Scene& scene, NodeIndex node, const std::vector<NodeIndex>& nodes) {
-  for (NodeIndex above = scene.nodes[at(node)].parent; above.exists(); above = scene.nodes[at(above)].parent) {
+  for (NodeIndex above = scene.nodes[at(node)].parent; above.exists();
+       above = scene.nodes[at(above)].parent) {
     if (std::find(nodes.begin(), nodes.end(), above) != nodes.end()) {
       return true;
     }

@@ -76,6 +76,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
   const std::size_t first = std::min(settings.firstWeightFrame, sequence.frameCount() - 1);
   if (settings.fitWeights) {
     FitState state = fit::makeState(sequence, skinned, frame, first);
+    state.largestScale = settings.largestScale;
     auto scales = fit::scalesOf(skinned, first, state.matrices.size());
     alternate(state, settings, proceed, [&] { fit::fitBones(state, scales, stretch, sweeps); });
     skinned.influences = state.influences;
@@ -86,6 +87,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
     }
   }
   FitState state = fit::makeState(sequence, skinned, frame, 0);
+  state.largestScale = settings.largestScale;
   auto scales = fit::scalesOf(skinned, 0, state.matrices.size());
   fit::fitBones(state, scales, stretch, sweepsForPosesAlone);
   fit::writeFreePoses(state, scales, frame, skinned);

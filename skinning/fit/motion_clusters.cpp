@@ -210,9 +210,8 @@ bool splitWorst(FitState& state, std::size_t wanted) {
 bool isExact(const FitState& state) {
   constexpr double exact = 1e-6; // Of the diagonal, at every vertex.
   const std::vector<double> errors = vertexErrors(state);
-  return std::ranges::all_of(errors, [&](double error) {
-    return error < exact * exact * static_cast<double>(state.frameCount);
-  });
+  return std::ranges::all_of(
+      errors, [&](double error) { return error < exact * exact * static_cast<double>(state.frameCount); });
 }
 
 /// Bones in the middle of their parts, those without vertices left out.

@@ -37,7 +37,7 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {
 /// One bone against what the others leave: minimise tr(M G M^T) - 2 tr(M C^T) over M = R A diag(s) A^T with a
 /// translation.
 void fitBone(const Eigen::Matrix4d& gram, const BoneMatrix& pull, const Eigen::Matrix3d& axes,
-             StretchFit stretch, BoneMatrix& matrix, Eigen::Vector3d& scale) {
+             StretchFit stretch, double largestScale, BoneMatrix& matrix, Eigen::Vector3d& scale) {
   const double mass = gram(3, 3);
   if (!(mass > 1e-9)) {
     return;
@@ -46,15 +46,13 @@ void fitBone(const Eigen::Matrix4d& gram, const BoneMatrix& pull, const Eigen::M
   const Eigen::Matrix3d spread =
       axes.transpose() * (gram.block<3, 3>(0, 0) - mass * centre * centre.transpose()) * axes;
   const Eigen::Matrix3d moment = (pull.leftCols<3>() - pull.col(3) * centre.transpose()) * axes;
-  constexpr double smallestScale = 0.1;
-  constexpr double largestScale = 10.0;
   const double ridge = 1e-5 * spread.trace() + 1e-300;
   Eigen::Matrix3d turned;
   for (int round = 0; round < (stretch == StretchFit::free ? 2 : 1); ++round) {
     turned = nearestRotation(moment * scale.asDiagonal());
     for (Eigen::Index a = 0; a < 3 && stretch == StretchFit::free; ++a) {
       const double wanted = (turned.col(a).dot(moment.col(a)) + ridge * scale(a)) / (spread(a, a) + ridge);
-      scale(a) = std::clamp(wanted, smallestScale, largestScale);
+      scale(a) = std::clamp(wanted, 1.0 / largestScale, largestScale);
     }
   }
   matrix.leftCols<3>() = turned * scale.asDiagonal() * axes.transpose();
@@ -143,7 +141,7 @@ void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit 
         for (const BindMoments::Neighbour& neighbour : bind.neighbours(b)) {
           pull -= state.matrix(frame, neighbour.bone) * neighbour.product;
         }
-        fitBone(bind.own(b), pull, state.axes[b], stretch, state.matrix(frame, b),
+        fitBone(bind.own(b), pull, state.axes[b], stretch, state.largestScale, state.matrix(frame, b),
                 scales[frame * state.boneCount + b]);
       }
     }

@@ -32,7 +32,8 @@ public:
   [[nodiscard]] std::vector<BoneMatrix> at(std::size_t frame) const;
 
 private:
-  using OfBone = Eigen::Matrix<double, Eigen::Dynamic, 4>; ///< Rows as Trajectories: x of all frames, then y, then z.
+  using OfBone = Eigen::Matrix<double, Eigen::Dynamic, 4>; ///< Rows as Trajectories: x of all frames, then y,
+                                                           ///< then z.
   Eigen::Index frames_;
   std::vector<OfBone> moments_;
 };

@@ -1,7 +1,7 @@
-// dem-bones [--bones N]... [--influences N] SEQUENCE...: this program's measured bones beside Dem Bones', the skinning
-// decomposition of Le and Deng as Electronic Arts publishes it, at the same number of bones: errors over the same
-// vertices and frames, processor time of both in one process. Its headers are not part of this repository; see
-// CMakeLists.txt.
+// dem-bones [--bones N]... [--influences N] SEQUENCE...: this program's measured bones beside Dem Bones', the
+// skinning decomposition of Le and Deng as Electronic Arts publishes it, at the same number of bones: errors
+// over the same vertices and frames, processor time of both in one process. Its headers are not part of this
+// repository; see CMakeLists.txt.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 #include <DemBones/DemBones.h>
-#include <Eigen/Core>
 #include <fmt/core.h>
 
 #include "core/scene/mesh_sequence.h"
@@ -97,8 +96,7 @@ Outcome ours(const MeshSequence& sequence, int bones, int influences) {
   skinning::CompressSettings settings;
   settings.stretch = skinning::StretchOption::measured;
   settings.bones = bones;
-  settings.influences =
-      influences > 4 ? skinning::InfluenceLimit::eight : skinning::InfluenceLimit::four;
+  settings.influences = influences > 4 ? skinning::InfluenceLimit::eight : skinning::InfluenceLimit::four;
   const double start = processorSeconds();
   const auto made = skinning::compress(sequence, settings);
   const double seconds = processorSeconds() - start;
@@ -130,12 +128,14 @@ int main(int argumentCount, char** arguments) {
     fmt::print(stderr, "{}\n", sequence.error().line());
     return 1;
   }
-  skinning::joinDuplicates(*sequence); // Dem Bones smooths weights over edges: seams would cut its mesh apart.
+  skinning::joinDuplicates(*sequence); // Dem Bones smooths weights over edges: seams would cut its mesh
+                                       // apart.
   for (const int count : bones) {
-    const bench::Outcome peer = own ? bench::Outcome{count, 1.0, 0.0} : bench::theirsWithEnoughBones(*sequence, count, influences);
+    const bench::Outcome peer =
+        own ? bench::Outcome{count, 1.0, 0.0} : bench::theirsWithEnoughBones(*sequence, count, influences);
     const bench::Outcome mine = bench::ours(*sequence, peer.bones, influences);
-    fmt::print("| {} | {} | {:.4f} | {:.4f} | {:.2f} | {:.2f} | {:.2f} |\n", sequence->name, mine.bones, mine.percent,
-               peer.percent, mine.percent / peer.percent, mine.seconds, peer.seconds);
+    fmt::print("| {} | {} | {:.4f} | {:.4f} | {:.2f} | {:.2f} | {:.2f} |\n", sequence->name, mine.bones,
+               mine.percent, peer.percent, mine.percent / peer.percent, mine.seconds, peer.seconds);
   }
   return 0;
 }
