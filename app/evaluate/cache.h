@@ -11,6 +11,8 @@
 #include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
+#include "rig/motion/controller_places.h"
+#include "rig/motion/controller_shapes.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -55,7 +57,13 @@ public:
   /// The clip with the keys of its adjustments and applied trails (keyed_clip.h); the clip must be there.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
+  /// Where every controller stands (rig::placeControllers), and what each is drawn as.
+  [[nodiscard]] const std::vector<rig::PlacedController>& controllers(const Document& document, int clip,
+                                                                      double timeSeconds);
+  [[nodiscard]] const std::vector<rig::ControllerShape>& shapes(const Document& document, int clip);
+
 private:
+  using Body = std::shared_ptr<const rig::AdjustedBody>;
   using Motion = std::shared_ptr<const rig::MotionState>;
 
   struct TrailsKey {
@@ -96,10 +104,14 @@ private:
     friend bool operator==(const PathsKey&, const PathsKey&) = default;
   };
 
+  const Body& body(const EvaluationGround& ground);
   const Motion& trails(const EvaluationInput& input);
   const SampledClip& sampled(const WeightInput& weight, const Motion& trails);
   const Weighted& weighted(const Document& document, int clip);
 
+  LastAnswer<EvaluationGround, Body> body_;
+  LastAnswer<Body, std::vector<rig::ControllerShape>> shapes_;
+  LastAnswer<FrameKey, std::vector<rig::PlacedController>> controllers_;
   LastAnswer<TrailsKey, Motion> trails_;
   LastAnswer<SampleKey, SampledClip> sampled_;
   LimbSizes sizes_;

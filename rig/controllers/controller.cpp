@@ -194,4 +194,22 @@ Result<Controller> controllerNamed(const Scene& scene, const std::vector<Limb>& 
   return Controller{id, ControllerKind::joint, *joint, "", false, true, bodyLength(limbs)};
 }
 
+std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs, NodeIndex hips) {
+  const ControllerList list = controllersOf(scene, limbs, hips);
+  const std::set<NodeIndex> taken = takenJoints(limbs, hips);
+  const double length = bodyLength(limbs);
+  std::vector<Controller> controllers;
+  for (const NodeIndex joint : skinJoints(scene)) {
+    if (taken.contains(joint)) {
+      continue;
+    }
+    const std::string& name = scene.nodes[at(joint)].name;
+    const Result<NodeIndex> named = jointByName(scene, name);
+    const bool isPlain = named && *named == joint && list.controller(name) == nullptr;
+    controllers.push_back({isPlain ? name : "#" + std::to_string(at(joint)), ControllerKind::joint, joint, "",
+                           false, true, length});
+  }
+  return controllers;
+}
+
 } // namespace stretch::rig

@@ -65,6 +65,10 @@ struct ControllerList {
                                                  NodeIndex hips, const ControllerList& list,
                                                  const std::string& id);
 
+/// Those on every joint of a skin that no other controller moves, in the order of the nodes.
+[[nodiscard]] std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs,
+                                                       NodeIndex hips);
+
 /// Null when there is no limb of the kind.
 [[nodiscard]] const Limb* limbOfKind(const std::vector<Limb>& limbs, LimbKind kind);
 

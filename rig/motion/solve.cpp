@@ -112,7 +112,8 @@ MotionState solveMotion(const MotionInput& input) {
   motion.adjustments =
       input.previous != nullptr
           ? input.previous->adjustments
-          : solveAdjustments({*input.scene, *input.clip, input.hips, input.limbs, input.adjustments});
+          : solveAdjustments(
+                {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       motion.trails.push_back(solveTrail(input, motion.adjustments, trail, *limb));
