@@ -65,7 +65,8 @@ struct ControllerList {
                                                  NodeIndex hips, const ControllerList& list,
                                                  const std::string& id);
 
-/// Those on every joint of a skin that no other controller moves, in the order of the nodes.
+/// Those on the other joints of the character, in the order of the file: fingers, clavicles, toes, a tail.
+/// Each is what controllerNamed answers for its id.
 [[nodiscard]] std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs,
                                                        NodeIndex hips);
 

@@ -57,6 +57,10 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
+  static constexpr CommandIds controller{
+      controllerMove, controllerTurn,  "", poseKey,   poseDeleteKey, poseReset, poseWholeClip, "",
+      poseCopy,       posePaste,       poseMirror,    "",
+      controllersAll, controllersKeyed, "", viewFrameSelection, viewControllers};
   static constexpr CommandIds key{rangeStart,      rangeEnd,    rangeDefault, "",
                                   timePreviousKey, timeNextKey, "",           trailExaggerate,
                                   trailToggle,     sphereAdd,   "",           copyTrail};
@@ -65,11 +69,11 @@ CommandIds entriesOf(MenuTarget target) {
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
   static constexpr CommandIds viewport{viewFrameAll,  viewFrameSelection, "",       viewFront,      viewSide,
-                                       viewTop,       viewPerspective,    "",       viewSkeleton,   viewWire,
+                                       viewTop,       viewPerspective,    "",       viewControllers, viewSkeleton,   viewWire,
                                        viewHeatMap,   viewGhosts,         viewGrid, viewSideBySide, "",
                                        viewNavigation};
   static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},   {MenuTarget::trail, trail},
-                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere},
+                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere}, {MenuTarget::controller, controller},
                                           {MenuTarget::key, key},     {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
   for (const MenuEntries& menu : menus) {
@@ -110,6 +114,12 @@ std::string spheresText(const app::ViewState& view) {
                                           : std::to_string(view.selectedSpheres.size()) + " spheres";
 }
 
+std::string controllersText(const app::Session& session) {
+  const std::vector<std::string>& selected = session.view().selectedControllers;
+  return selected.size() == 1 ? capitalised(app::controllerTitle(session.document(), selected.front()))
+                              : std::to_string(selected.size()) + " controllers";
+}
+
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
   if (target == MenuTarget::viewport) {
@@ -127,6 +137,8 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
     return capitalised(app::groupTitle(session.document(), app::wholeGroupSelected(session)));
   case MenuTarget::sphere:
     return spheresText(view);
+  case MenuTarget::controller:
+    return controllersText(session);
   case MenuTarget::key:
     return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::range:

@@ -145,7 +145,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(
       context,
       {"View",
-       {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewSkeleton,
+       {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewControllers, viewSkeleton,
         viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
       false);
   drawMenu(context, {"Help", {palette, keys, about}}, false);
