@@ -119,4 +119,34 @@ inline constexpr const char* viewControllers = "view.controllers";
 inline constexpr const char* controllerMove = "controller.move";
 inline constexpr const char* controllerTurn = "controller.turn";
 
+inline constexpr const char* controllersOfLeftArm = "controller.left-arm";
+inline constexpr const char* controllersOfRightArm = "controller.right-arm";
+inline constexpr const char* controllersOfLeftLeg = "controller.left-leg";
+inline constexpr const char* controllersOfRightLeg = "controller.right-leg";
+inline constexpr const char* controllersOfSpine = "controller.spine";
+inline constexpr const char* controllersOfNeck = "controller.neck";
+inline constexpr const char* controllersOfHips = "controller.hips";
+inline constexpr const char* controllerNext = "controller.next";
+inline constexpr const char* controllerPrevious = "controller.previous";
+inline constexpr const char* controllersAll = "controller.all";
+inline constexpr const char* controllersKeyed = "controller.keyed";
+inline constexpr const char* poseKey = "pose.key";
+inline constexpr const char* poseAutoKey = "pose.auto-key";
+inline constexpr const char* poseWholeClip = "pose.whole-clip";
+inline constexpr const char* poseDeleteKey = "pose.delete-key";
+inline constexpr const char* poseReset = "pose.reset";
+inline constexpr const char* poseResetRig = "pose.reset-rig";
+inline constexpr const char* poseResetRange = "pose.reset-range";
+inline constexpr const char* poseResetRigRange = "pose.reset-rig-range";
+inline constexpr const char* poseMirror = "pose.mirror";
+inline constexpr const char* poseCopy = "pose.copy";
+inline constexpr const char* posePaste = "pose.paste";
+inline constexpr const char* poseCurlMore = "pose.curl-more";
+inline constexpr const char* poseCurlLess = "pose.curl-less";
+inline constexpr const char* poseKeyAutomatic = "pose.key-auto";
+inline constexpr const char* poseKeyFlat = "pose.key-flat";
+inline constexpr const char* poseKeyLinear = "pose.key-linear";
+inline constexpr const char* poseKeyStepped = "pose.key-stepped";
+inline constexpr const char* poseKeyFree = "pose.key-free";
+
 } // namespace stretch::app::command

@@ -292,23 +292,31 @@ std::vector<DocumentCommand> trailCommands() {
             applyAll),
       entry(command::trailNextColour, "Next colour", "Gives each trail the next colour of the palette.", {},
             targetNeeded(), nextColour),
-      entry(
-          command::editDelete, "Delete",
-          "Takes the selected spheres away (the first and the last are put back); with none selected deletes "
-          "the trail.",
-          {"Delete"}, {canDelete, "select a trail or its spheres first"}, deleteSelection),
+      orElse(entry(command::editDelete, "Delete",
+                   "Takes the selected spheres away (the first and the last are put back); with none "
+                   "selected deletes "
+                   "the trail. Of selected controllers it takes the keys at the playhead.",
+                   {"Delete"}, {canDelete, "select a trail or its spheres first"}, deleteSelection),
+             command::poseDeleteKey),
       entry(command::trailDelete, "Delete trail",
             "Deletes the trail and gives its range back as the file had it.", {}, targetNeeded(),
             deleteTargets),
       entry(command::trailDeleteAll, "Delete all trails of the limb",
             "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"},
             {hasTrailsOfLimbs, "select a limb that has trails"}, deleteAllOfLimbs),
-      entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
-            {hasSelectedTrail, "select a trail first"}, copySelected),
-      entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.", {"Ctrl+V"},
-            {canPaste, "copy a trail and select a limb first"}, pasteOnLimbs),
-      entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
-            {"Ctrl+M"}, {canMirror, "select a trail of an arm or a leg first"}, mirrorTargets),
+      orElse(entry(command::copyTrail, "Copy trail",
+                   "Copies the selected trail with its spheres; of selected controllers the pose.",
+                   {"Ctrl+C"}, {hasSelectedTrail, "select a trail first"}, copySelected),
+             command::poseCopy),
+      orElse(entry(command::pasteTrail, "Paste trail",
+                   "Pastes the copied trail on the selected limbs; without one the copied pose.", {"Ctrl+V"},
+                   {canPaste, "copy a trail and select a limb first"}, pasteOnLimbs),
+             command::posePaste),
+      orElse(
+          entry(command::mirrorTrail, "Mirror trail",
+                "Makes the same trail on the other side of the body; of selected controllers the same pose.",
+                {"Ctrl+M"}, {canMirror, "select a trail of an arm or a leg first"}, mirrorTargets),
+          command::poseMirror),
   };
 }
 

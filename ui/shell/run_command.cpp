@@ -189,12 +189,14 @@ bool looksOnly(std::string_view id) {
   return id == command::viewFrameSelection;
 }
 
-/// The command of the key, or the one that the key means while that is off.
+/// The command of the key, or the first that the key means while that one is off.
 std::string meantCommand(const Shell& shell, const app::Chord& chord) {
   const std::string id = shell.keymap.commandOf(chord);
-  const app::Command<Shell>* const command = findCommandOf(shell, id);
-  const bool other = command != nullptr && !command->otherwise.empty() && !command->enabled(shell);
-  return other ? command->otherwise : id;
+  const app::Command<Shell>* command = findCommandOf(shell, id);
+  while (command != nullptr && !command->enabled(shell)) {
+    command = findCommandOf(shell, command->otherwise);
+  }
+  return command == nullptr ? id : command->id;
 }
 
 /// A key of the tool; after one that took another stroke it is told where that is.
