@@ -166,9 +166,10 @@ std::vector<ControllerOffset> changedOffsets(const ControllerModal& modal,
 
 std::string modalText(const ControllerModal& modal, const std::string& title) {
   const bool moves = modal.motion == ControllerMotion::move;
-  const std::string axes = modal.lock.axis ? std::string(1, axisNames[static_cast<std::size_t>(*modal.lock.axis)]) +
-                                                 (modal.lock.ofCarrier ? " of its carrier" : "")
-                                           : std::string();
+  const std::string axes = modal.lock.axis
+                               ? std::string(1, axisNames[static_cast<std::size_t>(*modal.lock.axis)]) +
+                                     (modal.lock.ofCarrier ? " of its carrier" : "")
+                               : std::string();
   if (!moves) {
     const std::string about = modal.lock.axis ? " about " + axes : std::string();
     return fmt::format("{} turned{} by {:.1f}°", title, about, turnedRadians(modal) / degree);

@@ -34,8 +34,8 @@ struct ControllerModal {
   Vec3 arrowsWorld{0.0};     ///< Gathered by the arrow keys.
   double mouseRadians = 0.0; ///< How far the mouse has turned; may be more than a turn.
   AxisLock lock;
-  TypedNumber typed; ///< Replaces mouse and arrows when it is not empty: units or degrees; without a lock along
-                     ///< the view's right, or about the direction to the viewer.
+  TypedNumber typed; ///< Replaces mouse and arrows when it is not empty: units or degrees; without a lock
+                     ///< along the view's right, or about the direction to the viewer.
 };
 
 /// X, Y, Z lock an axis of the world, a second time of the carrier, a third time nothing (with Shift: the

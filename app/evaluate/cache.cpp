@@ -64,8 +64,8 @@ const FrameState& EvaluationCache::frame(const Document& document, int clip, dou
                    [&](const auto*) { return evaluate(document, *moving, timeSeconds); });
 }
 
-const std::vector<rig::PlacedController>&
-EvaluationCache::controllers(const Document& document, int clip, double timeSeconds) {
+const std::vector<rig::PlacedController>& EvaluationCache::controllers(const Document& document, int clip,
+                                                                       double timeSeconds) {
   const Motion moving = weighted(document, clip).motion;
   return controllers_.of({moving, timeSeconds}, [&](const auto*) {
     const EvaluationGround ground = evaluationInput(document, clip).ground;
@@ -79,9 +79,8 @@ EvaluationCache::controllers(const Document& document, int clip, double timeSeco
 const std::vector<rig::ControllerShape>& EvaluationCache::shapes(const Document& document, int clip) {
   const EvaluationGround ground = evaluationInput(document, clip).ground;
   const Body standing = body(ground);
-  return shapes_.of(standing, [&](const auto*) {
-    return rig::controllerShapes(*ground.scene, ground.limbs, *standing);
-  });
+  return shapes_.of(
+      standing, [&](const auto*) { return rig::controllerShapes(*ground.scene, ground.limbs, *standing); });
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {

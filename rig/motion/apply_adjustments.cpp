@@ -340,8 +340,8 @@ private:
       return;
     }
     const LimbKind kind = adjusted.limb.kind;
-    const Quat axes = isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind)
-                                  : carriedAxes(body_.chest, body_.chestBind);
+    const Quat axes =
+        isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind) : carriedAxes(body_.chest, body_.chestBind);
     note(endController(kind).c_str(), axes);
     if (adjusted.bendPoint > 0) {
       TwoBoneProblem problem = posedProblem(adjusted, frame_);

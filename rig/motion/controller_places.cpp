@@ -24,8 +24,9 @@ const AdjustedLimb* limbWith(const AdjustedBody& body, const std::string& id) {
 }
 
 Quat turnFromBind(const AdjustedBody& body, const FrameState& frame, NodeIndex node) {
-  return node.exists() ? rotationOf(frame.worlds[at(node)]) * glm::inverse(rotationOf(body.places.worlds[at(node)]))
-                       : Quat(1.0, 0.0, 0.0, 0.0);
+  return node.exists()
+             ? rotationOf(frame.worlds[at(node)]) * glm::inverse(rotationOf(body.places.worlds[at(node)]))
+             : Quat(1.0, 0.0, 0.0, 0.0);
 }
 
 // Half the way along the spine.
@@ -82,9 +83,11 @@ public:
         spaces_(controllerSpaces(input.scene, input.adjustments, adjusted_)) {}
 
   [[nodiscard]] PlacedController place(const Controller& controller) const {
-    PlacedController placed{controller.id, controller.kind, controller.node, controller.moves, controller.turns};
+    PlacedController placed{controller.id, controller.kind, controller.node, controller.moves,
+                            controller.turns};
     const AdjustedLimb* const limb = limbWith(body_, controller.limb);
-    const NodeIndex node = !controller.node.exists() && limb != nullptr ? limb->limb.joints.back() : controller.node;
+    const NodeIndex node =
+        !controller.node.exists() && limb != nullptr ? limb->limb.joints.back() : controller.node;
     placed.orientationWorld = turnFromBind(body_, input_.shown, node);
     placed.placeWorld = limb != nullptr ? placeOnLimb(*limb, controller.kind, input_.shown)
                         : node.exists() ? positionOf(input_.shown.worlds[at(node)])

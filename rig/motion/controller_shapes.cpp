@@ -136,7 +136,8 @@ FlatPlace alongReach(const Points& points, FlatPlace flat) {
 // The way around points on the floor (A. M. Andrew, "Another efficient algorithm for convex hulls in two
 // dimensions", 1979).
 std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-  std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::ranges::sort(points,
+                    [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<Vec2> hull;
   const auto walk = [&](auto begin, auto end) {
     const std::size_t start = hull.size();
@@ -169,7 +170,8 @@ void moveBy(std::vector<Points>& lines, const Vec3& move) {
 class ShapeMaker {
 public:
   ShapeMaker(const Scene& scene, const std::vector<Limb>& limbs, const AdjustedBody& body)
-      : body_(body), flesh_(scene, limbs, body), left_(glm::cross(skywards, body.forward)), leg_(legLength(limbs)) {}
+      : body_(body), flesh_(scene, limbs, body), left_(glm::cross(skywards, body.forward)),
+        leg_(legLength(limbs)) {}
 
   [[nodiscard]] std::vector<Points> linesOf(const Controller& controller) const {
     switch (controller.kind) {
@@ -251,8 +253,14 @@ private:
   [[nodiscard]] Points floorArrow(const Vec3& towards, double from) const {
     const Vec3 across = glm::cross(skywards, towards);
     const double length = 0.22 * leg_;
-    constexpr std::array<Vec2, 8> outline{
-        {{0.0, 0.16}, {0.5, 0.16}, {0.5, 0.42}, {1.0, 0.0}, {0.5, -0.42}, {0.5, -0.16}, {0.0, -0.16}, {0.0, 0.16}}};
+    constexpr std::array<Vec2, 8> outline{{{0.0, 0.16},
+                                           {0.5, 0.16},
+                                           {0.5, 0.42},
+                                           {1.0, 0.0},
+                                           {0.5, -0.42},
+                                           {0.5, -0.16},
+                                           {0.0, -0.16},
+                                           {0.0, 0.16}}};
     Points line;
     for (const Vec2& corner : outline) {
       line.push_back((from + length * corner.x) * towards + length * corner.y * across);
@@ -294,7 +302,11 @@ private:
   static std::vector<Points> boxLines(const Vec3& low, const Vec3& high) {
     std::vector<Points> lines;
     for (const double y : {low.y, high.y}) {
-      lines.push_back({{low.x, y, low.z}, {high.x, y, low.z}, {high.x, y, high.z}, {low.x, y, high.z}, {low.x, y, low.z}});
+      lines.push_back({{low.x, y, low.z},
+                       {high.x, y, low.z},
+                       {high.x, y, high.z},
+                       {low.x, y, high.z},
+                       {low.x, y, low.z}});
     }
     for (std::size_t corner = 0; corner < 4; ++corner) {
       lines.push_back({lines[0][corner], lines[1][corner]});

@@ -20,7 +20,7 @@ struct ControllerShape {
 };
 
 /// Of all controllers of the body but poles, which stand elsewhere in each frame, in their order.
-[[nodiscard]] std::vector<ControllerShape> controllerShapes(const Scene& scene, const std::vector<Limb>& limbs,
-                                                            const AdjustedBody& body);
+[[nodiscard]] std::vector<ControllerShape>
+controllerShapes(const Scene& scene, const std::vector<Limb>& limbs, const AdjustedBody& body);
 
 } // namespace stretch::rig

@@ -20,7 +20,7 @@ struct MotionInput {
   std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
   std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
-  std::vector<Adjustment> adjustments = {}; ///< Of this clip. Those of missing controllers are left out.
+  std::vector<Adjustment> adjustments = {};      ///< Of this clip. Those of missing controllers are left out.
   std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
                                                  ///< clip, hips and limbs; null: it is made where it is
                                                  ///< needed.

@@ -8,9 +8,9 @@
 
 #include "rig/controllers/controller.h"
 #include "rig/controllers/offset_curve.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/foot_roll.h"
 #include "rig/motion/hand_curl.h"
-#include "rig/motion/bind_places.h"
 #include "rig/motion/limb_topology.h"
 
 namespace stretch::rig {

@@ -57,10 +57,23 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
-  static constexpr CommandIds controller{
-      controllerMove, controllerTurn,  "", poseKey,   poseDeleteKey, poseReset, poseWholeClip, "",
-      poseCopy,       posePaste,       poseMirror,    "",
-      controllersAll, controllersKeyed, "", viewFrameSelection, viewControllers};
+  static constexpr CommandIds controller{controllerMove,
+                                         controllerTurn,
+                                         "",
+                                         poseKey,
+                                         poseDeleteKey,
+                                         poseReset,
+                                         poseWholeClip,
+                                         "",
+                                         poseCopy,
+                                         posePaste,
+                                         poseMirror,
+                                         "",
+                                         controllersAll,
+                                         controllersKeyed,
+                                         "",
+                                         viewFrameSelection,
+                                         viewControllers};
   static constexpr CommandIds key{rangeStart,      rangeEnd,    rangeDefault, "",
                                   timePreviousKey, timeNextKey, "",           trailExaggerate,
                                   trailToggle,     sphereAdd,   "",           copyTrail};
@@ -68,13 +81,17 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
-  static constexpr CommandIds viewport{viewFrameAll,  viewFrameSelection, "",       viewFront,      viewSide,
-                                       viewTop,       viewPerspective,    "",       viewControllers, viewSkeleton,   viewWire,
-                                       viewHeatMap,   viewGhosts,         viewGrid, viewSideBySide, "",
-                                       viewNavigation};
-  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},   {MenuTarget::trail, trail},
-                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere}, {MenuTarget::controller, controller},
-                                          {MenuTarget::key, key},     {MenuTarget::range, range},
+  static constexpr CommandIds viewport{
+      viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
+      viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
+      viewNavigation};
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},
+                                          {MenuTarget::trail, trail},
+                                          {MenuTarget::group, group},
+                                          {MenuTarget::sphere, sphere},
+                                          {MenuTarget::controller, controller},
+                                          {MenuTarget::key, key},
+                                          {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
   for (const MenuEntries& menu : menus) {
     if (menu.target == target) {

@@ -148,7 +148,8 @@ std::vector<Vec3> pointsOf(const View& view, const ControllerHandles& handles, c
   }
   for (int i = 0; i <= pointsAround; ++i) {
     const double angle = 2.0 * pi * i / pointsAround;
-    points.push_back(handles.origin + ringPoints * scale * (std::cos(angle) * first + std::sin(angle) * second));
+    points.push_back(handles.origin +
+                     ringPoints * scale * (std::cos(angle) * first + std::sin(angle) * second));
   }
   return points;
 }
@@ -194,8 +195,8 @@ Overlay drawControllerHandles(const View& view, const ControllerHandles& handles
   }
   if (handles.moves) {
     const bool onArrow = active && active->kind == HandleKind::axis;
-    Overlay arrows = drawAxisHandles(view, arrowsOf(handles),
-                                     onArrow ? std::optional(active->axis) : std::nullopt);
+    Overlay arrows =
+        drawAxisHandles(view, arrowsOf(handles), onArrow ? std::optional(active->axis) : std::nullopt);
     for (Arrow& arrow : arrows.arrows) {
       arrow.color.a *= active && !onArrow ? 0.45F : 1.0F;
     }

@@ -332,8 +332,8 @@ std::vector<ShellCommand> toolCommands() {
   constexpr ShellNeed controllerNeeded{canPose, "select a controller first"};
   ShellCommand grab =
       entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.", {"G"},
-            {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
+            "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.",
+            {"G"}, {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
   grab.otherwise = command::controllerMove;
   return {
       entry(command::trailExaggerate, "Exaggerate",

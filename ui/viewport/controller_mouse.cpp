@@ -76,10 +76,9 @@ bool dragController(ViewportContext& context) {
     return false;
   }
   viewport.gesture = ViewportGesture::none;
-  const ShownController* const pressed =
-      findShown(viewport.controllers, session.view().selectedControllers.empty()
-                                          ? std::string()
-                                          : session.view().selectedControllers.back());
+  const ShownController* const pressed = findShown(
+      viewport.controllers,
+      session.view().selectedControllers.empty() ? std::string() : session.view().selectedControllers.back());
   const bool onlyTurns = pressed != nullptr && !pressed->placed.moves;
   start(context, onlyTurns ? app::ControllerMotion::turn : app::ControllerMotion::move, {});
   return true;
@@ -90,10 +89,8 @@ bool selectControllersInBox(ViewportContext& context, const Vec2& low, const Vec
   if (context.viewport.controllers.empty() || session.view().selectedTrail != 0) {
     return false;
   }
-  std::vector<std::string> wanted =
-      add ? session.view().selectedControllers : std::vector<std::string>();
-  for (std::string& id :
-       controllersInBox(context.viewport.view, context.viewport.controllers, low, high)) {
+  std::vector<std::string> wanted = add ? session.view().selectedControllers : std::vector<std::string>();
+  for (std::string& id : controllersInBox(context.viewport.view, context.viewport.controllers, low, high)) {
     if (std::ranges::find(wanted, id) == wanted.end()) {
       wanted.push_back(std::move(id));
     }

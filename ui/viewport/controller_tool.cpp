@@ -96,7 +96,8 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
   ControllerTool tool;
   tool.held = app::heldControllers(start.motion, placed, offsets);
   if (tool.held.empty()) {
-    return Error{moves ? "none of the selected controllers moves" : "none of the selected controllers turns", "",
+    return Error{moves ? "none of the selected controllers moves" : "none of the selected controllers turns",
+                 "",
                  moves ? "select the body, hips, spine, head, a hand, a foot or a pole"
                        : "select the body, hips, the top of the spine, head, a hand, a foot or a joint"};
   }
@@ -122,8 +123,8 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
 
 Status previewControllers(app::Session& session, const ControllerTool& tool) {
   const std::vector<app::ControllerOffset> offsets = app::changedOffsets(tool.modal, tool.held);
-  const bool same = std::ranges::equal(
-      offsets, tool.held, [](const auto& now, const auto& held) { return now == held.offset; });
+  const bool same = std::ranges::equal(offsets, tool.held,
+                                       [](const auto& now, const auto& held) { return now == held.offset; });
   if (!same) {
     return app::previewPose(session, {offsets, {}});
   }

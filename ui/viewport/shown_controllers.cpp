@@ -19,8 +19,7 @@ BodySide sideOf(const std::string& id) {
 // From near the joint to the ball at its end, so that neither is covered.
 void addPole(const rig::PlacedController& placed, ControllerPicture& picture) {
   constexpr double startShare = 0.25;
-  picture.lines.push_back(
-      {glm::mix(*placed.jointWorld, placed.placeWorld, startShare), placed.placeWorld});
+  picture.lines.push_back({glm::mix(*placed.jointWorld, placed.placeWorld, startShare), placed.placeWorld});
   picture.knob = placed.placeWorld;
 }
 

@@ -27,9 +27,8 @@ struct ShownController {
                                                             const ViewportOverlays& overlays);
 
 /// The controller under the mouse: the nearest line, knob or ring within 20 points.
-[[nodiscard]] std::optional<std::string> pickController(const View& view,
-                                                        const std::vector<ShownController>& shown,
-                                                        const Vec2& mousePixels);
+[[nodiscard]] std::optional<std::string>
+pickController(const View& view, const std::vector<ShownController>& shown, const Vec2& mousePixels);
 
 /// Those that stand in a rectangle of the screen, pixels.
 [[nodiscard]] std::vector<std::string> controllersInBox(const View& view,

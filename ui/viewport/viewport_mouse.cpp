@@ -418,11 +418,12 @@ void shapeCursor(const ViewportContext& context) {
   if (!viewport.hovered) {
     return;
   }
-  const bool pulls = std::holds_alternative<GrabTool>(context.tool) ||
-                     std::holds_alternative<ControllerTool>(context.tool);
+  const bool pulls =
+      std::holds_alternative<GrabTool>(context.tool) || std::holds_alternative<ControllerTool>(context.tool);
   if (pulls || viewport.hoveredHandle || viewport.hoveredAxis || viewport.hoveredSphere) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (!viewport.hoveredController.empty() || viewport.hoveredEnd || viewport.hoveredTrail != 0 || !viewport.hoveredLimb.empty()) {
+  } else if (!viewport.hoveredController.empty() || viewport.hoveredEnd || viewport.hoveredTrail != 0 ||
+             !viewport.hoveredLimb.empty()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
 }

@@ -15,7 +15,17 @@
 namespace stretch::ui {
 
 /// What the mouse does in the viewport from press to release.
-enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, pressController, pressEnd, pressMenu, boxSelect };
+enum class ViewportGesture {
+  none,
+  orbit,
+  pan,
+  zoom,
+  pressSphere,
+  pressController,
+  pressEnd,
+  pressMenu,
+  boxSelect
+};
 
 /// What the viewport remembers between frames.
 struct ViewportState {
@@ -42,7 +52,7 @@ struct ViewportState {
   // Under the mouse.
   std::optional<HandlePart> hoveredHandle; ///< Of the selected controllers.
   std::string hoveredController;           ///< Id; empty: none.
-  std::optional<double> hoveredSphere; ///< Frame, of the selected trail.
+  std::optional<double> hoveredSphere;     ///< Frame, of the selected trail.
   std::optional<std::size_t> hoveredAxis;
   std::optional<std::size_t> hoveredTangent; ///< Place in `tangents`.
   int hoveredTrail = 0;

@@ -73,7 +73,8 @@ TEST_CASE("without a lock the mouse moves in the view plane, with Shift and an a
   CHECK(near(changed(modal, hand).move, Vec3(1.0, 0.0, 3.0)));
 }
 
-TEST_CASE("a controller is turned about the locked axis by the degrees that are typed, more than a turn too") {
+TEST_CASE(
+    "a controller is turned about the locked axis by the degrees that are typed, more than a turn too") {
   ControllerModal modal;
   modal.motion = ControllerMotion::turn;
   type(modal, "X 4 5");

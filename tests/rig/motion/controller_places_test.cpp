@@ -20,7 +20,8 @@ class Placed {
 public:
   Placed(const MovingBiped& moving, const std::vector<Adjustment>& adjustments, double frame,
          const std::vector<Trail>& trails = {})
-      : moving_(moving), motion_(adjusted(moving, adjustments, trails)), shown_(atFrame(moving, motion_, frame)) {
+      : moving_(moving), motion_(adjusted(moving, adjustments, trails)),
+        shown_(atFrame(moving, motion_, frame)) {
     SolvedAdjustments solved = motion_.adjustments;
     if (solved.body == nullptr) {
       solved.body = std::make_shared<const AdjustedBody>(
@@ -51,7 +52,8 @@ private:
 TEST_CASE("a hand's controller stands where the wrist is, a foot's at the ankle, the body's on the floor") {
   const MovingBiped moving = punchingBiped();
   const Vec3 low(0.0, -0.1 * moving.biped.height, 0.0);
-  for (const std::vector<Adjustment>& adjustments : {std::vector<Adjustment>{}, {rig::Adjustment(test::moved("hips", low))}}) {
+  for (const std::vector<Adjustment>& adjustments :
+       {std::vector<Adjustment>{}, {rig::Adjustment(test::moved("hips", low))}}) {
     for (const double frame : {0.0, 7.5, 12.0}) {
       const Placed placed(moving, adjustments, frame);
       CHECK(placed["left-hand"].placeWorld == placed.joint("hand.l"));
