@@ -83,8 +83,12 @@ public:
         spaces_(controllerSpaces(input.scene, input.adjustments, adjusted_)) {}
 
   [[nodiscard]] PlacedController place(const Controller& controller) const {
-    PlacedController placed{controller.id, controller.kind, controller.node, controller.moves,
-                            controller.turns};
+    PlacedController placed;
+    placed.id = controller.id;
+    placed.kind = controller.kind;
+    placed.node = controller.node;
+    placed.moves = controller.moves;
+    placed.turns = controller.turns;
     const AdjustedLimb* const limb = limbWith(body_, controller.limb);
     const NodeIndex node =
         !controller.node.exists() && limb != nullptr ? limb->limb.joints.back() : controller.node;

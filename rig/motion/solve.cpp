@@ -51,21 +51,17 @@ public:
 
   void sample(SolvedTrail& solved, const std::vector<double>& keyTimes) {
     if (adjustments_.empty()) {
-      SharedSampler own = samplerOf(pathNodes(input_, solved.limb));
+      SharedSampler own(*input_.scene, *input_.clip, adjustments_, pathNodes(input_, solved.limb));
       samplePath(input_, own, solved, keyTimes);
       return;
     }
     if (!shared_) {
-      shared_ = samplerOf(nodesOfAll());
+      shared_.emplace(*input_.scene, *input_.clip, adjustments_, nodesOfAll());
     }
     samplePath(input_, *shared_, solved, keyTimes);
   }
 
 private:
-  [[nodiscard]] SharedSampler samplerOf(std::vector<NodeIndex> nodes) const {
-    return {*input_.scene, *input_.clip, adjustments_, std::move(nodes)};
-  }
-
   [[nodiscard]] std::vector<NodeIndex> nodesOfAll() const {
     std::vector<NodeIndex> nodes;
     for (const Trail& trail : input_.trails) {

@@ -24,6 +24,24 @@ struct MenuEntries {
   CommandIds ids;
 };
 
+constexpr CommandIds controllerEntries{command::controllerMove,
+                                       command::controllerTurn,
+                                       "",
+                                       command::poseKey,
+                                       command::poseDeleteKey,
+                                       command::poseReset,
+                                       command::poseWholeClip,
+                                       "",
+                                       command::poseCopy,
+                                       command::posePaste,
+                                       command::poseMirror,
+                                       "",
+                                       command::controllersAll,
+                                       command::controllersKeyed,
+                                       "",
+                                       command::viewFrameSelection,
+                                       command::viewControllers};
+
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
   static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
@@ -57,23 +75,6 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds sphere{
       sphereGrab, sphereAlongBack, sphereAlongForward, "", spherePrevious, sphereNext, sphereAll,
       "",         sphereSmooth,    sphereReset,        "", editDelete};
-  static constexpr CommandIds controller{controllerMove,
-                                         controllerTurn,
-                                         "",
-                                         poseKey,
-                                         poseDeleteKey,
-                                         poseReset,
-                                         poseWholeClip,
-                                         "",
-                                         poseCopy,
-                                         posePaste,
-                                         poseMirror,
-                                         "",
-                                         controllersAll,
-                                         controllersKeyed,
-                                         "",
-                                         viewFrameSelection,
-                                         viewControllers};
   static constexpr CommandIds key{rangeStart,      rangeEnd,    rangeDefault, "",
                                   timePreviousKey, timeNextKey, "",           trailExaggerate,
                                   trailToggle,     sphereAdd,   "",           copyTrail};
@@ -89,7 +90,7 @@ CommandIds entriesOf(MenuTarget target) {
                                           {MenuTarget::trail, trail},
                                           {MenuTarget::group, group},
                                           {MenuTarget::sphere, sphere},
-                                          {MenuTarget::controller, controller},
+                                          {MenuTarget::controller, controllerEntries},
                                           {MenuTarget::key, key},
                                           {MenuTarget::range, range},
                                           {MenuTarget::time, time}};

@@ -12,7 +12,7 @@ using namespace stretch::ui;
 
 namespace {
 
-View viewFrom(double distance, double pixelsPerPoint = 1.0) {
+View seenFrom(double distance, double pixelsPerPoint = 1.0) {
   Camera camera;
   camera.target = Vec3(0.0);
   camera.distance = distance;
@@ -21,13 +21,13 @@ View viewFrom(double distance, double pixelsPerPoint = 1.0) {
   return makeView(camera, {800.0, 800.0, pixelsPerPoint});
 }
 
-Vec2 pixelsOf(const View& view, const Vec3& point) {
+Vec2 screenPlace(const View& view, const Vec3& point) {
   return projectToPixels(view, point)->pixels;
 }
 
 double pixelLength(const View& view, const ControllerHandles& handles, const HandlePart& part) {
   const std::vector<Vec3> points = pointsOf(view, handles, part);
-  return glm::distance(pixelsOf(view, points.front()), pixelsOf(view, points[points.size() / 2]));
+  return glm::distance(screenPlace(view, points.front()), screenPlace(view, points[points.size() / 2]));
 }
 
 } // namespace
@@ -35,9 +35,9 @@ double pixelLength(const View& view, const ControllerHandles& handles, const Han
 TEST_CASE("Handles of a controller keep their size on the screen at any distance, and grow with its scale") {
   const ControllerHandles handles;
   for (const HandlePart& part : partsOf(handles)) {
-    const double near = pixelLength(viewFrom(2.0), handles, part);
-    CHECK(pixelLength(viewFrom(40.0), handles, part) == Approx(near).epsilon(0.1));
-    CHECK(pixelLength(viewFrom(40.0, 2.0), handles, part) == Approx(2.0 * near).epsilon(0.1));
+    const double near = pixelLength(seenFrom(2.0), handles, part);
+    CHECK(pixelLength(seenFrom(40.0), handles, part) == Approx(near).epsilon(0.1));
+    CHECK(pixelLength(seenFrom(40.0, 2.0), handles, part) == Approx(2.0 * near).epsilon(0.1));
   }
 }
 
@@ -46,24 +46,24 @@ TEST_CASE("A controller has handles only for what it can do") {
   CHECK(count(true, true) == 9);
   CHECK(count(true, false) == 6);
   CHECK(count(false, true) == 3);
-  const View view = viewFrom(5.0);
+  const View view = seenFrom(5.0);
   const ControllerHandles turning{Vec3(0.0), false, true};
   const ControllerHandles both;
-  const Vec2 onArrow = pixelsOf(view, pointsOf(view, both, {HandleKind::axis, 0})[1]);
+  const Vec2 onArrow = screenPlace(view, pointsOf(view, both, {HandleKind::axis, 0})[1]);
   CHECK(pickHandle(view, both, onArrow) == HandlePart{HandleKind::axis, 0});
   CHECK_FALSE(pickHandle(view, turning, onArrow));
 }
 
 TEST_CASE("The mouse takes the arrow, square or near half of a ring that it is on") {
-  const View view = viewFrom(5.0);
+  const View view = seenFrom(5.0);
   const ControllerHandles handles;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::vector<Vec3> square = pointsOf(view, handles, {HandleKind::plane, axis});
-    CHECK(pickHandle(view, handles, pixelsOf(view, 0.5 * (square[0] + square[2]))) ==
+    CHECK(pickHandle(view, handles, screenPlace(view, 0.5 * (square[0] + square[2]))) ==
           HandlePart{HandleKind::plane, axis});
     const std::vector<Vec3> ring = pointsOf(view, handles, {HandleKind::ring, axis});
     for (const Vec3& point : ring) {
-      const auto taken = pickHandle(view, handles, pixelsOf(view, point));
+      const auto taken = pickHandle(view, handles, screenPlace(view, point));
       if (!facesViewer(view, handles.origin, point)) {
         CHECK(taken != HandlePart{HandleKind::ring, axis});
       }

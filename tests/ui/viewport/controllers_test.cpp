@@ -39,7 +39,7 @@ struct PosedBoxer {
   }
 };
 
-View frontView() {
+View boxersFront() {
   Camera camera;
   camera.target = Vec3(0.0, 1.0, 0.0);
   camera.projection = ProjectionKind::orthographic;
@@ -62,7 +62,7 @@ TEST_CASE("Controllers are shown while they are switched on or one is selected, 
 
 TEST_CASE("The controller whose line is nearest to the mouse is taken, up to 20 points away") {
   PosedBoxer boxer;
-  const View view = frontView();
+  const View view = boxersFront();
   const std::vector<ShownController> shown = shownControllers(boxer.session, boxer.overlays);
   for (const char* id : {"left-hand", "right-hand", "left-elbow"}) {
     const ShownController* const one = findShown(shown, id);
@@ -95,7 +95,7 @@ TEST_CASE("G moves the selected controller by what is typed, in one undo step, a
 TEST_CASE("A controller that is dragged stays under the mouse") {
   PosedBoxer boxer;
   app::selectController(boxer.session, "left-hand", false);
-  const View view = frontView();
+  const View view = boxersFront();
   boxer.session.view().cameraAxes = Mat3(1.0);
   const Vec2 from = projectToPixels(view, boxer.place("left-hand"))->pixels;
   REQUIRE(startControllerTool(boxer.session, boxer.tool, {app::ControllerMotion::move, {}, from, true}));
@@ -110,7 +110,7 @@ TEST_CASE("A controller that is dragged stays under the mouse") {
 TEST_CASE("The mouse turns a controller about the ring that it holds, more than once around") {
   PosedBoxer boxer;
   app::selectController(boxer.session, "spine-top", false);
-  const View view = frontView();
+  const View view = boxersFront();
   const Vec2 centre = projectToPixels(view, boxer.place("spine-top"))->pixels;
   const auto around = [&](double degrees) {
     const double angle = degrees * pi / 180.0;
@@ -148,7 +148,8 @@ TEST_CASE("With auto-key off what is moved is shown and not keyed, and Escape re
 TEST_CASE("Turning what only moves is refused with a line that says what turns") {
   PosedBoxer boxer;
   app::selectController(boxer.session, "left-elbow", false);
-  const Status done = startControllerTool(boxer.session, boxer.tool, {app::ControllerMotion::turn});
+  const Status done =
+      startControllerTool(boxer.session, boxer.tool, {app::ControllerMotion::turn, {}, Vec2(0.0), false});
   REQUIRE_FALSE(done);
   CHECK(done.error().line().find("select") != std::string::npos);
   CHECK_FALSE(isRunning(boxer.tool));
@@ -156,7 +157,7 @@ TEST_CASE("Turning what only moves is refused with a line that says what turns")
 
 TEST_CASE("A box selects the controllers that stand in it") {
   PosedBoxer boxer;
-  const View view = frontView();
+  const View view = boxersFront();
   const std::vector<ShownController> shown = shownControllers(boxer.session, boxer.overlays);
   const Vec2 hand = projectToPixels(view, boxer.place("left-hand"))->pixels;
   const std::vector<std::string> inside = controllersInBox(view, shown, hand - Vec2(3.0), hand + Vec2(3.0));
