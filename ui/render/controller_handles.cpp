@@ -26,14 +26,21 @@ Vec3 unit(std::size_t axis) {
   return vector;
 }
 
-double unitsPerPoint(const View& view, const Vec3& place) {
-  return view.viewport.pixelsPerPoint * unitsPerPixel(view, place);
+// In a small picture handles are smaller, so that they are not cut off.
+double shareOfSize(const View& view) {
+  constexpr double mostOfPicture = 0.32;
+  const double side = std::min(view.viewport.widthPixels, view.viewport.heightPixels);
+  return std::min(1.0, mostOfPicture * side / (arrowPoints * view.viewport.pixelsPerPoint));
 }
 
-AxisHandles arrowsOf(const ControllerHandles& handles) {
+double unitsPerPoint(const View& view, const Vec3& place) {
+  return shareOfSize(view) * view.viewport.pixelsPerPoint * unitsPerPixel(view, place);
+}
+
+AxisHandles arrowsOf(const View& view, const ControllerHandles& handles) {
   AxisHandles arrows;
   arrows.origin = handles.origin;
-  arrows.lengthPoints = arrowPoints;
+  arrows.lengthPoints = shareOfSize(view) * arrowPoints;
   return arrows;
 }
 
@@ -169,7 +176,7 @@ std::optional<HandlePart> pickHandle(const View& view, const ControllerHandles& 
     }
   }
   if (handles.moves) {
-    if (const auto arrow = pickAxis(view, arrowsOf(handles), mousePixels)) {
+    if (const auto arrow = pickAxis(view, arrowsOf(view, handles), mousePixels)) {
       return HandlePart{HandleKind::axis, *arrow};
     }
   }
@@ -196,7 +203,7 @@ Overlay drawControllerHandles(const View& view, const ControllerHandles& handles
   if (handles.moves) {
     const bool onArrow = active && active->kind == HandleKind::axis;
     Overlay arrows =
-        drawAxisHandles(view, arrowsOf(handles), onArrow ? std::optional(active->axis) : std::nullopt);
+        drawAxisHandles(view, arrowsOf(view, handles), onArrow ? std::optional(active->axis) : std::nullopt);
     for (Arrow& arrow : arrows.arrows) {
       arrow.color.a *= active && !onArrow ? 0.45F : 1.0F;
     }

@@ -43,6 +43,16 @@ void hoverControllers(ViewportContext& context) {
       pickController(viewport.view, viewport.controllers, viewport.mousePixels).value_or("");
 }
 
+void markHeldHandle(ViewportState& viewport, const ControllerTool& tool) {
+  const app::AxisLock& lock = tool.modal.lock;
+  const HandleKind kind = tool.modal.motion == app::ControllerMotion::turn ? HandleKind::ring
+                          : lock.plane                                     ? HandleKind::plane
+                                                                           : HandleKind::axis;
+  viewport.hoveredHandle = lock.axis && !lock.ofCarrier
+                               ? std::optional(HandlePart{kind, static_cast<std::size_t>(*lock.axis)})
+                               : std::nullopt;
+}
+
 bool pressController(ViewportContext& context, bool add) {
   ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();

@@ -10,6 +10,9 @@ namespace stretch::ui {
 void hoverHandles(ViewportContext& context);
 void hoverControllers(ViewportContext& context);
 
+/// While controllers are moved or turned the handle of the locked axis is the one that counts as held.
+void markHeldHandle(ViewportState& viewport, const ControllerTool& tool);
+
 /// A press with the left button: takes the handle, or selects the controller. False where neither is under
 /// the mouse.
 bool pressController(ViewportContext& context, bool add);

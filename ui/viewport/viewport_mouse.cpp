@@ -279,6 +279,9 @@ void driveTool(ViewportContext& context) {
   const bool navigating = viewport.gesture == ViewportGesture::orbit ||
                           viewport.gesture == ViewportGesture::pan ||
                           viewport.gesture == ViewportGesture::zoom;
+  if (controllers != nullptr) {
+    markHeldHandle(viewport, *controllers);
+  }
   if ((grab == nullptr && controllers == nullptr) || navigating) {
     return;
   }

@@ -18,7 +18,7 @@ View seenFrom(double distance, double pixelsPerPoint = 1.0) {
   camera.distance = distance;
   camera.yawRadians = 0.6;
   camera.pitchRadians = 0.5;
-  return makeView(camera, {800.0, 800.0, pixelsPerPoint});
+  return makeView(camera, {1600.0, 1600.0, pixelsPerPoint});
 }
 
 Vec2 screenPlace(const View& view, const Vec3& point) {
@@ -38,6 +38,17 @@ TEST_CASE("Handles of a controller keep their size on the screen at any distance
     const double near = pixelLength(seenFrom(2.0), handles, part);
     CHECK(pixelLength(seenFrom(40.0), handles, part) == Approx(near).epsilon(0.1));
     CHECK(pixelLength(seenFrom(40.0, 2.0), handles, part) == Approx(2.0 * near).epsilon(0.1));
+  }
+}
+
+TEST_CASE("In a small picture the handles are small enough to be seen whole") {
+  const Camera camera{.target = Vec3(0.0), .distance = 5.0};
+  const View view = makeView(camera, {480.0, 250.0, 2.0});
+  for (const HandlePart& part : partsOf({})) {
+    for (const Vec3& point : pointsOf(view, {}, part)) {
+      const Vec2 place = screenPlace(view, point);
+      CHECK((place.x > 0.0 && place.x < 480.0 && place.y > 0.0 && place.y < 250.0));
+    }
   }
 }
 
