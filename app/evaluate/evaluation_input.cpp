@@ -6,10 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/edits/hold_edits.h"
 #include "core/base/index.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
 #include "rig/motion/solve_adjustments.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -33,6 +35,7 @@ rig::MotionInput motionInput(const EvaluationInput& input) {
   wanted.trails = input.trails;
   wanted.loops = input.ground.loops;
   wanted.adjustments = input.ground.adjustments;
+  wanted.holds = input.holds;
   return wanted;
 }
 
@@ -72,6 +75,7 @@ EvaluationInput evaluationInput(const Document& document, int clip) {
   return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
            allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
+          holdsOfClip(document.holds, clip),
           ofClip(document.weights, clip)};
 }
 
@@ -94,6 +98,14 @@ rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionStat
   wanted.previous = previous;
   wanted.body = std::move(body);
   return rig::solveMotion(wanted);
+}
+
+bool addHolds(const EvaluationInput& input, rig::MotionState& motion) {
+  if (input.holds.empty()) {
+    return false;
+  }
+  rig::setHolds(motionInput(input), motion);
+  return true;
 }
 
 WeightInput weightInput(const EvaluationInput& input) {

@@ -7,7 +7,6 @@
 
 #include "core/math/rotation.h"
 #include "rig/ik/spline_spine.h"
-#include "rig/ik/two_bone.h"
 #include "rig/motion/limb_deform.h"
 
 namespace stretch::rig {
@@ -43,18 +42,6 @@ struct EndGoal {
   Vec3 place{0.0};
   Quat turn{1.0, 0.0, 0.0, 0.0};
 };
-
-// The limb as a frame has it.
-TwoBoneProblem posedProblem(const AdjustedLimb& adjusted, const FrameState& frame) {
-  const std::vector<Vec3> points = limbPoints(adjusted.limb, frame);
-  TwoBoneProblem problem;
-  problem.base = points.front();
-  problem.joint = points[adjusted.bendPoint];
-  problem.end = points.back();
-  problem.target = problem.end;
-  problem.usualBend = rotationOf(frame.worlds[at(adjusted.limb.joints.front())]) * adjusted.usualBend;
-  return problem;
-}
 
 class Adjuster {
 public:
@@ -263,39 +250,12 @@ private:
            !isTurn(endTurn(limb, goal));
   }
 
-  [[nodiscard]] DeformOptions optionsOf(const Limb& limb, const EndGoal& goal) const {
-    return {attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, endTurn(limb, goal)};
-  }
-
-  // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
-  // is solved again from where it came to.
-  void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    constexpr int mostTries = 24;
-    constexpr double unseen = 1e-8; // of the limb
-    const double near = unseen * adjusted.limb.restLength;
-    Vec3 bend = pole;
-    for (int tries = 0; tries < mostTries; ++tries) {
-      const Vec3 end = adjusted.bendPoint > 0 ? bendTo(adjusted, goal, bend) : reachAsOne(adjusted, goal);
-      const bool isReachable = glm::length(goal.place - end) <= near;
-      if (!isReachable || glm::length(goal.place - endPosition(adjusted.limb, frame_)) <= near) {
-        return;
-      }
-      bend = Vec3(0.0);
-    }
-  }
-
-  // The shape turns and stretches as one piece. Answers where the end comes to if nothing is scaled unevenly.
-  Vec3 reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
+  void reachGoal(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
     const Limb& limb = adjusted.limb;
-    LimbShapeProblem problem;
-    problem.points = limbPoints(limb, frame_);
-    problem.target = goal.place;
-    problem.shortestReach = 1e-3 * limb.restLength;
-    problem.restLength = limb.restLength;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const LimbShape shape = solveLimbShape(problem);
-    deformLimb(scene_, limb, adjusted.topology, limbPose(shape), optionsOf(limb, goal), frame_);
-    return shape.end;
+    reach(scene_, adjusted,
+          {goal.place, endTurn(limb, goal), attribute(limb.id + ".stretch", 1.0, 0.0, 1.0),
+           attribute(limb.id + ".volume", 1.0, 0.0, 1.0), pole},
+          frame_);
   }
 
   void moveNeck(const AdjustedLimb& adjusted) {
@@ -306,7 +266,7 @@ private:
       ask("head", goal.place);
     }
     if (!isThere(adjusted.limb, goal)) {
-      reach(adjusted, goal, Vec3(0.0));
+      reachGoal(adjusted, goal, Vec3(0.0));
     }
   }
 
@@ -324,7 +284,7 @@ private:
     const Vec3 pole = poleOffset(adjusted);
     noteLimb(adjusted, pole);
     if (pole != Vec3(0.0) || !isThere(limb, goal)) {
-      reach(adjusted, goal, pole);
+      reachGoal(adjusted, goal, pole);
     }
     if (roll > 0.0 && adjusted.roll.toes.exists()) {
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
@@ -344,7 +304,7 @@ private:
         isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind) : carriedAxes(body_.chest, body_.chestBind);
     note(endController(kind).c_str(), axes);
     if (adjusted.bendPoint > 0) {
-      TwoBoneProblem problem = posedProblem(adjusted, frame_);
+      TwoBoneProblem problem = posedLimb(adjusted, frame_);
       problem.poleOffset = pole;
       note(poleController(kind).c_str(), carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind),
            polePlace(problem));
@@ -370,24 +330,6 @@ private:
     const Offset pole = offset(poleController(adjusted.limb.kind));
     return pole.move == Vec3(0.0) ? pole.move
                                   : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
-  }
-
-  // As a limb of two spans; answers as reachAsOne does.
-  Vec3 bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    const Limb& limb = adjusted.limb;
-    TwoBoneProblem problem = posedProblem(adjusted, frame_);
-    problem.target = goal.place;
-    problem.poleOffset = pole;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const TwoBoneShape shape = solveTwoBone(problem);
-    LimbPose pose;
-    for (std::size_t bone = 0; bone < limb.joints.size(); ++bone) {
-      pose.turns.push_back(shape.turns[bone < adjusted.bendPoint ? 0 : 1]);
-      pose.stretches.push_back(shape.scale);
-    }
-    pose.end = shape.end;
-    deformLimb(scene_, limb, adjusted.topology, pose, optionsOf(limb, goal), frame_);
-    return shape.end;
   }
 
   const Scene& scene_;
@@ -419,7 +361,7 @@ std::vector<ControllerSpace> controllerSpaces(const Scene& scene, const SolvedAd
 }
 
 Vec3 posedPole(const AdjustedLimb& adjusted, const FrameState& frame) {
-  return polePlace(posedProblem(adjusted, frame));
+  return polePlace(posedLimb(adjusted, frame));
 }
 
 Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& controller,
