@@ -65,8 +65,7 @@ CardPlan planCard(const Theme& theme, float width, bool upright) {
   const float pad = theme.px(8.0F);
   const float textHeight = theme.px(58.0F);
   if (!upright) {
-    const float pictureWidth = std::floor(std::min(pictureRatio * textHeight, 0.3F * width));
-    const Rect picture{{pad, pad}, {pad + pictureWidth, pad + std::floor(pictureWidth / pictureRatio)}};
+    const Rect picture{{pad, pad}, {pad + std::floor(pictureRatio * textHeight), pad + textHeight}};
     return {{width, textHeight + 2.0F * pad},
             picture,
             {{picture.max.x + pad, pad}, {width - pad, pad + textHeight}}};
