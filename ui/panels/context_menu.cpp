@@ -26,9 +26,9 @@ struct MenuEntries {
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
-                                   copyTrail,       pasteTrail,         mirrorTrail,  "",
-                                   trailDeleteAll,  viewFrameSelection, selectNone};
+  static constexpr CommandIds limb{
+      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
+      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,
