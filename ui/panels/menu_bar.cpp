@@ -92,19 +92,8 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
-} // namespace
-
-void drawMenuBar(PanelContext& context) {
+void drawLimbMenu(PanelContext& context) {
   using namespace command;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
-  drawMenu(context,
-           {"File",
-            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
-             recipeSave, "", fileQuit}},
-           true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
   drawMenu(context,
            {"Limb",
             {selectLeftArm,
@@ -130,6 +119,22 @@ void drawMenuBar(PanelContext& context) {
              pickChain,
              detectAgain}},
            false);
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
+             recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+  drawLimbMenu(context);
   drawMenu(context,
            {"Trail",
             {trailToggle,
