@@ -82,10 +82,9 @@ struct Moving {
   double planted = 0.0;
   double kept = 0.0;
   Vec3 endBefore{0.0};
-  Vec3 endMove{0.0};     // by its own strain alone
-  double depth = 0.0;    // from the end down to the lowest point of the hand or foot
-  double floor = 0.0;    // how low that may get
-  double ownFloor = 0.0; // and any part of the limb
+  Vec3 endMove{0.0};  // by its own strain alone
+  double depth = 0.0; // from the end down to the lowest point of the hand or foot
+  double floor = 0.0; // how low that may get
 };
 
 bool isArm(const Limb& limb) {
@@ -94,11 +93,10 @@ bool isArm(const Limb& limb) {
 
 Moving movingOf(const SolvedWeight& solved, const WeightSample& sample, const BodyOutline& outline,
                 double floor, const FrameState& frame) {
-  Moving moving{&solved, sample.planted, sample.kept, endPosition(solved.limb, frame), {}, 0.0, floor, floor};
+  Moving moving{&solved, sample.planted, sample.kept, endPosition(solved.limb, frame), {}, 0.0, floor};
   const double lowest = lowestOf(outline, solved.ends, frame).value_or(moving.endBefore.y);
   moving.depth = moving.endBefore.y - lowest;
   moving.floor = std::min(floor, lowest);
-  moving.ownFloor = std::min(floor, lowestOf(outline, solved.own, frame).value_or(floor));
   return moving;
 }
 
@@ -207,27 +205,6 @@ void putDown(const Scene& scene, const Moving& moving, FrameState& frame) {
   bringTo(scene, *moving.solved, target, frame);
 }
 
-// Turns an arm upwards about its shoulder until no part of it is lower than it may be: an elbow that lies on
-// the ground.
-void holdUp(const Scene& scene, const Moving& moving, const BodyOutline& outline, FrameState& frame) {
-  constexpr int turns = 6;
-  constexpr double negligible = 1e-6; // of the limb's length
-  const SolvedWeight& solved = *moving.solved;
-  for (int turn = 0; turn < turns; ++turn) {
-    const double missing = moving.ownFloor - lowestOf(outline, solved.own, frame).value_or(moving.ownFloor);
-    if (missing <= negligible * solved.limb.restLength) {
-      return;
-    }
-    const Vec3 base = limbPoints(solved.limb, frame).front();
-    const Vec3 arm = endPosition(solved.limb, frame) - base;
-    const Vec3 raised = arm + 1.5 * missing * up;
-    if (!(glm::length(raised) > 0.0)) {
-      return;
-    }
-    bringTo(scene, solved, base + glm::length(arm) * glm::normalize(raised), frame);
-  }
-}
-
 bool isUnder(const Scene& scene, NodeIndex node, const std::vector<NodeIndex>& nodes) {
   for (NodeIndex above = scene.nodes[at(node)].parent; above.exists();
        above = scene.nodes[at(above)].parent) {
@@ -319,9 +296,6 @@ void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, N
   for (const Moving& moving : limbs) {
     if (isLeg(moving.solved->limb) || isArm(moving.solved->limb)) {
       putDown(scene, moving, frame);
-    }
-    if (isArm(moving.solved->limb)) {
-      holdUp(scene, moving, outline, frame);
     }
   }
 }

@@ -37,7 +37,6 @@ struct SolvedWeight {
   Limb limb;
   LimbTopology topology;
   std::vector<NodeIndex> ends; ///< What of the hand or foot has a mesh (BodyOutline).
-  std::vector<NodeIndex> own;  ///< What of the whole limb has one, hand or foot included.
 };
 
 /// The weight at one time, its fades applied; no strains where nothing happens.
@@ -49,7 +48,7 @@ struct SolvedWeight {
 /// hangs on them follows, a leg in the air too: it keeps its bend. A foot that touches the ground keeps its
 /// place: its knee bends as far as the leg is bent already, and the leg is turned and scaled as a whole for
 /// the rest. Nothing gets lower than the lowest point of the
-/// body was: in the air the hips rise instead, an arm is held up. Zero strains change nothing at all.
+/// body was: in the air the hips rise instead, a hand is held up. Zero strains change nothing at all.
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
                  const BodyOutline& outline, FrameState& frame);
 

@@ -86,7 +86,6 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
   motion.outline = motion.weights.empty() ? BodyOutline{} : outlineOfBody(input, motion.weights);
   for (SolvedWeight& solved : motion.weights) {
     solved.ends = outlined(motion.outline, endNodes(*input.scene, solved.limb, solved.topology));
-    solved.own = outlined(motion.outline, withSubtrees(*input.scene, solved.limb.joints));
   }
   std::vector<ActingLimb> acting;
   for (const SolvedWeight& solved : motion.weights) {

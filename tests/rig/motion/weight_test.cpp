@@ -262,23 +262,3 @@ TEST_CASE("a foot that hangs under the root goes with its leg when the hips sink
     }
   }
 }
-
-TEST_CASE("an elbow that gets through the floor is held up to it") {
-  MovingBiped moving = still(namedBody());
-  const Limb arm = moving.limb("left-arm");
-  const Quat down = axisAngle(Vec3(0.0, 0.0, 1.0), -0.45 * pi);
-  const Quat back = axisAngle(Vec3(0.0, 0.0, 1.0), 0.8 * pi);
-  for (const auto& [joint, turn] : {std::pair(arm.joints[0], down), std::pair(arm.joints[1], back)}) {
-    moving.clip.tracks.emplace_back(rotationTrack(joint, Interpolation::linear, {{0.0, turn}, {1.0, turn}}));
-  }
-  moving.clip.endSeconds = 1.0;
-  const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-arm", [](double) {
-                                          return SoftBones{8.0, 0.6, 0.6};
-                                        })});
-  const std::optional<double> floor =
-      lowestOf(motion.outline, motion.outline.body, sourceAtFrame(moving, 6.0));
-  REQUIRE(floor);
-  const FrameState soft = atFrame(moving, motion, 6.0);
-  CHECK(*lowestOf(motion.outline, motion.weights.front().own, soft) > *floor - 1e-5 * moving.biped.height);
-  CHECK(lengthOf(arm, soft) > 1.5 * lengthOf(arm, sourceAtFrame(moving, 6.0)));
-}
