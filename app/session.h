@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editing.h"
+#include "app/edits/key_edits.h"
 #include "app/evaluate/cache.h"
 #include "rig/motion/stroke.h"
 
@@ -25,6 +26,10 @@ struct ViewState {
   bool showOriginal = false;              ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
+  KeySelection pickedKeys;               ///< Of the viewed clip, in graph and dope sheet.
+  int pickedClip = 0;                    ///< The clip that they are of.
+  std::vector<KeyRow> keyRows;           ///< Those that the graph or the dope sheet shows.
+  std::optional<CopiedKeys> copiedKeys;  ///< What Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.
@@ -92,6 +97,7 @@ private:
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
+  void keepPickedKeys();
 
   Followed followed_;
   std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was

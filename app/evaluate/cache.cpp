@@ -56,7 +56,7 @@ const FrameState& EvaluationCache::frame(const Document& document, int clip, dou
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
-  return original_.of({document.scene, document.clips, clip, timeSeconds},
+  return original_.of({document.scene, sourceClipsOf(document), clip, timeSeconds},
                       [&](const auto*) { return evaluateOriginal(document, clip, timeSeconds); });
 }
 

@@ -7,6 +7,8 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/rate_edits.h"
+#include "app/edits/track_edits.h"
+#include "app/files/kept_tracks.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
@@ -233,6 +235,9 @@ Status restoreParts(const Json& work, Document& document) {
   if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
     return rates;
   }
+  if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
+    return keys;
+  }
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
@@ -276,7 +281,7 @@ Status restoreParts(const Json& work, Document& document) {
 Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.weights.empty() &&
       document.chains.empty() && document.loopingClips.empty() && document.rates.empty() &&
-      !document.limbsCorrected) {
+      !document.limbsCorrected && !hasEditedKeys(document)) {
     return nullptr;
   }
   Json work;
@@ -297,6 +302,9 @@ Json workOf(const Document& document) {
   for (const rig::Adjustment& adjustment : document.adjustments) {
     work["adjustments"].push_back(savedAdjustment(adjustment, list));
   }
+  if (hasEditedKeys(document)) {
+    work["clip_keys"] = keptTracks(document);
+  }
   work["loops"] = document.loopingClips;
   for (const ClipRate& rate : document.rates) {
     work["rates"].push_back({{"clip", rate.clip}, {"frames_per_second", rate.framesPerSecond}});
@@ -305,6 +313,7 @@ Json workOf(const Document& document) {
 }
 
 Document withoutWork(Document document) {
+  document = restoreAllTracks(document);
   document.trails.clear();
   document.adjustments.clear();
   document.weights.clear();
