@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/batch/verb.h"
+#include "app/build_name.h"
 #include "core/base/number.h"
 #include "skinning/sequence/mesh_file.h"
 #include "ui/batch/render_verb.h"
@@ -59,5 +61,6 @@ int main(int argumentCount, char** arguments) {
     const EditorStart start = editorStart(words);
     return stretch::ui::runEditor(start.files, start.options);
   }
-  return stretch::app::runVerbs(verbs, argumentCount, arguments);
+  return stretch::app::runVerbs(verbs, "stretch-engine " + std::string(stretch::app::buildName()),
+                                argumentCount, arguments);
 }

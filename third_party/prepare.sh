@@ -1,8 +1,8 @@
-# Sourced by ./run, ./test and .ci/run: installs the packages of packages.txt and builds. Expects `root` to be set.
+# Sourced by ./run, ./test, ./package and .ci/run: installs the packages of packages.txt and builds. Expects `root` to be set.
 
-# wanted_packages run|test: names of the list; for "run" without those that only tests need.
+# wanted_packages run|test|package: names of the list that this goal needs.
 wanted_packages() {
-  awk -v goal="$1" '!/^#/ && NF && (goal == "test" || $2 != "test") {print $1}' "$root/third_party/packages.txt" | sort -u
+  awk -v goal="$1" '!/^#/ && NF && (NF == 1 || $2 == goal) {print $1}' "$root/third_party/packages.txt" | sort -u
 }
 
 # Packages of the list that are not installed; empty when all are.
@@ -14,7 +14,7 @@ missing_packages() {
     awk '$2 == "ii" {print $1}' | sort -u | comm -13 - <(printf '%s\n' $wanted)
 }
 
-# install_packages run|test
+# install_packages run|test|package
 install_packages() {
   local stamp="$root/build/packages.$1.stamp" missing
   # Asking dpkg takes a while: only when the list changed since it was found complete.

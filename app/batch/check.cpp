@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -18,7 +17,7 @@ using gltf::Json;
 
 struct CheckArguments {
   std::string file;
-  bool json = false;
+  JsonOutput json;
 };
 
 std::string_view severityName(gltf::Severity severity) {
@@ -33,7 +32,7 @@ std::string_view severityName(gltf::Severity severity) {
   return "warning";
 }
 
-void printJson(const gltf::Diagnosis& diagnosis) {
+Json diagnosisJson(const gltf::Diagnosis& diagnosis) {
   Json list = Json::array();
   for (const gltf::Problem& problem : diagnosis.problems) {
     list.push_back({{"severity", severityName(problem.severity)},
@@ -41,7 +40,7 @@ void printJson(const gltf::Diagnosis& diagnosis) {
                     {"what", problem.what},
                     {"remedy", problem.remedy}});
   }
-  std::cout << Json{{"extensions", extensionsJson(diagnosis.extensions)}, {"problems", list}}.dump(1) << '\n';
+  return {{"extensions", extensionsJson(diagnosis.extensions)}, {"problems", list}};
 }
 
 void printDiagnosis(const gltf::Diagnosis& diagnosis) {
@@ -58,7 +57,7 @@ void printDiagnosis(const gltf::Diagnosis& diagnosis) {
 
 Status runCheck(const CheckArguments& arguments) {
   const gltf::Diagnosis diagnosis = gltf::diagnose(arguments.file);
-  arguments.json ? printJson(diagnosis) : printDiagnosis(diagnosis);
+  arguments.json ? arguments.json.print(diagnosisJson(diagnosis)) : printDiagnosis(diagnosis);
   const std::vector<gltf::Problem>& problems = diagnosis.problems;
   const auto error = std::find_if(problems.begin(), problems.end(), [](const gltf::Problem& problem) {
     return problem.severity == gltf::Severity::error;
@@ -76,6 +75,7 @@ Verb checkVerb() {
           "Reports every problem of a file, residual shear of stretched files included, and its extensions.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CheckArguments>();
+            line.examples({"punch.glb"});
             line.option("FILE", arguments->file, "A .glb, .gltf or .vrm file").required();
             addJson(line, arguments->json);
             return [arguments] { return runCheck(*arguments); };

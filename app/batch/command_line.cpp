@@ -84,6 +84,14 @@ DeclaredOption CommandLine::orderedFlag(const std::string& name, const std::stri
   return DeclaredOption(*verb_->add_flag(name)->description(help));
 }
 
+void CommandLine::examples(const std::vector<std::string>& lines) {
+  std::string text = lines.size() == 1 ? "Example:" : "Examples:";
+  for (const std::string& line : lines) {
+    text += "\n  stretch-engine " + verb_->get_name() + ' ' + line;
+  }
+  verb_->footer(text);
+}
+
 std::vector<std::pair<std::string, std::string>> CommandLine::inOrder() const {
   std::vector<std::pair<std::string, std::string>> given;
   std::map<const CLI::Option*, std::size_t> seen;

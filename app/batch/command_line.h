@@ -57,6 +57,9 @@ public:
   /// counts.
   DeclaredOption ordered(const std::string& name, const std::string& help);
   DeclaredOption orderedFlag(const std::string& name, const std::string& help);
+  /// Command lines that the end of the verb's help shows, without the program's name.
+  void examples(const std::vector<std::string>& lines);
+
   /// Every option given, with its text, in the order of the command line. To be asked after the line was
   /// parsed.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> inOrder() const;

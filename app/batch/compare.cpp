@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -23,7 +22,7 @@ struct CompareArguments {
   bool flattening = false;
   SettingTexts body;
   skinning::StedSettings sted;
-  bool json = false;
+  JsonOutput json;
 };
 
 /// One side of the comparison: a path, or a base mesh and its cache.
@@ -125,7 +124,7 @@ Status runCompare(const CompareArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
     return Success{};
   }
   printMetrics(report);
@@ -171,6 +170,7 @@ Verb compareVerb() {
   return {"compare", "Compares two animated files or sequences with the same topology.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<CompareArguments>();
+            line.examples({"dummy.glb punch.glb"});
             line.options("FILES", arguments->words,
                          "The reference and what is compared with it: each an animated glTF, a folder of "
                          "frames, or BASE CACHE (a mesh and its .pc2 or .mdd)")

@@ -35,7 +35,7 @@ struct CompressArguments {
   std::string table;
   std::string stream;
   double framesPerSecond = 0.0;
-  bool json = false;
+  JsonOutput json;
 };
 
 Result<skinning::CompressSettings> settingsOf(const CompressArguments& arguments) {
@@ -177,7 +177,7 @@ Status runCompress(const CompressArguments& arguments) {
     return told;
   }
   if (arguments.json) {
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
   } else {
     printCompression(report);
   }
@@ -189,6 +189,8 @@ Status runCompress(const CompressArguments& arguments) {
 Verb compressVerb() {
   return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
             const auto arguments = std::make_shared<CompressArguments>();
+            line.examples({"worm/ -o worm.glb --bones 30 --quantise",
+                           "cloth.obj cloth.mdd -o cloth.glb --stretch measured --tolerance 0.2"});
             line.options("SEQUENCE", arguments->sequence, std::string("A mesh sequence: ") + sequenceWords)
                 .required()
                 .takes(1, 2);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -29,7 +28,7 @@ struct ElasticArguments {
   std::string range;
   std::string moduli;
   SettingTexts settings;
-  bool json = false;
+  JsonOutput json;
 };
 
 Status readModuli(const std::string& path, WeightSettings& settings) {
@@ -149,7 +148,7 @@ Status runElastic(const ElasticArguments& arguments) {
     return saved;
   }
   if (arguments.json) {
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
   } else {
     printWeight(report["elastic"]);
     printWarnings(report["warnings"]);
@@ -163,6 +162,7 @@ Verb elasticVerb() {
   return {"elastic", "Gives limbs of a clip weight: they sag, squash and stretch by their own load.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<ElasticArguments>();
+            line.examples({"dummy.glb -o heavy.glb --stiffness 0.6"});
             addFileArguments(line, arguments->input);
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);

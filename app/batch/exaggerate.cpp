@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include "app/batch/options.h"
@@ -20,7 +19,7 @@ struct ExaggerateArguments {
   OutputArguments output;
   std::string recipe;
   bool loops = false;
-  bool json = false;
+  JsonOutput json;
 };
 
 Result<Recipe> wantedTrails(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
@@ -72,7 +71,7 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
     return saved;
   }
   if (arguments.json) {
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
   } else {
     printExaggeration(report);
   }
@@ -84,6 +83,8 @@ Status runExaggerate(const ExaggerateArguments& arguments, const std::vector<Tra
 Verb exaggerateVerb() {
   return {"exaggerate", "Exaggerates limbs of a clip, re-keys it and saves the file.", [](CommandLine& line) {
             const auto arguments = std::make_shared<ExaggerateArguments>();
+            line.examples({"dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --axes xz",
+                           "dummy.glb -o punch.glb --recipe refined-punch.json"});
             addFileArguments(line, arguments->input);
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);

@@ -21,7 +21,7 @@ struct FlattenArguments {
   skinning::Cylinder cylinder{0.0, 0.0, 0.0, 0.0}; ///< Length and width in the units of the mesh.
   double angleDegrees = 0.0;
   double metresPerUnit = 1.0;
-  bool json = false;
+  JsonOutput json;
 };
 
 /// An option for a number that has to be greater than 0.
@@ -77,7 +77,7 @@ Status runFlatten(const FlattenArguments& arguments) {
                       {"height", height},
                       {"width", width}};
     report["warnings"] = warning.empty() ? gltf::Json::array() : gltf::Json{warning};
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
     return Success{};
   }
   fmt::print(
@@ -96,6 +96,7 @@ Verb flattenVerb() {
           "How far gravity flattens a cylinder of soft material (Eq. 6 of the elastic model), in SI units.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<FlattenArguments>();
+            line.examples({"--mass 2e-9 --young 3770 --length 0.88e-3 --width 0.085e-3"});
             skinning::Cylinder& cylinder = arguments->cylinder;
             addPositive(line, "--mass", cylinder.mass, "Mass of the cylinder, kg").required();
             addPositive(line, "--young", cylinder.youngModulus, "Young's modulus, Pa").required();

@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -22,7 +21,7 @@ using gltf::Json;
 
 struct InfoArguments {
   FileArguments input;
-  bool json = false;
+  JsonOutput json;
 };
 
 int keyCount(const Clip& clip) {
@@ -215,7 +214,7 @@ Status runSequenceInfo(const InfoArguments& arguments) {
   info["warnings"] = sequence->warnings;
   info["warnings"].push_back("a sequence of meshes has no joints: make a skinned clip of it by compress");
   if (arguments.json) {
-    std::cout << info.dump(1) << '\n';
+    arguments.json.print(info);
     return Success{};
   }
   fmt::print("sequence {}: {} frames at {:g} fps, {} vertices, {} triangles\n", sequence->name,
@@ -237,7 +236,7 @@ Status runInfo(const InfoArguments& arguments) {
   }
   const Json info = infoOf(*document);
   if (arguments.json) {
-    std::cout << info.dump(1) << '\n';
+    arguments.json.print(info);
   } else {
     printInfo(info);
   }
@@ -252,6 +251,7 @@ Verb infoVerb() {
           "warnings.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();
+            line.examples({"punch.glb", "--json punch.glb"});
             addFileArguments(line, arguments->input);
             addJson(line, arguments->json);
             return [arguments] { return runInfo(*arguments); };

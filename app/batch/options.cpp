@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 
 #include <fmt/core.h>
@@ -75,8 +76,13 @@ void addOutputArguments(CommandLine& line, OutputArguments& arguments) {
   line.flag("--clean", arguments.save.clean, "Leave the program's own data out of the file");
 }
 
-void addJson(CommandLine& line, bool& json) {
-  line.flag("--json", json, "Print one JSON document");
+void JsonOutput::print(const gltf::Json& report) const {
+  std::cout << report.dump(oneLine ? -1 : 1) << '\n';
+}
+
+void addJson(CommandLine& line, JsonOutput& json) {
+  line.flag("--json", json.wanted, "Print one JSON document");
+  line.flag("--json-line", json.oneLine, "The same in one line, for logs of many files");
 }
 
 bool isSequence(const std::string& file) {

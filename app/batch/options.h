@@ -9,6 +9,7 @@
 #include "app/files/save.h"
 #include "app/schema/schema.h"
 #include "core/base/result.h"
+#include "core/gltf/json.h"
 #include "skinning/elastic/moduli.h"
 
 namespace stretch::app {
@@ -60,8 +61,17 @@ struct OutputArguments {
 /// Declares -o, --in-place, --key-every-frame, --keep-skeleton and --clean.
 void addOutputArguments(CommandLine& line, OutputArguments& arguments);
 
-/// Declares --json.
-void addJson(CommandLine& line, bool& json);
+/// The report of a verb as JSON, on standard output, which holds nothing else then.
+struct JsonOutput {
+  bool wanted = false;
+  bool oneLine = false; ///< For streams of one document in each line.
+
+  explicit operator bool() const { return wanted || oneLine; }
+  void print(const gltf::Json& report) const;
+};
+
+/// Declares --json and --json-line.
+void addJson(CommandLine& line, JsonOutput& json);
 
 /// What a mesh sequence may be, for the help of a verb.
 inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BASE CACHE (a mesh and its .pc2 "

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -27,7 +26,7 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
-  bool json = false;
+  JsonOutput json;
 };
 
 // The adjustments alone: what a limb's trail or weight makes of a pose is another matter.
@@ -148,7 +147,7 @@ Status runPose(const PoseArguments& arguments) {
     return saved;
   }
   if (arguments.json) {
-    std::cout << report.dump(1) << '\n';
+    arguments.json.print(report);
   } else {
     printPose(report);
   }
@@ -162,6 +161,7 @@ Verb poseVerb() {
       "pose", "Adjusts a clip by the controllers that a recipe keys, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
+        line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with a list of adjustments").required();

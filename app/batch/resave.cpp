@@ -28,6 +28,7 @@ Verb resaveVerb() {
   return {"resave", "Opens a file and saves it without an edit (.glb and .gltf, both directions).",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<ResaveArguments>();
+            line.examples({"punch.glb -o punch.gltf"});
             addFileArguments(line, arguments->input);
             addOutputFile(line, arguments->output, "The .glb or .gltf to write");
             return [arguments] { return runResave(*arguments); };

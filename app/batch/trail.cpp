@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -23,7 +22,7 @@ struct TrailArguments {
   FileArguments input;
   std::string limb;
   std::string range;
-  bool json = false;
+  JsonOutput json;
 };
 
 Json trailJson(const rig::MotionState& motion) {
@@ -80,7 +79,7 @@ Status runTrail(const TrailArguments& arguments) {
   }
   const Json json = trailJson(prepareMotion(*document, *clip));
   if (arguments.json) {
-    std::cout << json.dump(1) << '\n';
+    arguments.json.print(json);
     return Success{};
   }
   for (std::size_t i = 0; i < json["frames"].size(); ++i) {
@@ -96,6 +95,7 @@ Status runTrail(const TrailArguments& arguments) {
 Verb trailVerb() {
   return {"trail", "Prints a limb's original path of motion, world space, metres.", [](CommandLine& line) {
             const auto arguments = std::make_shared<TrailArguments>();
+            line.examples({"dummy.glb --limb left-arm --range 21:27"});
             addFileArguments(line, arguments->input);
             line.option("--limb", arguments->limb, limbWords).required();
             addClipArguments(line, arguments->input);

@@ -33,12 +33,13 @@ std::vector<Verb> batchVerbs() {
           resaveVerb(), checkVerb(), compressVerb(),   compareVerb(), flattenVerb()};
 }
 
-int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {
+int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,
+             const char* const* arguments) {
   CLI::App program{"Makes a realistic clip of a biped hit like a cartoon: trails, stretch, re-keyed glTF.\n"
                    "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf|SEQUENCE]"};
   program.name("stretch-engine");
   program.require_subcommand(1);
-  program.set_version_flag("--version", "stretch-engine " STRETCH_VERSION);
+  program.set_version_flag("--version", version);
   std::function<Status()> chosen;
   for (const Verb& verb : verbs) {
     CLI::App* const subcommand = program.add_subcommand(verb.name, verb.help);

@@ -19,9 +19,10 @@ struct Verb {
 /// The verbs that need no screen. `render` is registered by the program from ui/.
 [[nodiscard]] std::vector<Verb> batchVerbs();
 
-/// Runs one verb by command line (without the program's name). Exit code: 0 done, 1 could not be done (one
-/// line on standard error), 2 wrong arguments.
-[[nodiscard]] int runVerbs(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments);
+/// Runs one verb by command line, whose first word is the program's name. Exit code: 0 done, 1 could not be
+/// done (one line on standard error), 2 wrong arguments. `version` is what `--version` prints.
+[[nodiscard]] int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,
+                           const char* const* arguments);
 
 [[nodiscard]] Verb infoVerb();
 [[nodiscard]] Verb trailVerb();

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Holds the documentation against the built program.
 
-    command_line.py PROGRAM ROOT          every verb has help; the examples name only verbs and options that exist
+    command_line.py PROGRAM ROOT          every verb has help with an example; examples name only verbs and options that exist;
+                                          the version names the build
     command_line.py PROGRAM ROOT --run    runs every example of the README, in order, in a folder of its own
 """
 
@@ -69,6 +70,30 @@ def check_help(program, verbs):
     return options, problems
 
 
+def check_help_examples(program, options):
+    """Each verb's help ends with an example of it that can work."""
+    problems = []
+    for verb in options:
+        _, text, _ = output_of(program, verb, "--help")
+        _, _, shown = text.partition("\nExample")
+        examples = [shlex.split(m.group(1)) for m in map(EXAMPLE.match, map(str.strip, shown.splitlines())) if m]
+        if not any(example[0] == verb for example in examples):
+            problems.append(f"{verb} --help: shows no example")
+        for example in examples:
+            problem = problem_with(example, options)
+            problems += [f"{verb} --help: {' '.join(example)}: {problem}"] if problem else []
+    return problems
+
+
+def check_version(program, root):
+    """The version is the project's, and says of what commit and by which compiler."""
+    declared = re.search(r"VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])
+    _, text, _ = output_of(program, "--version")
+    if not re.fullmatch(rf"stretch-engine {re.escape(declared.group(1))} \(.*\w+ [\d.]+, \w+\)\n", text):
+        return [f"--version: {text.strip()} does not name the build of {declared.group(1)}"]
+    return []
+
+
 def check_examples(root, options):
     problems = []
     documents = [root / "README.md", *sorted((root / "docs").glob("*.md"))]
@@ -107,6 +132,7 @@ def main(arguments):
         problems = run_examples(program, root, verbs)
     else:
         options, problems = check_help(program, verbs)
+        problems += check_help_examples(program, options) + check_version(program, root)
         problems += check_examples(root, options)
     print("\n".join(problems))
     return 1 if problems else 0

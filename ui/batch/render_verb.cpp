@@ -349,6 +349,8 @@ app::Verb renderVerb() {
       "Draws a file or mesh sequence without a display: a frame, a numbered series, a contact sheet.",
       [](app::CommandLine& line) {
         const auto arguments = std::make_shared<RenderArguments>();
+        line.examples({"punch.glb -o punch.png --frame 27 --size 960x540",
+                       "punch.glb -o sheet.png --sheet --frames 18:36:2"});
         line.options("FILE", arguments->files,
                      std::string("A .glb, .gltf or .vrm file, or a mesh sequence: ") + app::sequenceWords)
             .required()

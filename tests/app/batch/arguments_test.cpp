@@ -9,6 +9,7 @@
 #include "app/batch/verb.h"
 #include "app/schema/parse_text.h"
 #include "core/base/file.h"
+#include "core/gltf/json.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
@@ -133,4 +134,20 @@ TEST_CASE("No verb writes over what it reads, under any name, unless that is ask
   CHECK(test::exitCodeOf(
             {"exaggerate", file, "--limb", "left-arm", "--scale", "2", "-o", file, "--in-place"}) == 0);
   CHECK(readText(file).value() != before);
+}
+
+TEST_CASE("A report in one line says the same as one over many") {
+  const test::VerbAnswer lines = test::runVerb({"info", dummy, "--json"});
+  const test::VerbAnswer line = test::runVerb({"info", dummy, "--json-line"});
+  REQUIRE(lines.exitCode == 0);
+  REQUIRE(line.exitCode == 0);
+  CHECK(std::count(line.output.begin(), line.output.end(), '\n') == 1);
+  CHECK(std::count(lines.output.begin(), lines.output.end(), '\n') > 10);
+  CHECK(gltf::Json::parse(line.output) == gltf::Json::parse(lines.output));
+}
+
+TEST_CASE("The version is what the program was built as") {
+  const test::VerbAnswer answer = test::runVerb({"--version"});
+  CHECK(answer.exitCode == 0);
+  CHECK(answer.output == "stretch-engine under test\n");
 }

@@ -108,7 +108,7 @@ TEST_CASE("What has no memory ends in one line") {
               }};
   const std::vector<const char*> arguments{"stretch-engine", "hungry"};
   const CapturedErrors errors;
-  CHECK(runVerbs({hungry}, 2, arguments.data()) == 1);
+  CHECK(runVerbs({hungry}, "stretch-engine under test", 2, arguments.data()) == 1);
   CHECK_THAT(errors.text(), Catch::Contains("not enough memory"));
 }
 

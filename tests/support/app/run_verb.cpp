@@ -14,7 +14,8 @@ int exitCodeOf(const std::vector<std::string>& words, const std::vector<app::Ver
   }
   std::vector<app::Verb> verbs = app::batchVerbs();
   verbs.insert(verbs.end(), others.begin(), others.end());
-  return app::runVerbs(verbs, static_cast<int>(arguments.size()), arguments.data());
+  return app::runVerbs(verbs, "stretch-engine under test", static_cast<int>(arguments.size()),
+                       arguments.data());
 }
 
 VerbAnswer runVerb(const std::vector<std::string>& words, const std::vector<app::Verb>& others) {
