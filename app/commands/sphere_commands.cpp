@@ -199,22 +199,34 @@ DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
 
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
-      entry(command::sphereNext, "Next sphere", "Selects the next control sphere; the playhead jumps there.",
-            {"Tab"}, selectedTrailNeeded(), [](Session& session) { return stepSphere(session, true); }),
-      entry(command::spherePrevious, "Previous sphere",
-            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"},
-            selectedTrailNeeded(), [](Session& session) { return stepSphere(session, false); }),
-      entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
-            selectedTrailNeeded(), selectAll),
+      orElse(entry(command::sphereNext, "Next sphere",
+                   "Selects the next control sphere; the playhead jumps there. Without a trail the next "
+                   "controller.",
+                   {"Tab"}, selectedTrailNeeded(),
+                   [](Session& session) { return stepSphere(session, true); }),
+             command::controllerNext),
+      orElse(entry(command::spherePrevious, "Previous sphere",
+                   "Selects the control sphere before; the playhead jumps there. Without a trail the "
+                   "controller before.",
+                   {"Shift+Tab"}, selectedTrailNeeded(),
+                   [](Session& session) { return stepSphere(session, false); }),
+             command::controllerPrevious),
+      orElse(entry(command::sphereAll, "All spheres",
+                   "Selects every control sphere of the trail; without one every controller.", {"Ctrl+A"},
+                   selectedTrailNeeded(), selectAll),
+             command::controllersAll),
       entry(
           command::sphereAdd, "Add a sphere",
           "Adds a control sphere to the selected trail at the playhead; a double click on the trail adds one "
           "there.",
           {"Insert"}, selectedTrailNeeded(),
           [](Session& session) { return addSphere(session, session.view().frame); }),
-      entry(command::sphereReset, "Put the spheres back",
-            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"},
-            {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
+      orElse(entry(command::sphereReset, "Put the spheres back",
+                   "Takes pulls and tangents of the selected spheres back; the spheres stay. Of selected "
+                   "controllers it takes "
+                   "the offset at the playhead.",
+                   {"Alt+G"}, {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
+             command::poseReset),
       entry(command::sphereSmooth, "Reset the tangents",
             "Lets the path run through the selected spheres as their neighbours say, without a tangent of "
             "their "

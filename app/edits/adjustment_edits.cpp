@@ -11,7 +11,7 @@ namespace stretch::app {
 
 namespace {
 
-constexpr double sameFrame = 1e-3;
+constexpr double sameKeyFrame = 1e-3;
 
 bool hasFiniteNumbers(const rig::OffsetKey& key) {
   const Vec3 sum = key.move + key.turn + key.moveSlope + key.turnSlope;
@@ -31,7 +31,7 @@ bool overlap(const rig::Adjustment& a, const rig::Adjustment& b) {
 
 Status checkTimes(const Document& document, const rig::Adjustment& adjustment) {
   const Clip& clip = clipOf(document, adjustment.clip);
-  const double last = std::ceil(clip.endSeconds * clip.framesPerSecond - sameFrame);
+  const double last = std::ceil(clip.endSeconds * clip.framesPerSecond - sameKeyFrame);
   const Vec2 range = adjustment.rangeFrames.value_or(Vec2(0.0, std::max(last, 0.0)));
   if (!std::isfinite(range.x + range.y) || (adjustment.rangeFrames && !(range.x < range.y))) {
     return Error{"the range has no length", adjustment.controller, "set its end after its start"};
@@ -42,11 +42,11 @@ Status checkTimes(const Document& document, const rig::Adjustment& adjustment) {
   }
   for (std::size_t i = 0; i < adjustment.keys.size(); ++i) {
     const double frame = adjustment.keys[i].frame;
-    if (frame < range.x - sameFrame || frame > range.y + sameFrame) {
+    if (frame < range.x - sameKeyFrame || frame > range.y + sameKeyFrame) {
       return Error{fmt::format("the key at frame {:g} lies outside of {:g} to {:g}", frame, range.x, range.y),
                    adjustment.controller, "give frames of the range, or of the clip where there is none"};
     }
-    if (i > 0 && frame - adjustment.keys[i - 1].frame < sameFrame) {
+    if (i > 0 && frame - adjustment.keys[i - 1].frame < sameKeyFrame) {
       return Error{fmt::format("two keys stand at frame {:g}", frame), adjustment.controller,
                    "leave one of them out"};
     }
@@ -122,6 +122,10 @@ Status checkAdjustment(const Document& document, const rig::ControllerList& list
 
 rig::ControllerList controllersOf(const Document& document) {
   return rig::controllersOf(*document.scene, document.biped.limbs, document.biped.hips);
+}
+
+std::vector<rig::Controller> jointControllersOf(const Document& document) {
+  return rig::jointControllers(*document.scene, document.biped.limbs, document.biped.hips);
 }
 
 Result<rig::Controller> findController(const Document& document, const rig::ControllerList& list,

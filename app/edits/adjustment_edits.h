@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/document.h"
 #include "rig/controllers/controller.h"
@@ -14,6 +15,9 @@ namespace stretch::app {
 
 /// The controllers and attributes of the document's character.
 [[nodiscard]] rig::ControllerList controllersOf(const Document& document);
+
+/// Those on its other joints.
+[[nodiscard]] std::vector<rig::Controller> jointControllersOf(const Document& document);
 
 /// The controller on a joint, or of this id.
 [[nodiscard]] Result<rig::Controller> findController(const Document& document,

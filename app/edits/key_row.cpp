@@ -238,6 +238,44 @@ const char* channelWord(Channel channel) {
   return "";
 }
 
+Track restTrack(const Scene& scene, const KeyRow& row) {
+  Track rest;
+  rest.node = row.node;
+  rest.channel = row.channel;
+  rest.width = channelWidth(row.channel);
+  rest.times = {0.0F};
+  const Transform& local = scene.nodes[at(row.node)].rest;
+  const Vec3& value = row.channel == Channel::scale ? local.scale : local.translation;
+  const Quat& turn = local.rotation;
+  const std::vector<double> numbers = row.channel == Channel::rotation
+                                          ? std::vector<double>{turn.x, turn.y, turn.z, turn.w}
+                                          : std::vector<double>{value.x, value.y, value.z};
+  for (const double number : numbers) {
+    rest.values.push_back(static_cast<float>(number));
+  }
+  return rest;
+}
+
+std::vector<KeyValues> sampleOffsets(const Document& document, int clip, const KeyRow& row,
+                                     std::span<const double> frames) {
+  const OffsetLook look = lookOf(document, row);
+  const double rate = clipOf(document, clip).framesPerSecond;
+  std::vector<rig::OffsetCurve> curves;
+  for (const std::size_t place : adjustmentsOf(document, clip, row)) {
+    curves.emplace_back(document.adjustments[place], look.standard, rate);
+  }
+  std::vector<KeyValues> values;
+  for (const double frame : frames) {
+    const auto covering = std::find_if(curves.begin(), curves.end(), [&](const rig::OffsetCurve& curve) {
+      return curve.covers(frame / rate);
+    });
+    values.push_back(covering != curves.end()
+                         ? offsetValues(*covering, frame / rate, look.isAttribute)
+                         : shownOffset(Vec3(0.0), Vec3(0.0), look.standard, look.isAttribute));
+  }
+  return values;
+}
+
 } // namespace
 
 std::vector<KeyRow> keyedRows(const Document& document, int clip) {
@@ -287,35 +325,23 @@ std::vector<double> keyFramesOf(const Document& document, int clip, const KeyRow
 
 KeyValues valuesAt(const Document& document, int clip, const KeyRow& row, double frame,
                    const KeyValues& near) {
+  return sampleRow(document, clip, row, {&frame, 1}, near).front();
+}
+
+std::vector<KeyValues> sampleRow(const Document& document, int clip, const KeyRow& row,
+                                 std::span<const double> frames, const KeyValues& near) {
+  if (row.isOffset()) {
+    return sampleOffsets(document, clip, row, frames);
+  }
   const double rate = clipOf(document, clip).framesPerSecond;
-  if (!row.isOffset()) {
-    const Track* const track = trackOf(document, clip, row);
-    if (track != nullptr) {
-      return trackValues(*track, frame / rate, near);
-    }
-    Track rest;
-    rest.node = row.node;
-    rest.channel = row.channel;
-    rest.width = channelWidth(row.channel);
-    const Transform& local = document.scene->nodes[at(row.node)].rest;
-    const Vec3 value = row.channel == Channel::scale ? local.scale : local.translation;
-    const Quat& turn = local.rotation;
-    rest.times = {0.0F};
-    rest.values = row.channel == Channel::rotation
-                      ? std::vector<float>{static_cast<float>(turn.x), static_cast<float>(turn.y),
-                                           static_cast<float>(turn.z), static_cast<float>(turn.w)}
-                      : std::vector<float>{static_cast<float>(value.x), static_cast<float>(value.y),
-                                           static_cast<float>(value.z)};
-    return trackValues(rest, 0.0, near);
+  const Track* const known = trackOf(document, clip, row);
+  const Track resting = known == nullptr ? restTrack(*document.scene, row) : Track{};
+  const Track& track = known == nullptr ? resting : *known;
+  std::vector<KeyValues> values;
+  for (const double frame : frames) {
+    values.push_back(trackValues(track, frame / rate, values.empty() ? near : values.back()));
   }
-  const OffsetLook look = lookOf(document, row);
-  for (const std::size_t place : adjustmentsOf(document, clip, row)) {
-    const rig::OffsetCurve curve(document.adjustments[place], look.standard, rate);
-    if (curve.covers(frame / rate)) {
-      return offsetValues(curve, frame / rate, look.isAttribute);
-    }
-  }
-  return shownOffset(Vec3(0.0), Vec3(0.0), look.standard, look.isAttribute);
+  return values;
 }
 
 Result<Document> writeRow(const Document& document, int clip, const KeyedRow& row) {

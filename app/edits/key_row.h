@@ -2,6 +2,7 @@
 
 #include <array>
 #include <compare>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,9 @@ enum class RowDetail { times, values }; ///< Times alone are read faster; such k
 /// What a row has at a frame, as values are shown; angles nearest to `near`.
 [[nodiscard]] KeyValues valuesAt(const Document& document, int clip, const KeyRow& row, double frame,
                                  const KeyValues& near);
+/// The same at several frames, each near the one before it.
+[[nodiscard]] std::vector<KeyValues> sampleRow(const Document& document, int clip, const KeyRow& row,
+                                               std::span<const double> frames, const KeyValues& near);
 
 /// The row in place of what the document has. Keys of one frame: the first counts. Refused where a row of the
 /// clip itself would lose its last key, and where a number is out of proportion.

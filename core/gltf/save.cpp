@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -22,13 +24,37 @@ bool isSameFolder(const fs::path& a, const fs::path& b) {
   return absolute(a) == absolute(b);
 }
 
+// What a save writes, in this order, and what it takes away when all of it is in its place.
+struct SavePlan {
+  std::vector<OutputFile> files;
+  std::vector<fs::path> bridges;
+};
+
+// A name beside `file` that nothing has.
+fs::path bridgeOf(const fs::path& file) {
+  for (int number = 0;; ++number) {
+    fs::path name = file;
+    name.replace_extension();
+    name += number == 0 ? ".saving.bin" : fmt::format(".saving-{}.bin", number);
+    std::error_code ignored;
+    if (!fs::exists(name, ignored)) {
+      return name;
+    }
+  }
+}
+
+std::string uriOf(const fs::path& file) {
+  const std::u8string text = file.filename().u8string();
+  return percentEncoded(std::string(text.begin(), text.end()));
+}
+
 // The files of one save: the JSON gets its final form while buffers and images find their place.
 class Saving {
 public:
   Saving(const Source& source, const fs::path& path, bool isBinary)
       : source_(source), path_(path), isBinary_(isBinary), json_(source.json) {}
 
-  Result<std::vector<OutputFile>> files() {
+  Result<SavePlan> plan() {
     if (Status placed = placeBuffers(); !placed) {
       return placed.error();
     }
@@ -39,11 +65,41 @@ public:
     if (!main) {
       return main.error();
     }
-    files_.push_back({path_, std::move(main.value())});
-    return std::move(files_);
+    SavePlan plan;
+    if (Status bridged = bridge(plan); !bridged) {
+      return bridged.error();
+    }
+    std::move(files_.begin(), files_.end(), std::back_inserter(plan.files));
+    plan.files.push_back({path_, std::move(main.value())});
+    return plan;
   }
 
 private:
+  // A .gltf and the buffers that are replaced with it cannot change at one moment. So the new buffers come
+  // under names of their own first, then a .gltf that refers to those, and only then what it refers to in the
+  // end: at every moment the .gltf that is there has its own buffers.
+  Status bridge(SavePlan& plan) {
+    std::error_code ignored;
+    if (replaced_.empty() || !fs::exists(path_, ignored)) {
+      return Success{};
+    }
+    Json bridged = json_;
+    for (const auto& [buffer, file] : replaced_) {
+      const fs::path name = bridgeOf(files_[file].path);
+      bridged["buffers"][buffer]["uri"] = uriOf(name);
+      plan.files.push_back({name, files_[file].bytes});
+      plan.bridges.push_back(name);
+    }
+    std::swap(bridged, json_);
+    Result<Bytes> text = textFile();
+    std::swap(bridged, json_);
+    if (!text) {
+      return text.error();
+    }
+    plan.files.push_back({path_, std::move(text.value())});
+    return Success{};
+  }
+
   // The BIN chunk takes the first buffer; a chunk that was there without a buffer of its own keeps its place.
   [[nodiscard]] bool hasRoomInBinary() const {
     return isBinary_ &&
@@ -82,8 +138,11 @@ private:
       return placeBeside(uri, source_.buffers[index], at("buffers", index));
     }
     const fs::path name = freeName(index);
-    const std::u8string text = name.filename().u8string();
-    json_["buffers"][index]["uri"] = percentEncoded(std::string(text.begin(), text.end()));
+    json_["buffers"][index]["uri"] = uriOf(name);
+    std::error_code ignored;
+    if (fs::exists(name, ignored)) {
+      replaced_.emplace_back(index, files_.size());
+    }
     files_.push_back({name, withinLength(index)});
     return Success{};
   }
@@ -203,6 +262,7 @@ private:
   bool hasBinary_ = false;
   Bytes binary_;
   std::vector<OutputFile> files_;
+  std::vector<std::pair<std::size_t, std::size_t>> replaced_; ///< Buffers and their places in `files_`.
 };
 
 } // namespace
@@ -222,8 +282,15 @@ Status save(const Source& source, const fs::path& path) {
     return Error{"there is no such folder", folder.string(), "make it, or save elsewhere"};
   }
   try {
-    const Result<std::vector<OutputFile>> files = Saving(source, path, !isText).files();
-    return files ? writeFiles(*files, MissingFolder::isMade) : Status(files.error());
+    const Result<SavePlan> plan = Saving(source, path, !isText).plan();
+    if (!plan) {
+      return plan.error();
+    }
+    Status written = writeFiles(plan->files, MissingFolder::isMade);
+    for (const fs::path& bridge : plan->bridges) {
+      fs::remove(bridge, ignored);
+    }
+    return written;
   } catch (const fs::filesystem_error&) {
     return Error{"cannot be written", path.string(), "check the path"};
   }

@@ -136,6 +136,11 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
   drawMenu(context,
            {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
                      timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "app/commands/hold.h"
+#include "app/commands/keys.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "ui/viewport/keys_tool.h"
 
 namespace stretch::ui {
 
@@ -58,6 +60,9 @@ Status previewTool(app::Session& session, Tool& tool) {
   }
   if (const auto* grab = std::get_if<GrabTool>(&tool)) {
     return previewGrab(session, *grab);
+  }
+  if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    return previewKeys(session, *keys);
   }
   return Success{};
 }
@@ -196,6 +201,8 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
     outcome = app::pressKey(exaggerate->modal, press);
   } else if (auto* grab = std::get_if<GrabTool>(&tool)) {
     outcome = app::pressKey(grab->modal, press);
+  } else if (auto* keys = std::get_if<KeysTool>(&tool)) {
+    outcome = app::pressKey(keys->modal, press);
   }
   if (outcome != app::ModalOutcome::running) {
     finishTool(session, tool, outcome == app::ModalOutcome::keep);
@@ -267,6 +274,8 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
   if (!isRunning(tool)) {
     return;
   }
+  const auto* const keys = std::get_if<KeysTool>(&tool);
+  const app::KeySelection picked = keys != nullptr ? keys->picked : app::KeySelection{};
   tool = std::monostate{};
   if (!session.isDragging()) {
     return;
@@ -275,6 +284,7 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
     session.commit();
   } else {
     session.cancel();
+    app::pickKeys(session, picked.empty() ? app::pickedKeys(session) : picked, false);
   }
 }
 
@@ -288,6 +298,9 @@ void describeTool(const Tool& tool, EditorStatus& status) {
     status.modalText = app::modalText(grab->modal, grab->tangent ? 0 : grab->selected.size());
     status.modalText += soft ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
+  } else if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    status.modalText = app::modalText(keys->modal, app::keyCount(keys->picked));
+    hints = app::modalHints(keys->modal);
   }
   for (app::ModalHint& hint : hints) {
     status.keyHints.push_back({std::move(hint.key), std::move(hint.does)});
