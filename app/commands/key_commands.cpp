@@ -39,7 +39,7 @@ Status insertHere(Session& session) {
 }
 
 Status deletePicked(Session& session) {
-  return editKeys(session, deleteKeys(session.document(), session.view().clip, pickedKeys(session)),
+  return editKeys(session, removeKeys(session.document(), session.view().clip, pickedKeys(session)),
                   "Delete");
 }
 

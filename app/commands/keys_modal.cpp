@@ -8,7 +8,7 @@ namespace stretch::app {
 
 namespace {
 
-bool typeNumber(TypedNumber& typed, const Chord& chord) {
+bool typeAmountOfKeys(TypedNumber& typed, const Chord& chord) {
   std::string& text = typed.text;
   const std::optional<int> digit = digitOf(chord.key);
   if (digit && text.size() < 9) {
@@ -57,7 +57,7 @@ ModalOutcome pressKey(KeysModal& modal, const KeyPress& press) {
   if (chord.key == Key::escape) {
     return ModalOutcome::restore;
   }
-  if (!chord.ctrl && !chord.alt && typeNumber(modal.typed, chord)) {
+  if (!chord.ctrl && !chord.alt && typeAmountOfKeys(modal.typed, chord)) {
     return ModalOutcome::running;
   }
   const char letter = typedLetter(press);

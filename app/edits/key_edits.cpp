@@ -297,7 +297,7 @@ Result<EditedKeys> snapKeys(const Document& document, int clip, const KeySelecti
   });
 }
 
-Result<EditedKeys> deleteKeys(const Document& document, int clip, const KeySelection& selection) {
+Result<EditedKeys> removeKeys(const Document& document, int clip, const KeySelection& selection) {
   if (selection.empty()) {
     return noKeys();
   }

@@ -71,7 +71,7 @@ struct KeyScale {
 [[nodiscard]] Result<EditedKeys> insertKeys(const Document& document, int clip, std::span<const KeyRow> rows,
                                             double frame);
 
-[[nodiscard]] Result<EditedKeys> deleteKeys(const Document& document, int clip,
+[[nodiscard]] Result<EditedKeys> removeKeys(const Document& document, int clip,
                                             const KeySelection& selection);
 
 /// What Copy takes: keys with their values and slopes, times counted from the first of all.

@@ -20,7 +20,7 @@ namespace {
 using gltf::Json;
 
 constexpr std::array<const char*, 3> channelNames{"translation", "rotation", "scale"};
-constexpr std::array<const char*, 3> interpolationNames{"STEP", "LINEAR", "CUBICSPLINE"};
+constexpr std::array<const char*, 3> samplerKinds{"STEP", "LINEAR", "CUBICSPLINE"};
 
 std::size_t numbersOfKey(const Track& track) {
   return static_cast<std::size_t>(track.width) *
@@ -57,7 +57,7 @@ Json keptTrack(int clip, const Track& track, const Track* source) {
   Json json = {{"clip", clip},
                {"node", track.node.value},
                {"path", channelNames[static_cast<std::size_t>(track.channel)]},
-               {"interpolation", interpolationNames[static_cast<std::size_t>(track.interpolation)]}};
+               {"interpolation", samplerKinds[static_cast<std::size_t>(track.interpolation)]}};
   if (source == nullptr || track.times != source->times) {
     json["times"] = track.times;
   }
@@ -107,7 +107,7 @@ bool isSound(const Track& track) {
 Result<Track> trackFromJson(const Json& json, int clip, const Document& document) {
   const NodeIndex node(json.at("node").get<int>());
   const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
-  const auto interpolation = placeOf(interpolationNames, json.at("interpolation").get<std::string>());
+  const auto interpolation = placeOf(samplerKinds, json.at("interpolation").get<std::string>());
   if (!node.exists() || at(node) >= document.scene->nodes.size() || !channel || !interpolation) {
     return malformedTrack();
   }

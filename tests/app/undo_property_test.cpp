@@ -89,7 +89,7 @@ Document randomKeys(const Document& document, Dice& dice) {
   case 2:
     return edited(insertKeys(document, 0, {&row, 1}, 0.5 * dice.below(40)));
   case 3:
-    return edited(deleteKeys(document, 0, picked));
+    return edited(removeKeys(document, 0, picked));
   case 4:
     return edited(pasteKeys(document, 0, copyKeys(document, 0, picked), dice.below(20), {}));
   case 5:

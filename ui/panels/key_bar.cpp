@@ -145,7 +145,7 @@ void drawKeyBar(PanelContext& context) {
 
 namespace {
 
-void frameRow(PanelContext& context, const char* id, const char* label, const char* help, double& frame) {
+void framesSlider(PanelContext& context, const char* id, const char* label, const char* help, double& frame) {
   static_cast<void>(slider(widgetsOf(context),
                            {.id = id,
                             .minimum = 0.0,
@@ -162,10 +162,10 @@ void frameRow(PanelContext& context, const char* id, const char* label, const ch
 
 void retimeRows(PanelContext& context) {
   RetimeState& state = context.ui.retime;
-  frameRow(context, "retime/first", "From ", "The first frame of what is made slower or faster.",
+  framesSlider(context, "retime/first", "From ", "The first frame of what is made slower or faster.",
            state.firstFrame);
-  frameRow(context, "retime/last", "To ", "Its last frame.", state.lastFrame);
-  frameRow(context, "retime/length", "Takes ", "How many frames it is to take.", state.newFrames);
+  framesSlider(context, "retime/last", "To ", "Its last frame.", state.lastFrame);
+  framesSlider(context, "retime/length", "Takes ", "How many frames it is to take.", state.newFrames);
   const double length = state.lastFrame - state.firstFrame;
   double percent = length > 0.0 ? 100.0 * length / std::max(state.newFrames, 1e-6) : 100.0;
   const EditPhase sped = slider(widgetsOf(context),

@@ -172,12 +172,12 @@ ImVec2 handleTip(const Theme& theme, const Plot& plot, const CurveKey& key, bool
 }
 
 /// The keys that show their tangents: a few that are picked.
-struct Handle {
+struct KeyHandle {
   std::size_t curve = 0;
   const CurveKey& key;
 };
-std::vector<Handle> handlesOf(const Plot& plot, const CurveViewModel& model) {
-  std::vector<Handle> handles;
+std::vector<KeyHandle> handlesOf(const Plot& plot, const CurveViewModel& model) {
+  std::vector<KeyHandle> handles;
   for (std::size_t i = 0; i < model.curves.size() && model.editable; ++i) {
     if (model.curves[i].hidden || model.curves[i].picked == 0) {
       continue;
@@ -196,7 +196,7 @@ std::vector<Handle> handlesOf(const Plot& plot, const CurveViewModel& model) {
 
 void drawHandles(const Theme& theme, const Plot& plot, const CurveViewModel& model) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  for (const Handle& handle : handlesOf(plot, model)) {
+  for (const KeyHandle& handle : handlesOf(plot, model)) {
     for (const bool after : {false, true}) {
       const ImVec2 tip = handleTip(theme, plot, handle.key, after);
       list->AddLine(plot.at(handle.key.at), tip, theme.colours.text, theme.px(1.0F));
@@ -241,7 +241,7 @@ CurveHit hitOf(const Theme& theme, const Plot& plot, const CurveViewModel& model
   if (!plot.box.contains(mouse) || !model.editable) {
     return {CurveGesture::Part::playhead, {}, true, false};
   }
-  for (const Handle& handle : handlesOf(plot, model)) {
+  for (const KeyHandle& handle : handlesOf(plot, model)) {
     for (const bool after : {false, true}) {
       if (distance(handleTip(theme, plot, handle.key, after), mouse) < theme.px(7.0F)) {
         return {CurveGesture::Part::tangent, {handle.curve, handle.key.key}, after, true};

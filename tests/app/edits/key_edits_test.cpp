@@ -182,15 +182,15 @@ TEST_CASE("A joint without keys gets its first one where it rests", "[keys]") {
   const KeySelection first{{rows.front(), {{0}}}};
   const Document raised = documentOf(moveKeys(keyed, 0, {{rows.front(), {{0, 2U}}}}, {0.0, 0.25}));
   CHECK(trackAt(raised, rows.front()).values == std::vector<float>{0.3F, 0.25F, 0.0F});
-  CHECK_FALSE(deleteKeys(keyed, 0, first));
+  CHECK_FALSE(removeKeys(keyed, 0, first));
   CHECK(sameDocument(restoreAllTracks(raised), start));
 }
 
 TEST_CASE("The last key of a track of the clip is not deleted", "[keys]") {
   const Document start = test::boxer();
   const std::vector<KeyRow> rows{armTurns};
-  CHECK_FALSE(deleteKeys(start, 0, allKeys(start, 0, rows)));
-  CHECK(trackAt(documentOf(deleteKeys(start, 0, keysBetween(start, 0, rows, 4.0, 12.0)))).times.size() == 2);
+  CHECK_FALSE(removeKeys(start, 0, allKeys(start, 0, rows)));
+  CHECK(trackAt(documentOf(removeKeys(start, 0, keysBetween(start, 0, rows, 4.0, 12.0)))).times.size() == 2);
 }
 
 TEST_CASE("Copied keys stand at the frame where they are pasted, by value", "[keys]") {
@@ -261,7 +261,7 @@ TEST_CASE("Offset keys are edited by the same edits", "[keys]") {
   CHECK(flat.adjustments[0].keys[1].interpolation == rig::KeyInterpolation::flat);
   const std::vector<KeyRow> rows{handRow};
   CHECK(documentOf(insertKeys(start, 0, rows, 6.0)).adjustments[0].keys.size() == 4);
-  CHECK(documentOf(deleteKeys(start, 0, allKeys(start, 0, rows))).adjustments.empty());
+  CHECK(documentOf(removeKeys(start, 0, allKeys(start, 0, rows))).adjustments.empty());
   const CopiedKeys copied = copyKeys(start, 0, oneKey(handRow, 0));
   CHECK(documentOf(pasteKeys(start, 0, copied, 14.0, {})).adjustments[0].keys.back().move.x == Approx(0.04));
 }
