@@ -1,6 +1,8 @@
 #include "ui/panels/key_bar.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -37,11 +39,11 @@ FirstKey firstKey(const app::Session& session, const app::KeySelection& picked) 
   return {stored.frame, stored.values[component]};
 }
 
-using KeyChange = std::function<Result<app::EditedKeys>(const app::Document&, const app::KeySelection&)>;
+using PickedChange = std::function<Result<app::EditedKeys>(const app::Document&, const app::KeySelection&)>;
 
 /// One frame of a gesture on the picked keys, as they were when it began.
 void editPicked(PanelContext& context, const EditPhase& phase, const std::string& verb,
-                const KeyChange& change) {
+                const PickedChange& change) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
   if (!session.isDragging()) {
@@ -163,7 +165,7 @@ void framesSlider(PanelContext& context, const char* id, const char* label, cons
 void retimeRows(PanelContext& context) {
   RetimeState& state = context.ui.retime;
   framesSlider(context, "retime/first", "From ", "The first frame of what is made slower or faster.",
-           state.firstFrame);
+               state.firstFrame);
   framesSlider(context, "retime/last", "To ", "Its last frame.", state.lastFrame);
   framesSlider(context, "retime/length", "Takes ", "How many frames it is to take.", state.newFrames);
   const double length = state.lastFrame - state.firstFrame;

@@ -350,7 +350,8 @@ void recordKeys(const WidgetContext& context, const std::string& id, const Plot&
       if (++recorded > most) {
         return;
       }
-      const std::string name = "/" + curve.label + "/" + std::to_string(key.key);
+      const std::string row = curve.row == 0 ? "" : "row-" + std::to_string(curve.row) + "/";
+      const std::string name = "-key/" + row + curve.label + "/" + std::to_string(key.key);
       add(name, plot.at(key.at));
       if (key.picked) {
         add(name + "/out", handleTip(context.theme, plot, key, true));
