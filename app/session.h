@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/editing.h"
-#include "app/edits/offset_edits.h"
 #include "app/edits/key_edits.h"
+#include "app/edits/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "rig/motion/stroke.h"
 
@@ -47,10 +47,10 @@ struct ViewState {
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
   /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
   std::optional<OffsetPose> copiedPose;
-  KeySelection pickedKeys;               ///< Of the viewed clip, in graph and dope sheet.
-  int pickedClip = 0;                    ///< The clip that they are of.
-  std::vector<KeyRow> keyRows;           ///< Those that the graph or the dope sheet shows.
-  std::optional<CopiedKeys> copiedKeys;  ///< What Paste pastes there.
+  KeySelection pickedKeys;              ///< Of the viewed clip, in graph and dope sheet.
+  int pickedClip = 0;                   ///< The clip that they are of.
+  std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
+  std::optional<CopiedKeys> copiedKeys; ///< What Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.

@@ -123,7 +123,7 @@ void tangentChooser(PanelContext& context) {
   }
   const int chosen = dropdown(widgetsOf(context), "keys/tangents", choices, -1,
                               {"Tangents", "How the curve passes the picked keys.", {}},
-                              context.theme.px(96.0F), "Tangents");
+                              context.theme.px(116.0F), "Tangents");
   if (chosen >= 0) {
     request(context, kinds[static_cast<std::size_t>(chosen)].second);
   }
@@ -155,7 +155,6 @@ void framesSlider(PanelContext& context, const char* id, const char* label, cons
                             .step = 1.0,
                             .decimals = frameDecimals(frame),
                             .prefix = label,
-                            .suffix = " frames",
                             .hardMaximum = 1e5,
                             .showsFill = false,
                             .help = {label, help, {}}},
@@ -164,10 +163,11 @@ void framesSlider(PanelContext& context, const char* id, const char* label, cons
 
 void retimeRows(PanelContext& context) {
   RetimeState& state = context.ui.retime;
-  framesSlider(context, "retime/first", "From ", "The first frame of what is made slower or faster.",
+  framesSlider(context, "retime/first", "From frame ", "The first frame of what is made slower or faster.",
                state.firstFrame);
-  framesSlider(context, "retime/last", "To ", "Its last frame.", state.lastFrame);
-  framesSlider(context, "retime/length", "Takes ", "How many frames it is to take.", state.newFrames);
+  framesSlider(context, "retime/last", "To frame ", "Its last frame.", state.lastFrame);
+  framesSlider(context, "retime/length", "Frames that it takes: ", "How many frames it is to take.",
+               state.newFrames);
   const double length = state.lastFrame - state.firstFrame;
   double percent = length > 0.0 ? 100.0 * length / std::max(state.newFrames, 1e-6) : 100.0;
   const EditPhase sped = slider(widgetsOf(context),
