@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -115,6 +116,28 @@ void mapTrail(const TimeMap& map, rig::Trail& trail) {
   }
 }
 
+// Weights of a prop's hands stay keyed where they are.
+void mapHolds(const TimeMap& map, int clip, rig::Holds& holds) {
+  for (rig::Pin& pin : holds.pins) {
+    if (pin.clip == clip) {
+      pin.time.rangeFrames = mapped(map, pin.time.rangeFrames);
+      pin.atFrame = map(pin.atFrame);
+    }
+  }
+  for (rig::Grip& grip : holds.grips) {
+    if (grip.clip == clip) {
+      grip.time.rangeFrames = mapped(map, grip.time.rangeFrames);
+      grip.relationFrame = grip.relationFrame ? std::optional(map(*grip.relationFrame)) : std::nullopt;
+    }
+  }
+  for (rig::Prop& prop : holds.props) {
+    if (prop.clip == clip && prop.time) {
+      prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
+    }
+    prop.boundFrame = prop.clip == clip ? map(prop.boundFrame) : prop.boundFrame;
+  }
+}
+
 bool isOfLimb(const rig::ControllerList& list, const std::string& limb, const std::string& id) {
   const rig::Controller* const controller = list.controller(id);
   const rig::Attribute* const attribute = list.attribute(id);
@@ -130,6 +153,9 @@ void mapWhatStandsOnTime(const TimeMap& map, int clip, const std::string& limb, 
     }
   }
   std::erase_if(document.adjustments, [](const rig::Adjustment& one) { return one.keys.empty(); });
+  if (limb.empty()) {
+    mapHolds(map, clip, document.holds);
+  }
   for (rig::Trail& trail : document.trails) {
     if (limb.empty() && trail.clip == clip) {
       mapTrail(map, trail);

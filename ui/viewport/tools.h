@@ -13,6 +13,7 @@
 #include "app/session.h"
 #include "ui/panels/ui_state.h"
 #include "ui/render/camera.h"
+#include "ui/viewport/controller_tool.h"
 
 namespace stretch::ui {
 
@@ -48,7 +49,7 @@ struct KeysTool {
 };
 
 /// What takes all keys until it ends; none most of the time.
-using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool, KeysTool>;
+using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool, ControllerTool, KeysTool>;
 
 [[nodiscard]] inline bool isRunning(const Tool& tool) {
   return !std::holds_alternative<std::monostate>(tool);
@@ -80,10 +81,12 @@ Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbI
 Status startKeys(app::Session& session, Tool& tool, const app::KeysModal& modal);
 /// The mouse over the pane of a running KeysTool, as frame and value; nothing for other tools.
 Status moveKeysMouse(app::Session& session, Tool& tool, const Vec2& at);
+/// Begins moving or turning the selected controllers.
+Status startControllerTool(app::Session& session, Tool& tool, const ControllerStart& start);
 
 /// A key for the running tool. An error tells why the preview could not follow.
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press);
-/// The mouse for a running grab; nothing for other tools.
+/// The mouse for what it pulls or turns; nothing for other tools.
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels);
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);

@@ -17,6 +17,7 @@
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/key_edits.h"
+#include "app/edits/offset_edits.h"
 #include "app/edits/track_edits.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
@@ -215,6 +216,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
+      {"controllers", [&] { return joined(view.selectedControllers); }},
+      {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
       {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
       {"range.start", [&] { return number(view.rangeStart); }},
       {"range.end", [&] { return number(view.rangeEnd); }},
@@ -387,6 +390,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
+      {"hovered-controller", shell.viewport.hoveredController},
       {"tooltip", yesNo(showsTooltip())},
       {"camera.distance", number(shell.viewport.camera.distance)},
       {"camera.yaw", number(shell.viewport.camera.yawRadians)},
