@@ -304,10 +304,10 @@ std::vector<DocumentCommand> holdCommands() {
       entry(command::holdPin, "Pin",
             "Keeps the selected hands and feet, over the working range, at the place that they have at the "
             "playhead.",
-            {"P"}, heldTargetNeeded(), pinTargets),
+            {"Shift+P"}, heldTargetNeeded(), pinTargets),
       entry(command::holdPinFeet, "Pin planted feet",
             "Finds where each foot stands, in the working range or the whole clip, and pins it there.",
-            {"Shift+P"}, {hasClipAndLegs, "open a character with legs and a clip"}, pinPlantedFeet),
+            {"Alt+P"}, {hasClipAndLegs, "open a character with legs and a clip"}, pinPlantedFeet),
       ticked(
           entry(command::holdMatch, "Match the other hand",
                 "Lets the other hand or foot keep its relation to the selected one over the working range, "
