@@ -22,6 +22,7 @@ namespace stretch::test {
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.
+/// keys.picked (in graph and dope sheet), keys.edited (tracks of the viewed clip that are not the source's),
 /// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
 /// bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
