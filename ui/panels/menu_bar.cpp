@@ -92,6 +92,48 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
+void drawLimbMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Limb",
+            {selectLeftArm,
+             selectRightArm,
+             selectLeftLeg,
+             selectRightLeg,
+             selectSpine,
+             selectNeck,
+             selectAllLimbs,
+             selectNone,
+             "",
+             weightToggle,
+             weightAll,
+             weightRemove,
+             "",
+             holdPin,
+             holdPinFeet,
+             holdMatch,
+             holdProp,
+             holdLetGo,
+             holdRemove,
+             "",
+             pickChain,
+             detectAgain}},
+           false);
+}
+
+} // namespace
+
+namespace {
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
 } // namespace
 
 void drawMenuBar(PanelContext& context) {
@@ -105,12 +147,7 @@ void drawMenuBar(PanelContext& context) {
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
-  drawMenu(
-      context,
-      {"Limb",
-       {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck, selectAllLimbs,
-        selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
-      false);
+  drawLimbMenu(context);
   drawMenu(context,
            {"Trail",
             {trailToggle,
@@ -136,6 +173,7 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+  drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
                      timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,

@@ -23,6 +23,7 @@ namespace stretch::test {
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.
 /// tour (its step, from 1; 0: it does not run), welcome (its highlighted entry, from 1; 0: a file is open).
+/// keys.picked (in graph and dope sheet), keys.edited (tracks of the viewed clip that are not the source's),
 /// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
 /// bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
