@@ -297,6 +297,11 @@ std::vector<DocumentCommand> poseCommands() {
                            "Poses the controllers of the same names at the playhead; on another character in "
                            "proportion to its limbs.",
                            {}, {canPastePose, "copy a pose first"}, pastePose));
+  commands.push_back(entry(
+      command::poseTween, "Tween half-way",
+      "Poses the selected controllers half-way between the key before the playhead and the key after it.",
+      {"Shift+T"}, {canTween, "move the playhead between two keys of the selected controllers"},
+      [](Session& session) { return poseAll(session, tweened(session, 0.5), "Tween"); }));
   commands.push_back(entry(command::poseCurlMore, "Curl or roll on",
                            "Closes the selected hand, lifts the heel of the selected foot, by a tenth.",
                            {"Alt+Up"}, bendNeeded(), [](Session& session) { return curl(session, 0.1); }));

@@ -4,6 +4,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "ui/panels/controller_panel.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"
@@ -95,7 +96,7 @@ void drawLimbSettings(PanelContext& context) {
   const std::vector<std::string> limbs = app::targetLimbs(context.character());
   if (limbs.empty()) {
     panelTitle(widgets, icon::sliders, "Settings");
-    note(widgets, "Select a limb or a trail to see its settings.");
+    note(widgets, "Select a limb, a trail or a controller to see its settings.");
     return;
   }
   const std::size_t also = limbs.size() - 1;
@@ -116,6 +117,10 @@ void drawTrailSettingsPanel(PanelContext& context) {
   verticalSpace(widgets, 8.0F);
   separator(widgets);
   app::Session& session = context.character();
+  if (app::hasControllers(session)) {
+    drawControllerSettings(context);
+    return;
+  }
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
     drawLimbSettings(context);
