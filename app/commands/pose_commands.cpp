@@ -168,7 +168,7 @@ Status curl(Session& session, double step) {
     pose.values.push_back({bend.id, std::clamp(value, bend.minimum, bend.maximum)});
     ids.push_back(bend.id);
   }
-  return poseAll(session, pose, poseLabel(session.document(), "Change the", ids));
+  return poseAll(session, pose, poseLabel(session.document(), "Change", ids));
 }
 
 Need bendNeeded() {

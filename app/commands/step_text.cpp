@@ -230,7 +230,8 @@ std::string stepText(const std::string& label, const Document& before, const Doc
   const std::string names = changes.names.size() > 3
                                 ? fmt::format("{} {}", changes.names.size(), changes.noun)
                                 : listed(changes.names);
-  const bool isNamed = label.find(names) != std::string::npos; // "Pull the left arm".
+  const bool isNamed = label.find(names) != std::string::npos || // "Pull the left arm", "Key 4 controllers".
+                       label.ends_with(std::string(" ") + changes.noun);
   const std::string value = sameValue ? changes.values.front() : std::string();
   const std::string detail = isNamed ? value : value.empty() ? names : names + " " + value;
   return joinedStep(label, detail);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -89,7 +90,8 @@ struct OffsetRow {
   double reach; ///< Of dragging, in units.
   double hard;
   double step;
-  int decimals;
+  int decimals; ///< Of what is small; one less where the number gets too long for its field.
+  double small; ///< In units.
   const char* help;
   Vec3 app::ControllerOffset::*vector;
   bool rig::Controller::*can;
@@ -122,7 +124,7 @@ void offsetRow(PanelContext& context, const std::vector<rig::Controller>& contro
                           .minimum = -row.reach,
                           .maximum = row.reach,
                           .step = row.step,
-                          .decimals = row.decimals,
+                          .decimals = row.decimals - (std::abs(value) < row.small ? 0 : 1),
                           .defaultValue = 0.0,
                           .hardMinimum = -row.hard,
                           .hardMaximum = row.hard,
@@ -144,11 +146,12 @@ void offsetRows(PanelContext& context, const std::vector<rig::Controller>& contr
   const double height = std::max(1e-6, context.character().document().biped.height);
   const bool large = height > 20.0;
   offsetRow(context, controllers,
-            {"move-", "Move", "Move", 1.0, 2.0 * height, 1000.0 * height, large ? 0.1 : 0.005, large ? 1 : 3,
+            {"move-", "Move", "Move", 1.0, 2.0 * height, 1000.0 * height, large ? 0.1 : 0.005, large ? 1 : 2,
+             large ? 100.0 : 10.0,
              "How far it is from where the clip has it, along the axes of what carries it.",
              &app::ControllerOffset::move, &rig::Controller::moves});
   offsetRow(context, controllers,
-            {"turn-", "Turn", "Turn", radiansOfDegree, 360.0, 36000.0, 1.0, 1,
+            {"turn-", "Turn", "Turn", radiansOfDegree, 360.0, 36000.0, 1.0, 1, 100.0,
              "Degrees about each axis of what carries it, as one turn about their sum.",
              &app::ControllerOffset::turn, &rig::Controller::turns});
 }

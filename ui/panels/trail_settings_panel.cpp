@@ -4,7 +4,6 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "ui/panels/controller_panel.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/setting_rows.h"
@@ -117,10 +116,6 @@ void drawTrailSettingsPanel(PanelContext& context) {
   verticalSpace(widgets, 8.0F);
   separator(widgets);
   app::Session& session = context.character();
-  if (app::hasControllers(session)) {
-    drawControllerSettings(context);
-    return;
-  }
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
     drawLimbSettings(context);
