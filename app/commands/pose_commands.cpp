@@ -109,7 +109,7 @@ Status resetSelectedRange(Session& session) {
                    poseLabel(session.document(), "Reset", session.view().selectedControllers));
 }
 
-/// Attributes only where they say something on one of the sides.
+/// What is the same on both sides gets no key.
 Status mirrorSelected(Session& session) {
   const ViewState& view = session.view();
   const Document& document = session.document();
@@ -122,7 +122,10 @@ Status mirrorSelected(Session& session) {
   if (!mirrored) {
     return mirrored.error();
   }
-  return poseAll(session, *mirrored, poseLabel(document, "Mirror", view.selectedControllers));
+  OffsetPose needed = *mirrored;
+  std::erase_if(needed.offsets,
+                [&](const ControllerOffset& offset) { return shownOffset(session, offset.id) == offset; });
+  return poseAll(session, needed, poseLabel(document, "Mirror", view.selectedControllers));
 }
 
 Status copyPose(Session& session) {
@@ -134,7 +137,7 @@ Status copyPose(Session& session) {
 Status pastePose(Session& session) {
   const ViewState& view = session.view();
   OffsetPose pose = inWorldUnits(session.document(), *view.copiedPose);
-  if (pose.offsets.empty()) {
+  if (pose.empty()) {
     return Error{"this character has none of the controllers that were copied", "",
                  "copy a pose of controllers that it has"};
   }
@@ -144,7 +147,12 @@ Status pastePose(Session& session) {
   for (const ControllerOffset& offset : pose.offsets) {
     ids.push_back(offset.id);
   }
-  return poseAll(session, pose, poseLabel(session.document(), "Paste the pose on", ids));
+  const std::string label = poseLabel(session.document(), "Paste the pose on", ids);
+  std::erase_if(pose.offsets, [&](const ControllerOffset& offset) {
+    return offset == ControllerOffset{offset.id, Vec3(0.0), Vec3(0.0)} &&
+           adjustmentAt(session.document(), view.clip, view.frame, offset.id) == nullptr;
+  });
+  return poseAll(session, pose, label);
 }
 
 bool canPastePose(const Session& session) {

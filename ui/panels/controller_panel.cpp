@@ -322,19 +322,18 @@ void tweenRow(PanelContext& context) {
   }
 }
 
-void buttonRows(PanelContext& context) {
-  const float width = columnWidth(2);
+void buttonRow(PanelContext& context) {
+  const float width = columnWidth(4);
   const std::array<CommandButton, 4> buttons{
       {{.command = command::poseMirror, .text = "Mirror", .width = width},
        {.command = command::poseReset, .text = "Reset", .width = width},
        {.command = command::poseCopy, .text = "Copy", .width = width},
        {.command = command::posePaste, .text = "Paste", .width = width}}};
-  for (std::size_t i = 0; i < buttons.size(); ++i) {
-    if (i % 2 == 1) {
-      ImGui::SameLine();
-    }
-    commandButton(context, buttons[i]);
+  for (const CommandButton& one : buttons) {
+    commandButton(context, one);
+    ImGui::SameLine();
   }
+  ImGui::NewLine();
 }
 
 void autoKeyRow(PanelContext& context) {
@@ -371,6 +370,7 @@ void drawControllerSettings(PanelContext& context) {
   panelTitle(widgets, icon::sliders,
              capitalised(app::controllerTitle(context.character().document(), controllers.front().id)) +
                  (also > 0 ? " and " + std::to_string(also) + " more" : ""));
+  buttonRow(context);
   keyRow(context);
   offsetRows(context, controllers);
   actsOnRow(context);
@@ -378,8 +378,6 @@ void drawControllerSettings(PanelContext& context) {
   tweenRow(context);
   autoKeyRow(context);
   attributeRows(context, controllers);
-  verticalSpace(widgets, 8.0F);
-  buttonRows(context);
 }
 
 } // namespace stretch::ui
