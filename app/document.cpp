@@ -20,8 +20,8 @@ auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
          a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains &&
-         a.trails == b.trails && a.adjustments == b.adjustments && a.weights == b.weights &&
-         a.loopingClips == b.loopingClips && a.rates == b.rates;
+         a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
+         a.weights == b.weights && a.loopingClips == b.loopingClips && a.rates == b.rates;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {

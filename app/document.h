@@ -10,6 +10,7 @@
 #include "core/scene/scene.h"
 #include "rig/body/detection.h"
 #include "rig/controllers/adjustment.h"
+#include "rig/hold/hold.h"
 #include "rig/limb.h"
 #include "rig/trail/trail.h"
 
@@ -39,6 +40,7 @@ struct Document {
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
   std::vector<rig::Adjustment> adjustments; ///< What controllers change in the clips, before any trail.
+  rig::Holds holds;                         ///< Pins, grips and props, on top of the trails.
   std::vector<WeightedLimb> weights;        ///< Limbs with weight, by clip.
   std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.
   std::vector<ClipRate> rates;              ///< Clips that are worked on at another rate than their own.

@@ -9,7 +9,9 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/hold_report.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -32,6 +34,7 @@ struct PoseArguments {
 // The adjustments alone: what a limb's trail or weight makes of a pose is another matter.
 Document adjustedOnly(Document document) {
   document.trails.clear();
+  document.holds = {};
   document.weights.clear();
   return document;
 }
@@ -52,6 +55,22 @@ std::optional<Json> placesAt(const Document& document, const rig::MotionState& m
               {"asked", vectorToJson(own->place)},
               {"reached", vectorToJson(reached)},
               {"missed_by", glm::length(reached - own->place)}};
+}
+
+// How the ends were held; what the document's own trails make of the body is in it.
+void addHoldReports(const Document& document, int clip, Json& report) {
+  report["holds"] = Json::array();
+  for (const HoldReport& hold : holdReports(document, prepareMotion(document, clip))) {
+    Json entry{{"hold", holdWord(hold.kind)},
+               {"limb", hold.limb},
+               {"reached", hold.framesFallShort.empty()},
+               {"farthest", hold.farthest},
+               {"falls_short_at", hold.framesFallShort}};
+    report["holds"].push_back(std::move(entry));
+    if (const std::string warning = holdWarning(hold); !warning.empty()) {
+      report["warnings"].push_back(warning);
+    }
+  }
 }
 
 void warnOfMiss(const std::string& controller, const Json& place, double height, Json& warnings) {
@@ -85,12 +104,20 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
+  addHoldReports(document, recipe.clip, report);
   return report;
 }
 
 std::string placeText(const Json& place) {
   return fmt::format("{:.4f} {:.4f} {:.4f}", place[0].get<double>(), place[1].get<double>(),
                      place[2].get<double>());
+}
+
+void printHold(const Json& hold) {
+  const std::string held = hold["reached"].get<bool>()
+                               ? fmt::format("held, at most {:.4g} away", hold["farthest"].get<double>())
+                               : fmt::format("falls short by up to {:.4g}", hold["farthest"].get<double>());
+  fmt::print("{} of {}: {}\n", hold["hold"].get<std::string>(), hold["limb"].get<std::string>(), held);
 }
 
 void printPose(const Json& report) {
@@ -103,6 +130,9 @@ void printPose(const Json& report) {
       fmt::print("{}: frame {:g}: {}\n", controller["controller"].get<std::string>(),
                  key["frame"].get<double>(), place);
     }
+  }
+  for (const Json& hold : report["holds"]) {
+    printHold(hold);
   }
   for (const Json& warning : report["warnings"]) {
     fmt::print("warning: {}\n", warning.get<std::string>());
@@ -119,9 +149,9 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     clip = *named;
   }
   Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
-  if (recipe && recipe->adjustments.empty()) {
-    return Error{"holds no adjustments", arguments.recipe,
-                 R"(give a list "adjustments", as docs/recipes.md tells)"};
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty()) {
+    return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
+                 R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
   return recipe;
 }
@@ -138,7 +168,8 @@ Status runPose(const PoseArguments& arguments) {
   if (!recipe) {
     return recipe.error();
   }
-  const Result<Document> posed = placeAdjustments(*document, recipe->adjustments);
+  const Result<Document> adjusted = placeAdjustments(*document, recipe->adjustments);
+  const Result<Document> posed = adjusted ? placeHolds(*adjusted, recipe->holds) : adjusted;
   if (!posed) {
     return posed.error();
   }
@@ -158,13 +189,16 @@ Status runPose(const PoseArguments& arguments) {
 
 Verb poseVerb() {
   return {
-      "pose", "Adjusts a clip by the controllers that a recipe keys, and saves the file.",
+      "pose",
+      "Adjusts a clip by the controllers that a recipe keys and the pins, grips and props that it holds, and "
+      "saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
-        line.option("--recipe", arguments->recipe, "A recipe (JSON) with a list of adjustments").required();
+        line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props")
+            .required();
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

@@ -13,17 +13,29 @@ const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& in
   });
 }
 
-const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Motion& trails) {
+const EvaluationCache::Motion& EvaluationCache::held(const EvaluationInput& input) {
+  const Motion& solved = trails(input);
+  return held_.of({solved, input.holds}, [&](const auto*) {
+    if (input.holds.empty()) {
+      return solved;
+    }
+    rig::MotionState motion = *solved;
+    addHolds(input, motion);
+    return std::make_shared<const rig::MotionState>(std::move(motion));
+  });
+}
+
+const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Motion& held) {
   std::vector<std::string> limbs;
   for (const std::size_t i : activeWeights(weight)) {
     limbs.push_back(weight.weights[i].limb);
   }
-  return sampled_.of({trails, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *trails); });
+  return sampled_.of({held, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *held); });
 }
 
 const EvaluationCache::Weighted& EvaluationCache::weighted(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
-  const Motion& solved = trails(input);
+  const Motion& solved = held(input);
   return weighted_.of({solved, input.weights}, [&](const auto*) {
     const WeightInput weight = weightInput(input);
     if (activeWeights(weight).empty()) {
@@ -74,10 +86,11 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
 
 const Clip& EvaluationCache::keyed(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(appliedOnly(document), clip);
-  if (input.trails.empty() && input.ground.adjustments.empty()) {
+  if (input.trails.empty() && input.ground.adjustments.empty() && input.holds.empty()) {
     return clipOf(document, clip);
   }
-  return keyed_.of({input.ground, input.trails}, [&](const auto*) { return keyedClip(document, clip); });
+  return keyed_.of({{input.ground, input.trails}, input.holds},
+                   [&](const auto*) { return keyedClip(document, clip); });
 }
 
 } // namespace stretch::app

@@ -6,9 +6,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/edits/hold_edits.h"
 #include "core/base/index.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -32,6 +34,7 @@ rig::MotionInput motionInput(const EvaluationInput& input) {
   wanted.trails = input.trails;
   wanted.loops = input.ground.loops;
   wanted.adjustments = input.ground.adjustments;
+  wanted.holds = input.holds;
   return wanted;
 }
 
@@ -71,6 +74,7 @@ EvaluationInput evaluationInput(const Document& document, int clip) {
   return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
            allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
+          holdsOfClip(document.holds, clip),
           ofClip(document.weights, clip)};
 }
 
@@ -87,6 +91,14 @@ rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionStat
   rig::MotionInput wanted = motionInput(input);
   wanted.previous = previous;
   return rig::solveMotion(wanted);
+}
+
+bool addHolds(const EvaluationInput& input, rig::MotionState& motion) {
+  if (input.holds.empty()) {
+    return false;
+  }
+  rig::setHolds(motionInput(input), motion);
+  return true;
 }
 
 WeightInput weightInput(const EvaluationInput& input) {

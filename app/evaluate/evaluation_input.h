@@ -30,6 +30,7 @@ struct EvaluationGround {
 struct EvaluationInput {
   EvaluationGround ground;
   std::vector<rig::Trail> trails;    ///< Of the clip.
+  rig::Holds holds;                  ///< Of the clip.
   std::vector<WeightedLimb> weights; ///< Of the clip.
 
   friend bool operator==(const EvaluationInput&, const EvaluationInput&) = default;
@@ -48,10 +49,13 @@ struct EvaluationInput {
 /// none.
 [[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous);
 
+/// Lets the clip's holds act on top of the trails. Answers whether there are any.
+bool addHolds(const EvaluationInput& input, rig::MotionState& motion);
+
 /// What the weight of the clip's limbs is worked out from.
 [[nodiscard]] WeightInput weightInput(const EvaluationInput& input);
 
-/// Puts the weight on top of the trails.
+/// Puts the weight on top of trails and holds.
 void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion);
 
 /// The paths of one trail, as they are drawn.

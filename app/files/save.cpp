@@ -34,6 +34,15 @@ std::set<int> clipsToKey(const Document& document) {
   for (const rig::Adjustment& adjustment : document.adjustments) {
     clips.insert(adjustment.clip);
   }
+  for (const rig::Pin& pin : document.holds.pins) {
+    clips.insert(pin.clip);
+  }
+  for (const rig::Grip& grip : document.holds.grips) {
+    clips.insert(grip.clip);
+  }
+  for (const rig::Prop& prop : document.holds.props) {
+    clips.insert(prop.clip);
+  }
   return clips;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/limb.h"
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {
@@ -92,7 +93,9 @@ void measureAt(const WeightInput& input, const rig::MotionState& motion, double 
                std::vector<Measured>& all) {
   const double seconds = frame / input.clip->framesPerSecond;
   FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
-  rig::applyTrails(*input.scene, motion, pose);
+  const FrameState source = pose;
+  rig::applyTrails(*input.scene, motion, source, pose);
+  rig::applyHolds(*input.scene, motion, source, pose);
   std::vector<std::vector<double>> before;
   before.reserve(all.size());
   for (const Measured& one : all) {

@@ -7,7 +7,6 @@
 
 #include "core/math/rotation.h"
 #include "rig/ik/spline_spine.h"
-#include "rig/ik/two_bone.h"
 #include "rig/motion/limb_deform.h"
 
 namespace stretch::rig {
@@ -230,39 +229,12 @@ private:
            !isTurn(endTurn(limb, goal));
   }
 
-  [[nodiscard]] DeformOptions optionsOf(const Limb& limb, const EndGoal& goal) const {
-    return {attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, endTurn(limb, goal)};
-  }
-
-  // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
-  // is solved again from where it came to.
-  void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    constexpr int mostTries = 24;
-    constexpr double unseen = 1e-8; // of the limb
-    const double near = unseen * adjusted.limb.restLength;
-    Vec3 bend = pole;
-    for (int tries = 0; tries < mostTries; ++tries) {
-      const Vec3 end = adjusted.bendPoint > 0 ? bendTo(adjusted, goal, bend) : reachAsOne(adjusted, goal);
-      const bool isReachable = glm::length(goal.place - end) <= near;
-      if (!isReachable || glm::length(goal.place - endPosition(adjusted.limb, frame_)) <= near) {
-        return;
-      }
-      bend = Vec3(0.0);
-    }
-  }
-
-  // The shape turns and stretches as one piece. Answers where the end comes to if nothing is scaled unevenly.
-  Vec3 reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
+  void reachGoal(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
     const Limb& limb = adjusted.limb;
-    LimbShapeProblem problem;
-    problem.points = limbPoints(limb, frame_);
-    problem.target = goal.place;
-    problem.shortestReach = 1e-3 * limb.restLength;
-    problem.restLength = limb.restLength;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const LimbShape shape = solveLimbShape(problem);
-    deformLimb(scene_, limb, adjusted.topology, limbPose(shape), optionsOf(limb, goal), frame_);
-    return shape.end;
+    reach(scene_, adjusted,
+          {goal.place, endTurn(limb, goal), attribute(limb.id + ".stretch", 1.0, 0.0, 1.0),
+           attribute(limb.id + ".volume", 1.0, 0.0, 1.0), pole},
+          frame_);
   }
 
   void moveNeck(const AdjustedLimb& adjusted) {
@@ -272,7 +244,7 @@ private:
       ask("head", goal.place);
     }
     if (!isThere(adjusted.limb, goal)) {
-      reach(adjusted, goal, Vec3(0.0));
+      reachGoal(adjusted, goal, Vec3(0.0));
     }
   }
 
@@ -289,7 +261,7 @@ private:
     }
     const Vec3 pole = poleOffset(adjusted);
     if (pole != Vec3(0.0) || !isThere(limb, goal)) {
-      reach(adjusted, goal, pole);
+      reachGoal(adjusted, goal, pole);
     }
     if (roll > 0.0 && adjusted.roll.toes.exists()) {
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
@@ -319,29 +291,6 @@ private:
     const Offset pole = offset(poleController(adjusted.limb.kind));
     return pole.move == Vec3(0.0) ? pole.move
                                   : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
-  }
-
-  // As a limb of two spans; answers as reachAsOne does.
-  Vec3 bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    const Limb& limb = adjusted.limb;
-    const std::vector<Vec3> points = limbPoints(limb, frame_);
-    TwoBoneProblem problem;
-    problem.base = points.front();
-    problem.joint = points[adjusted.bendPoint];
-    problem.end = points.back();
-    problem.target = goal.place;
-    problem.poleOffset = pole;
-    problem.usualBend = rotation(limb.joints.front()) * adjusted.usualBend;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const TwoBoneShape shape = solveTwoBone(problem);
-    LimbPose pose;
-    for (std::size_t bone = 0; bone < limb.joints.size(); ++bone) {
-      pose.turns.push_back(shape.turns[bone < adjusted.bendPoint ? 0 : 1]);
-      pose.stretches.push_back(shape.scale);
-    }
-    pose.end = shape.end;
-    deformLimb(scene_, limb, adjusted.topology, pose, optionsOf(limb, goal), frame_);
-    return shape.end;
   }
 
   const Scene& scene_;

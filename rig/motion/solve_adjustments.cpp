@@ -1,14 +1,7 @@
 #include "rig/motion/solve_adjustments.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
-
-#include <glm/geometric.hpp>
-
-#include "core/math/rotation.h"
-#include "rig/motion/bend_normal.h"
-#include "rig/trail/limb_path.h"
 
 namespace stretch::rig {
 
@@ -19,116 +12,16 @@ struct Workshop {
   const AdjustmentInput& input;
   BindPlaces places;
   ControllerList list;
-  Vec3 forward{0.0, 0.0, 1.0};
 };
-
-Vec3 baseInBind(const Workshop& shop, const Limb& limb) {
-  return positionOf(shop.places.worlds[at(limb.joints.front())]);
-}
-
-// Where the character faces in the bind pose: its left and up tell.
-Vec3 facingOf(const Workshop& shop) {
-  const Vec3 up(0.0, 1.0, 0.0);
-  for (const auto& [left, right] :
-       {std::pair(LimbKind::leftLeg, LimbKind::rightLeg), std::pair(LimbKind::leftArm, LimbKind::rightArm)}) {
-    const Limb* const a = limbOfKind(shop.input.limbs, left);
-    const Limb* const b = limbOfKind(shop.input.limbs, right);
-    if (a != nullptr && b != nullptr) {
-      const Vec3 forward = glm::cross(baseInBind(shop, *a) - baseInBind(shop, *b), up);
-      if (glm::length(forward) > 0.0) {
-        return glm::normalize(forward);
-      }
-    }
-  }
-  return {0.0, 0.0, 1.0};
-}
 
 Quat bindRotation(const Workshop& shop, NodeIndex node) {
   return node.exists() ? rotationOf(shop.places.worlds[at(node)]) : Quat(1.0, 0.0, 0.0, 0.0);
 }
 
-std::vector<double> alongOf(const Limb& limb, const BindPlaces& places) {
-  const std::vector<Vec3> points = limbPoints(limb, places.worlds);
-  std::vector<double> along{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    along.push_back(along.back() + glm::length(points[i] - points[i - 1]));
-  }
-  const double whole = along.back();
-  for (std::size_t i = 0; i < along.size(); ++i) {
-    along[i] =
-        whole > 0.0 ? along[i] / whole : static_cast<double>(i) / static_cast<double>(along.size() - 1);
-  }
-  return along;
-}
-
-// How a limb bends over the clip.
-struct Bending {
-  std::vector<double> anglesOfPoints; // sum over the samples
-  BendNormal normal;
-};
-
-Bending bendingOf(const AdjustmentInput& input, const Limb& limb) {
-  constexpr double mostSamples = 200.0;
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  const NodeSampler sampler(input.scene, input.clip, nodes);
-  const double length = std::max(0.0, input.clip.endSeconds - input.clip.startSeconds);
-  const double count = std::clamp(std::ceil(length * input.clip.framesPerSecond), 1.0, mostSamples);
-  Bending bending{std::vector<double>(limb.joints.size() + 1, 0.0), {}};
-  FrameState frame;
-  for (double i = 0.0; i <= count; i += 1.0) {
-    sampler.sample(input.clip.startSeconds + length * i / count, frame);
-    const std::vector<Vec3> points = limbPoints(limb, frame);
-    for (std::size_t p = 1; p + 1 < points.size(); ++p) {
-      bending.anglesOfPoints[p] += angleBetween(points[p] - points[p - 1], points[p + 1] - points[p]);
-    }
-    bending.normal.add(points, rotationOf(frame.worlds[at(limb.joints.front())]));
-  }
-  return bending;
-}
-
-// A limb that never bends takes its middle for the elbow or knee.
-std::size_t bendPointOf(const Bending& bending, const std::vector<double>& along) {
-  const std::size_t last = along.size() - 1;
-  if (last < 2) {
-    return 0;
-  }
-  constexpr double leastRadians = 0.02; // over all samples
-  std::size_t best = 1;
-  for (std::size_t i = 2; i < last; ++i) {
-    const bool clear = std::max(bending.anglesOfPoints[i], bending.anglesOfPoints[best]) > leastRadians;
-    const bool better = clear ? bending.anglesOfPoints[i] > bending.anglesOfPoints[best]
-                              : std::abs(along[i] - 0.5) < std::abs(along[best] - 0.5);
-    best = better ? i : best;
-  }
-  return best;
-}
-
-// As the clip bends it, else knees forward and elbows back; in the space of the base joint.
-Vec3 usualBendOf(const Workshop& shop, const Limb& limb, const Bending& bending) {
-  const std::vector<Vec3> points = limbPoints(limb, shop.places.worlds);
-  const Quat base = bindRotation(shop, limb.joints.front());
-  const std::vector<Vec3> straight{points.front(), points.back()};
-  const Vec3 normal = bending.normal.at(straight, base);
-  const Vec3 chord = points.back() - points.front();
-  const Vec3 seen = glm::cross(chord, normal);
-  const Vec3 unseen = isLeg(limb) ? shop.forward : -shop.forward;
-  return glm::inverse(base) * (glm::length(seen) > 0.0 ? glm::normalize(seen) : unseen);
-}
-
 AdjustedLimb adjustedLimb(const Workshop& shop, const Limb& limb) {
-  AdjustedLimb adjusted;
-  adjusted.limb = limb;
-  adjusted.topology = limbTopology(shop.input.scene, limb, shop.input.limbs, shop.places);
-  adjusted.along = alongOf(limb, shop.places);
+  const AdjustmentInput& input = shop.input;
+  AdjustedLimb adjusted{reachingLimb({input.scene, input.clip, input.limbs, shop.places}, limb)};
   adjusted.baseBind = bindRotation(shop, limb.joints.front());
-  if (limb.kind != LimbKind::spine && limb.kind != LimbKind::neck) {
-    const Bending bending = bendingOf(shop.input, limb);
-    adjusted.bendPoint = bendPointOf(bending, adjusted.along);
-    adjusted.usualBend = usualBendOf(shop, limb, bending);
-  }
   if (limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm) {
     adjusted.fingers = handCurl(shop.input.scene, limb, shop.places);
   }
@@ -288,8 +181,7 @@ SolvedAdjustments solveAdjustments(const AdjustmentInput& input) {
   if (input.adjustments.empty()) {
     return solved;
   }
-  Workshop shop{input, bindPlaces(input.scene), controllersOf(input.scene, input.limbs, input.hips)};
-  shop.forward = facingOf(shop);
+  const Workshop shop{input, bindPlaces(input.scene), controllersOf(input.scene, input.limbs, input.hips)};
   solved.curves = curvesOf(shop, solved.joints);
   if (solved.empty()) {
     return solved;

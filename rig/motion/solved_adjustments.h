@@ -9,7 +9,7 @@
 #include "rig/controllers/offset_curve.h"
 #include "rig/motion/foot_roll.h"
 #include "rig/motion/hand_curl.h"
-#include "rig/motion/limb_topology.h"
+#include "rig/motion/limb_reach.h"
 
 namespace stretch::rig {
 
@@ -22,13 +22,7 @@ using OffsetCurves = std::map<std::string, std::vector<OffsetCurve>>;
                               double standard = 0.0);
 
 /// A limb that controllers may move.
-struct AdjustedLimb {
-  Limb limb;
-  LimbTopology topology;
-  std::vector<double> along; ///< u of each point of the limb: rest arc length over the whole.
-  std::size_t bendPoint = 0; ///< The point between its two spans: the joint that bends most; 0: it has one
-                             ///< bone.
-  Vec3 usualBend{0.0};       ///< In the space of the base joint: which way it bends.
+struct AdjustedLimb : ReachingLimb {
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Of an arm.
   FootRoll roll;                     ///< Of a leg.

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/offset_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/trail_edits.h"
@@ -102,7 +104,28 @@ Document randomAdjustment(const Document& document, Dice& dice) {
   return orUnchanged(document, placeAdjustments(document, {&adjustment, 1}));
 }
 
+Document randomHold(const Document& document, Dice& dice) {
+  if (dice.below(3) == 0) {
+    return removeHold(document, {dice.below(2) == 0 ? rig::HoldKind::pin : rig::HoldKind::grip, 0});
+  }
+  const double start = dice.below(10);
+  rig::HoldTime time{{start, start + 1 + dice.below(8)}, {dice.below(3), dice.below(3)}};
+  rig::Holds wanted;
+  if (dice.below(2) == 0) {
+    rig::Pin pin{dice.below(2) == 0 ? "left-arm" : "right-leg", 0, time, start, {}, true, 1.0};
+    wanted.pins.push_back(pin);
+  } else {
+    const bool leftLeads = dice.below(2) == 0;
+    wanted.grips.push_back({leftLeads ? "right-arm" : "left-arm", leftLeads ? "left-arm" : "right-arm", 0,
+                            time, dice.below(2) == 0 ? std::optional(start) : std::nullopt, 1.0});
+  }
+  return orUnchanged(document, placeHolds(document, wanted));
+}
+
 Document randomEdit(const Document& document, Dice& dice) {
+  if (dice.below(10) == 0) {
+    return randomHold(document, dice);
+  }
   if (dice.below(6) == 0) {
     return randomAdjustment(document, dice);
   }
