@@ -100,11 +100,29 @@ Json trailJson(const Document& document, const rig::Trail& trail) {
   return json;
 }
 
+Json adjustedJson(const Document& document, const rig::Adjustment& adjustment) {
+  Json frames = Json::array();
+  for (const rig::OffsetKey& key : adjustment.keys) {
+    frames.push_back(key.frame);
+  }
+  Json json{{"controller", adjustment.controller},
+            {"clip", clipOf(document, adjustment.clip).name},
+            {"keys", std::move(frames)}};
+  if (adjustment.rangeFrames) {
+    json["range"] = {adjustment.rangeFrames->x, adjustment.rangeFrames->y};
+  }
+  return json;
+}
+
 /// The work that the file carries.
 void addWork(const Document& document, Json& info) {
   info["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     info["trails"].push_back(trailJson(document, trail));
+  }
+  info["adjustments"] = Json::array();
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    info["adjustments"].push_back(adjustedJson(document, adjustment));
   }
   info["loops"] = Json::array();
   for (const int clip : document.loopingClips) {
@@ -168,6 +186,20 @@ std::string trailLine(const Json& trail) {
   return line;
 }
 
+/// "hips       in punch, keys at 4, 12, frames 0 to 24".
+std::string adjustmentLine(const Json& adjustment) {
+  std::string keys;
+  for (const Json& frame : adjustment["keys"]) {
+    keys += fmt::format("{}{:g}", keys.empty() ? "" : ", ", frame.get<double>());
+  }
+  const std::string range = adjustment.contains("range")
+                                ? fmt::format(", frames {:g} to {:g}", adjustment["range"][0].get<double>(),
+                                              adjustment["range"][1].get<double>())
+                                : ", whole clip";
+  return fmt::format("{:<10} in {}, keys at {}{}", adjustment["controller"].get<std::string>(),
+                     adjustment["clip"].get<std::string>(), keys, range);
+}
+
 void printInfo(const Json& info) {
   for (const Json& mesh : info["meshes"]) {
     fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(),
@@ -187,6 +219,9 @@ void printInfo(const Json& info) {
   }
   for (const Json& trail : info["trails"]) {
     fmt::print("trail  {}\n", trailLine(trail));
+  }
+  for (const Json& adjustment : info["adjustments"]) {
+    fmt::print("adjust {}\n", adjustmentLine(adjustment));
   }
   for (const Json& clip : info["loops"]) {
     fmt::print("loop   {}\n", clip.get<std::string>());
@@ -247,7 +282,8 @@ Status runInfo(const InfoArguments& arguments) {
 
 Verb infoVerb() {
   return {"info",
-          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails and loops, extensions, "
+          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails, adjustments and loops, "
+          "extensions, "
           "warnings.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();

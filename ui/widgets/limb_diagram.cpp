@@ -202,8 +202,8 @@ struct ControllerPlace {
 };
 
 constexpr std::array<ControllerPlace, 14> controllerPlaces{{{"head", 0.0F, 6.0F},
-                                                            {"spine-top", 0.0F, 70.0F},
-                                                            {"spine-mid", 0.0F, 89.0F},
+                                                            {"spine-top", 0.0F, 62.0F},
+                                                            {"spine-mid", 0.0F, 78.0F},
                                                             {"spine-low", 0.0F, 119.0F},
                                                             {"hips", 0.0F, 135.0F},
                                                             {"body", 0.0F, 224.0F},
@@ -255,6 +255,7 @@ void drawController(const WidgetContext& context, const Figure& figure, const Di
              controller.selected ? mixed(colours.panel, colours.accent, 0.35F) : colours.panel);
   context.items.add("controller/" + controller.id, {place->x - radius, place->y - radius},
                     {place->x + radius, place->y + radius});
+  context.items.items.back().explained = true; // Under the mouse.
 }
 
 void drawSides(const WidgetContext& context, const Rect& box) {

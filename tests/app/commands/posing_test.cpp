@@ -5,6 +5,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/nudges.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/step_text.h"
@@ -318,4 +319,20 @@ TEST_CASE("The history says what was posed and at which frame") {
   session.view().frame = 9.0;
   REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Change the left arm stretch"));
   CHECK(last() == "Change the left arm stretch \xE2\x80\x93 at frame 9");
+}
+
+TEST_CASE("Arrows nudge the selected controllers in the view plane, by the steps of spheres") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "hips", false);
+  const double step = nudgeUnits(session.document());
+  const std::string nudge = controllerNudges;
+  CHECK(run(session, nudge + "up").empty());
+  CHECK(moveOf(session, "hips").y == Approx(step));
+  CHECK(run(session, nudge + "up-far").empty());
+  CHECK(moveOf(session, "hips").y == Approx(11.0 * step));
+  CHECK(run(session, nudge + "right-fine").empty());
+  CHECK(moveOf(session, "hips").x == Approx(0.1 * step));
+  selectController(session, "LeftForeArm", false);
+  CHECK_FALSE(run(session, nudge + "up").empty());
 }
