@@ -68,6 +68,19 @@ const Document* Session::posedWithoutKey(double frame) {
   return &posed_->made;
 }
 
+const std::vector<rig::PlacedController>& Session::controllersAt(double frame) {
+  const Document& shown = document();
+  const double fps = shown.clips->empty() ? 1.0 : clipOf(shown, view_.clip).framesPerSecond;
+  if (const Document* const posed = posedWithoutKey(frame)) {
+    return posed_->cache.controllers(*posed, view_.clip, frame / fps);
+  }
+  return cache_.controllers(shown, view_.clip, frame / fps);
+}
+
+const std::vector<rig::ControllerShape>& Session::controllerShapes() {
+  return cache_.shapes(document(), view_.clip);
+}
+
 const FrameState& Session::originalAt(double frame) {
   const Document& shown = document();
   const double fps = shown.clips->empty() ? 1.0 : clipOf(shown, view_.clip).framesPerSecond;

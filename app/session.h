@@ -61,6 +61,10 @@ public:
   [[nodiscard]] const FrameState& frameAt(double frame);
   /// The same without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
+  /// Where every controller stands at a frame of the viewed clip, as frameAt shows it, and what each is drawn
+  /// as.
+  [[nodiscard]] const std::vector<rig::PlacedController>& controllersAt(double frame);
+  [[nodiscard]] const std::vector<rig::ControllerShape>& controllerShapes();
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
   /// The same, kept alive: another one is there as soon as anything about the trails is different.

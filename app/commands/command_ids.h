@@ -115,6 +115,9 @@ inline constexpr const char* viewRightPane = "view.right-pane";
 inline constexpr const char* viewViewportOnly = "view.viewport-only";
 inline constexpr const char* viewNavigation = "view.navigation";
 inline constexpr const char* keysExport = "keys.export";
+inline constexpr const char* viewControllers = "view.controllers";
+inline constexpr const char* controllerMove = "controller.move";
+inline constexpr const char* controllerTurn = "controller.turn";
 
 inline constexpr const char* controllersOfLeftArm = "controller.left-arm";
 inline constexpr const char* controllersOfRightArm = "controller.right-arm";

@@ -5,11 +5,20 @@
 
 namespace stretch::app {
 
+const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& ground) {
+  EvaluationGround unadjusted = ground;
+  unadjusted.adjustments.clear();
+  return body_.of(std::move(unadjusted), [&](const auto*) {
+    return std::make_shared<const rig::AdjustedBody>(adjustedBody(ground));
+  });
+}
+
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
     const bool sameGround = last != nullptr && last->key.ground == input.ground;
     return std::make_shared<const rig::MotionState>(
-        solveTrails(input, sameGround ? last->value.get() : nullptr));
+        solveTrails(input, sameGround ? last->value.get() : nullptr,
+                    input.ground.adjustments.empty() ? nullptr : body(input.ground)));
   });
 }
 
@@ -65,6 +74,25 @@ const FrameState& EvaluationCache::frame(const Document& document, int clip, dou
   const Motion& moving = weighted(document, clip).motion;
   return frame_.of({moving, timeSeconds},
                    [&](const auto*) { return evaluate(document, *moving, timeSeconds); });
+}
+
+const std::vector<rig::PlacedController>& EvaluationCache::controllers(const Document& document, int clip,
+                                                                       double timeSeconds) {
+  const Motion moving = weighted(document, clip).motion;
+  return controllers_.of({moving, timeSeconds}, [&](const auto*) {
+    const EvaluationGround ground = evaluationInput(document, clip).ground;
+    rig::SolvedAdjustments adjustments = moving->adjustments;
+    adjustments.body = body(ground);
+    return rig::placeControllers(
+        {*document.scene, clipOf(ground), adjustments, frame(document, clip, timeSeconds)});
+  });
+}
+
+const std::vector<rig::ControllerShape>& EvaluationCache::shapes(const Document& document, int clip) {
+  const EvaluationGround ground = evaluationInput(document, clip).ground;
+  const Body standing = body(ground);
+  return shapes_.of(
+      standing, [&](const auto*) { return rig::controllerShapes(*ground.scene, ground.limbs, *standing); });
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {

@@ -11,6 +11,8 @@
 #include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
+#include "rig/motion/controller_places.h"
+#include "rig/motion/controller_shapes.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -56,7 +58,13 @@ public:
   /// there.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
+  /// Where every controller stands (rig::placeControllers), and what each is drawn as.
+  [[nodiscard]] const std::vector<rig::PlacedController>& controllers(const Document& document, int clip,
+                                                                      double timeSeconds);
+  [[nodiscard]] const std::vector<rig::ControllerShape>& shapes(const Document& document, int clip);
+
 private:
+  using Body = std::shared_ptr<const rig::AdjustedBody>;
   using Motion = std::shared_ptr<const rig::MotionState>;
 
   struct TrailsKey {
@@ -108,12 +116,16 @@ private:
     friend bool operator==(const KeyedKey&, const KeyedKey&) = default;
   };
 
+  const Body& body(const EvaluationGround& ground);
   const Motion& trails(const EvaluationInput& input);
   /// The trails with the holds on top; the trails' own answer where there are none.
   const Motion& held(const EvaluationInput& input);
   const SampledClip& sampled(const WeightInput& weight, const Motion& held);
   const Weighted& weighted(const Document& document, int clip);
 
+  LastAnswer<EvaluationGround, Body> body_;
+  LastAnswer<Body, std::vector<rig::ControllerShape>> shapes_;
+  LastAnswer<FrameKey, std::vector<rig::PlacedController>> controllers_;
   LastAnswer<TrailsKey, Motion> trails_;
   LastAnswer<HoldsKey, Motion> held_;
   LastAnswer<SampleKey, SampledClip> sampled_;

@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
+#include "rig/motion/solve_adjustments.h"
 #include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
@@ -87,9 +88,15 @@ const Clip& clipOf(const EvaluationGround& ground) {
   return clipOrStill(*ground.clips, ground.clip);
 }
 
-rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous) {
+rig::AdjustedBody adjustedBody(const EvaluationGround& ground) {
+  return rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs});
+}
+
+rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
+                             std::shared_ptr<const rig::AdjustedBody> body) {
   rig::MotionInput wanted = motionInput(input);
   wanted.previous = previous;
+  wanted.body = std::move(body);
   return rig::solveMotion(wanted);
 }
 

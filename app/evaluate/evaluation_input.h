@@ -45,9 +45,13 @@ struct EvaluationInput {
 // What is made of an EvaluationInput before a time is known, one stage after the other. At a time the stages
 // are those of rig/motion/evaluate.h.
 
+/// What adjustments of the clip are solved on; the same for every one of them.
+[[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);
+
 /// The trails alone. `previous`: solved on the same ground before; what did not change is taken over. Null:
-/// none.
-[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous);
+/// none. `body`: what adjustments are solved on; null: it is made where it is needed.
+[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
+                                           std::shared_ptr<const rig::AdjustedBody> body = nullptr);
 
 /// Lets the clip's holds act on top of the trails. Answers whether there are any.
 bool addHolds(const EvaluationInput& input, rig::MotionState& motion);

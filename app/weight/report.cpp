@@ -156,8 +156,9 @@ void measureLengths(const WeightInput& input, const rig::MotionState& motion,
   const double perFrame = std::max(1.0, std::ceil(fewestPerSecond / clip.framesPerSecond));
   const double first = std::max(0.0, std::floor(clip.startSeconds * clip.framesPerSecond + 1e-6));
   const double last = std::min(clip.endSeconds * clip.framesPerSecond, first + mostFrames);
-  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + 1e-6; step += 1.0) {
-    measureAt(input, motion, first + step / perFrame, all);
+  constexpr double rounding = 1e-3; // The last frame is one, though its time is stored in single precision.
+  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + rounding; step += 1.0) {
+    measureAt(input, motion, std::min(first + step / perFrame, last), all);
   }
   for (const Measured& one : all) {
     note(one.ratios, *one.report);

@@ -8,7 +8,6 @@
 #include "core/math/rotation.h"
 #include "rig/controllers/controller.h"
 #include "rig/ik/limb_shape.h"
-#include "rig/ik/two_bone.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/trail/limb_path.h"
 
@@ -16,25 +15,8 @@ namespace stretch::rig {
 
 namespace {
 
-Vec3 baseInBind(const ReachInput& input, const Limb& limb) {
-  return positionOf(input.places.worlds[at(limb.joints.front())]);
-}
-
-// Where the character faces in the bind pose: its left and up tell.
-Vec3 facingOf(const ReachInput& input) {
-  const Vec3 up(0.0, 1.0, 0.0);
-  for (const auto& [left, right] :
-       {std::pair(LimbKind::leftLeg, LimbKind::rightLeg), std::pair(LimbKind::leftArm, LimbKind::rightArm)}) {
-    const Limb* const a = limbOfKind(input.limbs, left);
-    const Limb* const b = limbOfKind(input.limbs, right);
-    if (a != nullptr && b != nullptr) {
-      const Vec3 forward = glm::cross(baseInBind(input, *a) - baseInBind(input, *b), up);
-      if (glm::length(forward) > 0.0) {
-        return glm::normalize(forward);
-      }
-    }
-  }
-  return {0.0, 0.0, 1.0};
+Vec3 baseInBind(const BindPlaces& places, const Limb& limb) {
+  return positionOf(places.worlds[at(limb.joints.front())]);
 }
 
 std::vector<double> alongOf(const Limb& limb, const BindPlaces& places) {
@@ -109,7 +91,7 @@ std::size_t bendPointOf(const std::vector<double>& angles, const std::vector<dou
 BendDirections bendsOf(const ReachInput& input, const Limb& limb, std::size_t bendPoint,
                        const std::vector<SampledPose>& poses) {
   const Quat base = rotationOf(input.places.worlds[at(limb.joints.front())]);
-  const Vec3 forward = facingOf(input);
+  const Vec3 forward = facingInBind(input.limbs, input.places);
   BendDirections bends(glm::inverse(base) * (isLeg(limb) ? forward : -forward));
   for (const SampledPose& pose : poses) {
     bends.add(pose.timeSeconds, pose.points.front(), pose.points[bendPoint], pose.points.back(), pose.base);
@@ -120,15 +102,9 @@ BendDirections bendsOf(const ReachInput& input, const Limb& limb, std::size_t be
 // As a limb of two spans; answers as reachAsOne does.
 Vec3 bendTo(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& goal, FrameState& frame) {
   const Limb& limb = reaching.limb;
-  const std::vector<Vec3> points = limbPoints(limb, frame);
-  TwoBoneProblem problem;
-  problem.base = points.front();
-  problem.joint = points[reaching.bendPoint];
-  problem.end = points.back();
+  TwoBoneProblem problem = posedLimb(reaching, frame);
   problem.target = goal.place;
   problem.poleOffset = goal.pole;
-  problem.usualBend =
-      rotationOf(frame.worlds[at(limb.joints.front())]) * reaching.bends.at(frame.timeSeconds);
   problem.stretchSwitch = goal.stretchSwitch;
   const TwoBoneShape shape = solveTwoBone(problem);
   LimbPose pose;
@@ -146,6 +122,34 @@ Quat endRotation(const Limb& limb, const FrameState& frame) {
 }
 
 } // namespace
+
+Vec3 facingInBind(const std::vector<Limb>& limbs, const BindPlaces& places) {
+  const Vec3 up(0.0, 1.0, 0.0);
+  for (const auto& [left, right] :
+       {std::pair(LimbKind::leftLeg, LimbKind::rightLeg), std::pair(LimbKind::leftArm, LimbKind::rightArm)}) {
+    const Limb* const a = limbOfKind(limbs, left);
+    const Limb* const b = limbOfKind(limbs, right);
+    if (a != nullptr && b != nullptr) {
+      const Vec3 forward = glm::cross(baseInBind(places, *a) - baseInBind(places, *b), up);
+      if (glm::length(forward) > 0.0) {
+        return glm::normalize(forward);
+      }
+    }
+  }
+  return {0.0, 0.0, 1.0};
+}
+
+TwoBoneProblem posedLimb(const ReachingLimb& reaching, const FrameState& frame) {
+  const std::vector<Vec3> points = limbPoints(reaching.limb, frame);
+  TwoBoneProblem problem;
+  problem.base = points.front();
+  problem.joint = points[reaching.bendPoint];
+  problem.end = points.back();
+  problem.target = problem.end;
+  problem.usualBend =
+      rotationOf(frame.worlds[at(reaching.limb.joints.front())]) * reaching.bends.at(frame.timeSeconds);
+  return problem;
+}
 
 ReachingLimb reachingLimb(const ReachInput& input, const Limb& limb) {
   ReachingLimb reaching;

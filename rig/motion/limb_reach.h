@@ -5,6 +5,7 @@
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
+#include "rig/ik/two_bone.h"
 #include "rig/limb.h"
 #include "rig/motion/bend_directions.h"
 #include "rig/motion/bind_places.h"
@@ -30,7 +31,13 @@ struct ReachInput {
   const BindPlaces& places;
 };
 
+/// Where the character faces in the bind pose, as its left and up tell: unit, level.
+[[nodiscard]] Vec3 facingInBind(const std::vector<Limb>& limbs, const BindPlaces& places);
+
 [[nodiscard]] ReachingLimb reachingLimb(const ReachInput& input, const Limb& limb);
+
+/// A limb of two spans as a frame has it.
+[[nodiscard]] TwoBoneProblem posedLimb(const ReachingLimb& reaching, const FrameState& frame);
 
 /// Where the end of a limb is wanted.
 struct ReachGoal {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/anim/clip.h"
@@ -20,8 +21,11 @@ struct MotionInput {
   std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
   std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
-  std::vector<Adjustment> adjustments = {}; ///< Of this clip. Those of missing controllers are left out.
-  Holds holds = {};                         ///< Of this clip. Those of missing limbs are left out.
+  std::vector<Adjustment> adjustments = {};      ///< Of this clip. Those of missing controllers are left out.
+  Holds holds = {};                              ///< Of this clip. Those of missing limbs are left out.
+  std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
+                                                 ///< clip, hips and limbs; null: it is made where it is
+                                                 ///< needed.
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
   const MotionState* previous = nullptr;

@@ -173,12 +173,12 @@ void drawMenuBar(PanelContext& context) {
                      timeOnTwos, "",         clipPrevious, clipNext,        clipRate24,  clipRate25,
                      clipRate30, clipRateOwn}},
            false);
-  drawMenu(
-      context,
-      {"View",
-       {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewSkeleton,
-        viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
-      false);
+  drawMenu(context,
+           {"View",
+            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
+             viewControllers, viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
+             viewFrameNumbers, viewGrid, viewSideBySide}},
+           false);
   drawMenu(context, {"Help", {palette, keys, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);

@@ -23,6 +23,7 @@ enum class NavigationStyle { maya, blender };
 
 /// What the viewport draws over the character.
 struct ViewportOverlays {
+  bool controllers = false; ///< Else only while one is selected.
   bool skeleton = false;
   bool wire = false;
   bool jointNames = false;
@@ -61,7 +62,7 @@ struct TimelineState {
 };
 
 /// What a menu at the mouse is about.
-enum class MenuTarget { nothing, limb, trail, group, sphere, key, range, time, viewport };
+enum class MenuTarget { nothing, limb, trail, group, sphere, controller, key, range, time, viewport };
 
 /// A trail, or a group of trails, that is given a name.
 struct RenameState {

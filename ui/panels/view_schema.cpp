@@ -11,6 +11,7 @@ using app::setting;
 app::Schema<ViewportOverlays> shownThings() {
   using V = ViewportOverlays;
   return {
+      setting<V>({.name = "controllers", .help = "What the character is posed by."}, &V::controllers),
       setting<V>({.name = "skeleton", .help = "The bones of the character."}, &V::skeleton),
       setting<V>({.name = "wire", .help = "The edges of the mesh."}, &V::wire),
       setting<V>({.name = "joint_names", .help = "The name of each joint."}, &V::jointNames),

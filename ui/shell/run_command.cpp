@@ -164,14 +164,27 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
 }
 
+namespace {
+
+/// The first key of a command, else the one that runs it while another command is off.
+std::string keyTextOf(const Shell& shell, const app::Command<Shell>& command) {
+  std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
+  for (const app::Command<Shell>& other : shell.commands) {
+    if (chords.empty() && other.otherwise == command.id) {
+      chords = shell.keymap.chordsOf(other.id);
+    }
+  }
+  return chords.empty() ? std::string() : shownChord(chords.front());
+}
+
+} // namespace
+
 void describeCommands(Shell& shell) {
   shell.commandInfos.clear();
   for (const app::Command<Shell>& command : shell.commands) {
-    const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
     shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
-                                  chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command),
-                                  command.label});
+                                  keyTextOf(shell, command), command.enabled(shell), isOn(shell, command),
+                                  reasonOf(shell, command), command.label});
   }
 }
 

@@ -65,6 +65,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::timeEveryFrame, &shell.ui.timeline.everyFrame},
       {command::timeOnTwos, &shell.ui.timeline.onTwos},
       {command::viewGhosts, &overlays.ghosts},
+      {command::viewControllers, &overlays.controllers},
       {command::viewSkeleton, &overlays.skeleton},
       {command::viewWire, &overlays.wire},
       {command::viewJointNames, &overlays.jointNames},
@@ -146,6 +147,11 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
+Status runOnControllers(Shell& shell, app::ControllerMotion motion) {
+  return startControllerTool(*shell.open.character(), shell.tool,
+                             {motion, {}, shell.viewport.mousePixels, false});
+}
+
 } // namespace
 
 void goToTip(Shell& shell) {
@@ -200,6 +206,10 @@ bool hasLimb(const Shell& shell) {
 bool viewsClip(const Shell& shell) {
   return hasFile(shell) &&
          app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
+}
+
+bool canPose(const Shell& shell) {
+  return hasFile(shell) && app::hasControllers(*shell.open.character()) && viewsClip(shell);
 }
 
 bool canExaggerate(const Shell& shell) {
@@ -321,14 +331,27 @@ ShellCommand renameCommand() {
 } // namespace
 
 std::vector<ShellCommand> toolCommands() {
+  constexpr ShellNeed controllerNeeded{canPose, "select a controller first"};
+  ShellCommand grab =
+      entry(command::sphereGrab, "Grab",
+            "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.",
+            {"G"}, {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
+  grab.otherwise = command::controllerMove;
   return {
       entry(command::trailExaggerate, "Exaggerate",
             "Makes the trail if there is none, exaggerates it and connects the limb; "
             "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
             {"E"}, {canExaggerate, "select a limb first: click one, or press its number"}, beginExaggerating),
-      entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
-            {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"}, runGrab),
+      grab,
+      entry(command::controllerMove, "Move the controllers",
+            "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
+            controllerNeeded,
+            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::move); }),
+      entry(command::controllerTurn, "Turn the controllers",
+            "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
+            "degrees.",
+            {"R"}, controllerNeeded,
+            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::turn); }),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
@@ -349,6 +372,8 @@ std::vector<ShellCommand> toolCommands() {
 std::vector<ShellCommand> viewCommands() {
   return {
       switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", {"H"}),
+      switchCommand(command::viewControllers, "Controllers",
+                    "Shows what the character is posed by; else only while a controller is selected.", {"P"}),
       switchCommand(command::viewSkeleton, "Skeleton", "Shows the joints over the character.", {"K"}),
       switchCommand(command::viewWire, "Wire", "Shows the edges of the mesh.", {"W"}),
       switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),

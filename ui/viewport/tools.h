@@ -12,6 +12,7 @@
 #include "app/session.h"
 #include "ui/panels/ui_state.h"
 #include "ui/render/camera.h"
+#include "ui/viewport/controller_tool.h"
 
 namespace stretch::ui {
 
@@ -40,7 +41,7 @@ struct GrabTool {
 };
 
 /// What takes all keys until it ends; none most of the time.
-using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool>;
+using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool, ControllerTool>;
 
 [[nodiscard]] inline bool isRunning(const Tool& tool) {
   return !std::holds_alternative<std::monostate>(tool);
@@ -68,9 +69,12 @@ Status startTangentGrab(app::Session& session, Tool& tool, const app::TangentHan
 /// there.
 Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbId, const GrabStart& start);
 
+/// Begins moving or turning the selected controllers.
+Status startControllerTool(app::Session& session, Tool& tool, const ControllerStart& start);
+
 /// A key for the running tool. An error tells why the preview could not follow.
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press);
-/// The mouse for a running grab; nothing for other tools.
+/// The mouse for what it pulls or turns; nothing for other tools.
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels);
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);

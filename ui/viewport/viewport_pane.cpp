@@ -162,6 +162,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const auto updateShown = [&] {
     updateShownTrails(*context.open.character(), viewport.shown);
     updateTangents(*context.open.character(), viewport.view, viewport.tangents);
+    viewport.controllers = shownControllers(*context.open.character(), context.ui.overlays);
   };
   updateShown();
   handleViewportMouse(context, hovered, held);
