@@ -92,28 +92,14 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
-} // namespace
-
-void drawMenuBar(PanelContext& context) {
+void poseMenu(PanelContext& context) {
   using namespace command;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
-  drawMenu(context,
-           {"File",
-            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
-             recipeSave, "", fileQuit}},
-           true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
-  drawMenu(
-      context,
-      {"Limb",
-       {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck, selectAllLimbs,
-        selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
-      false);
   drawMenu(context,
            {"Pose",
-            {controllerNext,
+            {controllerMove,
+             controllerTurn,
+             "",
+             controllerNext,
              controllerPrevious,
              controllersAll,
              controllersKeyed,
@@ -142,6 +128,28 @@ void drawMenuBar(PanelContext& context) {
              poseKeyStepped,
              poseKeyFree}},
            false);
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
+             recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+  drawMenu(
+      context,
+      {"Limb",
+       {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck, selectAllLimbs,
+        selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
+      false);
+  poseMenu(context);
   drawMenu(context,
            {"Trail",
             {trailToggle,
