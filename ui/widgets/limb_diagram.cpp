@@ -237,8 +237,8 @@ const DiagramController* controllerUnder(const Figure& figure,
   return nullptr;
 }
 
-void drawController(const WidgetContext& context, const Figure& figure, const DiagramController& controller,
-                    bool hovered) {
+void drawController(const WidgetContext& context, const Figure& figure, const std::string& id,
+                    const DiagramController& controller, bool hovered) {
   const Theme& theme = context.theme;
   const ThemeColours& colours = theme.colours;
   const std::optional<ImVec2> place = placeOfController(figure, controller.id);
@@ -253,9 +253,8 @@ void drawController(const WidgetContext& context, const Figure& figure, const Di
   addDiamond(list, *place, radius + theme.px(2.0F), colours.panel); // Stands off from limbs and trails.
   addKeyMark(theme, list, *place, radius, controller.keys, colour,
              controller.selected ? mixed(colours.panel, colours.accent, 0.35F) : colours.panel);
-  context.items.add("controller/" + controller.id, {place->x - radius, place->y - radius},
+  context.items.add(id + "/" + controller.id, {place->x - radius, place->y - radius},
                     {place->x + radius, place->y + radius});
-  context.items.items.back().explained = true; // Under the mouse.
 }
 
 void drawSides(const WidgetContext& context, const Rect& box) {
@@ -309,7 +308,7 @@ DiagramClick limbDiagram(const WidgetContext& context, const std::string& id,
       control.hovered && held == nullptr ? bodyPartAt(control.box, mouse) : std::nullopt;
   drawBody(context, figure, id, parts, under);
   for (const DiagramController& controller : controllers) {
-    drawController(context, figure, controller, held == &controller);
+    drawController(context, figure, id, controller, held == &controller);
   }
   drawSides(context, control.box);
   if (held != nullptr) {

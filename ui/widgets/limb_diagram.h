@@ -27,7 +27,7 @@ struct BodyPartState {
 
 /// A controller as the diagram shows it: a mark where it stands on the body.
 struct DiagramController {
-  std::string id = {}; ///< "left-hand": names the widget, "controller/left-hand". One that the figure has no
+  std::string id = {}; ///< "left-hand": names the widget, "limb/left-hand". One that the figure has no
                        ///< place for is not shown.
   bool selected = false;
   KeyMark keys = KeyMark::none;

@@ -64,7 +64,7 @@ TEST_CASE("A file without work has no trails to tell of") {
   CHECK(Json::parse(answer.output)["trails"] == Json::array());
 }
 
-TEST_CASE("Adjustments that a file carries are told, in JSON and in words") {
+TEST_CASE("Adjustments that a file carries are told with keys and range") {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "posed.glb";
   const Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
@@ -80,7 +80,4 @@ TEST_CASE("Adjustments that a file carries are told, in JSON and in words") {
   CHECK(adjustments[0]["controller"] == "hips");
   CHECK(adjustments[0]["keys"] == Json::array({12.0}));
   CHECK(adjustments[0]["range"] == Json::array({4.0, 20.0}));
-  const test::VerbAnswer words = test::runVerb({"info", file.string()});
-  CHECK(words.output.find("adjust hips       in One-two punch, keys at 12, frames 4 to 20") !=
-        std::string::npos);
 }
