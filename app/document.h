@@ -26,12 +26,15 @@ struct ClipRate {
 };
 
 /// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
-/// shared and never change. Nothing derived is kept here. Clips are the source's: what adjustments and
-/// trails make of them is evaluated, so deleting one gives the source back by construction.
+/// shared and never change. Nothing derived is kept here. Clips are the source's with the keys that the user
+/// edited: what adjustments and trails make of them is evaluated, so deleting one gives the clip back by
+/// construction.
 struct Document {
   std::shared_ptr<const gltf::Source> source;
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
+  /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
+  std::shared_ptr<const std::vector<Clip>> sourceClips;
   std::vector<std::string> warnings; ///< Of opening the file.
   bool carriedWork = false;          ///< The file was one of ours: saving goes back to it.
 
@@ -59,6 +62,10 @@ struct Document {
 [[nodiscard]] rig::Trail* findTrail(Document& document, int trailId);
 
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
+
+/// The clips, and a clip, without the edits of its own keys.
+[[nodiscard]] const std::shared_ptr<const std::vector<Clip>>& sourceClipsOf(const Document& document);
+[[nodiscard]] const Clip& sourceClipOf(const Document& document, int clip);
 
 /// Whether the clip is marked as a loop.
 [[nodiscard]] bool isLooping(const Document& document, int clip);

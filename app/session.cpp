@@ -252,7 +252,15 @@ void Session::documentChanged() {
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
   keepControllers();
+  keepPickedKeys();
   followSelection();
+}
+
+void Session::keepPickedKeys() {
+  if (!view_.pickedKeys.empty()) {
+    const bool sameClip = view_.pickedClip == view_.clip;
+    view_.pickedKeys = sameClip ? stillThere(document(), view_.clip, view_.pickedKeys) : KeySelection{};
+  }
 }
 
 } // namespace stretch::app

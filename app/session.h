@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editing.h"
+#include "app/edits/key_edits.h"
 #include "app/edits/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "rig/motion/stroke.h"
@@ -46,6 +47,10 @@ struct ViewState {
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
   /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
   std::optional<OffsetPose> copiedPose;
+  KeySelection pickedKeys;              ///< Of the viewed clip, in graph and dope sheet.
+  int pickedClip = 0;                   ///< The clip that they are of.
+  std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
+  std::optional<CopiedKeys> copiedKeys; ///< What Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.
@@ -130,6 +135,7 @@ private:
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
   void keepControllers();
+  void keepPickedKeys();
 
   Followed followed_;
   std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was

@@ -150,4 +150,24 @@ inline constexpr const char* poseKeyLinear = "pose.key-linear";
 inline constexpr const char* poseKeyStepped = "pose.key-stepped";
 inline constexpr const char* poseKeyFree = "pose.key-free";
 
+inline constexpr const char* keysGrab = "key.grab";
+inline constexpr const char* keysScale = "key.scale";
+inline constexpr const char* keysInsert = "key.insert";
+inline constexpr const char* keysDelete = "key.delete";
+inline constexpr const char* keysCopy = "key.copy";
+inline constexpr const char* keysPaste = "key.paste";
+inline constexpr const char* keysAll = "key.all";
+inline constexpr const char* keysSnap = "key.snap";
+inline constexpr const char* keysAuto = "key.auto";
+inline constexpr const char* keysFlat = "key.flat";
+inline constexpr const char* keysLinear = "key.linear";
+inline constexpr const char* keysStepped = "key.stepped";
+inline constexpr const char* keysFree = "key.free";
+inline constexpr const char* keysRestore = "key.restore";
+inline constexpr const char* keysRestoreAll = "key.restore-all";
+inline constexpr const char* keysRetime = "key.retime";
+inline constexpr const char* graphFit = "graph.fit";
+inline constexpr const char* graphFitAll = "graph.fit-all";
+inline constexpr const char* graphIsolate = "graph.isolate";
+
 } // namespace stretch::app::command

@@ -66,7 +66,7 @@ std::vector<DocumentCommand> documentCommands() {
   std::vector<DocumentCommand> all;
   for (const auto table :
        {historyCommands, limbCommands, timeCommands, clipCommands, trailCommands, groupCommands,
-        sphereCommands, controllerCommands, poseCommands, weightCommands, sequenceCommands}) {
+        sphereCommands, controllerCommands, poseCommands, keyCommands, weightCommands, sequenceCommands}) {
     std::vector<DocumentCommand> commands = table();
     std::move(commands.begin(), commands.end(), std::back_inserter(all));
   }

@@ -96,7 +96,7 @@ const std::vector<rig::ControllerShape>& EvaluationCache::shapes(const Document&
 }
 
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
-  return original_.of({document.scene, document.clips, clip, timeSeconds},
+  return original_.of({document.scene, sourceClipsOf(document), clip, timeSeconds},
                       [&](const auto*) { return evaluateOriginal(document, clip, timeSeconds); });
 }
 

@@ -8,6 +8,8 @@
 #include "app/edits/hold_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/rate_edits.h"
+#include "app/edits/track_edits.h"
+#include "app/files/kept_tracks.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/hold_json.h"
 #include "app/schema/schema_json.h"
@@ -293,6 +295,9 @@ Status restoreParts(const Json& work, Document& document) {
   if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
     return rates;
   }
+  if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
+    return keys;
+  }
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
@@ -337,7 +342,7 @@ Status restoreParts(const Json& work, Document& document) {
 Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
-      document.rates.empty() && !document.limbsCorrected) {
+      document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document)) {
     return nullptr;
   }
   Json work;
@@ -358,6 +363,9 @@ Json workOf(const Document& document) {
   for (const rig::Adjustment& adjustment : document.adjustments) {
     work["adjustments"].push_back(savedAdjustment(adjustment, list));
   }
+  if (hasEditedKeys(document)) {
+    work["clip_keys"] = keptTracks(document);
+  }
   saveHolds(document.holds, work);
   work["loops"] = document.loopingClips;
   for (const ClipRate& rate : document.rates) {
@@ -367,6 +375,7 @@ Json workOf(const Document& document) {
 }
 
 Document withoutWork(Document document) {
+  document = restoreAllTracks(document);
   document.trails.clear();
   document.adjustments.clear();
   document.holds = {};

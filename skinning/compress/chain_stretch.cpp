@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,15 +14,63 @@
 namespace stretch::skinning {
 namespace {
 
-/// The joints of a row in a frame, and where its last bone ends.
-std::vector<Vec3> jointsOfRow(const SkinnedSequence& skinned, const std::vector<std::size_t>& row,
-                              std::size_t frame) {
-  std::vector<Vec3> joints;
+/// Part of the surface around a joint: its motion is the joint's. (The bones' own pivots are no measure:
+/// where vertices hang on several bones, these may make up for each other.)
+struct Ring {
+  Vec3 place{0.0};                                      ///< In the bind pose.
+  std::vector<std::pair<std::size_t, double>> vertices; ///< With weights that sum to 1.
+};
+
+Ring ringAround(const SkinnedSequence& skinned, const std::vector<std::size_t>& row, const Vec3& place,
+                double reach) {
+  constexpr std::size_t fewest = 12;
+  constexpr int widenings = 8;
+  constexpr float leastShare = 0.25F;
+  Ring ring{place, {}};
+  for (int widened = 0; widened < widenings && ring.vertices.size() < fewest; ++widened, reach *= 1.5) {
+    ring.vertices.clear();
+    double sum = 0.0;
+    for (std::size_t v = 0; v < skinned.bindPositions.size(); ++v) {
+      const double weight = 1.0 - glm::length(Vec3(skinned.bindPositions[v]) - place) / reach;
+      const Influences& influences = skinned.influences[v];
+      float share = 0.0F;
+      for (std::size_t i = 0; i < Influences::capacity; ++i) {
+        share += std::ranges::find(row, influences.bones[i]) != row.end() ? influences.weights[i] : 0.0F;
+      }
+      if (weight > 0.0 && share > leastShare) {
+        ring.vertices.emplace_back(v, weight);
+        sum += weight;
+      }
+    }
+    for (auto& [vertex, weight] : ring.vertices) {
+      weight /= sum;
+    }
+  }
+  return ring;
+}
+
+std::vector<Ring> ringsOfRow(const SkinnedSequence& skinned, const std::vector<std::size_t>& row) {
+  std::vector<Ring> rings;
   for (const std::size_t bone : row) {
-    joints.push_back(skinned.pose(frame, bone).position);
+    const SkinBone& b = skinned.bones[bone];
+    rings.push_back(ringAround(skinned, row, b.pivot, glm::length(b.end - b.pivot)));
   }
   const SkinBone& last = skinned.bones[row.back()];
-  joints.emplace_back(skinMatrix(last, skinned.pose(frame, row.back())) * Vec4(last.end, 1.0));
+  rings.push_back(ringAround(skinned, row, last.end, glm::length(last.end - last.pivot)));
+  return rings;
+}
+
+/// The joints of a row in a frame, and where its last bone ends.
+std::vector<Vec3> jointsOfRow(const SkinnedSequence& skinned, const std::vector<Ring>& rings,
+                              std::span<const glm::vec3> shown) {
+  std::vector<Vec3> joints;
+  for (const Ring& ring : rings) {
+    Vec3 move(0.0);
+    for (const auto& [vertex, weight] : ring.vertices) {
+      move += weight * (Vec3(shown[vertex]) - Vec3(skinned.bindPositions[vertex]));
+    }
+    joints.push_back(ring.place + move);
+  }
   return joints;
 }
 
@@ -31,8 +81,9 @@ glm::length_t axisAlong(const SkinBone& bone) {
   return along.z > along[larger] ? 2 : larger;
 }
 
-ChainStretch measuredRow(const SkinnedSequence& skinned, const std::vector<std::size_t>& row,
-                         LengthModel model, std::size_t firstFittedFrame) {
+ChainStretch measuredRow(const SkinnedSequence& skinned, const MeshSequence& shown,
+                         const std::vector<std::size_t>& row, LengthModel model,
+                         std::size_t firstFittedFrame) {
   ChainStretch chain;
   chain.bones = row;
   std::vector<Vec3> rest;
@@ -42,8 +93,9 @@ ChainStretch measuredRow(const SkinnedSequence& skinned, const std::vector<std::
   }
   rest.push_back(skinned.bones[row.back()].end);
   chain.restLength = polylineLength(rest);
+  const std::vector<Ring> rings = ringsOfRow(skinned, row);
   for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
-    const std::vector<Vec3> joints = jointsOfRow(skinned, row, k);
+    const std::vector<Vec3> joints = jointsOfRow(skinned, rings, shown.frame(k));
     chain.measured.push_back({totalCurvature(joints), polylineLength(joints)});
   }
   const std::size_t first = std::min(firstFittedFrame, chain.measured.size() - 1);
@@ -88,9 +140,10 @@ std::vector<std::vector<std::size_t>> rowsOfTree(const std::vector<SkinBone>& bo
 
 std::vector<ChainStretch> stretchRows(SkinnedSequence& skinned, LengthModel model,
                                       std::size_t firstFittedFrame) {
+  const MeshSequence shown = skinAllFrames(skinned);
   std::vector<ChainStretch> chains;
   for (const std::vector<std::size_t>& row : rowsOfTree(skinned.bones)) {
-    chains.push_back(measuredRow(skinned, row, model, firstFittedFrame));
+    chains.push_back(measuredRow(skinned, shown, row, model, firstFittedFrame));
   }
   for (ChainStretch& chain : chains) {
     for (std::size_t k = 0; k < skinned.frameCount(); ++k) {

@@ -24,10 +24,10 @@ struct ChainStretch {
 /// bone is in one of them; parents' rows come first.
 [[nodiscard]] std::vector<std::vector<std::size_t>> rowsOfTree(const std::vector<SkinBone>& bones);
 
-/// The paper's model limb by limb (its section 6): measures each row of bones as `skinned` poses it, fits its
-/// length to its curvature, and gives its bones the stretch that this makes of the curvature, volume kept,
-/// along the axis of theirs that lies nearest to the bone. The first frame is the bind pose. Every scale that
-/// there was is replaced.
+/// The paper's model limb by limb (as it proposes for characters): measures each row of bones as `skinned`
+/// poses it, fits its length to its curvature, and gives its bones the stretch that this makes of the
+/// curvature, volume kept, along the axis of theirs that lies nearest to the bone. The first frame is the
+/// bind pose. Every scale that there was is replaced.
 std::vector<ChainStretch> stretchRows(SkinnedSequence& skinned, LengthModel model,
                                       std::size_t firstFittedFrame);
 

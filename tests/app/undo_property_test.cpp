@@ -10,8 +10,11 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/hold_edits.h"
+#include "app/edits/key_edits.h"
 #include "app/edits/offset_edits.h"
+#include "app/edits/retime.h"
 #include "app/edits/sphere_edits.h"
+#include "app/edits/track_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/edits/weight_edits.h"
 #include "app/evaluate/cache.h"
@@ -104,6 +107,36 @@ Document randomAdjustment(const Document& document, Dice& dice) {
   return orUnchanged(document, placeAdjustments(document, {&adjustment, 1}));
 }
 
+// Keys of the clip and of controllers, by whatever edit.
+Document randomKeys(const Document& document, Dice& dice) {
+  const std::vector<KeyRow> rows = keyedRows(document, 0);
+  const KeyRow& row = rows[static_cast<std::size_t>(dice.below(static_cast<int>(rows.size())))];
+  const double from = dice.below(20);
+  const KeySelection picked = keysBetween(document, 0, {&row, 1}, from, from + dice.below(12));
+  const auto edited = [&](const Result<EditedKeys>& result) { return result ? result->document : document; };
+  switch (dice.below(9)) {
+  case 0:
+    return edited(moveKeys(document, 0, picked, {0.5 * dice.below(8) - 2.0, 3.0 * dice.below(3)}));
+  case 1:
+    return edited(scaleKeys(document, 0, picked, {from, 0.25 * (1 + dice.below(6)), 0.0, 1.5}));
+  case 2:
+    return edited(insertKeys(document, 0, {&row, 1}, 0.5 * dice.below(40)));
+  case 3:
+    return edited(removeKeys(document, 0, picked));
+  case 4:
+    return edited(pasteKeys(document, 0, copyKeys(document, 0, picked), dice.below(20), {}));
+  case 5:
+    return edited(setKeyKind(document, 0, picked, static_cast<rig::KeyInterpolation>(dice.below(5))));
+  case 6:
+    return edited(snapKeys(document, 0, picked));
+  case 7:
+    return orUnchanged(document,
+                       retimed(document, 0, {from, from + 3.0, 1.0 + dice.below(6), dice.below(2) == 0, {}}));
+  default:
+    return restoreAllTracks(document);
+  }
+}
+
 Document randomHold(const Document& document, Dice& dice) {
   if (dice.below(3) == 0) {
     return removeHold(document, {dice.below(2) == 0 ? rig::HoldKind::pin : rig::HoldKind::grip, 0});
@@ -123,6 +156,9 @@ Document randomHold(const Document& document, Dice& dice) {
 }
 
 Document randomEdit(const Document& document, Dice& dice) {
+  if (dice.below(6) == 0) {
+    return randomKeys(document, dice);
+  }
   if (dice.below(10) == 0) {
     return randomHold(document, dice);
   }

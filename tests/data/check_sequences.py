@@ -82,6 +82,16 @@ def cache_frames(cache):
     return [[numbers[3 * (k * points + v) : 3 * (k * points + v) + 3] for v in range(points)] for k in range(samples)]
 
 
+def morph_frames(file, clip, rate):
+    """Frames of a glTF's clip, as three.js shows the source."""
+    info = json.loads(file.read_text())
+    sampler = info["animations"][clip]["samplers"][0]
+    count = round(info["accessors"][sampler["input"]]["max"][0] * rate) + 1
+    times = ",".join(f"{k / rate:.9g}" for k in range(count))
+    shown = json.loads(output_of("node", READERS / "measure.mjs", file, "--clip", f"#{clip}", "--times", times, "--vertices", 1))["vertices"]
+    return [[tuple(frame[i : i + 3]) for i in range(0, len(frame), 3)] for frame in flat(shown)]
+
+
 def glb_json(file):
     content = file.read_bytes()
     length = struct.unpack("<I", content[12:16])[0]
@@ -222,6 +232,8 @@ class Check:
         worm, meshes = self.data / "worm", self.data / "mesh-sequence"
         sequences = {"wolf": ([meshes / "wolf"], lambda: obj_frames(meshes / "wolf")),
                      "dem-bones": ([meshes / "dem-bones" / "frames"], lambda: obj_frames(meshes / "dem-bones" / "frames"))}
+        morph = meshes / "morph" / "MorphStressTest.gltf"
+        sequences["morph"] = ([morph], lambda: morph_frames(morph, 0, 24.0))
         for cache in sorted(worm.glob("*.pc2")):
             base = worm / ("worm_half_swim_base.obj" if "half" in cache.name else "worm_base.obj")
             sequences[cache.stem] = ([base, cache], lambda cache=cache: cache_frames(cache))

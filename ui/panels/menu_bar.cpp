@@ -132,6 +132,19 @@ void poseMenu(PanelContext& context) {
 
 } // namespace
 
+namespace {
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
+} // namespace
+
 void drawMenuBar(PanelContext& context) {
   using namespace command;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
@@ -175,6 +188,7 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+  drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
                      timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,

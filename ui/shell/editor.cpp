@@ -11,6 +11,7 @@
 #include "ui/panels/panels.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/gui.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/shell_commands.h"
 #include "ui/viewport/viewport_pane.h"
@@ -143,6 +144,7 @@ void keepToolOnPress(Shell& shell) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    shell.ui.keyPane.pressTaken = std::holds_alternative<KeysTool>(shell.tool);
     finishTool(*shell.open.character(), shell.tool, true);
   }
 }
@@ -266,7 +268,9 @@ void drawFrame(Editor& editor) {
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
+  shell.ui.keyPane.hovered = false;
   drawEverything(editor);
+  moveKeysTool(shell);
   runRequested(shell);
   editor.window.input().guiTakesKeys = widgetsTakeKeys(shell);
   editor.window.setTitle(windowTitle(shell));

@@ -11,6 +11,7 @@
 #include "app/commands/selection.h"
 #include "app/commands/step_text.h"
 #include "ui/panels/panel_support.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
 #include "ui/viewport/tools.h"
 
@@ -191,8 +192,9 @@ void describeCommands(Shell& shell) {
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.history.open || ui.jointPick.open || ui.navigationChoiceOpen ||
-         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
+         ui.rename.open || ui.retime.open || ui.history.open || ui.jointPick.open ||
+         ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
+         shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 namespace {
@@ -204,7 +206,7 @@ bool looksOnly(std::string_view id) {
 
 /// The command of the key, or the first that the key means while that one is off.
 std::string meantCommand(const Shell& shell, const app::Chord& chord) {
-  const std::string id = shell.keymap.commandOf(chord);
+  const std::string id = commandUnderMouse(shell, chord, shell.keymap.commandOf(chord));
   const app::Command<Shell>* command = findCommandOf(shell, id);
   while (command != nullptr && !command->enabled(shell)) {
     command = findCommandOf(shell, command->otherwise);

@@ -15,6 +15,7 @@
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
@@ -434,6 +435,7 @@ std::vector<ShellCommand> editorCommands() {
   }
   append(all, toolCommands());
   append(all, moduliCommands());
+  append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());
   return all;

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "app/commands/hold.h"
+#include "app/commands/keys.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "ui/viewport/keys_tool.h"
 
 namespace stretch::ui {
 
@@ -58,6 +60,9 @@ Status previewTool(app::Session& session, Tool& tool) {
   }
   if (const auto* grab = std::get_if<GrabTool>(&tool)) {
     return previewGrab(session, *grab);
+  }
+  if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    return previewKeys(session, *keys);
   }
   if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
     return previewControllers(session, *controllers);
@@ -208,6 +213,8 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
     outcome = app::pressKey(exaggerate->modal, press);
   } else if (auto* grab = std::get_if<GrabTool>(&tool)) {
     outcome = app::pressKey(grab->modal, press);
+  } else if (auto* keys = std::get_if<KeysTool>(&tool)) {
+    outcome = app::pressKey(keys->modal, press);
   } else if (auto* controllers = std::get_if<ControllerTool>(&tool)) {
     outcome = app::pressKey(controllers->modal, press);
   }
@@ -285,6 +292,8 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
   if (!isRunning(tool)) {
     return;
   }
+  const auto* const keys = std::get_if<KeysTool>(&tool);
+  const app::KeySelection picked = keys != nullptr ? keys->picked : app::KeySelection{};
   if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
     endControllers(session, *controllers, keep);
   }
@@ -296,6 +305,7 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
     session.commit();
   } else {
     session.cancel();
+    app::pickKeys(session, picked.empty() ? app::pickedKeys(session) : picked, false);
   }
 }
 
@@ -309,6 +319,9 @@ void describeTool(const Tool& tool, EditorStatus& status) {
     status.modalText = app::modalText(grab->modal, grab->tangent ? 0 : grab->selected.size());
     status.modalText += soft ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
+  } else if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    status.modalText = app::modalText(keys->modal, app::keyCount(keys->picked));
+    hints = app::modalHints(keys->modal);
   } else if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
     status.modalText = app::modalText(controllers->modal, controllers->title);
     hints = app::modalHints(controllers->modal);

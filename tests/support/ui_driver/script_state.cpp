@@ -17,7 +17,9 @@
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/key_edits.h"
 #include "app/edits/offset_edits.h"
+#include "app/edits/track_edits.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
@@ -36,6 +38,11 @@ std::string yesNo(bool value) {
 }
 std::string number(double value) {
   return fmt::format("{:.6g}", value);
+}
+
+/// Of a clip, where there is one.
+std::size_t editedTrackCount(const app::Document& document, int clip) {
+  return app::hasClip(document, clip) ? app::editedTracks(document, clip).size() : 0;
 }
 
 std::string axesOf(const rig::TrailSettings& settings) {
@@ -232,6 +239,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"undo", [&] { return session.history().undoLabel(); }},
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
+      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},

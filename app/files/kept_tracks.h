@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+/// The edited tracks of all clips, for the work of a saved file (docs/file-format.md, The work: clip_keys):
+/// what is as in the source's track is left out. An empty list where nothing was edited.
+[[nodiscard]] gltf::Json keptTracks(const Document& document);
+
+/// Puts kept tracks into the clips of a document that has none. An error names what cannot be understood.
+[[nodiscard]] Status restoreKeptTracks(const gltf::Json& entries, Document& document);
+
+} // namespace stretch::app
