@@ -54,6 +54,14 @@ public:
     return where([&](std::size_t node) { return isAtEnd(scene_, limb, NodeIndex(node)); });
   }
 
+  [[nodiscard]] double height() const {
+    Bounds bounds;
+    for (const Points& cloud : clouds_) {
+      std::ranges::for_each(cloud, [&](const Vec3& point) { bounds.add(point); });
+    }
+    return bounds.empty() ? 0.0 : bounds.high.y - bounds.low.y;
+  }
+
 private:
   template <typename Wanted>
   [[nodiscard]] Points where(Wanted&& wanted) const {
@@ -78,6 +86,18 @@ Points slab(const Points& points, const Vec3& through, const Vec3& normal, doubl
   std::ranges::copy_if(points, std::back_inserter(some), [&](const Vec3& point) {
     return std::abs(glm::dot(point - through, normal)) <= half;
   });
+  return some;
+}
+
+// The same, so much thicker that it holds enough to tell the shape: few vertices make a coarse body.
+Points filledSlab(const Points& points, const Vec3& through, const Vec3& normal, double half) {
+  constexpr std::size_t enough = 12;
+  constexpr int mostTimes = 4;
+  Points some = slab(points, through, normal, half);
+  for (int times = 0; times < mostTimes && some.size() < enough; ++times) {
+    half *= 2.0;
+    some = slab(points, through, normal, half);
+  }
   return some;
 }
 
@@ -171,7 +191,7 @@ class ShapeMaker {
 public:
   ShapeMaker(const Scene& scene, const std::vector<Limb>& limbs, const AdjustedBody& body)
       : body_(body), flesh_(scene, limbs, body), left_(glm::cross(skywards, body.forward)),
-        leg_(legLength(limbs)) {}
+        leg_(std::max(legLength(limbs), leastLegOfHeight * flesh_.height())) {}
 
   [[nodiscard]] std::vector<Points> linesOf(const Controller& controller) const {
     switch (controller.kind) {
@@ -219,6 +239,8 @@ public:
   }
 
 private:
+  static constexpr double leastLegOfHeight = 0.4; // toys have short legs under large bodies
+
   static double legLength(const std::vector<Limb>& limbs) {
     double length = 0.0;
     for (const Limb& limb : limbs) {
@@ -287,8 +309,8 @@ private:
     const double half = 0.11 * leg_;
     Vec3 low = hips() - Vec3(0.15 * leg_, half, 0.15 * leg_);
     Vec3 high = hips() + Vec3(0.15 * leg_, half, 0.15 * leg_);
-    const Points pelvis =
-        slab(flesh_.of({LimbKind::spine, LimbKind::leftLeg, LimbKind::rightLeg}), hips(), skywards, half);
+    const Points pelvis = filledSlab(flesh_.of({LimbKind::spine, LimbKind::leftLeg, LimbKind::rightLeg}),
+                                     hips(), skywards, half);
     if (!pelvis.empty()) {
       Bounds bounds;
       std::ranges::for_each(pelvis, [&](const Vec3& point) { bounds.add(point); });
@@ -322,7 +344,7 @@ private:
     flat.centre = alongSpine(share);
     flat.right = glm::length(across) > 0.0 ? glm::normalize(across) : left_;
     flat.up = glm::cross(normal, flat.right);
-    return around(slab(torso(), flat.centre, normal, 0.04 * leg_), flat, 0.2 * leg_);
+    return around(filledSlab(torso(), flat.centre, normal, 0.04 * leg_), flat, 0.2 * leg_);
   }
 
   // A sickle over the crown, seen from the front.
@@ -331,12 +353,12 @@ private:
     Bounds bounds;
     std::ranges::for_each(points, [&](const Vec3& point) { bounds.add(point); });
     FlatPlace flat{endPosition(neck.limb, body_.places.worlds) + 0.1 * leg_ * skywards, left_, skywards};
-    double reach = 0.12 * leg_;
+    Vec2 reach(0.12 * leg_);
     if (!points.empty()) {
       flat.centre = 0.5 * (bounds.low + bounds.high);
-      reach = 0.0;
+      reach = Vec2(0.0);
       for (const Vec3& point : points) {
-        reach = std::max(reach, glm::length(flat.seen(point)));
+        reach = glm::max(reach, glm::abs(flat.seen(point)));
       }
     }
     constexpr double fromRadians = 0.2 * pi;
@@ -345,8 +367,8 @@ private:
     const auto add = [&](int i, double bulge) {
       const double share = static_cast<double>(i) / pointsAround;
       const double angle = fromRadians + share * (pi - 2.0 * fromRadians);
-      const double radius = gap * reach * (1.0 + bulge * std::sin(pi * share));
-      line.push_back(flat.point({radius * std::cos(angle), radius * std::sin(angle)}));
+      const Vec2 radius = gap * (1.0 + bulge * std::sin(pi * share)) * reach;
+      line.push_back(flat.point({radius.x * std::cos(angle), radius.y * std::sin(angle)}));
     };
     for (int i = 0; i <= pointsAround; ++i) {
       add(i, thickness);
