@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
+#include "app/evaluate/planted_feet.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -28,6 +30,7 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
+  bool pinsFeet = false;
   JsonOutput json;
 };
 
@@ -139,7 +142,23 @@ void printPose(const Json& report) {
   }
 }
 
+// What --pin-feet alone asks for.
+Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& document) {
+  const Result<int> clip = clipOfArguments(arguments.input, document);
+  if (!clip) {
+    return clip.error();
+  }
+  Recipe recipe;
+  recipe.clip = *clip;
+  return recipe;
+}
+
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
+  if (arguments.recipe.empty()) {
+    return arguments.pinsFeet
+               ? emptyRecipe(arguments, document)
+               : Result<Recipe>(Error{"nothing was asked for", "--recipe", "give a recipe, or --pin-feet"});
+  }
   std::optional<int> clip;
   if (!arguments.input.clip.empty()) {
     const Result<int> named = clipOfArguments(arguments.input, document);
@@ -149,11 +168,23 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     clip = *named;
   }
   Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
-  if (recipe && recipe->adjustments.empty() && recipe->holds.empty()) {
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
   return recipe;
+}
+
+// The adjustments and holds, and pins where the feet stand in the adjusted clip; a recipe's own pin stands in
+// the place of one that was found.
+Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, const Document& document) {
+  Result<Document> posed = placeAdjustments(document, recipe.adjustments);
+  if (posed && arguments.pinsFeet) {
+    const Clip& clip = clipOf(*posed, recipe.clip);
+    const Vec2 whole(0.0, std::floor(clip.endSeconds * clip.framesPerSecond + 1e-3));
+    posed = placeHolds(*posed, plantedFeet(*posed, recipe.clip, whole));
+  }
+  return posed ? placeHolds(*posed, recipe.holds) : posed;
 }
 
 Status runPose(const PoseArguments& arguments) {
@@ -168,8 +199,7 @@ Status runPose(const PoseArguments& arguments) {
   if (!recipe) {
     return recipe.error();
   }
-  const Result<Document> adjusted = placeAdjustments(*document, recipe->adjustments);
-  const Result<Document> posed = adjusted ? placeHolds(*adjusted, recipe->holds) : adjusted;
+  const Result<Document> posed = posedBy(arguments, *recipe, *document);
   if (!posed) {
     return posed.error();
   }
@@ -197,8 +227,8 @@ Verb poseVerb() {
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
-        line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props")
-            .required();
+        line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
+        line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

@@ -150,6 +150,12 @@ inline constexpr const char* poseKeyLinear = "pose.key-linear";
 inline constexpr const char* poseKeyStepped = "pose.key-stepped";
 inline constexpr const char* poseKeyFree = "pose.key-free";
 
+inline constexpr const char* holdPin = "hold.pin";
+inline constexpr const char* holdPinFeet = "hold.pin-feet";
+inline constexpr const char* holdMatch = "hold.match";
+inline constexpr const char* holdProp = "hold.prop";
+inline constexpr const char* holdLetGo = "hold.let-go";
+inline constexpr const char* holdRemove = "hold.remove";
 inline constexpr const char* keysGrab = "key.grab";
 inline constexpr const char* keysScale = "key.scale";
 inline constexpr const char* keysInsert = "key.insert";

@@ -21,6 +21,7 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> sphereCommands();
 [[nodiscard]] std::vector<DocumentCommand> controllerCommands();
 [[nodiscard]] std::vector<DocumentCommand> poseCommands();
+[[nodiscard]] std::vector<DocumentCommand> holdCommands();
 [[nodiscard]] std::vector<DocumentCommand> keyCommands();
 [[nodiscard]] std::vector<DocumentCommand> weightCommands();
 [[nodiscard]] std::vector<DocumentCommand> sequenceCommands();

@@ -44,9 +44,9 @@ constexpr CommandIds controllerEntries{command::controllerMove,
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
-                                   copyTrail,       pasteTrail,         mirrorTrail,  "",
-                                   trailDeleteAll,  viewFrameSelection, selectNone};
+  static constexpr CommandIds limb{
+      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
+      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,

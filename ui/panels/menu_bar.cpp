@@ -130,6 +130,35 @@ void poseMenu(PanelContext& context) {
            false);
 }
 
+void drawLimbMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Limb",
+            {selectLeftArm,
+             selectRightArm,
+             selectLeftLeg,
+             selectRightLeg,
+             selectSpine,
+             selectNeck,
+             selectAllLimbs,
+             selectNone,
+             "",
+             weightToggle,
+             weightAll,
+             weightRemove,
+             "",
+             holdPin,
+             holdPinFeet,
+             holdMatch,
+             holdProp,
+             holdLetGo,
+             holdRemove,
+             "",
+             pickChain,
+             detectAgain}},
+           false);
+}
+
 } // namespace
 
 namespace {
@@ -156,12 +185,7 @@ void drawMenuBar(PanelContext& context) {
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
-  drawMenu(
-      context,
-      {"Limb",
-       {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck, selectAllLimbs,
-        selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
-      false);
+  drawLimbMenu(context);
   poseMenu(context);
   drawMenu(context,
            {"Trail",

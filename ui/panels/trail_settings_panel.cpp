@@ -71,6 +71,7 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
     stopRows(context, trail);
   }
   weightSection(context, trail.limb);
+  holdSection(context);
 }
 
 /// What to do for a limb of which no trail is selected: where those are that it has, or how to make one.
@@ -119,6 +120,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
     drawLimbSettings(context);
+    holdSection(context);
     return;
   }
   const rig::Trail trail = *selected; // a copy: rows edit the document while the others are drawn

@@ -268,6 +268,28 @@ TEST_CASE("holds are kept in the file, and gone without a trace when they are ta
   CHECK(*readFile(folder / "without.glb") == *readFile(character));
 }
 
+TEST_CASE("info lists what is held and what is offset") {
+  const test::TemporaryFolder folder;
+  Json recipe = heldRecipe("pins", {{"limb", "left-leg"}, {"range", {5, 20}}});
+  recipe["adjustments"] = lowHips();
+  const Posed posed = pose(folder, recipe);
+  REQUIRE(posed.answer.exitCode == 0);
+  const Json info = Json::parse(test::runVerb({"info", posed.path, "--json"}).output);
+  CHECK(info["pins"][0]["limb"] == "left-leg");
+  CHECK(info["pins"][0]["range"] == Json::array({5.0, 20.0}));
+  CHECK(info["adjustments"][0]["controller"] == "hips");
+  CHECK(info["props"].empty());
+}
+
+TEST_CASE("pose pins feet where they stand, with a recipe or without") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "planted.glb").string();
+  REQUIRE(test::runVerb({"pose", posedCharacter, "-o", output, "--pin-feet"}).exitCode == 0);
+  CHECK_FALSE(openedFile(output).holds.pins.empty());
+  const std::string other = (folder / "other.glb").string();
+  CHECK(test::runVerb({"pose", posedCharacter, "-o", other}).exitCode == 1);
+}
+
 TEST_CASE("frames of a recipe's holds and offsets may be parts of the clip") {
   Document document = openedFile(posedCharacter);
   const Clip& clip = clipOf(document, 0);

@@ -78,6 +78,7 @@ TEST_CASE("Adjustments that a file carries are told with keys and range") {
   const Json adjustments = Json::parse(json.output)["adjustments"];
   REQUIRE(adjustments.size() == 1);
   CHECK(adjustments[0]["controller"] == "hips");
-  CHECK(adjustments[0]["keys"] == Json::array({12.0}));
+  REQUIRE(adjustments[0]["keys"].size() == 1);
+  CHECK(adjustments[0]["keys"][0]["frame"] == 12.0);
   CHECK(adjustments[0]["range"] == Json::array({4.0, 20.0}));
 }
