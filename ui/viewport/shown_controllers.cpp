@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/commands/selection.h"
 #include "ui/render/picking.h"
 
 namespace stretch::ui {
@@ -45,11 +46,6 @@ ControllerPicture pictureOf(const rig::PlacedController& placed,
   return picture;
 }
 
-bool isSelected(const app::Session& session, const std::string& id) {
-  return std::ranges::find(session.view().selectedControllers, id) !=
-         session.view().selectedControllers.end();
-}
-
 std::optional<double> pixelsTo(const View& view, const std::optional<Vec3>& place, const Vec2& mousePixels) {
   const auto seen = place ? projectToPixels(view, *place) : std::nullopt;
   return seen ? std::optional(glm::distance(seen->pixels, mousePixels)) : std::nullopt;
@@ -69,7 +65,7 @@ std::vector<ShownController> shownControllers(app::Session& session, const Viewp
   const std::vector<rig::ControllerShape>& shapes = session.controllerShapes();
   for (const rig::PlacedController& placed : session.controllersAt(session.view().frame)) {
     const bool onJoint = placed.kind == rig::ControllerKind::joint;
-    if (!onJoint || overlays.skeleton || isSelected(session, placed.id)) {
+    if (!onJoint || overlays.skeleton || app::isControllerSelected(session, placed.id)) {
       shown.push_back({placed, pictureOf(placed, shapes)});
     }
   }
