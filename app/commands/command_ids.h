@@ -141,6 +141,7 @@ inline constexpr const char* poseResetRigRange = "pose.reset-rig-range";
 inline constexpr const char* poseMirror = "pose.mirror";
 inline constexpr const char* poseCopy = "pose.copy";
 inline constexpr const char* posePaste = "pose.paste";
+inline constexpr const char* poseTween = "pose.tween";
 inline constexpr const char* poseCurlMore = "pose.curl-more";
 inline constexpr const char* poseCurlLess = "pose.curl-less";
 inline constexpr const char* poseKeyAutomatic = "pose.key-auto";

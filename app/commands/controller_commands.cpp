@@ -3,8 +3,11 @@
 #include <iterator>
 
 #include "app/commands/command_ids.h"
+#include "app/commands/controller_modal.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/grab_modal.h"
 #include "app/commands/needs.h"
+#include "app/commands/nudges.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
@@ -120,6 +123,29 @@ std::vector<std::string> keyedControllers(const Session& session) {
   return keyed;
 }
 
+bool hasMovable(const Session& session) {
+  return clipNeeded().holds(session) &&
+         std::ranges::any_of(selectedControllers(session), &rig::Controller::moves);
+}
+
+Status nudgeSelected(Session& session, const Chord& chord) {
+  const ViewState& view = session.view();
+  ControllerModal modal;
+  modal.viewAxes = view.cameraAxes;
+  modal.arrowsWorld = nudgeOf(chord, view.cameraAxes, nudgeUnits(session.document()));
+  std::vector<rig::PlacedController> placed;
+  std::vector<ControllerOffset> offsets;
+  for (const rig::PlacedController& one : session.controllersAt(view.frame)) {
+    if (isControllerSelected(session, one.id)) {
+      placed.push_back(one);
+      offsets.push_back(shownOffset(session, one.id));
+    }
+  }
+  OffsetPose pose;
+  pose.offsets = changedOffsets(modal, heldControllers(ControllerMotion::move, placed, offsets));
+  return poseAll(session, pose, poseLabel(session.document(), "Nudge", view.selectedControllers));
+}
+
 Need controllersFound() {
   return {[](const Session& session) { return !allControllers(session.document()).empty(); },
           "no limb was found that a controller could move"};
@@ -150,6 +176,14 @@ std::vector<DocumentCommand> controllerCommands() {
             {[](const Session& session) { return !keyedControllers(session).empty(); },
              "no controller has a key in this clip"},
             doing([](Session& session) { selectControllers(session, keyedControllers(session)); })));
+  for (DocumentCommand& command : nudgeCommands({.idPrefix = controllerNudges,
+                                  .words = "the selected controllers",
+                                  .ownsKeys = false,
+                                  .need = {hasMovable, "select a controller that moves"},
+                                  .otherwisePrefix = {},
+                                  .nudge = nudgeSelected})) {
+    commands.push_back(std::move(command));
+  }
   return commands;
 }
 

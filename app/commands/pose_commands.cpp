@@ -109,7 +109,7 @@ Status resetSelectedRange(Session& session) {
                    poseLabel(session.document(), "Reset", session.view().selectedControllers));
 }
 
-/// Attributes only where they say something on one of the sides.
+/// What is the same on both sides gets no key.
 Status mirrorSelected(Session& session) {
   const ViewState& view = session.view();
   const Document& document = session.document();
@@ -122,7 +122,10 @@ Status mirrorSelected(Session& session) {
   if (!mirrored) {
     return mirrored.error();
   }
-  return poseAll(session, *mirrored, poseLabel(document, "Mirror", view.selectedControllers));
+  OffsetPose needed = *mirrored;
+  std::erase_if(needed.offsets,
+                [&](const ControllerOffset& offset) { return shownOffset(session, offset.id) == offset; });
+  return poseAll(session, needed, poseLabel(document, "Mirror", view.selectedControllers));
 }
 
 Status copyPose(Session& session) {
@@ -134,7 +137,7 @@ Status copyPose(Session& session) {
 Status pastePose(Session& session) {
   const ViewState& view = session.view();
   OffsetPose pose = inWorldUnits(session.document(), *view.copiedPose);
-  if (pose.offsets.empty()) {
+  if (pose.empty()) {
     return Error{"this character has none of the controllers that were copied", "",
                  "copy a pose of controllers that it has"};
   }
@@ -144,7 +147,12 @@ Status pastePose(Session& session) {
   for (const ControllerOffset& offset : pose.offsets) {
     ids.push_back(offset.id);
   }
-  return poseAll(session, pose, poseLabel(session.document(), "Paste the pose on", ids));
+  const std::string label = poseLabel(session.document(), "Paste the pose on", ids);
+  std::erase_if(pose.offsets, [&](const ControllerOffset& offset) {
+    return offset == ControllerOffset{offset.id, Vec3(0.0), Vec3(0.0)} &&
+           adjustmentAt(session.document(), view.clip, view.frame, offset.id) == nullptr;
+  });
+  return poseAll(session, pose, label);
 }
 
 bool canPastePose(const Session& session) {
@@ -168,7 +176,7 @@ Status curl(Session& session, double step) {
     pose.values.push_back({bend.id, std::clamp(value, bend.minimum, bend.maximum)});
     ids.push_back(bend.id);
   }
-  return poseAll(session, pose, poseLabel(session.document(), "Change the", ids));
+  return poseAll(session, pose, poseLabel(session.document(), "Change", ids));
 }
 
 Need bendNeeded() {
@@ -297,6 +305,11 @@ std::vector<DocumentCommand> poseCommands() {
                            "Poses the controllers of the same names at the playhead; on another character in "
                            "proportion to its limbs.",
                            {}, {canPastePose, "copy a pose first"}, pastePose));
+  commands.push_back(entry(
+      command::poseTween, "Tween half-way",
+      "Poses the selected controllers half-way between the key before the playhead and the key after it.",
+      {"Shift+T"}, {canTween, "move the playhead between two keys of the selected controllers"},
+      [](Session& session) { return poseAll(session, tweened(session, 0.5), "Tween"); }));
   commands.push_back(entry(command::poseCurlMore, "Curl or roll on",
                            "Closes the selected hand, lifts the heel of the selected foot, by a tenth.",
                            {"Alt+Up"}, bendNeeded(), [](Session& session) { return curl(session, 0.1); }));

@@ -191,6 +191,15 @@ std::optional<rig::KeyInterpolation> interpolationHere(const Session& session) {
   return here;
 }
 
+bool canTween(const Session& session) {
+  return !tweened(session, 0.5).empty();
+}
+
+OffsetPose tweened(const Session& session, double between) {
+  const ViewState& view = session.view();
+  return tweenedPose(session.document(), view.clip, view.frame, posedIds(session), between);
+}
+
 bool isWholeClip(const Session& session) {
   const ViewState& view = session.view();
   for (const std::string& id : posedIds(session)) {

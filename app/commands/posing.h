@@ -43,6 +43,11 @@ Status endOffsetsHere(Session& session, bool start);
 /// How the selected keys at the playhead are passed; nothing without one, or where they differ.
 [[nodiscard]] std::optional<rig::KeyInterpolation> interpolationHere(const Session& session);
 
+/// Posing acts on something that has a key before the playhead and one after it; ends of ranges count.
+[[nodiscard]] bool canTween(const Session& session);
+/// What posing acts on, between these keys (tweenedPose).
+[[nodiscard]] OffsetPose tweened(const Session& session, double between);
+
 /// Whether what posing acts on holds over the whole clip: as it is adjusted at the playhead, else as a first
 /// key would.
 [[nodiscard]] bool isWholeClip(const Session& session);

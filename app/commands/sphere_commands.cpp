@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -8,6 +8,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/grab_modal.h"
 #include "app/commands/needs.h"
+#include "app/commands/nudges.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/commands/tables.h"
@@ -151,50 +152,6 @@ Status nudgeAlong(Session& session, double direction) {
   return pull(session, moves, "Slide the spheres along the path");
 }
 
-struct Direction {
-  const char* id;
-  const char* title;
-  Key key;
-  const char* otherwise;     ///< What the key does while no sphere is selected: a command;
-  const char* otherwiseDoes; ///< and its words.
-};
-constexpr std::array<Direction, 6> directions{
-    {{"left", "left", Key::left, command::timeBack, "steps a frame back"},
-     {"right", "right", Key::right, command::timeForward, "steps a frame on"},
-     {"up", "up", Key::up, command::timeNextKey, "jumps to the next key"},
-     {"down", "down", Key::down, command::timePreviousKey, "jumps to the key before"},
-     {"away", "away", Key::pageUp, "", ""},
-     {"towards", "towards the viewer", Key::pageDown, "", ""}}};
-
-struct Reach {
-  const char* idSuffix;
-  const char* title;
-  bool ctrl;
-  bool shift;
-};
-constexpr std::array<Reach, 3> reaches{{{"", "", false, false},
-                                        {"-far", ", ten times as far", false, true},
-                                        {"-fine", ", a tenth", true, false}}};
-
-DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
-  const Chord chord{direction.key, reach.ctrl, reach.shift, false};
-  DocumentCommand command;
-  command.id = std::string("sphere.nudge-") + direction.id + reach.idSuffix;
-  command.label = std::string("Nudge ") + direction.title + reach.title;
-  command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
-                 reach.title + ".";
-  command.keys = {chordText(chord)};
-  Need need = sphereNeeded();
-  command.enabled = std::move(need.holds);
-  command.needs = std::move(need.text);
-  if (direction.otherwise[0] != '\0' && reach.idSuffix[0] == '\0') {
-    command.otherwise = direction.otherwise;
-    command.help += std::string(" Without one the key ") + direction.otherwiseDoes + ".";
-  }
-  command.run = [chord](Session& session) { return nudge(session, chord); };
-  return command;
-}
-
 } // namespace
 
 std::vector<DocumentCommand> sphereCommands() {
@@ -241,10 +198,12 @@ std::vector<DocumentCommand> sphereCommands() {
             "before, closer after.",
             {"Alt+Right"}, sphereNeeded(), [](Session& session) { return nudgeAlong(session, 1.0); }),
   };
-  for (const Reach& reach : reaches) {
-    for (const Direction& direction : directions) {
-      commands.push_back(nudgeCommand(direction, reach));
-    }
+  for (DocumentCommand& command : nudgeCommands({.idPrefix = "sphere.nudge-",
+                                  .words = "the selected spheres",
+                                  .need = sphereNeeded(),
+                                  .otherwisePrefix = controllerNudges,
+                                  .nudge = nudge})) {
+    commands.push_back(std::move(command));
   }
   return commands;
 }

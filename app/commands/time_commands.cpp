@@ -30,10 +30,15 @@ Status stepForward(Session& session) {
   return goTo(session, std::floor(session.view().frame + sameFrameTolerance) + 1.0);
 }
 
+/// Keys of the selected controllers, where they have some, else those of the selected limbs, or all.
+std::vector<double> framesToGoTo(Session& session) {
+  std::vector<double> frames = offsetKeyFrames(session);
+  return frames.empty() ? shownKeyFrames(session, session.view().selectedLimbs) : frames;
+}
+
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  const std::vector<double> frames =
-      hasControllers(session) ? offsetKeyFrames(session) : shownKeyFrames(session, view.selectedLimbs);
+  const std::vector<double> frames = framesToGoTo(session);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });

@@ -88,11 +88,11 @@ std::optional<rig::Offset> offsetBetween(const Document& document, const rig::Ad
   const double rate = clipOf(document, adjustment.clip).framesPerSecond;
   const rig::OffsetCurve curve(adjustment, standard, rate);
   const KeysBeside beside = keysBeside(curve, frame / rate, sameFrames / rate);
-  if (!beside.before && !beside.after) {
+  if (!beside.before || !beside.after) {
     return std::nullopt;
   }
-  const rig::Offset from = curve.at(beside.before.value_or(*beside.after));
-  const rig::Offset to = curve.at(beside.after.value_or(*beside.before));
+  const rig::Offset from = curve.at(*beside.before);
+  const rig::Offset to = curve.at(*beside.after);
   return rig::Offset{from.move + between * (to.move - from.move), from.turn + between * (to.turn - from.turn),
                      from.value + between * (to.value - from.value)};
 }

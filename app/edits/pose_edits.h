@@ -29,8 +29,8 @@ namespace stretch::app {
 [[nodiscard]] OffsetPose inLengths(const Document& document, const OffsetPose& pose);
 [[nodiscard]] OffsetPose inWorldUnits(const Document& document, const OffsetPose& pose);
 
-/// Between the key before the frame (0) and the key after it (1), or past them. Those that have only one of
-/// the two stand there; those without either are left out.
+/// Between the key before the frame (0) and the key after it (1), or past them; the ends of a range are keys.
+/// What does not have both is left out.
 [[nodiscard]] OffsetPose tweenedPose(const Document& document, int clip, double frame,
                                      std::span<const std::string> ids, double between);
 

@@ -11,6 +11,7 @@
 #include "app/edits/group_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/edits/key_edits.h"
+#include "app/edits/offset_edits.h"
 #include "app/edits/retime.h"
 #include "app/edits/sphere_edits.h"
 #include "app/edits/track_edits.h"
@@ -62,12 +63,42 @@ Document randomWeight(const Document& document, Dice& dice) {
   return orUnchanged(document, setWeight(document, entry));
 }
 
+/// One of the edits of offset keys.
+Document randomPose(const Document& document, const std::string& controller, Dice& dice) {
+  const double frame = dice.below(20);
+  const std::vector<std::string> ids{controller, "left-arm.stretch"};
+  const KeyRange range =
+      dice.below(2) == 0 ? KeyRange{} : KeyRange{Vec2(dice.below(10), 10 + dice.below(10))};
+  switch (dice.below(6)) {
+  case 0:
+    return removeOffsetKeys(document, 0, frame, ids);
+  case 1:
+    return orUnchanged(document, resetOffsets(document, 0, frame, ids));
+  case 2:
+    return orUnchanged(document, resetOffsetsOver(document, 0, {frame, frame + 5.0}, ids));
+  case 3:
+    return setKeyInterpolation(document, 0, frame, ids,
+                               dice.below(2) == 0 ? rig::KeyInterpolation::free
+                                                  : rig::KeyInterpolation::stepped);
+  case 4:
+    return orUnchanged(document, setOffsetRange(document, 0, frame, ids, range));
+  default:
+    break;
+  }
+  const std::vector<ControllerOffset> offsets{{controller, {0.0, 0.01 * dice.below(10), 0.0}, {}}};
+  const std::vector<AttributeValue> values{{"left-arm.stretch", 0.1 * dice.below(10)}};
+  return orUnchanged(document, setOffsets(document, 0, frame, offsets, values, range));
+}
+
 Document randomAdjustment(const Document& document, Dice& dice) {
   const std::vector<std::string> controllers{"hips", "left-hand", "right-elbow", "spine-top"};
   rig::Adjustment adjustment;
   adjustment.controller = controllers[static_cast<std::size_t>(dice.below(4))];
-  if (dice.below(3) == 0) {
+  if (dice.below(4) == 0) {
     return removeAdjustments(document, adjustment.controller, 0);
+  }
+  if (dice.below(2) == 0) {
+    return randomPose(document, adjustment.controller, dice);
   }
   rig::OffsetKey key;
   key.frame = dice.below(20);
@@ -131,7 +162,7 @@ Document randomEdit(const Document& document, Dice& dice) {
   if (dice.below(10) == 0) {
     return randomHold(document, dice);
   }
-  if (dice.below(10) == 0) {
+  if (dice.below(6) == 0) {
     return randomAdjustment(document, dice);
   }
   if (dice.below(8) == 0) {

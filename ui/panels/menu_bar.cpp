@@ -92,6 +92,44 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
+void poseMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Pose",
+            {controllerMove,
+             controllerTurn,
+             "",
+             controllerNext,
+             controllerPrevious,
+             controllersAll,
+             controllersKeyed,
+             "",
+             poseKey,
+             poseDeleteKey,
+             poseAutoKey,
+             poseWholeClip,
+             "",
+             poseReset,
+             poseResetRange,
+             poseResetRig,
+             poseResetRigRange,
+             "",
+             poseMirror,
+             poseCopy,
+             posePaste,
+             poseTween,
+             "",
+             poseCurlMore,
+             poseCurlLess,
+             "",
+             poseKeyAutomatic,
+             poseKeyFlat,
+             poseKeyLinear,
+             poseKeyStepped,
+             poseKeyFree}},
+           false);
+}
+
 void drawLimbMenu(PanelContext& context) {
   using namespace command;
   drawMenu(context,
@@ -148,6 +186,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
   drawLimbMenu(context);
+  poseMenu(context);
   drawMenu(context,
            {"Trail",
             {trailToggle,

@@ -96,7 +96,7 @@ void drawLimbSettings(PanelContext& context) {
   const std::vector<std::string> limbs = app::targetLimbs(context.character());
   if (limbs.empty()) {
     panelTitle(widgets, icon::sliders, "Settings");
-    note(widgets, "Select a limb or a trail to see its settings.");
+    note(widgets, "Select a limb, a trail or a controller to see its settings.");
     return;
   }
   const std::size_t also = limbs.size() - 1;

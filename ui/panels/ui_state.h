@@ -342,7 +342,9 @@ struct UiState {
   double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
   std::optional<MenuPlace> menuPlace;          ///< Else at the mouse.
   RenameState rename;
-  std::string clipFilter; ///< Typed into the list of clips.
+  std::string clipFilter;  ///< Typed into the list of clips.
+  std::string jointFilter; ///< Typed into the list of joints.
+  double tween = 0.5;      ///< Of the tween that is dragged, from key (0) to key (1).
   HistoryState history;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;

@@ -12,6 +12,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/edits/offset_edits.h"
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
@@ -229,7 +230,7 @@ bool hasWork(const Shell& shell) {
   }
   const app::Document& document = shell.open.character()->document();
   const int clip = shell.open.character()->view().clip;
-  return app::hasWeight(document, clip) ||
+  return app::hasWeight(document, clip) || !app::adjustedIds(document, clip).empty() ||
          std::ranges::any_of(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
 }
 
@@ -315,10 +316,11 @@ std::vector<ShellCommand> fileCommands() {
             "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
       entry(command::recipeSave, "Save a recipe",
-            "Writes the clip's trails, to be replayed on another clip or character.", {},
-            {hasWork, "make a trail first"}, askingFor(FilePurpose::saveRecipe)),
-      entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
-            characterNeeded, askingFor(FilePurpose::openRecipe)),
+            "Writes the clip's poses, trails and weight, to be replayed on another clip or character.", {},
+            {hasWork, "make a trail or pose a controller first"}, askingFor(FilePurpose::saveRecipe)),
+      entry(command::recipeLoad, "Replay a recipe",
+            "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
+            askingFor(FilePurpose::openRecipe)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
             {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };

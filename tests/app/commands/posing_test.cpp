@@ -5,8 +5,10 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/nudges.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
+#include "app/commands/step_text.h"
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/open_document.h"
@@ -290,4 +292,47 @@ TEST_CASE("A copied pose fits a character of another size") {
   Session& other = *open.character();
   CHECK(run(other, command::posePaste).empty());
   CHECK(moveOf(other, "left-hand").z == Approx(0.6));
+}
+
+TEST_CASE("A tween stands between the keys beside the playhead, or past them") {
+  Session session = posed("hips", {0.0, 0.1, 0.0}, 4.0);
+  CHECK(run(session, command::poseTween) == "move the playhead between two keys of the selected controllers");
+  session.view().frame = 12.0;
+  REQUIRE(poseAll(session, moved("hips", {0.0, 0.3, 0.0}), "Move"));
+  session.view().frame = 8.0;
+  CHECK(run(session, command::poseTween).empty());
+  CHECK(moveOf(session, "hips").y == Approx(0.2));
+  CHECK(tweened(session, 0.0).offsets.front().move.y == Approx(0.1));
+  CHECK(tweened(session, 1.5).offsets.front().move.y == Approx(0.4));
+}
+
+TEST_CASE("The history says what was posed and at which frame") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "left-hand", false);
+  run(session, command::poseKey);
+  const auto last = [&] { return stepTexts(session.history()).back(); };
+  CHECK(last() == "Key the left hand \xE2\x80\x93 at frame 8");
+  selectControllers(session, {"left-hand", "right-hand", "hips", "body"});
+  run(session, command::poseKey);
+  CHECK(last() == "Key 4 controllers \xE2\x80\x93 at frame 8");
+  session.view().frame = 9.0;
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Change the left arm stretch"));
+  CHECK(last() == "Change the left arm stretch \xE2\x80\x93 at frame 9");
+}
+
+TEST_CASE("Arrows nudge the selected controllers in the view plane, by the steps of spheres") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "hips", false);
+  const double step = nudgeUnits(session.document());
+  const std::string nudge = controllerNudges;
+  CHECK(run(session, nudge + "up").empty());
+  CHECK(moveOf(session, "hips").y == Approx(step));
+  CHECK(run(session, nudge + "up-far").empty());
+  CHECK(moveOf(session, "hips").y == Approx(11.0 * step));
+  CHECK(run(session, nudge + "right-fine").empty());
+  CHECK(moveOf(session, "hips").x == Approx(0.1 * step));
+  selectController(session, "LeftForeArm", false);
+  CHECK_FALSE(run(session, nudge + "up").empty());
 }

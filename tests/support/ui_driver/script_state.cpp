@@ -13,6 +13,7 @@
 #include <imgui_internal.h>
 
 #include "app/commands/frames.h"
+#include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
@@ -206,6 +207,16 @@ std::string tangentCount(const app::Session& session) {
                                 [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
 }
 
+/// Three numbers of what the first selected controller is offset by at the playhead.
+std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::*vector, double unit) {
+  if (!app::hasControllers(session)) {
+    return "none";
+  }
+  const app::ControllerOffset offset = app::shownOffset(session, session.view().selectedControllers.front());
+  const Vec3 shown = unit * (offset.*vector);
+  return joined({number(shown.x), number(shown.y), number(shown.z)});
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -218,6 +229,10 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
+      {"moved", [&] { return offsetText(session, &app::ControllerOffset::move, 1.0); }},
+      {"turned", [&] { return offsetText(session, &app::ControllerOffset::turn, 180.0 / pi); }},
+      {"offset-keys", [&] { return std::to_string(app::offsetKeyFrames(session).size()); }},
+      {"auto-key", [&] { return yesNo(view.autoKey); }},
       {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
       {"range.start", [&] { return number(view.rangeStart); }},
       {"range.end", [&] { return number(view.rangeEnd); }},
@@ -251,6 +266,9 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second();
+  }
+  if (constexpr std::string_view value = "value."; name.starts_with(value)) {
+    return number(app::shownValue(session, std::string(name.substr(value.size()))));
   }
   const rig::Trail* trail = app::selectedTrail(session);
   return trail == nullptr ? std::nullopt : trailState(*trail, name);
