@@ -28,7 +28,7 @@ bool applied(Session& session, const char* id) {
   const auto command =
       std::find_if(commands.begin(), commands.end(), [&](const auto& c) { return c.id == id; });
   REQUIRE(command != commands.end());
-  return command->enabled(session) && command->applied(session).ok();
+  return command->enabled(session) && command->run(session).ok();
 }
 
 } // namespace
