@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 #include <epoxy/gl.h>
@@ -117,7 +118,7 @@ std::optional<Script::Step> Script::stepOf(const std::string& line, int number) 
   if (!(text >> step.verb)) {
     return std::nullopt;
   }
-  for (std::string word; text >> word;) {
+  for (std::string word; text >> std::quoted(word);) {
     step.words.push_back(word);
   }
   return step;
