@@ -104,20 +104,16 @@ def grip_problems(character, folder):
         return []
     moved = [{"controller": "left-hand", "keys": character.keys(move=MOVES["left-hand"])}]
     grip = {"leader": "left-arm", "follower": "right-arm", "range": [0, character.last], "relation": 0}
-    output, _ = character.pose(folder, moved, grips=[grip])
-    adjusted, _ = character.pose(folder, moved)
-    return distance_problems(character, output, adjusted)
-
-
-def distance_problems(character, output, adjusted):
     frames = half_frames(0, character.last)
 
     def distances(file):
         hands = [character.places(file, character.joints[hand], frames) for hand in ("left-hand", "right-hand")]
         return [math.dist(a, b) for a, b in zip(*hands)]
 
-    kept = distances(adjusted)[0]
-    miss = max(abs(distance - kept) for distance in distances(output)) / character.height
+    # Both poses are written to one place: each is measured before the next.
+    kept = distances(character.pose(folder, moved)[0])[0]
+    gripped = distances(character.pose(folder, moved, grips=[grip])[0])
+    miss = max(abs(distance - kept) for distance in gripped) / character.height
     return [f"the gripping hand strays by {miss:.2e} of the height"] if miss > TOLERANCE else []
 
 
