@@ -123,7 +123,7 @@ TEST_CASE("a tree of bones that were split and moved is found again") {
   }
 }
 
-TEST_CASE("bones stand side by side where that is asked for; the file shows the same either way") {
+TEST_CASE("bones stand side by side where that is asked for, the file shows the same either way") {
   CompressSettings settings = measuredWith(8);
   const SkinnedSequence tree = compressedBody(settings).skinned;
   settings.joints = JointOption::free;

@@ -119,7 +119,7 @@ TEST_CASE("Several controllers and attributes are one step that undo takes back 
   CHECK(sameDocument(history.current(), *keyed));
 }
 
-TEST_CASE("A key that is taken away leaves the others; the last one takes its adjustment along") {
+TEST_CASE("A key that is taken away leaves the others, the last one takes its adjustment along") {
   Document document = hipsAt(hipsAt(test::boxer(), 8.0, -0.2), 12.0, 0.1);
   document = removeOffsetKeys(document, 0, 8.0, hipsAlone);
   CHECK(hipsUp(document, 8.0) == Approx(0.1));
