@@ -8,25 +8,6 @@ namespace stretch::app {
 
 namespace {
 
-bool typeAmountOfKeys(TypedNumber& typed, const Chord& chord) {
-  std::string& text = typed.text;
-  const std::optional<int> digit = digitOf(chord.key);
-  if (digit && text.size() < 9) {
-    text.push_back(static_cast<char>('0' + *digit));
-  } else if (isDecimalSeparator(chord.key)) {
-    if (text.find('.') == std::string::npos) {
-      text.push_back('.');
-    }
-  } else if (chord.key == Key::minus) {
-    text = !text.empty() && text.front() == '-' ? text.substr(1) : "-" + text;
-  } else if (chord.key == Key::backspace) {
-    text = text.empty() ? text : text.substr(0, text.size() - 1);
-  } else {
-    return digit.has_value();
-  }
-  return true;
-}
-
 void stepByArrow(KeysModal& modal, const Chord& chord) {
   const double far = chord.shift ? 10.0 : 1.0;
   const double side = chord.key == Key::right ? 1.0 : chord.key == Key::left ? -1.0 : 0.0;
@@ -57,7 +38,7 @@ ModalOutcome pressKey(KeysModal& modal, const KeyPress& press) {
   if (chord.key == Key::escape) {
     return ModalOutcome::restore;
   }
-  if (!chord.ctrl && !chord.alt && typeAmountOfKeys(modal.typed, chord)) {
+  if (!chord.ctrl && !chord.alt && typeNumber(modal.typed, chord)) {
     return ModalOutcome::running;
   }
   const char letter = typedLetter(press);
