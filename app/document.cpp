@@ -15,13 +15,18 @@ auto findById(Trails& trails, int trailId) -> decltype(trails.data()) {
   return found == trails.end() ? nullptr : &*found;
 }
 
+bool sameClips(const Document& a, const Document& b) {
+  return a.clips == b.clips || (a.clips != nullptr && b.clips != nullptr && *a.clips == *b.clips);
+}
+
 } // namespace
 
 bool sameDocument(const Document& a, const Document& b) {
-  return a.source == b.source && a.scene == b.scene && a.clips == b.clips && a.biped.limbs == b.biped.limbs &&
+  return a.source == b.source && a.scene == b.scene && sameClips(a, b) && a.biped.limbs == b.biped.limbs &&
          a.biped.hips == b.biped.hips && a.limbsCorrected == b.limbsCorrected && a.chains == b.chains &&
-         a.trails == b.trails && a.adjustments == b.adjustments && a.weights == b.weights &&
-         a.loopingClips == b.loopingClips && a.rates == b.rates;
+         a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
+         a.weights == b.weights && a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips &&
+         a.rates == b.rates;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {
@@ -52,6 +57,16 @@ const Clip& clipOf(const Document& document, int clip) {
   check(clip >= 0 && static_cast<std::size_t>(clip) < document.clips->size(),
         "the clip is one of the document's");
   return (*document.clips)[static_cast<std::size_t>(clip)];
+}
+
+const std::shared_ptr<const std::vector<Clip>>& sourceClipsOf(const Document& document) {
+  return document.sourceClips != nullptr ? document.sourceClips : document.clips;
+}
+
+const Clip& sourceClipOf(const Document& document, int clip) {
+  const std::vector<Clip>& clips = *sourceClipsOf(document);
+  check(clip >= 0 && static_cast<std::size_t>(clip) < clips.size(), "the clip is one of the document's");
+  return clips[static_cast<std::size_t>(clip)];
 }
 
 bool isLooping(const Document& document, int clip) {

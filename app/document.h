@@ -10,6 +10,7 @@
 #include "core/scene/scene.h"
 #include "rig/body/detection.h"
 #include "rig/controllers/adjustment.h"
+#include "rig/hold/hold.h"
 #include "rig/limb.h"
 #include "rig/trail/trail.h"
 
@@ -24,21 +25,41 @@ struct ClipRate {
   friend bool operator==(const ClipRate&, const ClipRate&) = default;
 };
 
+/// The keys of one of a clip's own tracks whose tangents follow their neighbours.
+struct FollowingKeys {
+  struct Key {
+    float seconds = 0.0F;
+    unsigned components = 0; ///< Bit i: component i of the shown value.
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  int clip = 0;
+  NodeIndex node;
+  Channel channel = Channel::translation;
+  std::vector<Key> keys; ///< Ascending; of keys that the track has.
+
+  friend bool operator==(const FollowingKeys&, const FollowingKeys&) = default;
+};
+
 /// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
-/// shared and never change. Nothing derived is kept here. Clips are the source's: what adjustments and
-/// trails make of them is evaluated, so deleting one gives the source back by construction.
+/// shared and never change. Nothing derived is kept here. Clips are the source's with the keys that the user
+/// edited: what adjustments and trails make of them is evaluated, so deleting one gives the clip back by
+/// construction.
 struct Document {
   std::shared_ptr<const gltf::Source> source;
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
-  std::vector<std::string> warnings; ///< Of opening the file.
-  bool carriedWork = false;          ///< The file was one of ours: saving goes back to it.
+  /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
+  std::shared_ptr<const std::vector<Clip>> sourceClips;
+  std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.
+  std::vector<std::string> warnings;        ///< Of opening the file.
+  bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
   std::vector<rig::Adjustment> adjustments; ///< What controllers change in the clips, before any trail.
+  rig::Holds holds;                         ///< Pins, grips and props, on top of the trails.
   std::vector<WeightedLimb> weights;        ///< Limbs with weight, by clip.
   std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.
   std::vector<ClipRate> rates;              ///< Clips that are worked on at another rate than their own.
@@ -57,6 +78,10 @@ struct Document {
 [[nodiscard]] rig::Trail* findTrail(Document& document, int trailId);
 
 [[nodiscard]] const Clip& clipOf(const Document& document, int clip);
+
+/// The clips, and a clip, without the edits of its own keys.
+[[nodiscard]] const std::shared_ptr<const std::vector<Clip>>& sourceClipsOf(const Document& document);
+[[nodiscard]] const Clip& sourceClipOf(const Document& document, int clip);
 
 /// Whether the clip is marked as a loop.
 [[nodiscard]] bool isLooping(const Document& document, int clip);

@@ -77,4 +77,9 @@ Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text, con
   return chain;
 }
 
+std::string nodeTitle(const Document& document, NodeIndex node) {
+  const std::string& name = document.scene->nodes[at(node)].name;
+  return name.empty() ? fmt::format("#{}", node.value) : name;
+}
+
 } // namespace stretch::app

@@ -21,4 +21,7 @@ namespace stretch::app {
 /// "walk, run, #2": for messages.
 [[nodiscard]] std::string clipList(const Document& document);
 
+/// The name of a node, or "#index" where it has none.
+[[nodiscard]] std::string nodeTitle(const Document& document, NodeIndex node);
+
 } // namespace stretch::app

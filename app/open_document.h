@@ -15,7 +15,7 @@ public:
   OpenDocument() = default;
   explicit OpenDocument(Opened opened) { open(std::move(opened)); }
 
-  /// Shows it in place of what was open.
+  /// Shows it in place of what was open. A pose that was copied from one character can be pasted on the next.
   void open(Opened opened);
   [[nodiscard]] bool isEmpty() const { return std::holds_alternative<std::monostate>(session_); }
 

@@ -5,10 +5,28 @@
 #include <iterator>
 #include <utility>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/rate_edits.h"
+#include "app/edits/sphere_edits.h"
 #include "app/files/save.h"
 
 namespace stretch::app {
+
+namespace {
+
+Result<Document> withUnkeyed(const Document& document, const UnkeyedPose& pose) {
+  std::vector<ControllerOffset> offsets;
+  std::vector<AttributeValue> values;
+  for (const auto& [id, offset] : pose.offsets) {
+    offsets.push_back(offset);
+  }
+  for (const auto& [id, value] : pose.values) {
+    values.push_back({id, value});
+  }
+  return setOffsets(document, pose.clip, pose.frame, offsets, values, {});
+}
+
+} // namespace
 
 Session::Session(Document document) : Editing(std::move(document)) {
   if (history().current().carriedWork) {
@@ -23,7 +41,44 @@ Session::Session(Document document) : Editing(std::move(document)) {
 const FrameState& Session::frameAt(double frame) {
   const Document& shown = document();
   const double fps = shown.clips->empty() ? 1.0 : clipOf(shown, view_.clip).framesPerSecond;
+  if (const Document* const posed = posedWithoutKey(frame)) {
+    return posed_->cache.frame(*posed, view_.clip, frame / fps);
+  }
   return cache_.frame(shown, view_.clip, frame / fps);
+}
+
+const Document* Session::posedWithoutKey(double frame) {
+  UnkeyedPose& pose = view_.unkeyed;
+  if (!pose.empty() && (pose.clip != view_.clip || !sameFrame(pose.frame, view_.frame))) {
+    pose = {};
+  }
+  if (pose.empty() || !sameFrame(pose.frame, frame)) {
+    return nullptr;
+  }
+  if (!posed_ || posed_->pose != pose || !sameDocument(posed_->from, document())) {
+    Result<Document> made = withUnkeyed(document(), pose);
+    Document shown = made ? std::move(made).value() : document();
+    if (!posed_) {
+      posed_.emplace();
+    }
+    posed_->pose = pose;
+    posed_->made = std::move(shown);
+    posed_->from = document();
+  }
+  return &posed_->made;
+}
+
+const std::vector<rig::PlacedController>& Session::controllersAt(double frame) {
+  const Document& shown = document();
+  const double fps = shown.clips->empty() ? 1.0 : clipOf(shown, view_.clip).framesPerSecond;
+  if (const Document* const posed = posedWithoutKey(frame)) {
+    return posed_->cache.controllers(*posed, view_.clip, frame / fps);
+  }
+  return cache_.controllers(shown, view_.clip, frame / fps);
+}
+
+const std::vector<rig::ControllerShape>& Session::controllerShapes() {
+  return cache_.shapes(document(), view_.clip);
 }
 
 const FrameState& Session::originalAt(double frame) {
@@ -148,6 +203,19 @@ void Session::followRate() {
   rate_ = now;
 }
 
+void Session::keepControllers() {
+  std::vector<std::string>& selected = view_.selectedControllers;
+  if (selected.empty()) {
+    return;
+  }
+  if (view_.selectedTrail != 0) { // One that came back with undo.
+    selected.clear();
+    return;
+  }
+  const rig::ControllerList list = controllersOf(document());
+  std::erase_if(selected, [&](const std::string& id) { return !findController(document(), list, id).ok(); });
+}
+
 void Session::keepSelectedTrail(const std::vector<int>& appeared) {
   const Document& shown = document();
   if (view_.selectedTrail != 0 && findTrail(shown, view_.selectedTrail) == nullptr) {
@@ -183,7 +251,16 @@ void Session::documentChanged() {
   keepSelectedTrail(appeared);
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
+  keepControllers();
+  keepPickedKeys();
   followSelection();
+}
+
+void Session::keepPickedKeys() {
+  if (!view_.pickedKeys.empty()) {
+    const bool sameClip = view_.pickedClip == view_.clip;
+    view_.pickedKeys = sameClip ? stillThere(document(), view_.clip, view_.pickedKeys) : KeySelection{};
+  }
 }
 
 } // namespace stretch::app

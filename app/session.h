@@ -1,16 +1,31 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/editing.h"
+#include "app/edits/key_edits.h"
+#include "app/edits/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "rig/motion/stroke.h"
 
 namespace stretch::app {
+
+/// What controllers are offset by at one frame without a key: what was posed while auto-key is off. It is
+/// dropped when the playhead leaves the frame.
+struct UnkeyedPose {
+  int clip = 0;
+  double frame = 0.0;
+  std::map<std::string, ControllerOffset> offsets; ///< By id, and so are values.
+  std::map<std::string, double> values;
+
+  [[nodiscard]] bool empty() const { return offsets.empty() && values.empty(); }
+  friend bool operator==(const UnkeyedPose&, const UnkeyedPose&) = default;
+};
 
 /// What is selected and where the playhead stands: not part of the document, not undone (except that undo
 /// keeps it valid).
@@ -20,11 +35,22 @@ struct ViewState {
   std::vector<std::string> selectedLimbs; ///< Limb ids.
   int selectedTrail = 0;                  ///< Trail id; 0 none.
   std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
-  double rangeStart = 0.0;                ///< The working range, for new trails.
-  double rangeEnd = -1.0;                 ///< < rangeStart: the stroke around the playhead is proposed.
-  bool showOriginal = false;              ///< While held: the character as it was.
+  /// Ids of controllers. While one is selected no limb, trail or sphere is, so that a key has one meaning.
+  std::vector<std::string> selectedControllers;
+  bool autoKey = true;    ///< What is posed is keyed at once.
+  bool wholeClip = false; ///< First keys act on the whole clip, not in the working range alone.
+  UnkeyedPose unkeyed;
+  double rangeStart = 0.0;   ///< The working range, for new trails.
+  double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
+  bool showOriginal = false; ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
   std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
+  /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
+  std::optional<OffsetPose> copiedPose;
+  KeySelection pickedKeys;              ///< Of the viewed clip, in graph and dope sheet.
+  int pickedClip = 0;                   ///< The clip that they are of.
+  std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
+  std::optional<CopiedKeys> copiedKeys; ///< What Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.
@@ -35,10 +61,15 @@ public:
   [[nodiscard]] ViewState& view() { return view_; }
   [[nodiscard]] const ViewState& view() const { return view_; }
 
-  /// The character at a frame of the viewed clip, trails and weight included; cached by identity.
+  /// The character at a frame of the viewed clip, trails and weight included, at the playhead with what is
+  /// posed there without a key; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
   /// The same without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
+  /// Where every controller stands at a frame of the viewed clip, as frameAt shows it, and what each is drawn
+  /// as.
+  [[nodiscard]] const std::vector<rig::PlacedController>& controllersAt(double frame);
+  [[nodiscard]] const std::vector<rig::ControllerShape>& controllerShapes();
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
   /// The same, kept alive: another one is there as soon as anything about the trails is different.
@@ -87,11 +118,24 @@ private:
     friend bool operator==(const Followed&, const Followed&) = default;
   };
 
+  /// The document with what is posed at this frame without a key; null where nothing is.
+  [[nodiscard]] const Document* posedWithoutKey(double frame);
+
+  struct Posed {
+    UnkeyedPose pose;
+    Document made; ///< From this one:
+    Document from;
+    EvaluationCache cache;
+  };
+
   ViewState view_;
   EvaluationCache cache_;
+  std::optional<Posed> posed_;
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
+  void keepControllers();
+  void keepPickedKeys();
 
   Followed followed_;
   std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was

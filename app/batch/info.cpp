@@ -9,6 +9,8 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/recipe/recipe_parts.h"
+#include "app/schema/hold_json.h"
 #include "app/schema/trail_schema.h"
 #include "core/gltf/json.h"
 #include "core/scene/mesh_sequence.h"
@@ -100,8 +102,37 @@ Json trailJson(const Document& document, const rig::Trail& trail) {
   return json;
 }
 
+Json onClip(const Document& document, int clip, Json json) {
+  json["clip"] = clipOf(document, clip).name;
+  return json;
+}
+
+/// What controllers change and what is held, as recipes write it; lengths in world units.
+void addPosing(const Document& document, Json& info) {
+  const rig::ControllerList list = controllersOf(document);
+  const AdjustmentUnits units = unitsOf(1.0, true);
+  for (const char* key : {"adjustments", "pins", "grips", "props"}) {
+    info[key] = Json::array();
+  }
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    const bool isAttribute = list.attribute(adjustment.controller) != nullptr;
+    info["adjustments"].push_back(
+        onClip(document, adjustment.clip, adjustmentToJson(adjustment, isAttribute, units)));
+  }
+  for (const rig::Pin& pin : document.holds.pins) {
+    info["pins"].push_back(onClip(document, pin.clip, pinToJson(pin, units)));
+  }
+  for (const rig::Grip& grip : document.holds.grips) {
+    info["grips"].push_back(onClip(document, grip.clip, gripToJson(grip)));
+  }
+  for (const rig::Prop& prop : document.holds.props) {
+    info["props"].push_back(onClip(document, prop.clip, propToJson(prop, units)));
+  }
+}
+
 /// The work that the file carries.
 void addWork(const Document& document, Json& info) {
+  addPosing(document, info);
   info["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     info["trails"].push_back(trailJson(document, trail));
@@ -168,6 +199,35 @@ std::string trailLine(const Json& trail) {
   return line;
 }
 
+std::string framesTold(const Json& entry) {
+  const std::string clip = entry["clip"].get<std::string>();
+  return entry.contains("range") ? fmt::format("frames {:g} to {:g} of {}", entry["range"][0].get<double>(),
+                                               entry["range"][1].get<double>(), clip)
+                                 : "all of " + clip;
+}
+
+void printPosing(const Json& info) {
+  for (const Json& adjustment : info["adjustments"]) {
+    const char* const key = adjustment.contains("controller") ? "controller" : "attribute";
+    fmt::print("offset {:<10} {}, {} keys\n", adjustment[key].get<std::string>(), framesTold(adjustment),
+               adjustment["keys"].size());
+  }
+  for (const Json& pin : info["pins"]) {
+    fmt::print("pin    {:<10} {}\n", pin["limb"].get<std::string>(), framesTold(pin));
+  }
+  for (const Json& grip : info["grips"]) {
+    fmt::print("grip   {:<10} follows {}, {}\n", grip["follower"].get<std::string>(),
+               grip["leader"].get<std::string>(), framesTold(grip));
+  }
+  for (const Json& prop : info["props"]) {
+    std::string hands;
+    for (const auto& [limb, keys] : prop["hands"].items()) {
+      hands += (hands.empty() ? "" : ", ") + limb;
+    }
+    fmt::print("prop   {:<10} in {}, {}\n", prop["node"].get<std::string>(), hands, framesTold(prop));
+  }
+}
+
 void printInfo(const Json& info) {
   for (const Json& mesh : info["meshes"]) {
     fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(),
@@ -188,6 +248,7 @@ void printInfo(const Json& info) {
   for (const Json& trail : info["trails"]) {
     fmt::print("trail  {}\n", trailLine(trail));
   }
+  printPosing(info);
   for (const Json& clip : info["loops"]) {
     fmt::print("loop   {}\n", clip.get<std::string>());
   }
@@ -247,7 +308,8 @@ Status runInfo(const InfoArguments& arguments) {
 
 Verb infoVerb() {
   return {"info",
-          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails and loops, extensions, "
+          "Tells what a file holds: meshes, joints, clips, limbs found, saved trails, offsets, holds and "
+          "loops, extensions, "
           "warnings.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<InfoArguments>();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -9,7 +10,10 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/hold_report.h"
+#include "app/evaluate/planted_feet.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -26,12 +30,14 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
+  bool pinsFeet = false;
   JsonOutput json;
 };
 
 // The adjustments alone: what a limb's trail or weight makes of a pose is another matter.
 Document adjustedOnly(Document document) {
   document.trails.clear();
+  document.holds = {};
   document.weights.clear();
   return document;
 }
@@ -52,6 +58,22 @@ std::optional<Json> placesAt(const Document& document, const rig::MotionState& m
               {"asked", vectorToJson(own->place)},
               {"reached", vectorToJson(reached)},
               {"missed_by", glm::length(reached - own->place)}};
+}
+
+// How the ends were held; what the document's own trails make of the body is in it.
+void addHoldReports(const Document& document, int clip, Json& report) {
+  report["holds"] = Json::array();
+  for (const HoldReport& hold : holdReports(document, prepareMotion(document, clip))) {
+    Json entry{{"hold", holdWord(hold.kind)},
+               {"limb", hold.limb},
+               {"reached", hold.framesFallShort.empty()},
+               {"farthest", hold.farthest},
+               {"falls_short_at", hold.framesFallShort}};
+    report["holds"].push_back(std::move(entry));
+    if (const std::string warning = holdWarning(hold); !warning.empty()) {
+      report["warnings"].push_back(warning);
+    }
+  }
 }
 
 void warnOfMiss(const std::string& controller, const Json& place, double height, Json& warnings) {
@@ -85,12 +107,20 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
+  addHoldReports(document, recipe.clip, report);
   return report;
 }
 
 std::string placeText(const Json& place) {
   return fmt::format("{:.4f} {:.4f} {:.4f}", place[0].get<double>(), place[1].get<double>(),
                      place[2].get<double>());
+}
+
+void printHold(const Json& hold) {
+  const std::string held = hold["reached"].get<bool>()
+                               ? fmt::format("held, at most {:.4g} away", hold["farthest"].get<double>())
+                               : fmt::format("falls short by up to {:.4g}", hold["farthest"].get<double>());
+  fmt::print("{} of {}: {}\n", hold["hold"].get<std::string>(), hold["limb"].get<std::string>(), held);
 }
 
 void printPose(const Json& report) {
@@ -104,12 +134,31 @@ void printPose(const Json& report) {
                  key["frame"].get<double>(), place);
     }
   }
+  for (const Json& hold : report["holds"]) {
+    printHold(hold);
+  }
   for (const Json& warning : report["warnings"]) {
     fmt::print("warning: {}\n", warning.get<std::string>());
   }
 }
 
+// What --pin-feet alone asks for.
+Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& document) {
+  const Result<int> clip = clipOfArguments(arguments.input, document);
+  if (!clip) {
+    return clip.error();
+  }
+  Recipe recipe;
+  recipe.clip = *clip;
+  return recipe;
+}
+
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
+  if (arguments.recipe.empty()) {
+    return arguments.pinsFeet
+               ? emptyRecipe(arguments, document)
+               : Result<Recipe>(Error{"nothing was asked for", "--recipe", "give a recipe, or --pin-feet"});
+  }
   std::optional<int> clip;
   if (!arguments.input.clip.empty()) {
     const Result<int> named = clipOfArguments(arguments.input, document);
@@ -119,11 +168,23 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     clip = *named;
   }
   Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
-  if (recipe && recipe->adjustments.empty()) {
-    return Error{"holds no adjustments", arguments.recipe,
-                 R"(give a list "adjustments", as docs/recipes.md tells)"};
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet) {
+    return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
+                 R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
   return recipe;
+}
+
+// The adjustments and holds, and pins where the feet stand in the adjusted clip; a recipe's own pin stands in
+// the place of one that was found.
+Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, const Document& document) {
+  Result<Document> posed = placeAdjustments(document, recipe.adjustments);
+  if (posed && arguments.pinsFeet) {
+    const Clip& clip = clipOf(*posed, recipe.clip);
+    const Vec2 whole(0.0, std::floor(clip.endSeconds * clip.framesPerSecond + 1e-3));
+    posed = placeHolds(*posed, plantedFeet(*posed, recipe.clip, whole));
+  }
+  return posed ? placeHolds(*posed, recipe.holds) : posed;
 }
 
 Status runPose(const PoseArguments& arguments) {
@@ -138,7 +199,7 @@ Status runPose(const PoseArguments& arguments) {
   if (!recipe) {
     return recipe.error();
   }
-  const Result<Document> posed = placeAdjustments(*document, recipe->adjustments);
+  const Result<Document> posed = posedBy(arguments, *recipe, *document);
   if (!posed) {
     return posed.error();
   }
@@ -158,13 +219,16 @@ Status runPose(const PoseArguments& arguments) {
 
 Verb poseVerb() {
   return {
-      "pose", "Adjusts a clip by the controllers that a recipe keys, and saves the file.",
+      "pose",
+      "Adjusts a clip by the controllers that a recipe keys and the pins, grips and props that it holds, and "
+      "saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
-        line.option("--recipe", arguments->recipe, "A recipe (JSON) with a list of adjustments").required();
+        line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
+        line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

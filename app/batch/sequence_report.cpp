@@ -48,6 +48,34 @@ Json lengthJson(const skinning::BodyStretch& model) {
             {"r_squared", length.monotone.rSquared}}}};
 }
 
+/// The rows of bones of a given skeleton, each with its own length by curvature.
+Json chainsJson(const std::vector<skinning::ChainStretch>& chains) {
+  Json list = Json::array();
+  for (const skinning::ChainStretch& chain : chains) {
+    const skinning::LengthFunction& length = chain.length;
+    list.push_back({{"bones", chain.names},
+                    {"used", nameOf(length.model)},
+                    {"rest_length", chain.restLength},
+                    {"slope", length.line.slope},
+                    {"intercept", length.line.intercept},
+                    {"r_squared", length.model == skinning::LengthModel::monotone ? length.monotone.rSquared
+                                                                                  : length.line.rSquared},
+                    {"least", chain.least},
+                    {"most", chain.most}});
+  }
+  return list;
+}
+
+void printChains(const Json& chains) {
+  for (const Json& chain : chains) {
+    const Json& bones = chain["bones"];
+    fmt::print("{}..{}: length by curvature, R^2 {:.3f}, the {} is used: {:.4g} to {:.4g} times as long\n",
+               bones.front().get<std::string>(), bones.back().get<std::string>(),
+               chain["r_squared"].get<double>(), chain["used"].get<std::string>(),
+               chain["least"].get<double>(), chain["most"].get<double>());
+  }
+}
+
 /// Curvature (radians) and length of the centre line, frame by frame.
 Json framesJson(const skinning::BodyStretch& model) {
   Json curvatures = Json::array();
@@ -160,6 +188,9 @@ Json compressionJson(const MeshSequence& sequence, const skinning::CompressedSeq
     report["gravity_compression"] = compressed.model->compressions;
     report["curvature_and_length"] = framesJson(*compressed.model);
   }
+  if (!compressed.chains.empty()) {
+    report["chains"] = chainsJson(compressed.chains);
+  }
   report["warnings"] = sequence.warnings;
   for (const std::string& warning : compressed.warnings) {
     report["warnings"].push_back(warning);
@@ -199,6 +230,9 @@ void printCompression(const Json& report) {
              report["frames"].get<std::size_t>());
   if (report.contains("length_by_curvature")) {
     printModel(report);
+  }
+  if (report.contains("chains")) {
+    printChains(report["chains"]);
   }
   for (const Json& warning : report["warnings"]) {
     fmt::print(stderr, "warning: {}\n", warning.get<std::string>());

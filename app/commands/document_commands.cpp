@@ -65,7 +65,8 @@ std::vector<DocumentCommand> historyCommands() {
 std::vector<DocumentCommand> documentCommands() {
   std::vector<DocumentCommand> all;
   for (const auto table : {historyCommands, limbCommands, timeCommands, clipCommands, trailCommands,
-                           groupCommands, sphereCommands, weightCommands, sequenceCommands}) {
+                           groupCommands, sphereCommands, controllerCommands, poseCommands, keyCommands,
+                           holdCommands, weightCommands, sequenceCommands}) {
     std::vector<DocumentCommand> commands = table();
     std::move(commands.begin(), commands.end(), std::back_inserter(all));
   }

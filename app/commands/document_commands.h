@@ -19,6 +19,10 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> trailCommands();
 [[nodiscard]] std::vector<DocumentCommand> groupCommands();
 [[nodiscard]] std::vector<DocumentCommand> sphereCommands();
+[[nodiscard]] std::vector<DocumentCommand> controllerCommands();
+[[nodiscard]] std::vector<DocumentCommand> poseCommands();
+[[nodiscard]] std::vector<DocumentCommand> holdCommands();
+[[nodiscard]] std::vector<DocumentCommand> keyCommands();
 [[nodiscard]] std::vector<DocumentCommand> weightCommands();
 [[nodiscard]] std::vector<DocumentCommand> sequenceCommands();
 

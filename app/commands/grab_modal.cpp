@@ -8,35 +8,10 @@ namespace stretch::app {
 
 namespace {
 
-constexpr char axisNames[] = {'X', 'Y', 'Z'};
-
 Vec3 axisVector(int axis) {
   Vec3 vector(0.0);
   vector[static_cast<std::size_t>(axis)] = 1.0;
   return vector;
-}
-
-std::optional<int> axisOf(char letter) {
-  return letter >= 'x' && letter <= 'z' ? std::optional(letter - 'x') : std::nullopt;
-}
-
-bool typeAmount(GrabModal& modal, const Chord& chord) {
-  std::string& text = modal.typed.text;
-  const std::optional<int> digit = digitOf(chord.key);
-  if (digit && text.size() < 9) {
-    text.push_back(static_cast<char>('0' + *digit));
-  } else if (isDecimalSeparator(chord.key)) {
-    if (text.find('.') == std::string::npos) {
-      text.push_back('.');
-    }
-  } else if (chord.key == Key::minus) {
-    text = !text.empty() && text.front() == '-' ? text.substr(1) : "-" + text;
-  } else if (chord.key == Key::backspace) {
-    text = text.empty() ? text : text.substr(0, text.size() - 1);
-  } else {
-    return digit.has_value();
-  }
-  return true;
 }
 
 void lockAxis(GrabModal& modal, int axis, bool plane) {
@@ -67,7 +42,7 @@ ModalOutcome pressKey(GrabModal& modal, const KeyPress& press) {
     return ModalOutcome::restore;
   }
   const bool plain = !chord.ctrl && !chord.alt;
-  if (plain && typeAmount(modal, chord)) {
+  if (plain && typeNumber(modal.typed, chord)) {
     return ModalOutcome::running;
   }
   const std::optional<int> axis = plain ? axisOf(typedLetter(press)) : std::nullopt;
@@ -114,26 +89,6 @@ std::vector<ModalHint> modalHints(const GrabModal& modal) {
           {"X Y Z", "lock an axis"},
           {"0-9", "amount"},
           {"Wheel", "falloff"}};
-}
-
-Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits) {
-  const double step = stepUnits * (chord.shift ? 10.0 : chord.ctrl ? 0.1 : 1.0);
-  switch (chord.key) {
-  case Key::right:
-    return step * viewAxes[0];
-  case Key::left:
-    return -step * viewAxes[0];
-  case Key::up:
-    return step * viewAxes[1];
-  case Key::down:
-    return -step * viewAxes[1];
-  case Key::pageDown:
-    return step * viewAxes[2];
-  case Key::pageUp:
-    return -step * viewAxes[2];
-  default:
-    return Vec3(0.0);
-  }
 }
 
 } // namespace stretch::app

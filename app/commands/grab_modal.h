@@ -35,7 +35,4 @@ struct GrabModal {
 [[nodiscard]] std::string modalText(const GrabModal& modal, std::size_t sphereCount);
 [[nodiscard]] std::vector<ModalHint> modalHints(const GrabModal& modal);
 
-/// What an arrow or page key nudges: right, up, towards the viewer, times the step; zero for other keys.
-[[nodiscard]] Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits);
-
 } // namespace stretch::app

@@ -45,10 +45,12 @@ DocumentCommand selectCommand(const LimbKey& limb, bool add) {
 }
 
 bool hasSelection(const Session& session) {
-  return !session.view().selectedLimbs.empty() || session.view().selectedTrail != 0;
+  return !session.view().selectedLimbs.empty() || session.view().selectedTrail != 0 ||
+         hasControllers(session);
 }
 
 Status selectNone(Session& session) {
+  clearControllers(session);
   session.view().selectedLimbs.clear();
   session.view().selectedSpheres.clear();
   session.view().selectedTrail = 0;
@@ -57,6 +59,7 @@ Status selectNone(Session& session) {
 
 /// The first limb that is selected already leads, and its trail stays.
 Status selectAllLimbs(Session& session) {
+  clearControllers(session);
   std::vector<std::string>& selected = session.view().selectedLimbs;
   for (const rig::Limb& limb : allLimbs(session.document())) {
     if (!isSelected(session, limb.id)) {
@@ -86,7 +89,7 @@ std::vector<DocumentCommand> limbCommands() {
     commands.push_back(selectCommand(limb, true));
   }
   commands.push_back(entry(command::selectNone, "Select nothing",
-                           "Takes limbs, trail and spheres out of the selection.", {"0"},
+                           "Takes limbs, trail, spheres and controllers out of the selection.", {"0"},
                            {hasSelection, "nothing is selected"}, selectNone));
   commands.push_back(entry(
       command::selectAllLimbs, "Select every limb", "Selects all limbs, so that E exaggerates them as one.",

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+
+#include "app/commands/key.h"
+#include "core/math/types.h"
 
 namespace stretch::app {
 
@@ -25,5 +30,18 @@ struct TypedNumber {
   /// 0 for what is not yet a number ("", "-", ".").
   [[nodiscard]] double value() const;
 };
+
+/// Takes a digit, a separator, minus (turns the sign) or Backspace into a number that is typed. False for a
+/// key that types none of it.
+bool typeNumber(TypedNumber& number, const Chord& chord);
+
+inline constexpr std::array<char, 3> axisNames{'X', 'Y', 'Z'};
+
+/// 0 for x, 1 for y, 2 for z; nothing for another letter.
+[[nodiscard]] std::optional<int> axisOf(char letter);
+
+/// What an arrow or page key nudges: right, up, towards the viewer, times the step (Shift ten times, Ctrl a
+/// tenth); zero for other keys. `viewAxes`: world columns: right, up, towards the viewer.
+[[nodiscard]] Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits);
 
 } // namespace stretch::app

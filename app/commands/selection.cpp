@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/frames.h"
+#include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
 
@@ -58,6 +59,7 @@ const rig::Trail* trailBeside(const Session& session, const rig::Trail& selected
 } // namespace
 
 void selectLimb(Session& session, const std::string& limbId, bool add) {
+  clearControllers(session);
   ViewState& view = session.view();
   const auto selected = std::find(view.selectedLimbs.begin(), view.selectedLimbs.end(), limbId);
   const bool wasSelected = selected != view.selectedLimbs.end();
@@ -88,6 +90,7 @@ void selectTrail(Session& session, int trailId) {
   if (trail == nullptr) {
     return;
   }
+  clearControllers(session);
   const auto& limbs = view.selectedLimbs;
   if (std::find(limbs.begin(), limbs.end(), trail->limb) == limbs.end()) {
     view.selectedLimbs = {trail->limb};
@@ -100,6 +103,7 @@ void selectTrailInList(Session& session, int trailId, bool add) {
   if (trail == nullptr) {
     return;
   }
+  clearControllers(session);
   std::vector<std::string>& limbs = session.view().selectedLimbs;
   if (!add || leading == nullptr) {
     limbs = {trail->limb};
@@ -235,6 +239,52 @@ bool hasSelectedTrail(const Session& session) {
 bool isSelected(const Session& session, const std::string& limbId) {
   const std::vector<std::string>& limbs = session.view().selectedLimbs;
   return std::find(limbs.begin(), limbs.end(), limbId) != limbs.end();
+}
+
+void selectController(Session& session, const std::string& id, bool add) {
+  std::vector<std::string> ids = add ? session.view().selectedControllers : std::vector<std::string>{};
+  const auto selected = std::ranges::find(ids, id);
+  if (selected != ids.end()) {
+    ids.erase(selected);
+  } else {
+    ids.push_back(id);
+  }
+  selectControllers(session, std::move(ids));
+}
+
+void selectControllers(Session& session, std::vector<std::string> ids) {
+  ViewState& view = session.view();
+  view.selectedControllers = std::move(ids);
+  if (!view.selectedControllers.empty()) {
+    view.selectedLimbs.clear();
+    view.selectedSpheres.clear();
+    view.selectedTrail = 0;
+    session.followSelection();
+  }
+}
+
+void clearControllers(Session& session) {
+  session.view().selectedControllers.clear();
+}
+
+bool isControllerSelected(const Session& session, const std::string& id) {
+  return std::ranges::find(session.view().selectedControllers, id) !=
+         session.view().selectedControllers.end();
+}
+
+bool hasControllers(const Session& session) {
+  return !session.view().selectedControllers.empty();
+}
+
+std::string controllerTitle(const Document& document, const std::string& id) {
+  const rig::ControllerList list = controllersOf(document);
+  if (list.controller(id) == nullptr && list.attribute(id) == nullptr) {
+    return id;
+  }
+  std::string title = id;
+  std::ranges::replace_if(
+      title, [](char c) { return c == '-' || c == '.'; }, ' ');
+  return title;
 }
 
 } // namespace stretch::app

@@ -38,6 +38,18 @@ void selectGroup(Session& session, int trailId);
 
 [[nodiscard]] bool isSelected(const Session& session, const std::string& limbId);
 
+/// Selects a controller alone, or adds it (again: takes it away). Limbs, trails and spheres are then selected
+/// no longer.
+void selectController(Session& session, const std::string& id, bool add);
+/// Selects these controllers and nothing else.
+void selectControllers(Session& session, std::vector<std::string> ids);
+void clearControllers(Session& session);
+[[nodiscard]] bool isControllerSelected(const Session& session, const std::string& id);
+[[nodiscard]] bool hasControllers(const Session& session); ///< At least one is selected.
+
+/// How people call a controller or an attribute: "left hand", "left arm stretch", or the joint's name.
+[[nodiscard]] std::string controllerTitle(const Document& document, const std::string& id);
+
 /// The prepared trail; null when it is not in the viewed clip.
 [[nodiscard]] const rig::SolvedTrail* solvedTrail(Session& session, int trailId);
 

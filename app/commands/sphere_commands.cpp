@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -8,6 +8,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/grab_modal.h"
 #include "app/commands/needs.h"
+#include "app/commands/nudges.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/commands/tables.h"
@@ -151,70 +152,38 @@ Status nudgeAlong(Session& session, double direction) {
   return pull(session, moves, "Slide the spheres along the path");
 }
 
-struct Direction {
-  const char* id;
-  const char* title;
-  Key key;
-  const char* otherwise;     ///< What the key does while no sphere is selected: a command;
-  const char* otherwiseDoes; ///< and its words.
-};
-constexpr std::array<Direction, 6> directions{
-    {{"left", "left", Key::left, command::timeBack, "steps a frame back"},
-     {"right", "right", Key::right, command::timeForward, "steps a frame on"},
-     {"up", "up", Key::up, command::timeNextKey, "jumps to the next key"},
-     {"down", "down", Key::down, command::timePreviousKey, "jumps to the key before"},
-     {"away", "away", Key::pageUp, "", ""},
-     {"towards", "towards the viewer", Key::pageDown, "", ""}}};
-
-struct Reach {
-  const char* idSuffix;
-  const char* title;
-  bool ctrl;
-  bool shift;
-};
-constexpr std::array<Reach, 3> reaches{{{"", "", false, false},
-                                        {"-far", ", ten times as far", false, true},
-                                        {"-fine", ", a tenth", true, false}}};
-
-DocumentCommand nudgeCommand(const Direction& direction, const Reach& reach) {
-  const Chord chord{direction.key, reach.ctrl, reach.shift, false};
-  DocumentCommand command;
-  command.id = std::string("sphere.nudge-") + direction.id + reach.idSuffix;
-  command.label = std::string("Nudge ") + direction.title + reach.title;
-  command.help = std::string("Moves the selected spheres ") + direction.title + ", as the view shows it" +
-                 reach.title + ".";
-  command.keys = {chordText(chord)};
-  Need need = sphereNeeded();
-  command.enabled = std::move(need.holds);
-  command.needs = std::move(need.text);
-  if (direction.otherwise[0] != '\0' && reach.idSuffix[0] == '\0') {
-    command.otherwise = direction.otherwise;
-    command.help += std::string(" Without one the key ") + direction.otherwiseDoes + ".";
-  }
-  command.run = [chord](Session& session) { return nudge(session, chord); };
-  return command;
-}
-
 } // namespace
 
 std::vector<DocumentCommand> sphereCommands() {
   std::vector<DocumentCommand> commands{
-      entry(command::sphereNext, "Next sphere", "Selects the next control sphere; the playhead jumps there.",
-            {"Tab"}, selectedTrailNeeded(), [](Session& session) { return stepSphere(session, true); }),
-      entry(command::spherePrevious, "Previous sphere",
-            "Selects the control sphere before; the playhead jumps there.", {"Shift+Tab"},
-            selectedTrailNeeded(), [](Session& session) { return stepSphere(session, false); }),
-      entry(command::sphereAll, "All spheres", "Selects every control sphere of the trail.", {"Ctrl+A"},
-            selectedTrailNeeded(), selectAll),
+      orElse(entry(command::sphereNext, "Next sphere",
+                   "Selects the next control sphere; the playhead jumps there. Without a trail the next "
+                   "controller.",
+                   {"Tab"}, selectedTrailNeeded(),
+                   [](Session& session) { return stepSphere(session, true); }),
+             command::controllerNext),
+      orElse(entry(command::spherePrevious, "Previous sphere",
+                   "Selects the control sphere before; the playhead jumps there. Without a trail the "
+                   "controller before.",
+                   {"Shift+Tab"}, selectedTrailNeeded(),
+                   [](Session& session) { return stepSphere(session, false); }),
+             command::controllerPrevious),
+      orElse(entry(command::sphereAll, "All spheres",
+                   "Selects every control sphere of the trail; without one every controller.", {"Ctrl+A"},
+                   selectedTrailNeeded(), selectAll),
+             command::controllersAll),
       entry(
           command::sphereAdd, "Add a sphere",
           "Adds a control sphere to the selected trail at the playhead; a double click on the trail adds one "
           "there.",
           {"Insert"}, selectedTrailNeeded(),
           [](Session& session) { return addSphere(session, session.view().frame); }),
-      entry(command::sphereReset, "Put the spheres back",
-            "Takes pulls and tangents of the selected spheres back; the spheres stay.", {"Alt+G"},
-            {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
+      orElse(entry(command::sphereReset, "Put the spheres back",
+                   "Takes pulls and tangents of the selected spheres back; the spheres stay. Of selected "
+                   "controllers it takes "
+                   "the offset at the playhead.",
+                   {"Alt+G"}, {hasPulledSpheres, "select a sphere that was pulled"}, putBack),
+             command::poseReset),
       entry(command::sphereSmooth, "Reset the tangents",
             "Lets the path run through the selected spheres as their neighbours say, without a tangent of "
             "their "
@@ -229,10 +198,12 @@ std::vector<DocumentCommand> sphereCommands() {
             "before, closer after.",
             {"Alt+Right"}, sphereNeeded(), [](Session& session) { return nudgeAlong(session, 1.0); }),
   };
-  for (const Reach& reach : reaches) {
-    for (const Direction& direction : directions) {
-      commands.push_back(nudgeCommand(direction, reach));
-    }
+  for (DocumentCommand& command : nudgeCommands({.idPrefix = "sphere.nudge-",
+                                  .words = "the selected spheres",
+                                  .need = sphereNeeded(),
+                                  .otherwisePrefix = controllerNudges,
+                                  .nudge = nudge})) {
+    commands.push_back(std::move(command));
   }
   return commands;
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,10 +99,11 @@ std::string valueOfNew(const rig::Trail& trail) {
   return trail.exaggerated ? "\xC3\x97" + plainNumber(trail.settings.scale) : rangeOfTrail(trail.settings);
 }
 
-/// What an edit did to trails and weight.
+/// What an edit did to trails, weight and controllers.
 struct Changes {
   std::vector<std::string> names; ///< Of the limbs or trails, each once.
   std::vector<std::string> values;
+  const char* noun = "limbs";
 
   void add(const std::string& name, const std::string& value) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -140,6 +144,58 @@ void addWeightChanges(const Document& before, const Document& after, Changes& ch
   }
 }
 
+/// The keys of a controller or an attribute in all clips, with what they count in.
+std::vector<std::pair<int, rig::OffsetKey>> keysOf(const Document& document, const std::string& id) {
+  std::vector<std::pair<int, rig::OffsetKey>> keys;
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    for (const rig::OffsetKey& key : adjustment.keys) {
+      if (adjustment.controller == id) {
+        keys.emplace_back(adjustment.clip, key);
+      }
+    }
+  }
+  return keys;
+}
+
+/// "at frame 12" where one key differs, the frames of a range that is another; empty for more.
+std::string changedKey(const Document& before, const Document& after, const std::string& id) {
+  const auto old = keysOf(before, id);
+  const auto now = keysOf(after, id);
+  std::set<double> frames;
+  const auto collect = [&](const auto& of, const auto& other) {
+    for (const auto& key : of) {
+      if (std::ranges::find(other, key) == other.end()) {
+        frames.insert(key.second.frame);
+      }
+    }
+  };
+  collect(now, old);
+  collect(old, now);
+  return frames.size() == 1 ? "at frame " + plainNumber(*frames.begin()) : std::string();
+}
+
+std::vector<rig::Adjustment> adjustmentsOf(const Document& document, const std::string& id) {
+  std::vector<rig::Adjustment> found;
+  std::ranges::copy_if(document.adjustments, std::back_inserter(found),
+                       [&](const rig::Adjustment& adjustment) { return adjustment.controller == id; });
+  return found;
+}
+
+void addAdjustmentChanges(const Document& before, const Document& after, Changes& changes) {
+  std::set<std::string> ids;
+  for (const Document* const document : {&before, &after}) {
+    for (const rig::Adjustment& adjustment : document->adjustments) {
+      ids.insert(adjustment.controller);
+    }
+  }
+  for (const std::string& id : ids) {
+    if (adjustmentsOf(before, id) != adjustmentsOf(after, id)) {
+      changes.add(controllerTitle(after, id), changedKey(before, after, id));
+      changes.noun = "controllers";
+    }
+  }
+}
+
 std::string joinedStep(const std::string& label, const std::string& detail) {
   return detail.empty() ? label : label + " \xE2\x80\x93 " + detail;
 }
@@ -164,15 +220,18 @@ std::string stepText(const std::string& label, const Document& before, const Doc
   Changes changes;
   addTrailChanges(before, after, changes);
   addWeightChanges(before, after, changes);
+  addAdjustmentChanges(before, after, changes);
   if (changes.names.empty()) {
     return label;
   }
   const bool sameValue =
       std::all_of(changes.values.begin(), changes.values.end(),
                   [&](const std::string& value) { return value == changes.values.front(); });
-  const std::string names =
-      changes.names.size() > 3 ? fmt::format("{} limbs", changes.names.size()) : listed(changes.names);
-  const bool isNamed = label.find(names) != std::string::npos; // "Pull the left arm".
+  const std::string names = changes.names.size() > 3
+                                ? fmt::format("{} {}", changes.names.size(), changes.noun)
+                                : listed(changes.names);
+  const bool isNamed = label.find(names) != std::string::npos || // "Pull the left arm", "Key 4 controllers".
+                       label.ends_with(std::string(" ") + changes.noun);
   const std::string value = sameValue ? changes.values.front() : std::string();
   const std::string detail = isNamed ? value : value.empty() ? names : names + " " + value;
   return joinedStep(label, detail);

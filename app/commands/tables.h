@@ -51,6 +51,12 @@ namespace stretch::app {
   return command;
 }
 
+/// A command whose keys run another one while it is off.
+[[nodiscard]] inline DocumentCommand orElse(DocumentCommand command, std::string otherwise) {
+  command.otherwise = std::move(otherwise);
+  return command;
+}
+
 /// Runs what cannot fail.
 template <typename Action>
 [[nodiscard]] auto doing(Action action) {

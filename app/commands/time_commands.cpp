@@ -5,6 +5,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
 #include "app/commands/needs.h"
+#include "app/commands/posing.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
@@ -29,9 +30,15 @@ Status stepForward(Session& session) {
   return goTo(session, std::floor(session.view().frame + sameFrameTolerance) + 1.0);
 }
 
+/// Keys of the selected controllers, where they have some, else those of the selected limbs, or all.
+std::vector<double> framesToGoTo(Session& session) {
+  std::vector<double> frames = offsetKeyFrames(session);
+  return frames.empty() ? shownKeyFrames(session, session.view().selectedLimbs) : frames;
+}
+
 Status goToKey(Session& session, bool next) {
   const ViewState& view = session.view();
-  const std::vector<double> frames = shownKeyFrames(session, view.selectedLimbs);
+  const std::vector<double> frames = framesToGoTo(session);
   if (next) {
     const auto found = std::find_if(frames.begin(), frames.end(),
                                     [&](double frame) { return frame > view.frame + sameFrameTolerance; });
@@ -64,6 +71,13 @@ Vec2 rangeFrom(const Session& session, bool start) {
 /// The selected trail's range, which the working range follows; without one the working range alone.
 Status setRange(Session& session, bool start) {
   const rig::Trail* trail = selectedTrail(session);
+  if (hasControllers(session)) {
+    Status done = endOffsetsHere(session, start);
+    if (done) {
+      setRangeByHand(session, rangeFrom(session, start));
+    }
+    return done;
+  }
   if (trail == nullptr) {
     setRangeByHand(session, rangeFrom(session, start));
     return Success{};
@@ -97,11 +111,11 @@ Status toggleLoop(Session& session) {
 std::vector<DocumentCommand> timeCommands() {
   return {
       entry(command::rangeStart, "Range starts here",
-            "Starts the range at the playhead: of the selected trail, else of the next one.", {"[", "Alt+,"},
-            clipNeeded(), [](Session& session) { return setRange(session, true); }),
+            "Starts the range at the playhead: of the selected trail or controllers, else of the next trail.",
+            {"[", "Alt+,"}, clipNeeded(), [](Session& session) { return setRange(session, true); }),
       entry(command::rangeEnd, "Range ends here",
-            "Ends the range at the playhead: of the selected trail, else of the next one.", {"]", "Alt+."},
-            clipNeeded(), [](Session& session) { return setRange(session, false); }),
+            "Ends the range at the playhead: of the selected trail or controllers, else of the next trail.",
+            {"]", "Alt+."}, clipNeeded(), [](Session& session) { return setRange(session, false); }),
       entry(command::rangeDefault, "Forget the range",
             "The next trail takes the stroke around the playhead again.", {},
             {[](const Session& session) { return isRangeSet(session.view()); }, "no range was set"},
@@ -119,11 +133,11 @@ std::vector<DocumentCommand> timeCommands() {
               return goToFrame(session, std::floor(session.view().frame) + 1.0);
             }),
       entry(command::timePreviousKey, "Previous key",
-            "Jumps to the key before, of the selected limbs if there are any.", {"Ctrl+,"}, clipNeeded(),
-            [](Session& session) { return goToKey(session, false); }),
+            "Jumps to the key before, of the selected limbs or controllers if there are any.", {"Ctrl+,"},
+            clipNeeded(), [](Session& session) { return goToKey(session, false); }),
       entry(command::timeNextKey, "Next key",
-            "Jumps to the next key, of the selected limbs if there are any.", {"Ctrl+."}, clipNeeded(),
-            [](Session& session) { return goToKey(session, true); }),
+            "Jumps to the next key, of the selected limbs or controllers if there are any.", {"Ctrl+."},
+            clipNeeded(), [](Session& session) { return goToKey(session, true); }),
       entry(
           command::timeStart, "To the start", "Jumps to the clip's first frame.", {"Home"}, clipNeeded(),
           [](Session& session) { return goTo(session, 0.0); }, alwaysOnSequence,

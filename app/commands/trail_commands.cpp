@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
@@ -251,10 +252,28 @@ std::string blendLabel(const Session& session) {
   return blend > 1.0 ? "Blend: exaggerated" : blend > 0.0 ? "Blend: half-way" : "Blend: original";
 }
 
+std::vector<DocumentCommand> copyingCommands() {
+  return {
+      orElse(entry(command::copyTrail, "Copy trail",
+                   "Copies the selected trail with its spheres; of selected controllers the pose.",
+                   {"Ctrl+C"}, {hasSelectedTrail, "select a trail first"}, copySelected),
+             command::poseCopy),
+      orElse(entry(command::pasteTrail, "Paste trail",
+                   "Pastes the copied trail on the selected limbs; without one the copied pose.", {"Ctrl+V"},
+                   {canPaste, "copy a trail and select a limb first"}, pasteOnLimbs),
+             command::posePaste),
+      orElse(
+          entry(command::mirrorTrail, "Mirror trail",
+                "Makes the same trail on the other side of the body; of selected controllers the same pose.",
+                {"Ctrl+M"}, {canMirror, "select a trail of an arm or a leg first"}, mirrorTargets),
+          command::poseMirror),
+  };
+}
+
 } // namespace
 
 std::vector<DocumentCommand> trailCommands() {
-  return {
+  std::vector<DocumentCommand> commands{
       labelled(entry(command::trailToggle, "Motion trail",
                      "Makes a trail: the path of the limb's end over the range. Where there is one, hides or "
                      "shows it.",
@@ -292,24 +311,23 @@ std::vector<DocumentCommand> trailCommands() {
             applyAll),
       entry(command::trailNextColour, "Next colour", "Gives each trail the next colour of the palette.", {},
             targetNeeded(), nextColour),
-      entry(
-          command::editDelete, "Delete",
-          "Takes the selected spheres away (the first and the last are put back); with none selected deletes "
-          "the trail.",
-          {"Delete"}, {canDelete, "select a trail or its spheres first"}, deleteSelection),
+      orElse(entry(command::editDelete, "Delete",
+                   "Takes the selected spheres away (the first and the last are put back); with none "
+                   "selected deletes "
+                   "the trail. Of selected controllers it takes the keys at the playhead.",
+                   {"Delete"}, {canDelete, "select a trail or its spheres first"}, deleteSelection),
+             command::poseDeleteKey),
       entry(command::trailDelete, "Delete trail",
             "Deletes the trail and gives its range back as the file had it.", {}, targetNeeded(),
             deleteTargets),
       entry(command::trailDeleteAll, "Delete all trails of the limb",
             "Deletes every trail of the selected limbs in this clip.", {"Shift+Delete"},
             {hasTrailsOfLimbs, "select a limb that has trails"}, deleteAllOfLimbs),
-      entry(command::copyTrail, "Copy trail", "Copies the selected trail with its spheres.", {"Ctrl+C"},
-            {hasSelectedTrail, "select a trail first"}, copySelected),
-      entry(command::pasteTrail, "Paste trail", "Pastes the copied trail on the selected limbs.", {"Ctrl+V"},
-            {canPaste, "copy a trail and select a limb first"}, pasteOnLimbs),
-      entry(command::mirrorTrail, "Mirror trail", "Makes the same trail on the other side of the body.",
-            {"Ctrl+M"}, {canMirror, "select a trail of an arm or a leg first"}, mirrorTargets),
   };
+  for (DocumentCommand& command : copyingCommands()) {
+    commands.push_back(std::move(command));
+  }
+  return commands;
 }
 
 } // namespace stretch::app

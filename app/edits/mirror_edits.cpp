@@ -77,6 +77,13 @@ Result<std::string> otherSide(const Document& document, const std::string& limbI
   return Error{"this limb has no other side", limbId, "mirror an arm or a leg"};
 }
 
+std::optional<SagittalPlane> sagittalPlaneOf(const Document& document, const std::vector<Mat4>& worlds) {
+  const auto bases = pairBases(document, worlds);
+  return bases ? std::optional(SagittalPlane{0.5 * (bases->first + bases->second),
+                                             levelUnit(bases->first - bases->second)})
+               : std::nullopt;
+}
+
 Vec3 sagittalNormal(const Document& document, int clip, double frame) {
   const std::vector<Mat4> rest = worldMatrices(*document.scene, restPose(*document.scene));
   const auto bases = pairBases(document, rest);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "app/document.h"
 #include "app/edits/trail_edits.h"
 
@@ -12,6 +15,15 @@ namespace stretch::app {
 /// between the bases of the first pair of limbs at rest, turned along with the hips, level with the ground
 /// (+Y is up). (1, 0, 0) when the character has no pair.
 [[nodiscard]] Vec3 sagittalNormal(const Document& document, int clip, double frame);
+
+struct SagittalPlane {
+  Vec3 point{0.0};
+  Vec3 normal{1.0, 0.0, 0.0}; ///< Unit length, level with the ground, to the character's left.
+};
+
+/// The plane between the bases of the first pair of limbs where nodes stand so; nothing without a pair.
+[[nodiscard]] std::optional<SagittalPlane> sagittalPlaneOf(const Document& document,
+                                                           const std::vector<Mat4>& worlds);
 
 /// Settings as they act on the other side of a plane with this unit normal: sphere offsets, view axes and the
 /// stop plane (about `planePoint`) are reflected; everything else is the same on both sides.

@@ -19,29 +19,50 @@ void setRate(Document& document, int clip, double framesPerSecond) {
 }
 
 /// What lies on a frame stays exactly there when it is counted to and fro.
-double recounted(double frame, double factor) {
+double recountedFrame(double frame, double factor) {
   const double moved = frame * factor;
   const double whole = std::round(moved);
   return std::abs(moved - whole) < 1e-6 ? whole : moved;
+}
+
+void recountTime(rig::HoldTime& time, double factor) {
+  time.rangeFrames = {recountedFrame(time.rangeFrames.x, factor), recountedFrame(time.rangeFrames.y, factor)};
+  time.blendFrames = {recountedFrame(time.blendFrames.x, factor), recountedFrame(time.blendFrames.y, factor)};
+}
+
+void recountKeys(std::vector<rig::OffsetKey>& keys, double factor) {
+  for (rig::OffsetKey& key : keys) {
+    key.frame = recountedFrame(key.frame, factor);
+    key.moveSlope /= factor; // Slopes are for each frame.
+    key.turnSlope /= factor;
+    key.valueSlope /= factor;
+  }
+}
+
+template <typename OfClip>
+void recountAll(std::vector<OfClip>& all, int clip, double factor) {
+  for (OfClip& one : all) {
+    one = one.clip == clip ? recounted(std::move(one), factor) : std::move(one);
+  }
 }
 
 } // namespace
 
 rig::Trail recounted(rig::Trail trail, double factor) {
   rig::TrailSettings& settings = trail.settings;
-  settings.startFrame = recounted(settings.startFrame, factor);
-  settings.endFrame = recounted(settings.endFrame, factor);
+  settings.startFrame = recountedFrame(settings.startFrame, factor);
+  settings.endFrame = recountedFrame(settings.endFrame, factor);
   if (settings.releaseFrames) {
-    settings.releaseFrames = recounted(*settings.releaseFrames, factor);
+    settings.releaseFrames = recountedFrame(*settings.releaseFrames, factor);
   }
   for (rig::SphereOffset& sphere : settings.spheres) {
-    sphere.frame = recounted(sphere.frame, factor);
+    sphere.frame = recountedFrame(sphere.frame, factor);
     if (sphere.tangent) {
       *sphere.tangent /= factor; // A slope for each frame.
     }
   }
   for (double& frame : trail.controlFrames) {
-    frame = recounted(frame, factor);
+    frame = recountedFrame(frame, factor);
   }
   return trail;
 }
@@ -49,21 +70,41 @@ rig::Trail recounted(rig::Trail trail, double factor) {
 rig::Adjustment recounted(rig::Adjustment adjustment, double factor) {
   if (adjustment.rangeFrames) {
     Vec2& range = *adjustment.rangeFrames;
-    range = {recounted(range.x, factor), recounted(range.y, factor)};
+    range = {recountedFrame(range.x, factor), recountedFrame(range.y, factor)};
   }
-  for (rig::OffsetKey& key : adjustment.keys) {
-    key.frame = recounted(key.frame, factor);
-    key.moveSlope /= factor; // Slopes are for each frame.
-    key.turnSlope /= factor;
-    key.valueSlope /= factor;
-  }
+  recountKeys(adjustment.keys, factor);
   return adjustment;
+}
+
+rig::Pin recounted(rig::Pin pin, double factor) {
+  recountTime(pin.time, factor);
+  pin.atFrame = recountedFrame(pin.atFrame, factor);
+  return pin;
+}
+
+rig::Grip recounted(rig::Grip grip, double factor) {
+  recountTime(grip.time, factor);
+  if (grip.relationFrame) {
+    grip.relationFrame = recountedFrame(*grip.relationFrame, factor);
+  }
+  return grip;
+}
+
+rig::Prop recounted(rig::Prop prop, double factor) {
+  if (prop.time) {
+    recountTime(*prop.time, factor);
+  }
+  prop.boundFrame = recountedFrame(prop.boundFrame, factor);
+  for (rig::PropHand& hand : prop.hands) {
+    recountKeys(hand.keys, factor);
+  }
+  return prop;
 }
 
 WeightedLimb recounted(WeightedLimb weight, double factor) {
   if (weight.settings.rangeFrames) {
     Vec2& range = *weight.settings.rangeFrames;
-    range = {recounted(range.x, factor), recounted(range.y, factor)};
+    range = {recountedFrame(range.x, factor), recountedFrame(range.y, factor)};
   }
   return weight;
 }
@@ -84,15 +125,12 @@ Document workAtRate(const Document& document, int clip, double framesPerSecond) 
   if (std::abs(framesPerSecond - own) > sameRate) {
     changed.rates.push_back({clip, framesPerSecond, own});
   }
-  for (rig::Trail& trail : changed.trails) {
-    trail = trail.clip == clip ? recounted(std::move(trail), factor) : std::move(trail);
-  }
-  for (rig::Adjustment& adjustment : changed.adjustments) {
-    adjustment = adjustment.clip == clip ? recounted(std::move(adjustment), factor) : std::move(adjustment);
-  }
-  for (WeightedLimb& weight : changed.weights) {
-    weight = weight.clip == clip ? recounted(std::move(weight), factor) : std::move(weight);
-  }
+  recountAll(changed.trails, clip, factor);
+  recountAll(changed.adjustments, clip, factor);
+  recountAll(changed.holds.pins, clip, factor);
+  recountAll(changed.holds.grips, clip, factor);
+  recountAll(changed.holds.props, clip, factor);
+  recountAll(changed.weights, clip, factor);
   return changed;
 }
 

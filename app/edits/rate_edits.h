@@ -24,6 +24,9 @@ void countInChosenRates(Document& document);
 /// The same moments in frames of a rate that is `factor` times as high.
 [[nodiscard]] rig::Trail recounted(rig::Trail trail, double factor);
 [[nodiscard]] rig::Adjustment recounted(rig::Adjustment adjustment, double factor);
+[[nodiscard]] rig::Pin recounted(rig::Pin pin, double factor);
+[[nodiscard]] rig::Grip recounted(rig::Grip grip, double factor);
+[[nodiscard]] rig::Prop recounted(rig::Prop prop, double factor);
 [[nodiscard]] WeightedLimb recounted(WeightedLimb weight, double factor);
 
 } // namespace stretch::app

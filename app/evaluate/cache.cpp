@@ -5,25 +5,46 @@
 
 namespace stretch::app {
 
+const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& ground) {
+  EvaluationGround unadjusted = ground;
+  unadjusted.adjustments.clear();
+  return body_.of(std::move(unadjusted), [&](const auto*) {
+    return std::make_shared<const rig::AdjustedBody>(adjustedBody(ground));
+  });
+}
+
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
     const bool sameGround = last != nullptr && last->key.ground == input.ground;
     return std::make_shared<const rig::MotionState>(
-        solveTrails(input, sameGround ? last->value.get() : nullptr));
+        solveTrails(input, sameGround ? last->value.get() : nullptr,
+                    input.ground.adjustments.empty() ? nullptr : body(input.ground)));
   });
 }
 
-const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Motion& trails) {
+const EvaluationCache::Motion& EvaluationCache::held(const EvaluationInput& input) {
+  const Motion& solved = trails(input);
+  return held_.of({solved, input.holds}, [&](const auto*) {
+    if (input.holds.empty()) {
+      return solved;
+    }
+    rig::MotionState motion = *solved;
+    addHolds(input, motion);
+    return std::make_shared<const rig::MotionState>(std::move(motion));
+  });
+}
+
+const SampledClip& EvaluationCache::sampled(const WeightInput& weight, const Motion& held) {
   std::vector<std::string> limbs;
   for (const std::size_t i : activeWeights(weight)) {
     limbs.push_back(weight.weights[i].limb);
   }
-  return sampled_.of({trails, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *trails); });
+  return sampled_.of({held, std::move(limbs)}, [&](const auto*) { return sampleClip(weight, *held); });
 }
 
 const EvaluationCache::Weighted& EvaluationCache::weighted(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
-  const Motion& solved = trails(input);
+  const Motion& solved = held(input);
   return weighted_.of({solved, input.weights}, [&](const auto*) {
     const WeightInput weight = weightInput(input);
     if (activeWeights(weight).empty()) {
@@ -55,8 +76,27 @@ const FrameState& EvaluationCache::frame(const Document& document, int clip, dou
                    [&](const auto*) { return evaluate(document, *moving, timeSeconds); });
 }
 
+const std::vector<rig::PlacedController>& EvaluationCache::controllers(const Document& document, int clip,
+                                                                       double timeSeconds) {
+  const Motion moving = weighted(document, clip).motion;
+  return controllers_.of({moving, timeSeconds}, [&](const auto*) {
+    const EvaluationGround ground = evaluationInput(document, clip).ground;
+    rig::SolvedAdjustments adjustments = moving->adjustments;
+    adjustments.body = body(ground);
+    return rig::placeControllers(
+        {*document.scene, clipOf(ground), adjustments, frame(document, clip, timeSeconds)});
+  });
+}
+
+const std::vector<rig::ControllerShape>& EvaluationCache::shapes(const Document& document, int clip) {
+  const EvaluationGround ground = evaluationInput(document, clip).ground;
+  const Body standing = body(ground);
+  return shapes_.of(
+      standing, [&](const auto*) { return rig::controllerShapes(*ground.scene, ground.limbs, *standing); });
+}
+
 const FrameState& EvaluationCache::original(const Document& document, int clip, double timeSeconds) {
-  return original_.of({document.scene, document.clips, clip, timeSeconds},
+  return original_.of({document.scene, sourceClipsOf(document), clip, timeSeconds},
                       [&](const auto*) { return evaluateOriginal(document, clip, timeSeconds); });
 }
 
@@ -74,10 +114,11 @@ const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, 
 
 const Clip& EvaluationCache::keyed(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(appliedOnly(document), clip);
-  if (input.trails.empty() && input.ground.adjustments.empty()) {
+  if (input.trails.empty() && input.ground.adjustments.empty() && input.holds.empty()) {
     return clipOf(document, clip);
   }
-  return keyed_.of({input.ground, input.trails}, [&](const auto*) { return keyedClip(document, clip); });
+  return keyed_.of({{input.ground, input.trails}, input.holds},
+                   [&](const auto*) { return keyedClip(document, clip); });
 }
 
 } // namespace stretch::app

@@ -11,6 +11,8 @@
 #include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
+#include "rig/motion/controller_places.h"
+#include "rig/motion/controller_shapes.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {
@@ -52,10 +54,17 @@ public:
   /// One for each trail of motion(); the clip must be there.
   [[nodiscard]] const std::vector<TrailPaths>& paths(const Document& document, int clip,
                                                      std::size_t samplesPerFrame);
-  /// The clip with the keys of its adjustments and applied trails (keyed_clip.h); the clip must be there.
+  /// The clip with the keys of its adjustments, applied trails and holds (keyed_clip.h); the clip must be
+  /// there.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
+  /// Where every controller stands (rig::placeControllers), and what each is drawn as.
+  [[nodiscard]] const std::vector<rig::PlacedController>& controllers(const Document& document, int clip,
+                                                                      double timeSeconds);
+  [[nodiscard]] const std::vector<rig::ControllerShape>& shapes(const Document& document, int clip);
+
 private:
+  using Body = std::shared_ptr<const rig::AdjustedBody>;
   using Motion = std::shared_ptr<const rig::MotionState>;
 
   struct TrailsKey {
@@ -63,13 +72,18 @@ private:
     std::vector<rig::Trail> trails;
     friend bool operator==(const TrailsKey&, const TrailsKey&) = default;
   };
-  struct SampleKey {
+  struct HoldsKey {
     Motion trails;
+    rig::Holds holds;
+    friend bool operator==(const HoldsKey&, const HoldsKey&) = default;
+  };
+  struct SampleKey {
+    Motion held;
     std::vector<std::string> limbs; ///< That give way: a drag of a limb's softness keeps the samples.
     friend bool operator==(const SampleKey&, const SampleKey&) = default;
   };
   struct WeightKey {
-    Motion trails;
+    Motion held;
     std::vector<WeightedLimb> weights;
     friend bool operator==(const WeightKey&, const WeightKey&) = default;
   };
@@ -96,11 +110,24 @@ private:
     friend bool operator==(const PathsKey&, const PathsKey&) = default;
   };
 
+  struct KeyedKey {
+    TrailsKey trails;
+    rig::Holds holds;
+    friend bool operator==(const KeyedKey&, const KeyedKey&) = default;
+  };
+
+  const Body& body(const EvaluationGround& ground);
   const Motion& trails(const EvaluationInput& input);
-  const SampledClip& sampled(const WeightInput& weight, const Motion& trails);
+  /// The trails with the holds on top; the trails' own answer where there are none.
+  const Motion& held(const EvaluationInput& input);
+  const SampledClip& sampled(const WeightInput& weight, const Motion& held);
   const Weighted& weighted(const Document& document, int clip);
 
+  LastAnswer<EvaluationGround, Body> body_;
+  LastAnswer<Body, std::vector<rig::ControllerShape>> shapes_;
+  LastAnswer<FrameKey, std::vector<rig::PlacedController>> controllers_;
   LastAnswer<TrailsKey, Motion> trails_;
+  LastAnswer<HoldsKey, Motion> held_;
   LastAnswer<SampleKey, SampledClip> sampled_;
   LimbSizes sizes_;
   LastAnswer<WeightKey, Weighted> weighted_;
@@ -108,7 +135,7 @@ private:
   LastAnswer<FrameKey, FrameState> frame_;
   LastAnswer<OriginalKey, FrameState> original_;
   LastAnswer<PathsKey, std::vector<TrailPaths>> paths_;
-  LastAnswer<TrailsKey, Clip> keyed_;
+  LastAnswer<KeyedKey, Clip> keyed_;
 };
 
 } // namespace stretch::app

@@ -20,6 +20,7 @@ WeightMotion weightOn(const EvaluationInput& input, const rig::MotionState& trai
 rig::MotionState prepareMotion(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
   rig::MotionState motion = solveTrails(input, nullptr);
+  addHolds(input, motion);
   if (std::vector<rig::LimbWeight> weights = weightOn(input, motion).weights; !weights.empty()) {
     addWeight(input, std::move(weights), motion);
   }
@@ -29,6 +30,7 @@ rig::MotionState prepareMotion(const Document& document, int clip) {
 std::vector<WeightReport> weightReports(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
   rig::MotionState motion = solveTrails(input, nullptr);
+  addHolds(input, motion);
   WeightMotion made = weightOn(input, motion);
   addWeight(input, std::move(made.weights), motion);
   measureLengths(weightInput(input), motion, made.reports);
@@ -40,7 +42,7 @@ FrameState evaluate(const Document& document, const rig::MotionState& motion, do
 }
 
 FrameState evaluateOriginal(const Document& document, int clip, double timeSeconds) {
-  const Clip& shown = clipOrStill(*document.clips, clip);
+  const Clip& shown = clipOrStill(*sourceClipsOf(document), clip);
   return frameOf(*document.scene, samplePose(*document.scene, shown, timeSeconds), timeSeconds);
 }
 

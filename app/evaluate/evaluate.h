@@ -10,14 +10,14 @@
 
 namespace stretch::app {
 
-/// The trails and the weight of limbs of one clip, prepared for evaluation at any time. Active trails only
-/// move the character; the others are prepared too, so that their paths can be drawn.
+/// The trails, the holds and the weight of limbs of one clip, prepared for evaluation at any time. Active
+/// trails only move the character; the others are prepared too, so that their paths can be drawn.
 [[nodiscard]] rig::MotionState prepareMotion(const Document& document, int clip);
 
 /// What the limbs of a clip that have weight come to.
 [[nodiscard]] std::vector<WeightReport> weightReports(const Document& document, int clip);
 
-/// The character at one time (seconds of the clip), trails and weight included. The one function that
+/// The character at one time (seconds of the clip), trails, holds and weight included. The one function that
 /// renderer, panels, batch and tests read.
 [[nodiscard]] FrameState evaluate(const Document& document, const rig::MotionState& motion,
                                   double timeSeconds);

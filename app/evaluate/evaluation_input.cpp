@@ -6,9 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/edits/hold_edits.h"
 #include "core/base/index.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
+#include "rig/motion/solve_adjustments.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -32,6 +35,7 @@ rig::MotionInput motionInput(const EvaluationInput& input) {
   wanted.trails = input.trails;
   wanted.loops = input.ground.loops;
   wanted.adjustments = input.ground.adjustments;
+  wanted.holds = input.holds;
   return wanted;
 }
 
@@ -71,6 +75,7 @@ EvaluationInput evaluationInput(const Document& document, int clip) {
   return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
            allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
+          holdsOfClip(document.holds, clip),
           ofClip(document.weights, clip)};
 }
 
@@ -83,10 +88,24 @@ const Clip& clipOf(const EvaluationGround& ground) {
   return clipOrStill(*ground.clips, ground.clip);
 }
 
-rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous) {
+rig::AdjustedBody adjustedBody(const EvaluationGround& ground) {
+  return rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs});
+}
+
+rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
+                             std::shared_ptr<const rig::AdjustedBody> body) {
   rig::MotionInput wanted = motionInput(input);
   wanted.previous = previous;
+  wanted.body = std::move(body);
   return rig::solveMotion(wanted);
+}
+
+bool addHolds(const EvaluationInput& input, rig::MotionState& motion) {
+  if (input.holds.empty()) {
+    return false;
+  }
+  rig::setHolds(motionInput(input), motion);
+  return true;
 }
 
 WeightInput weightInput(const EvaluationInput& input) {

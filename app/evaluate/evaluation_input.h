@@ -30,6 +30,7 @@ struct EvaluationGround {
 struct EvaluationInput {
   EvaluationGround ground;
   std::vector<rig::Trail> trails;    ///< Of the clip.
+  rig::Holds holds;                  ///< Of the clip.
   std::vector<WeightedLimb> weights; ///< Of the clip.
 
   friend bool operator==(const EvaluationInput&, const EvaluationInput&) = default;
@@ -44,14 +45,21 @@ struct EvaluationInput {
 // What is made of an EvaluationInput before a time is known, one stage after the other. At a time the stages
 // are those of rig/motion/evaluate.h.
 
+/// What adjustments of the clip are solved on; the same for every one of them.
+[[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);
+
 /// The trails alone. `previous`: solved on the same ground before; what did not change is taken over. Null:
-/// none.
-[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous);
+/// none. `body`: what adjustments are solved on; null: it is made where it is needed.
+[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
+                                           std::shared_ptr<const rig::AdjustedBody> body = nullptr);
+
+/// Lets the clip's holds act on top of the trails. Answers whether there are any.
+bool addHolds(const EvaluationInput& input, rig::MotionState& motion);
 
 /// What the weight of the clip's limbs is worked out from.
 [[nodiscard]] WeightInput weightInput(const EvaluationInput& input);
 
-/// Puts the weight on top of the trails.
+/// Puts the weight on top of trails and holds.
 void addWeight(const EvaluationInput& input, std::vector<rig::LimbWeight> weights, rig::MotionState& motion);
 
 /// The paths of one trail, as they are drawn.

@@ -8,11 +8,12 @@ namespace stretch::app {
 /// How closely saving keys what is seen (docs/exaggeration.md, What saving writes).
 [[nodiscard]] rig::RekeyOptions keyingOptions(const Document& document);
 
-/// The document with its adjustments, those of its trails alone that were applied, and without weight.
+/// The document with its adjustments and holds, those of its trails alone that were applied, and without
+/// weight.
 [[nodiscard]] Document appliedOnly(Document document);
 
-/// The clip as its adjustments and applied trails re-key it: the keys that the timeline and the graph show.
-/// The clip must be there; without any of them it is the source's.
+/// The clip as its adjustments, applied trails and holds re-key it: the keys that the timeline and the graph
+/// show. The clip must be there; without any of them it is the source's.
 [[nodiscard]] Clip keyedClip(const Document& document, int clip);
 
 } // namespace stretch::app

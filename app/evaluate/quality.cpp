@@ -19,6 +19,7 @@ namespace {
 rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
   rig::MotionState alone = motion;
   alone.weights.clear();
+  alone.holds = {};
   std::erase_if(alone.trails, [&](const rig::SolvedTrail& other) { return other.trail.id != trailId; });
   return alone;
 }
@@ -29,6 +30,7 @@ rig::MotionState solvedWith(const Document& document, int clip, const rig::Solve
   Document other = document;
   other.trails = {trail.trail};
   other.weights.clear();
+  other.holds = {};
   other.trails.front().settings = settings;
   return prepareMotion(other, clip);
 }

@@ -1,9 +1,12 @@
 #include "app/files/save.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "app/edits/rate_edits.h"
+#include "app/edits/track_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
@@ -34,7 +37,33 @@ std::set<int> clipsToKey(const Document& document) {
   for (const rig::Adjustment& adjustment : document.adjustments) {
     clips.insert(adjustment.clip);
   }
+  for (int clip = 0; hasEditedKeys(document) && clip < static_cast<int>(document.clips->size()); ++clip) {
+    if (!editedTracks(document, clip).empty()) {
+      clips.insert(clip);
+    }
+  }
+  for (const rig::Pin& pin : document.holds.pins) {
+    clips.insert(pin.clip);
+  }
+  for (const rig::Grip& grip : document.holds.grips) {
+    clips.insert(grip.clip);
+  }
+  for (const rig::Prop& prop : document.holds.props) {
+    clips.insert(prop.clip);
+  }
   return clips;
+}
+
+// The tracks that the user edited and those that the motion re-keys, which come from them.
+std::vector<Track> joinedTracks(std::vector<Track> edited, std::vector<Track> rekeyed) {
+  std::erase_if(edited, [&](const Track& track) {
+    return std::any_of(rekeyed.begin(), rekeyed.end(), [&](const Track& other) {
+      return other.node == track.node && other.channel == track.channel;
+    });
+  });
+  edited.insert(edited.end(), std::make_move_iterator(rekeyed.begin()),
+                std::make_move_iterator(rekeyed.end()));
+  return edited;
 }
 
 // Frames count in the own rate of the clip, also where the keys in the file tell another.
@@ -58,10 +87,11 @@ Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options
   for (const int clip : clipsToKey(seen)) {
     rig::RekeyedClip rekeyed =
         rig::rekey(*seen.scene, clipOf(seen, clip), prepareMotion(seen, clip), rekeyOptions);
-    if (rekeyed.tracks.empty() && rekeyed.stretches.empty()) {
+    std::vector<Track> tracks = joinedTracks(editedTracks(seen, clip), std::move(rekeyed.tracks));
+    if (tracks.empty() && rekeyed.stretches.empty()) {
       continue;
     }
-    edits.clips.push_back({clip, std::move(rekeyed.tracks)});
+    edits.clips.push_back({clip, std::move(tracks)});
     stretches.push_back({clip, std::move(rekeyed.stretches)});
   }
   if (!options.keepSkeleton) {

@@ -5,9 +5,13 @@
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/rate_edits.h"
+#include "app/edits/track_edits.h"
+#include "app/files/kept_tracks.h"
 #include "app/schema/adjustment_json.h"
+#include "app/schema/hold_json.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -204,7 +208,7 @@ Status restoreAdjustments(const Json& entries, Document& document) {
       return adjustment.error();
     }
     adjustment->clip = json.at("clip").get<int>();
-    Result<Document> placed = placeAdjustments(document, {&*adjustment, 1});
+    Result<Document> placed = placeAdjustments(document, {&*adjustment, 1}, Entry::file);
     if (placed) {
       document = std::move(*placed);
     } else {
@@ -212,6 +216,64 @@ Status restoreAdjustments(const Json& entries, Document& document) {
     }
   }
   return Success{};
+}
+
+Status restoreHold(const rig::Holds& hold, Document& document) {
+  Result<Document> placed = placeHolds(document, hold, Entry::file);
+  if (placed) {
+    document = std::move(*placed);
+  } else {
+    document.warnings.push_back("a hold kept in the file is left out: " + placed.error().line());
+  }
+  return Success{};
+}
+
+// One list of holds; `read` answers one of its entries, `put` its list in rig::Holds.
+template <typename Read, typename Put>
+Status restoreHoldList(const Json& entries, const Read& read, const Put& put, Document& document) {
+  for (const Json& json : entries) {
+    auto hold = read(json);
+    if (!hold) {
+      return hold.error();
+    }
+    hold->clip = json.at("clip").get<int>();
+    rig::Holds one;
+    put(one).push_back(std::move(*hold));
+    if (const Status restored = restoreHold(one, document); !restored) {
+      return restored;
+    }
+  }
+  return Success{};
+}
+
+Status restoreHolds(const Json& work, Document& document) {
+  const auto listOf = [&](const char* key) { return work.value(key, Json::array()); };
+  Status pins = restoreHoldList(
+      listOf("pins"), [](const Json& json) { return pinFromJson(json, {}, {"clip"}); },
+      [](rig::Holds & holds) -> auto& { return holds.pins; }, document);
+  Status grips = restoreHoldList(
+      listOf("grips"), [](const Json& json) { return gripFromJson(json, {"clip"}); },
+      [](rig::Holds & holds) -> auto& { return holds.grips; }, document);
+  Status props = restoreHoldList(
+      listOf("props"), [](const Json& json) { return propFromJson(json, {}, {"clip"}); },
+      [](rig::Holds & holds) -> auto& { return holds.props; }, document);
+  return !pins ? pins : !grips ? grips : props;
+}
+
+void saveHolds(const rig::Holds& holds, Json& work) {
+  const auto add = [&](const char* key, Json json, int clip) {
+    json["clip"] = clip;
+    work[key].push_back(std::move(json));
+  };
+  for (const rig::Pin& pin : holds.pins) {
+    add("pins", pinToJson(pin, {}), pin.clip);
+  }
+  for (const rig::Grip& grip : holds.grips) {
+    add("grips", gripToJson(grip), grip.clip);
+  }
+  for (const rig::Prop& prop : holds.props) {
+    add("props", propToJson(prop, {}), prop.clip);
+  }
 }
 
 Status restoreRates(const Json& rates, Document& document) {
@@ -232,6 +294,12 @@ Status restoreRates(const Json& rates, Document& document) {
 Status restoreParts(const Json& work, Document& document) {
   if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
     return rates;
+  }
+  if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
+    return keys;
+  }
+  if (Status autos = restoreFollowingKeys(work.value("auto_keys", Json::array()), document); !autos) {
+    return autos;
   }
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
@@ -268,15 +336,17 @@ Status restoreParts(const Json& work, Document& document) {
     document.weights.push_back(std::move(*entry));
   }
   document.loopingClips = work.at("loops").get<std::vector<int>>();
-  return restoreAdjustments(work.value("adjustments", Json::array()), document);
+  Status adjusted = restoreAdjustments(work.value("adjustments", Json::array()), document);
+  return adjusted ? restoreHolds(work, document) : adjusted;
 }
 
 } // namespace
 
 Json workOf(const Document& document) {
-  if (document.trails.empty() && document.adjustments.empty() && document.weights.empty() &&
-      document.chains.empty() && document.loopingClips.empty() && document.rates.empty() &&
-      !document.limbsCorrected) {
+  if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
+      document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
+      document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document) &&
+      document.followingKeys.empty()) {
     return nullptr;
   }
   Json work;
@@ -297,6 +367,13 @@ Json workOf(const Document& document) {
   for (const rig::Adjustment& adjustment : document.adjustments) {
     work["adjustments"].push_back(savedAdjustment(adjustment, list));
   }
+  if (hasEditedKeys(document)) {
+    work["clip_keys"] = keptTracks(document);
+  }
+  if (!document.followingKeys.empty()) {
+    work["auto_keys"] = keptFollowingKeys(document);
+  }
+  saveHolds(document.holds, work);
   work["loops"] = document.loopingClips;
   for (const ClipRate& rate : document.rates) {
     work["rates"].push_back({{"clip", rate.clip}, {"frames_per_second", rate.framesPerSecond}});
@@ -305,8 +382,10 @@ Json workOf(const Document& document) {
 }
 
 Document withoutWork(Document document) {
+  document = restoreAllTracks(document);
   document.trails.clear();
   document.adjustments.clear();
+  document.holds = {};
   document.weights.clear();
   document.chains.clear();
   document.loopingClips.clear();

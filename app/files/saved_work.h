@@ -4,9 +4,9 @@
 
 namespace stretch::app {
 
-/// The user's work as JSON, for the root extras of a saved file (docs/file-format.md, The work): adjustments,
-/// trails with all settings, the weight of limbs, limbs corrected by hand, chains, loops. Null when there is
-/// none.
+/// The user's work as JSON, for the root extras of a saved file (docs/file-format.md, The work): edited keys
+/// of the clips, adjustments, trails with all settings, the weight of limbs, limbs corrected by hand, chains,
+/// loops. Null when there is none.
 [[nodiscard]] gltf::Json workOf(const Document& document);
 
 /// The document as its file alone has it: nothing that workOf would keep, limbs as they are found.

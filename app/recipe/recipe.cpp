@@ -9,6 +9,7 @@
 #include "app/edits/group_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/named.h"
+#include "app/recipe/recipe_parts.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -25,58 +26,36 @@ using gltf::Json;
 constexpr int recipeVersion = 1;
 constexpr int mostGroups = 1000000;
 
-// The error with the entry of the recipe that it is in.
-Error inEntry(const std::string& entry, const Error& error) {
-  return {error.what, error.where.empty() ? entry : entry + "." + error.where, error.remedy};
-}
-
-std::string entryName(const char* list, std::size_t index) {
-  return fmt::format("{}[{}]", list, index);
-}
-
 Status checkKeys(const Json& json) {
-  const std::vector<std::string> known{"version", "clip",  "units",   "frames_per_second",
-                                       "trails",  "props", "elastic", "adjustments"};
+  const std::vector<std::string> known{"version", "clip",    "units",       "frames_per_second",
+                                       "trails",  "elastic", "adjustments", "pins",
+                                       "grips",   "props"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       return Error{"is not a key of a recipe", key, "remove it, or correct its name"};
     }
-    if (key == "props" && !(value.is_array() && value.empty())) {
-      return Error{"this version does not play them", key, "leave them out, or give an empty list"};
+    const bool isList = key == "pins" || key == "grips" || key == "props" || key == "adjustments";
+    if (isList && !value.is_array()) {
+      return Error{"is not a list", key, "give a list, as docs/recipes.md tells"};
     }
   }
   if (!json.contains("version") || json["version"] != recipeVersion) {
     return Error{"this program does not know this version of recipes", "version",
                  fmt::format("give {}", recipeVersion)};
   }
-  const bool onlyAdjusts = !json.contains("trails") && json.contains("adjustments");
-  if (!onlyAdjusts && (!json.contains("trails") || !json["trails"].is_array())) {
+  const bool isWithoutTrails =
+      !json.contains("trails") && (json.contains("adjustments") || json.contains("pins") ||
+                                   json.contains("grips") || json.contains("props"));
+  if (!isWithoutTrails && (!json.contains("trails") || !json["trails"].is_array())) {
     return Error{"there is no list of trails", "trails", "give a list, empty or not"};
   }
   if (json.contains("frames_per_second") &&
       !(json["frames_per_second"].is_number() && json["frames_per_second"].get<double>() > 0.0)) {
     return Error{"is not a rate", "frames_per_second", "give a number above 0, or leave it out"};
   }
-  if (json.contains("adjustments") && !json["adjustments"].is_array()) {
-    return Error{"is not a list", "adjustments", R"(give a list of {"controller": ..., "keys": [...]})"};
-  }
   if (json.contains("elastic") && !json["elastic"].is_array()) {
     return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
   }
-  return Success{};
-}
-
-Status readFractions(const Json& json, const Clip& clip, rig::TrailSettings& settings) {
-  const bool wellFormed = json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number() &&
-                          json[0].get<double>() >= 0.0 && json[0].get<double>() < json[1].get<double>() &&
-                          json[1].get<double>() <= 1.0;
-  if (!wellFormed) {
-    return Error{json.dump() + " is not a part of a clip", "range_of_clip",
-                 "give two fractions in order, such as [0.2, 0.5]"};
-  }
-  const double last = clip.endSeconds * clip.framesPerSecond;
-  settings.startFrame = json[0].get<double>() * last;
-  settings.endFrame = json[1].get<double>() * last;
   return Success{};
 }
 
@@ -106,9 +85,6 @@ Status readGroup(const Json& json, rig::Trail& trail) {
 }
 
 Status readTrailRange(const Json& json, const rig::Limb& limb, const Document& document, rig::Trail& trail) {
-  if (json.contains("range_of_clip")) {
-    return readFractions(json["range_of_clip"], clipOf(document, trail.clip), trail.settings);
-  }
   if (!json.contains("range")) {
     const Vec2 range = rig::defaultRange(*document.scene, clipOf(document, trail.clip), limb);
     trail.settings.startFrame = range.x;
@@ -126,7 +102,7 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   trail.limb = limb->id;
   trail.clip = clip;
   const double lengthUnit = inMetres ? 1.0 : limb->restLength;
-  Status read = trailFromJson(json, lengthUnit, {"limb", "range_of_clip", "colour", "group"}, trail.settings);
+  Status read = trailFromJson(json, lengthUnit, {"limb", "colour", "group"}, trail.settings);
   if (read && json.contains("colour")) {
     read = readColour(json["colour"], trail);
   }
@@ -149,13 +125,6 @@ Result<WeightedLimb> weightOf(const Json& json, int clip, Document& document) {
   return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }
 
-constexpr double degree = pi / 180.0;
-
-// Lengths in those of the controller's limb, or in world units; angles in degrees.
-AdjustmentUnits unitsOf(const rig::Controller& controller, bool inMetres) {
-  return {inMetres ? 1.0 : controller.length, degree};
-}
-
 Result<rig::Adjustment> adjustmentOf(const Json& json, int clip, bool inMetres, const Document& document,
                                      const rig::ControllerList& list) {
   const Result<AdjustedName> name = adjustedName(json);
@@ -171,7 +140,7 @@ Result<rig::Adjustment> adjustmentOf(const Json& json, int clip, bool inMetres, 
   if (!controller) {
     return controller.error();
   }
-  Result<rig::Adjustment> adjustment = adjustmentFromJson(json, unitsOf(*controller, inMetres), {});
+  Result<rig::Adjustment> adjustment = adjustmentFromJson(json, unitsOf(controller->length, inMetres), {});
   if (adjustment) {
     adjustment->clip = clip;
   }
@@ -187,27 +156,33 @@ Json adjustmentsToJson(const Document& document, int clip) {
                                                    ? Result<rig::Controller>(rig::Controller{})
                                                    : findController(document, list, adjustment.controller);
     if (adjustment.clip == clip && controller) {
-      entries.push_back(adjustmentToJson(adjustment, isAttribute, unitsOf(*controller, false)));
+      entries.push_back(adjustmentToJson(adjustment, isAttribute, unitsOf(controller->length, false)));
     }
   }
   return entries;
 }
 
-// Every entry of a list that may be left out, each made by `make`.
-template <typename Entry, typename Make>
-Status readList(const Json& recipe, const char* list, std::vector<Entry>& entries, Make&& make) {
-  const Json items = recipe.value(list, Json::array());
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    Result<Entry> entry = make(items[i]);
-    if (!entry) {
-      return inEntry(entryName(list, i), entry.error());
+// In frames of a rate that is `factor` times as high.
+void recountAllOf(Recipe& recipe, double factor) {
+  const auto recountList = [&](auto& list) {
+    for (auto& one : list) {
+      one = recounted(std::move(one), factor);
     }
-    entries.push_back(std::move(*entry));
-  }
-  return Success{};
+  };
+  recountList(recipe.trails);
+  recountList(recipe.weights);
+  recountList(recipe.adjustments);
+  recountList(recipe.holds.pins);
+  recountList(recipe.holds.grips);
+  recountList(recipe.holds.props);
 }
 
 } // namespace
+
+AdjustmentUnits unitsOf(double limbLength, bool inMetres) {
+  constexpr double degree = pi / 180.0;
+  return {inMetres ? 1.0 : limbLength, degree};
+}
 
 Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip) {
   if (!json.is_object()) {
@@ -234,29 +209,28 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   const double rate = clipOf(document, *clip).framesPerSecond;
   const double recipeRate = json.value("frames_per_second", rate);
   Document asInRecipe = workAtRate(document, *clip, recipeRate);
-  Status read = readList(json, "trails", recipe.trails, [&](const Json& entry) {
-    return trailOf(entry, *clip, units == "metres", asInRecipe);
+  const double lastFrame = clipOf(asInRecipe, *clip).endSeconds * recipeRate;
+  const RecipeGround ground{document, *clip, units == "metres", lastFrame};
+  Status read = readList(json, "trails", ground, recipe.trails, [&](const Json& entry) {
+    return trailOf(entry, *clip, ground.inMetres, asInRecipe);
   });
   if (read) {
-    read = readList(json, "elastic", recipe.weights,
+    read = readList(json, "elastic", ground, recipe.weights,
                     [&](const Json& entry) { return weightOf(entry, *clip, asInRecipe); });
   }
   if (read) {
     const rig::ControllerList list = controllersOf(document);
-    read = readList(json, "adjustments", recipe.adjustments, [&](const Json& entry) {
-      return adjustmentOf(entry, *clip, units == "metres", document, list);
+    read = readList(json, "adjustments", ground, recipe.adjustments, [&](const Json& entry) {
+      return adjustmentOf(entry, *clip, ground.inMetres, document, list);
     });
   }
+  if (read) {
+    Result<rig::Holds> holds = holdsFromRecipe(json, ground);
+    read = holds ? Status(Success{}) : Status(holds.error());
+    recipe.holds = holds ? std::move(*holds) : rig::Holds{};
+  }
   document.chains = std::move(asInRecipe.chains);
-  for (rig::Adjustment& adjustment : recipe.adjustments) {
-    adjustment = recounted(std::move(adjustment), rate / recipeRate);
-  }
-  for (rig::Trail& trail : recipe.trails) {
-    trail = recounted(std::move(trail), rate / recipeRate);
-  }
-  for (WeightedLimb& weight : recipe.weights) {
-    weight = recounted(std::move(weight), rate / recipeRate);
-  }
+  recountAllOf(recipe, rate / recipeRate);
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
 
@@ -299,6 +273,7 @@ Json recipeToJson(const Document& document, int clip) {
   if (Json adjustments = adjustmentsToJson(document, clip); !adjustments.empty()) {
     json["adjustments"] = std::move(adjustments);
   }
+  addHoldsToRecipe(document, clip, json);
   for (const WeightedLimb& limb : document.weights) {
     if (limb.clip == clip && limb.on) {
       Json entry = weightToJson(limb.settings);

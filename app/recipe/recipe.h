@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "rig/hold/hold.h"
 
 namespace stretch::app {
 
@@ -14,6 +15,7 @@ struct Recipe {
   std::vector<rig::Trail> trails;    ///< Without ids; limbs exist in the document.
   std::vector<WeightedLimb> weights; ///< Limbs with weight.
   std::vector<rig::Adjustment> adjustments;
+  rig::Holds holds;
 };
 
 /// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns
@@ -25,7 +27,7 @@ struct Recipe {
 [[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
                                         std::optional<int> clip = {});
 
-/// The adjustments, the trails and the weight of limbs of one clip as a recipe.
+/// The adjustments, the trails, the holds and the weight of limbs of one clip as a recipe.
 [[nodiscard]] gltf::Json recipeToJson(const Document& document, int clip);
 
 } // namespace stretch::app

@@ -4,6 +4,7 @@
 
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/weight_edits.h"
 
 namespace stretch::app {
@@ -24,6 +25,11 @@ Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) 
     placed->document = std::move(*adjusted);
   } else {
     return adjusted.error();
+  }
+  if (Result<Document> held = placeHolds(placed->document, recipe.holds); held) {
+    placed->document = std::move(*held);
+  } else {
+    return held.error();
   }
   for (const WeightedLimb& wanted : recipe.weights) {
     Result<Document> next = setWeight(placed->document, wanted);

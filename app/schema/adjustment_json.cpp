@@ -103,23 +103,6 @@ Result<OffsetKey> offsetKeyOf(const Json& json, bool isAttribute, const Adjustme
   return offset;
 }
 
-Status readKeys(const Json& json, bool isAttribute, const AdjustmentUnits& units,
-                rig::Adjustment& adjustment) {
-  if (!json.is_array()) {
-    return Error{"is not a list", "keys", "give a list of keys"};
-  }
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const Result<OffsetKey> key = offsetKeyOf(json[i], isAttribute, units);
-    if (!key) {
-      const std::string inside = key.error().where.empty() ? "" : "." + key.error().where;
-      return Error{key.error().what, fmt::format("keys[{}]{}", i, inside), key.error().remedy};
-    }
-    adjustment.keys.push_back(*key);
-  }
-  std::ranges::stable_sort(adjustment.keys, {}, &OffsetKey::frame);
-  return Success{};
-}
-
 Status readOffsetRange(const Json& json, rig::Adjustment& adjustment) {
   const bool isRange = json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
   if (!isRange) {
@@ -143,15 +126,38 @@ Result<AdjustedName> adjustedName(const Json& json) {
   return AdjustedName{json[hasController ? "controller" : "attribute"].get<std::string>(), hasAttribute};
 }
 
+Json offsetKeysToJson(const std::vector<OffsetKey>& keys, bool isAttribute, const AdjustmentUnits& units) {
+  Json list = Json::array();
+  for (const OffsetKey& key : keys) {
+    list.push_back(offsetKeyToJson(key, isAttribute, units));
+  }
+  return list;
+}
+
+Result<std::vector<OffsetKey>> offsetKeysFromJson(const Json& json, bool isAttribute,
+                                                  const AdjustmentUnits& units) {
+  if (!json.is_array()) {
+    return Error{"is not a list", "keys", "give a list of keys"};
+  }
+  std::vector<OffsetKey> keys;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const Result<OffsetKey> key = offsetKeyOf(json[i], isAttribute, units);
+    if (!key) {
+      const std::string inside = key.error().where.empty() ? "" : "." + key.error().where;
+      return Error{key.error().what, fmt::format("keys[{}]{}", i, inside), key.error().remedy};
+    }
+    keys.push_back(*key);
+  }
+  std::ranges::stable_sort(keys, {}, &OffsetKey::frame);
+  return keys;
+}
+
 Json adjustmentToJson(const rig::Adjustment& adjustment, bool isAttribute, const AdjustmentUnits& units) {
   Json json{{isAttribute ? "attribute" : "controller", adjustment.controller}};
   if (adjustment.rangeFrames) {
     json["range"] = Json::array({adjustment.rangeFrames->x, adjustment.rangeFrames->y});
   }
-  json["keys"] = Json::array();
-  for (const OffsetKey& key : adjustment.keys) {
-    json["keys"].push_back(offsetKeyToJson(key, isAttribute, units));
-  }
+  json["keys"] = offsetKeysToJson(adjustment.keys, isAttribute, units);
   return json;
 }
 
@@ -166,7 +172,9 @@ Result<rig::Adjustment> adjustmentFromJson(const Json& json, const AdjustmentUni
   for (const auto& [key, value] : json.items()) {
     Status read = Success{};
     if (key == "keys") {
-      read = readKeys(value, name->isAttribute, units, adjustment);
+      Result<std::vector<OffsetKey>> keys = offsetKeysFromJson(value, name->isAttribute, units);
+      read = keys ? Status(Success{}) : Status(keys.error());
+      adjustment.keys = keys ? std::move(*keys) : std::vector<OffsetKey>{};
     } else if (key == "range") {
       read = readOffsetRange(value, adjustment);
     } else if (key != "controller" && key != "attribute" &&

@@ -24,6 +24,13 @@ struct AdjustedName {
 /// An error when the entry names neither, or both.
 [[nodiscard]] Result<AdjustedName> adjustedName(const gltf::Json& json);
 
+/// The keys of an adjustment, or of anything else that is keyed so.
+[[nodiscard]] gltf::Json offsetKeysToJson(const std::vector<rig::OffsetKey>& keys, bool isAttribute,
+                                          const AdjustmentUnits& units);
+/// In the order of their frames. Errors name the key.
+[[nodiscard]] Result<std::vector<rig::OffsetKey>> offsetKeysFromJson(const gltf::Json& json, bool isAttribute,
+                                                                     const AdjustmentUnits& units);
+
 /// Everything but the clip.
 [[nodiscard]] gltf::Json adjustmentToJson(const rig::Adjustment& adjustment, bool isAttribute,
                                           const AdjustmentUnits& units);

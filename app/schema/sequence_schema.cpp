@@ -64,6 +64,13 @@ Schema<CompressSettings> skinSettings() {
            .help = "The most bones that a vertex hangs on, where weights are fitted.",
            .row = {.section = "options"}},
           &CompressSettings::influences),
+      setting<CompressSettings>(
+          {.name = "scale_limit",
+           .minimum = 1.0,
+           .maximum = 10.0,
+           .help = "How far bones that are measured may be scaled: by no more than this, no less than 1 over "
+                   "it."},
+          [](auto& s) -> auto& { return s.fit.largestScale; }),
   };
 }
 

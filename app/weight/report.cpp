@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rig/limb.h"
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {
@@ -92,7 +93,9 @@ void measureAt(const WeightInput& input, const rig::MotionState& motion, double 
                std::vector<Measured>& all) {
   const double seconds = frame / input.clip->framesPerSecond;
   FrameState pose = rig::adjustedFrame(*input.scene, *input.clip, motion, seconds);
-  rig::applyTrails(*input.scene, motion, pose);
+  const FrameState source = pose;
+  rig::applyTrails(*input.scene, motion, source, pose);
+  rig::applyHolds(*input.scene, motion, source, pose);
   std::vector<std::vector<double>> before;
   before.reserve(all.size());
   for (const Measured& one : all) {
@@ -153,8 +156,9 @@ void measureLengths(const WeightInput& input, const rig::MotionState& motion,
   const double perFrame = std::max(1.0, std::ceil(fewestPerSecond / clip.framesPerSecond));
   const double first = std::max(0.0, std::floor(clip.startSeconds * clip.framesPerSecond + 1e-6));
   const double last = std::min(clip.endSeconds * clip.framesPerSecond, first + mostFrames);
-  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + 1e-6; step += 1.0) {
-    measureAt(input, motion, first + step / perFrame, all);
+  constexpr double rounding = 1e-3; // The last frame is one, though its time is stored in single precision.
+  for (double step = 0.0; !all.empty() && first + step / perFrame <= last + rounding; step += 1.0) {
+    measureAt(input, motion, std::min(first + step / perFrame, last), all);
   }
   for (const Measured& one : all) {
     note(one.ratios, *one.report);

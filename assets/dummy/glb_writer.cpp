@@ -85,7 +85,7 @@ std::vector<float> collect(const SkinnedMesh& mesh, Member member) {
 
 /// Normals rounded to single precision must still be 1 long within the validator's tolerance: the grid is
 /// fine enough.
-Json writePrimitive(Buffer& buffer, const SkinnedMesh& mesh, int material) {
+Json writePrimitive(Buffer& buffer, const SkinnedMesh& mesh, int material, bool skinned) {
   const std::vector<float> positions = collect(mesh, &SkinnedVertex::position);
   std::vector<std::uint16_t> colors;
   std::vector<std::uint8_t> joints;
@@ -113,21 +113,18 @@ Json writePrimitive(Buffer& buffer, const SkinnedMesh& mesh, int material) {
   const int normal = buffer.add(collect(mesh, &SkinnedVertex::normal), singleFloat, "VEC3", 3, arrayBuffer);
   const int color = buffer.add(colors, unsignedShort, "VEC4", 4, arrayBuffer);
   buffer.setNormalized(color);
-  const int joint = buffer.add(joints, unsignedByte, "VEC4", 4, arrayBuffer);
-  const int weight = buffer.add(weights, singleFloat, "VEC4", 4, arrayBuffer);
+  Json attributes{{"POSITION", position}, {"NORMAL", normal}, {"COLOR_0", color}};
+  if (skinned) {
+    attributes["JOINTS_0"] = buffer.add(joints, unsignedByte, "VEC4", 4, arrayBuffer);
+    attributes["WEIGHTS_0"] = buffer.add(weights, singleFloat, "VEC4", 4, arrayBuffer);
+  }
   const int index = buffer.add(indices, unsignedShort, "SCALAR", 1, elementArrayBuffer);
-  return {{"attributes",
-           {{"POSITION", position},
-            {"NORMAL", normal},
-            {"COLOR_0", color},
-            {"JOINTS_0", joint},
-            {"WEIGHTS_0", weight}}},
-          {"indices", index},
-          {"material", material}};
+  return {{"attributes", attributes}, {"indices", index}, {"material", material}};
 }
 
-/// Nodes: the joints first, so that a joint's node has its index; then the skinned mesh.
-Json writeNodes(const std::vector<Joint>& skeleton) {
+/// Nodes: the joints first, so that a joint's node has its index; then the skinned mesh, then the props.
+Json writeNodes(const Character& character) {
+  const std::vector<Joint>& skeleton = character.skeleton;
   Json nodes = Json::array();
   for (std::size_t j = 0; j < skeleton.size(); ++j) {
     const Joint& joint = skeleton[j];
@@ -148,6 +145,13 @@ Json writeNodes(const std::vector<Joint>& skeleton) {
     nodes.push_back(node);
   }
   nodes.push_back({{"name", "Dummy"}, {"mesh", 0}, {"skin", 0}});
+  int mesh = 1;
+  for (const Prop& prop : character.props) {
+    const Vec3& at = prop.position;
+    nodes.push_back({{"name", prop.part.name},
+                     {"mesh", mesh++},
+                     {"translation", {rounded(at.x), rounded(at.y), rounded(at.z)}}});
+  }
   return nodes;
 }
 
@@ -218,6 +222,15 @@ Json writeMotion(Buffer& buffer, const Motion& motion) {
   return {{"name", motion.name}, {"channels", channels}, {"samplers", samplers}};
 }
 
+/// The primitive of a part, and its material added to the list.
+Json writePart(Buffer& buffer, const Part& part, bool skinned, Json& materials) {
+  Json primitive = writePrimitive(buffer, part.mesh, static_cast<int>(materials.size()), skinned);
+  materials.push_back(
+      {{"name", part.name},
+       {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", part.roughness}}}});
+  return primitive;
+}
+
 Json writeDocument(Buffer& buffer, const Character& character) {
   Json document;
   document["asset"] = {
@@ -225,17 +238,22 @@ Json writeDocument(Buffer& buffer, const Character& character) {
       {"generator", "Stretch-Engine make-dummy"},
       {"copyright", "CC0 1.0: dedicated to the public domain by the Stretch-Engine authors"}};
   document["scene"] = 0;
-  document["scenes"] = {{{"name", "Dummy"}, {"nodes", {0, character.skeleton.size()}}}};
-  document["nodes"] = writeNodes(character.skeleton);
-  Json primitives = Json::array();
+  Json roots{0, character.skeleton.size()};
+  for (std::size_t prop = 0; prop < character.props.size(); ++prop) {
+    roots.push_back(propNode(character.skeleton, prop));
+  }
+  document["scenes"] = {{{"name", "Dummy"}, {"nodes", roots}}};
+  document["nodes"] = writeNodes(character);
   document["materials"] = Json::array();
+  Json primitives = Json::array();
   for (const Part& part : character.parts) {
-    primitives.push_back(writePrimitive(buffer, part.mesh, static_cast<int>(document["materials"].size())));
-    document["materials"].push_back(
-        {{"name", part.name},
-         {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", part.roughness}}}});
+    primitives.push_back(writePart(buffer, part, true, document["materials"]));
   }
   document["meshes"] = {{{"name", "Dummy"}, {"primitives", primitives}}};
+  for (const Prop& prop : character.props) {
+    Json primitive = writePart(buffer, prop.part, false, document["materials"]);
+    document["meshes"].push_back({{"name", prop.part.name}, {"primitives", Json::array({primitive})}});
+  }
   document["skins"] = {writeSkin(buffer, character.skeleton)};
   for (const Motion& motion : character.motions) {
     document["animations"].push_back(writeMotion(buffer, motion));

@@ -16,11 +16,23 @@ struct Part {
   SkinnedMesh mesh;
 };
 
+/// A thing beside the character: a node of its own with a rigid mesh.
+struct Prop {
+  Part part;     ///< In the node's own space; the influences play no part.
+  Vec3 position; ///< Of the node at rest.
+};
+
 struct Character {
   std::vector<Joint> skeleton;
   std::vector<Part> parts; ///< Primitives of the one skinned mesh.
   std::vector<Motion> motions;
+  std::vector<Prop> props = {};
 };
+
+/// Index of a prop's node: after the joints, whose nodes have the joints' indices, and the skinned mesh.
+[[nodiscard]] inline int propNode(const std::vector<Joint>& skeleton, std::size_t prop) {
+  return static_cast<int>(skeleton.size() + 1 + prop);
+}
 
 /// The character as GLB bytes. Every number is rounded to a coarse grid first, so that the last bits in which
 /// the mathematical libraries of machines differ do not reach the file.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -57,28 +58,72 @@ MotionTrack keyCurve(int joint, bool isTranslation, const Curve& curve, const st
   return track;
 }
 
+using PoseCurve = std::function<Pose(double frame)>;
+using Tracks = std::vector<MotionTrack>;
+
+/// Whole frames in the middle of the gaps between keys in which something is farther off than two
+/// millimetres.
+std::vector<int> gapsBeyondTolerance(const std::vector<int>& keys,
+                                     const std::function<double(double frame)>& distanceAt) {
+  constexpr double tolerance = 0.002;
+  std::vector<int> gaps;
+  for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
+    double farthest = 0.0;
+    for (double frame = keys[key]; frame < keys[key + 1]; frame += 0.25) {
+      farthest = std::max(farthest, distanceAt(frame));
+    }
+    if (farthest > tolerance && keys[key + 1] - keys[key] > 1) {
+      gaps.push_back((keys[key] + keys[key + 1]) / 2);
+    }
+  }
+  return gaps;
+}
+
 struct Keying {
   const std::vector<Joint>& skeleton;
-  const std::vector<Pose>& poses;
+  PoseCurve poseAtFrame;
   double framesPerSecond;
 
-  [[nodiscard]] std::vector<MotionTrack> hipsTracks(const std::vector<int>& frames) const {
-    const Curve position = [&](double frame) { return Vec4(poseAt(poses, frame)[Control::hips], 0.0); };
+  [[nodiscard]] Tracks hipsTracks(const std::vector<int>& frames) const {
+    const Curve position = [&](double frame) { return Vec4(poseAtFrame(frame)[Control::hips], 0.0); };
     return {keyCurve(0, true, position, frames, framesPerSecond), poseTrack(0, frames)};
+  }
+
+  /// Hips, trunk, head and arms.
+  [[nodiscard]] Tracks upperBody(const std::vector<int>& frames) const {
+    Tracks tracks = hipsTracks(frames);
+    for (std::size_t joint = 1; joint < skeleton.size(); ++joint) {
+      if (!isFinger(skeleton[joint].name) && !isLeg(skeleton[joint].name)) {
+        tracks.push_back(poseTrack(static_cast<int>(joint), frames));
+      }
+    }
+    return tracks;
+  }
+
+  [[nodiscard]] Tracks propTracks(const std::vector<MovingProp>& props,
+                                  const std::vector<int>& frames) const {
+    Tracks tracks;
+    for (const MovingProp& prop : props) {
+      const Curve position = [&](double frame) { return Vec4(prop.place(poseAtFrame(frame)).position, 0.0); };
+      const Curve rotation = [&](double frame) { return asVector(prop.place(poseAtFrame(frame)).rotation); };
+      tracks.push_back(keyCurve(prop.node, true, position, frames, framesPerSecond));
+      tracks.push_back(keyCurve(prop.node, false, rotation, frames, framesPerSecond));
+    }
+    return tracks;
   }
 
   [[nodiscard]] MotionTrack poseTrack(int joint, const std::vector<int>& frames) const {
     const Curve rotation = [&](double frame) {
-      return asVector(localRotation(skeleton, solvePose(skeleton, poseAt(poses, frame)), joint));
+      return asVector(localRotation(skeleton, solvePose(skeleton, poseAtFrame(frame)), joint));
     };
     return keyCurve(joint, false, rotation, frames, framesPerSecond);
   }
 
   /// Tracks of a leg's four joints, from the hips as their tracks move them, with keys put into the gaps in
   /// which the ball of the foot would stray.
-  [[nodiscard]] std::vector<MotionTrack>
-  plantedLeg(const std::string& side, const std::vector<MotionTrack>& hips, std::vector<int> frames) const {
-    std::vector<MotionTrack> leg = legTracks(side, hips, frames);
+  [[nodiscard]] Tracks plantedLeg(const std::string& side, const Tracks& hips,
+                                  std::vector<int> frames) const {
+    Tracks leg = legTracks(side, hips, frames);
     for (std::vector<int> more = strayingFrames(side, hips, leg); !more.empty();
          more = strayingFrames(side, hips, leg)) {
       frames.insert(frames.end(), more.begin(), more.end());
@@ -88,15 +133,14 @@ struct Keying {
     return leg;
   }
 
-  [[nodiscard]] std::vector<MotionTrack> legTracks(const std::string& side,
-                                                   const std::vector<MotionTrack>& hips,
-                                                   const std::vector<int>& frames) const {
-    std::vector<MotionTrack> tracks;
+  [[nodiscard]] Tracks legTracks(const std::string& side, const Tracks& hips,
+                                 const std::vector<int>& frames) const {
+    Tracks tracks;
     for (const char* name : {"UpLeg", "Leg", "Foot", "ToeBase"}) {
       const int joint = jointIndex(skeleton, side + name);
       const Curve rotation = [&](double frame) {
         const SolvedPose solved =
-            solvePose(skeleton, poseAt(poses, frame), Vec3(trackValue(hips[0], frame, framesPerSecond)),
+            solvePose(skeleton, poseAtFrame(frame), Vec3(trackValue(hips[0], frame, framesPerSecond)),
                       asRotation(trackValue(hips[1], frame, framesPerSecond)));
         return asVector(localRotation(skeleton, solved, joint));
       };
@@ -106,8 +150,7 @@ struct Keying {
   }
 
   /// Where the tracks put the ball of the foot.
-  [[nodiscard]] Vec3 ballAt(const std::vector<MotionTrack>& hips, const std::vector<MotionTrack>& leg,
-                            double frame) const {
+  [[nodiscard]] Vec3 ballAt(const Tracks& hips, const Tracks& leg, double frame) const {
     Vec3 position(trackValue(hips[0], frame, framesPerSecond));
     Quat rotation = asRotation(trackValue(hips[1], frame, framesPerSecond));
     for (const MotionTrack& track : leg) {
@@ -120,24 +163,93 @@ struct Keying {
 
   /// Whole frames in the middle of the gaps between keys in which the ball strays from where the poses put
   /// it.
-  [[nodiscard]] std::vector<int> strayingFrames(const std::string& side, const std::vector<MotionTrack>& hips,
-                                                const std::vector<MotionTrack>& leg) const {
-    constexpr double tolerance = 0.002;
+  [[nodiscard]] std::vector<int> strayingFrames(const std::string& side, const Tracks& hips,
+                                                const Tracks& leg) const {
     const Control ball = side == "Left" ? Control::leftBall : Control::rightBall;
-    const std::vector<int>& keys = leg.front().frames;
-    std::vector<int> straying;
-    for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
-      double farthest = 0.0;
-      for (double frame = keys[key]; frame < keys[key + 1]; frame += 0.25) {
-        farthest = std::max(farthest, glm::length(ballAt(hips, leg, frame) - poseAt(poses, frame)[ball]));
-      }
-      if (farthest > tolerance && keys[key + 1] - keys[key] > 1) {
-        straying.push_back((keys[key] + keys[key + 1]) / 2);
+    return gapsBeyondTolerance(leg.front().frames, [&](double frame) {
+      return glm::length(ballAt(hips, leg, frame) - poseAtFrame(frame)[ball]);
+    });
+  }
+
+  /// Place and rotation of a joint by the tracks of it and those above it.
+  [[nodiscard]] PropPlace placeOf(const Tracks& tracks, int joint, double frame) const {
+    const int parent = skeleton[static_cast<std::size_t>(joint)].parent;
+    PropPlace place;
+    if (parent >= 0) {
+      const PropPlace above = placeOf(tracks, parent, frame);
+      const Vec3 offset = skeleton[static_cast<std::size_t>(joint)].position -
+                          skeleton[static_cast<std::size_t>(parent)].position;
+      place = {above.position + above.rotation * offset, above.rotation};
+    }
+    for (const MotionTrack& track : tracks) {
+      if (track.joint == joint && track.isTranslation) {
+        place.position = Vec3(trackValue(track, frame, framesPerSecond));
+      } else if (track.joint == joint) {
+        place.rotation = place.rotation * asRotation(trackValue(track, frame, framesPerSecond));
       }
     }
-    return straying;
+    return place;
+  }
+
+  /// The same in the middle of gaps in which a knuckle or a prop strays from where the poses have it.
+  [[nodiscard]] std::vector<int> strayingHolds(const Tracks& body, const Tracks& props,
+                                               const std::vector<MovingProp>& moving) const {
+    return gapsBeyondTolerance(body.front().frames, [&](double frame) {
+      const Pose pose = poseAtFrame(frame);
+      const SolvedPose solved = solvePose(skeleton, pose);
+      double farthest = 0.0;
+      for (const char* name : {"LeftHandMiddle1", "RightHandMiddle1"}) {
+        const int joint = jointIndex(skeleton, name);
+        const Vec3& meant = solved.positions[static_cast<std::size_t>(joint)];
+        farthest = std::max(farthest, glm::length(placeOf(body, joint, frame).position - meant));
+      }
+      for (std::size_t prop = 0; prop < moving.size(); ++prop) {
+        const PropPlace meant = moving[prop].place(pose);
+        const Vec3 position(trackValue(props[2 * prop], frame, framesPerSecond));
+        const Quat rotation = asRotation(trackValue(props[2 * prop + 1], frame, framesPerSecond));
+        const Vec3 tip(0.0, 0.5, 0.0);
+        farthest = std::max({farthest, glm::length(position - meant.position),
+                             0.5 * glm::length(rotation * tip - meant.rotation * tip)});
+      }
+      return farthest;
+    });
   }
 };
+
+/// Key frames, with more in between wherever hands and props would stray.
+std::vector<int> holdingFrames(const Keying& keying, std::vector<int> frames,
+                               const std::vector<MovingProp>& props) {
+  for (;;) {
+    const std::vector<int> more =
+        keying.strayingHolds(keying.upperBody(frames), keying.propTracks(props, frames), props);
+    if (more.empty()) {
+      return frames;
+    }
+    frames.insert(frames.end(), more.begin(), more.end());
+    std::sort(frames.begin(), frames.end());
+  }
+}
+
+std::vector<int> framesOf(const std::vector<Pose>& poses) {
+  std::vector<int> frames;
+  frames.reserve(poses.size());
+  for (const Pose& pose : poses) {
+    frames.push_back(pose.frame);
+  }
+  return frames;
+}
+
+/// The upper body, keyed already, and the legs below it.
+Motion withLegs(const std::string& name, const Keying& keying, Tracks upperBody,
+                const std::vector<int>& frames) {
+  Motion motion{name, keying.framesPerSecond, std::move(upperBody)};
+  const Tracks hips(motion.tracks.begin(), motion.tracks.begin() + 2);
+  for (const char* side : {"Left", "Right"}) {
+    const Tracks leg = keying.plantedLeg(side, hips, frames);
+    motion.tracks.insert(motion.tracks.end(), leg.begin(), leg.end());
+  }
+  return motion;
+}
 
 } // namespace
 
@@ -160,24 +272,21 @@ Vec4 trackValue(const MotionTrack& track, double frame, double framesPerSecond) 
 
 Motion keyPoses(const std::string& name, const std::vector<Joint>& skeleton, const std::vector<Pose>& poses,
                 double framesPerSecond) {
-  std::vector<int> frames;
-  frames.reserve(poses.size());
+  const Keying keying{skeleton, [&](double frame) { return poseAt(poses, frame); }, framesPerSecond};
+  const std::vector<int> frames = framesOf(poses);
+  return withLegs(name, keying, keying.upperBody(frames), frames);
+}
 
-  for (const Pose& pose : poses) {
-    frames.push_back(pose.frame);
-  }
-  const Keying keying{skeleton, poses, framesPerSecond};
-  const std::vector<MotionTrack> hips = keying.hipsTracks(frames);
-  Motion motion{name, framesPerSecond, hips};
-  for (std::size_t joint = 1; joint < skeleton.size(); ++joint) {
-    if (!isFinger(skeleton[joint].name) && !isLeg(skeleton[joint].name)) {
-      motion.tracks.push_back(keying.poseTrack(static_cast<int>(joint), frames));
-    }
-  }
-  for (const char* side : {"Left", "Right"}) {
-    const std::vector<MotionTrack> leg = keying.plantedLeg(side, hips, frames);
-    motion.tracks.insert(motion.tracks.end(), leg.begin(), leg.end());
-  }
+Motion keyHolding(const std::string& name, const std::vector<Joint>& skeleton, const std::vector<Pose>& poses,
+                  double framesPerSecond, const std::function<Pose(const Pose&)>& complete,
+                  const std::vector<MovingProp>& props) {
+  const Keying keying{skeleton, [&](double frame) { return complete(poseAt(poses, frame)); },
+                      framesPerSecond};
+  const std::vector<int> posed = framesOf(poses);
+  const std::vector<int> frames = holdingFrames(keying, posed, props);
+  Motion motion = withLegs(name, keying, keying.upperBody(frames), posed);
+  const Tracks moving = keying.propTracks(props, frames);
+  motion.tracks.insert(motion.tracks.end(), moving.begin(), moving.end());
   return motion;
 }
 

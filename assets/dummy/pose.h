@@ -27,9 +27,14 @@ enum class Control : std::size_t {
   rightKnuckles,
   rightThumb,
   leftBall, ///< Position of the ball of the foot.
-  leftFoot, ///< (heel lift, yaw, -).
+  leftFoot, ///< (heel lift, yaw, pitch of the toes).
+  leftKnee, ///< Direction in which the knee points; zero: where the toes point, a little turned out.
   rightBall,
   rightFoot,
+  rightKnee,
+  holds,  ///< (left, right, -), 0 to 1: how firmly the wrists are at their places however far the arms reach.
+  bat,    ///< Position of the middle between the hands that hold it.
+  batAim, ///< (azimuth, elevation, -) of its barrel: from +Z towards the character's left, and up.
   count
 };
 

@@ -83,7 +83,8 @@ struct Limb {
   std::size_t end;
 };
 
-void solveLimb(Solver& solver, const Limb& limb, const Vec3& target, const Vec3& pole, bool eased) {
+/// `firmness`, 0 to 1: how much of the easing towards straight is left out.
+void solveLimb(Solver& solver, const Limb& limb, const Vec3& target, const Vec3& pole, double firmness) {
   const Vec3 upperBind = solver.bindOffset(limb.upper, limb.lower);
   const Vec3 lowerBind = solver.bindOffset(limb.lower, limb.end);
   const double upperLength = glm::length(upperBind);
@@ -91,7 +92,9 @@ void solveLimb(Solver& solver, const Limb& limb, const Vec3& target, const Vec3&
   const Vec3 span = target - solver.solved.positions[limb.upper];
   const double wanted = glm::length(span);
   const double reach = upperLength + lowerLength;
-  const double distance = eased ? easedReach(wanted, reach) : std::min(wanted, 0.9999 * reach);
+  const double eased = easedReach(wanted, reach);
+  const double distance = firmness < 1.0 ? eased + firmness * (std::min(wanted, 0.9999 * reach) - eased)
+                                         : std::min(wanted, 0.9999 * reach);
   const Vec3 direction = span / wanted;
   const Vec3 side = frameOf(direction, pole)[1];
   const double along =
@@ -125,12 +128,11 @@ void solveArm(Solver& solver, bool isLeft) {
 
   const Limb arm{solver.joint(side + "Arm"), solver.joint(side + "ForeArm"), solver.joint(side + "Hand")};
   solver.place(arm.upper, chest);
-  solveLimb(solver, arm, control(Control::leftWrist), control(Control::leftElbow), true);
+  const double firmness = solver.pose[Control::holds][isLeft ? 0 : 1];
+  solveLimb(solver, arm, control(Control::leftWrist), control(Control::leftElbow), firmness);
 
-  // In the bind pose the knuckles continue the forearm and the thumb points forwards.
-  const Mat3 bind = frameOf(solver.bindOffset(arm.lower, arm.end), {0.0, 0.0, 1.0});
   const Quat hand =
-      rotationBetween(bind, frameOf(control(Control::leftKnuckles), control(Control::leftThumb)));
+      handRotation(solver.skeleton, isLeft, control(Control::leftKnuckles), control(Control::leftThumb));
   // The forearm takes half of the hand's twist, as radius and ulna do.
   const Quat forearm = solver.solved.rotations[arm.lower];
   const Vec3 axis = glm::normalize(forearm * solver.bindOffset(arm.lower, arm.end));
@@ -155,10 +157,12 @@ void solveLeg(Solver& solver, bool isLeft) {
   solver.place(leg.upper, solver.solved.rotations[0]);
   // The knee points where the toes point, a little turned out.
   const double out = isLeft ? 12.0 : -12.0;
-  const Vec3 pole = turned({0.0, lift.y + out, 0.0}) * Vec3(0.0, 0.0, 1.0);
-  solveLimb(solver, leg, ankle, pole, false);
+  const Vec3 knee = control(Control::leftKnee);
+  const bool free = glm::length(knee) < 1e-9;
+  const Vec3 pole = free ? turned({0.0, lift.y + out, 0.0}) * Vec3(0.0, 0.0, 1.0) : knee;
+  solveLimb(solver, leg, ankle, pole, 1.0);
   solver.place(leg.end, foot);
-  solver.place(ball, flat);
+  solver.place(ball, flat * turned({lift.z, 0.0, 0.0}));
 }
 
 } // namespace
@@ -180,6 +184,13 @@ SolvedPose solvePose(const std::vector<Joint>& skeleton, const Pose& pose, const
     solveLeg(solver, isLeft);
   }
   return solver.solved;
+}
+
+Quat handRotation(const std::vector<Joint>& skeleton, bool isLeft, const Vec3& knuckles, const Vec3& thumb) {
+  const std::string side = isLeft ? "Left" : "Right";
+  // In the bind pose the knuckles continue the forearm and the thumb points forwards.
+  const Vec3 forearm = jointPosition(skeleton, side + "Hand") - jointPosition(skeleton, side + "ForeArm");
+  return rotationBetween(frameOf(forearm, {0.0, 0.0, 1.0}), frameOf(knuckles, thumb));
 }
 
 Quat localRotation(const std::vector<Joint>& skeleton, const SolvedPose& solved, int joint) {

@@ -21,6 +21,10 @@ struct SolvedPose {
 [[nodiscard]] SolvedPose solvePose(const std::vector<Joint>& skeleton, const Pose& pose, const Vec3& hips,
                                    const Quat& hipsRotation);
 
+/// World rotation of a hand whose knuckles and thumb point there.
+[[nodiscard]] Quat handRotation(const std::vector<Joint>& skeleton, bool isLeft, const Vec3& knuckles,
+                                const Vec3& thumb);
+
 /// Rotation of a joint relative to its parent.
 [[nodiscard]] Quat localRotation(const std::vector<Joint>& skeleton, const SolvedPose& solved, int joint);
 

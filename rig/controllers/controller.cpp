@@ -84,6 +84,16 @@ std::set<NodeIndex> takenJoints(const std::vector<Limb>& limbs, NodeIndex hips) 
   return taken;
 }
 
+Controller onJoint(const std::string& id, NodeIndex joint, const std::vector<Limb>& limbs) {
+  return {id, ControllerKind::joint, joint, "", false, true, bodyLength(limbs)};
+}
+
+std::string jointId(const Scene& scene, NodeIndex joint) {
+  const std::string& name = scene.nodes[at(joint)].name;
+  const Result<NodeIndex> named = jointByName(scene, name);
+  return named && *named == joint ? name : "#" + std::to_string(joint.value);
+}
+
 std::string controllerNames(const ControllerList& list) {
   std::string names;
   for (const Controller& controller : list.controllers) {
@@ -191,7 +201,22 @@ Result<Controller> controllerNamed(const Scene& scene, const std::vector<Limb>& 
     return Error{"the joint '" + id + "' belongs to a limb or to the hips", "controller",
                  "move it by one of: " + controllerNames(list)};
   }
-  return Controller{id, ControllerKind::joint, *joint, "", false, true, bodyLength(limbs)};
+  return onJoint(id, *joint, limbs);
+}
+
+std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs, NodeIndex hips) {
+  const std::set<NodeIndex> taken = takenJoints(limbs, hips);
+  std::set<NodeIndex> joints;
+  for (const Skin& skin : scene.skins) {
+    joints.insert(skin.joints.begin(), skin.joints.end());
+  }
+  std::vector<Controller> controllers;
+  for (const NodeIndex joint : joints) {
+    if (hips.exists() && isAncestorOrSelf(scene, hips, joint) && !taken.contains(joint)) {
+      controllers.push_back(onJoint(jointId(scene, joint), joint, limbs));
+    }
+  }
+  return controllers;
 }
 
 } // namespace stretch::rig

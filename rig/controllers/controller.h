@@ -65,6 +65,11 @@ struct ControllerList {
                                                  NodeIndex hips, const ControllerList& list,
                                                  const std::string& id);
 
+/// Those on the other joints of the character, in the order of the file: fingers, clavicles, toes, a tail.
+/// Each is what controllerNamed answers for its id.
+[[nodiscard]] std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs,
+                                                       NodeIndex hips);
+
 /// Null when there is no limb of the kind.
 [[nodiscard]] const Limb* limbOfKind(const std::vector<Limb>& limbs, LimbKind kind);
 

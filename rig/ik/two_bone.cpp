@@ -12,8 +12,6 @@ namespace stretch::rig {
 
 namespace {
 
-constexpr double straightOfLength = 0.02; // a joint nearer to the line than this hardly tells a direction
-
 // The pose: its lengths, its line, and which way it bends.
 struct Triangle {
   double first = 0.0;

@@ -7,6 +7,9 @@
 
 namespace stretch::rig {
 
+/// Of a limb's length: a joint nearer than this to the line from base to end hardly tells which way it bends.
+inline constexpr double straightOfLength = 0.02;
+
 /// How far a limb of this length may reach for a target at `distance` (docs/controllers.md, Arms and legs):
 /// the distance itself up to a soft zone before its full length, never more than that length, with a
 /// continuous slope. A limb that stands straighter than the soft zone in its own pose (`poseReach`) keeps

@@ -7,7 +7,6 @@
 
 #include "core/math/rotation.h"
 #include "rig/ik/spline_spine.h"
-#include "rig/ik/two_bone.h"
 #include "rig/motion/limb_deform.h"
 
 namespace stretch::rig {
@@ -47,21 +46,24 @@ struct EndGoal {
 class Adjuster {
 public:
   Adjuster(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame)
-      : scene_(scene), adjustments_(adjustments), frame_(frame), done_(adjustments.joints.size(), false) {}
+      : scene_(scene), adjustments_(adjustments), body_(*adjustments.body), frame_(frame),
+        done_(adjustments.joints.size(), false) {}
 
-  std::vector<AskedPlace> run() {
+  /// `spaces`: where to note how offsets count; null: nowhere.
+  std::vector<AskedPlace> run(std::vector<ControllerSpace>* spaces = nullptr) {
+    spaces_ = spaces;
     moveBody();
     source_ = frame_;
     moveHips();
-    if (adjustments_.spine) {
-      turnJointsAbove(adjustments_.spine->limb);
-      moveSpine(*adjustments_.spine);
+    if (body_.spine) {
+      turnJointsAbove(body_.spine->limb);
+      moveSpine(*body_.spine);
     }
-    if (adjustments_.neck) {
-      turnJointsAbove(adjustments_.neck->limb);
-      moveNeck(*adjustments_.neck);
+    if (body_.neck) {
+      turnJointsAbove(body_.neck->limb);
+      moveNeck(*body_.neck);
     }
-    for (const AdjustedLimb& limb : adjustments_.limbs) {
+    for (const AdjustedLimb& limb : body_.limbs) {
       turnJointsAbove(limb.limb);
       moveLimb(limb);
     }
@@ -81,6 +83,12 @@ private:
 
   void ask(const std::string& id, const Vec3& place) { asked_.push_back({id, place}); }
 
+  void note(const char* id, const Quat& axes, const std::optional<Vec3>& place = std::nullopt) {
+    if (spaces_ != nullptr) {
+      spaces_->push_back({id, axes, place});
+    }
+  }
+
   // The scene's axes as they are carried from the bind pose.
   [[nodiscard]] Quat carriedAxes(NodeIndex carrier, const Quat& bind) const {
     return carrier.exists() ? rotation(carrier) * glm::inverse(bind) : noTurn;
@@ -98,26 +106,35 @@ private:
 
   void moveBody() {
     const Offset body = offset("body");
+    noteBody(body);
     if (body.move == Vec3(0.0) && body.turn == Vec3(0.0)) {
       return;
     }
-    const Vec3 hips = place(adjustments_.hips);
+    const Vec3 hips = place(body_.hips);
     const CarrierChange change{
         {hips.x, 0.0, hips.z}, Vec3(hips.x, 0.0, hips.z) + body.move, rotationOfVector(body.turn)};
     bodyTurn_ = change.turn;
-    for (const NodeIndex root : adjustments_.roots) {
+    for (const NodeIndex root : body_.roots) {
       placeNode(scene_, root, change.turn, change.point(place(root)), frame_);
     }
     ask("body", change.point(hips));
   }
 
+  void noteBody(const Offset& body) {
+    if (spaces_ != nullptr && body_.hips.exists()) {
+      const Vec3 hips = place(body_.hips);
+      note("body", noTurn, Vec3(hips.x, 0.0, hips.z) + body.move);
+    }
+  }
+
   void moveHips() {
     const Offset hips = offset("hips");
+    note("hips", bodyTurn_);
     if (hips.move == Vec3(0.0) && hips.turn == Vec3(0.0)) {
       return;
     }
-    const Vec3 goal = place(adjustments_.hips) + bodyTurn_ * hips.move;
-    placeNode(scene_, adjustments_.hips, rotationOfVector(bodyTurn_ * hips.turn), goal, frame_);
+    const Vec3 goal = place(body_.hips) + bodyTurn_ * hips.move;
+    placeNode(scene_, body_.hips, rotationOfVector(bodyTurn_ * hips.turn), goal, frame_);
     ask("hips", goal);
   }
 
@@ -176,13 +193,16 @@ private:
     const Offset low = offset("spine-low");
     const Offset middle = offset("spine-mid");
     const Offset top = offset("spine-top");
+    const Quat axes = carriedAxes(body_.hips, body_.hipsBind);
+    for (const char* id : {"spine-low", "spine-mid", "spine-top"}) {
+      note(id, axes);
+    }
     const Vec3 none(0.0);
     if (low.move == none && middle.move == none && top.move == none && top.turn == none) {
       return;
     }
     const Limb& limb = adjusted.limb;
     carryDetached(adjusted);
-    const Quat axes = carriedAxes(adjustments_.hips, adjustments_.hipsBind);
     SplineSpineProblem problem;
     problem.points = limbPoints(limb, frame_);
     problem.along = adjusted.along;
@@ -230,49 +250,23 @@ private:
            !isTurn(endTurn(limb, goal));
   }
 
-  [[nodiscard]] DeformOptions optionsOf(const Limb& limb, const EndGoal& goal) const {
-    return {attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, endTurn(limb, goal)};
-  }
-
-  // Joints that hang in unevenly scaled ones do not turn as stiff bones do: what the limb misses its goal by
-  // is solved again from where it came to.
-  void reach(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    constexpr int mostTries = 24;
-    constexpr double unseen = 1e-8; // of the limb
-    const double near = unseen * adjusted.limb.restLength;
-    Vec3 bend = pole;
-    for (int tries = 0; tries < mostTries; ++tries) {
-      const Vec3 end = adjusted.bendPoint > 0 ? bendTo(adjusted, goal, bend) : reachAsOne(adjusted, goal);
-      const bool isReachable = glm::length(goal.place - end) <= near;
-      if (!isReachable || glm::length(goal.place - endPosition(adjusted.limb, frame_)) <= near) {
-        return;
-      }
-      bend = Vec3(0.0);
-    }
-  }
-
-  // The shape turns and stretches as one piece. Answers where the end comes to if nothing is scaled unevenly.
-  Vec3 reachAsOne(const AdjustedLimb& adjusted, const EndGoal& goal) {
+  void reachGoal(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
     const Limb& limb = adjusted.limb;
-    LimbShapeProblem problem;
-    problem.points = limbPoints(limb, frame_);
-    problem.target = goal.place;
-    problem.shortestReach = 1e-3 * limb.restLength;
-    problem.restLength = limb.restLength;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const LimbShape shape = solveLimbShape(problem);
-    deformLimb(scene_, limb, adjusted.topology, limbPose(shape), optionsOf(limb, goal), frame_);
-    return shape.end;
+    reach(scene_, adjusted,
+          {goal.place, endTurn(limb, goal), attribute(limb.id + ".stretch", 1.0, 0.0, 1.0),
+           attribute(limb.id + ".volume", 1.0, 0.0, 1.0), pole},
+          frame_);
   }
 
   void moveNeck(const AdjustedLimb& adjusted) {
     carryDetached(adjusted);
-    const EndGoal goal = goalOf(adjusted, adjustments_.chest, adjustments_.chestBind, 1.0);
+    note("head", carriedAxes(body_.chest, body_.chestBind));
+    const EndGoal goal = goalOf(adjusted, body_.chest, body_.chestBind, 1.0);
     if (adjustments_.curves.contains("head")) {
       ask("head", goal.place);
     }
     if (!isThere(adjusted.limb, goal)) {
-      reach(adjusted, goal, Vec3(0.0));
+      reachGoal(adjusted, goal, Vec3(0.0));
     }
   }
 
@@ -280,16 +274,17 @@ private:
     carryDetached(adjusted);
     const Limb& limb = adjusted.limb;
     const bool leg = isLeg(limb);
-    EndGoal goal = leg ? goalOf(adjusted, adjustments_.hips, adjustments_.hipsBind, 0.0)
-                       : goalOf(adjusted, adjustments_.chest, adjustments_.chestBind, 1.0);
+    EndGoal goal = leg ? goalOf(adjusted, body_.hips, body_.hipsBind, 0.0)
+                       : goalOf(adjusted, body_.chest, body_.chestBind, 1.0);
     const double roll = leg ? attribute(endController(limb.kind) + ".roll", 0.0, -1.0, 1.0) : 0.0;
     const Quat rolled = rollFoot(adjusted, roll, goal);
     if (adjustments_.curves.contains(endController(limb.kind))) {
       ask(endController(limb.kind), goal.place);
     }
     const Vec3 pole = poleOffset(adjusted);
+    noteLimb(adjusted, pole);
     if (pole != Vec3(0.0) || !isThere(limb, goal)) {
-      reach(adjusted, goal, pole);
+      reachGoal(adjusted, goal, pole);
     }
     if (roll > 0.0 && adjusted.roll.toes.exists()) {
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
@@ -297,6 +292,22 @@ private:
     if (!leg) {
       applyCurl(scene_, adjusted.fingers, attribute(endController(limb.kind) + ".curl", 0.0, -0.2, 1.0),
                 frame_);
+    }
+  }
+
+  void noteLimb(const AdjustedLimb& adjusted, const Vec3& pole) {
+    if (spaces_ == nullptr) {
+      return;
+    }
+    const LimbKind kind = adjusted.limb.kind;
+    const Quat axes =
+        isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind) : carriedAxes(body_.chest, body_.chestBind);
+    note(endController(kind).c_str(), axes);
+    if (adjusted.bendPoint > 0) {
+      TwoBoneProblem problem = posedLimb(adjusted, frame_);
+      problem.poleOffset = pole;
+      note(poleController(kind).c_str(), carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind),
+           polePlace(problem));
     }
   }
 
@@ -321,36 +332,15 @@ private:
                                   : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
   }
 
-  // As a limb of two spans; answers as reachAsOne does.
-  Vec3 bendTo(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
-    const Limb& limb = adjusted.limb;
-    const std::vector<Vec3> points = limbPoints(limb, frame_);
-    TwoBoneProblem problem;
-    problem.base = points.front();
-    problem.joint = points[adjusted.bendPoint];
-    problem.end = points.back();
-    problem.target = goal.place;
-    problem.poleOffset = pole;
-    problem.usualBend = rotation(limb.joints.front()) * adjusted.usualBend;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
-    const TwoBoneShape shape = solveTwoBone(problem);
-    LimbPose pose;
-    for (std::size_t bone = 0; bone < limb.joints.size(); ++bone) {
-      pose.turns.push_back(shape.turns[bone < adjusted.bendPoint ? 0 : 1]);
-      pose.stretches.push_back(shape.scale);
-    }
-    pose.end = shape.end;
-    deformLimb(scene_, limb, adjusted.topology, pose, optionsOf(limb, goal), frame_);
-    return shape.end;
-  }
-
   const Scene& scene_;
   const SolvedAdjustments& adjustments_;
+  const AdjustedBody& body_;
   FrameState& frame_;
   FrameState source_; // as the body's controller carries it
   Quat bodyTurn_{1.0, 0.0, 0.0, 0.0};
   std::vector<bool> done_; // of the joints
   std::vector<AskedPlace> asked_;
+  std::vector<ControllerSpace>* spaces_ = nullptr;
 };
 
 } // namespace
@@ -363,23 +353,35 @@ std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustm
   return Adjuster(scene, adjustments, frame).run();
 }
 
+std::vector<ControllerSpace> controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments,
+                                              FrameState& frame) {
+  std::vector<ControllerSpace> spaces;
+  static_cast<void>(Adjuster(scene, adjustments, frame).run(&spaces));
+  return spaces;
+}
+
+Vec3 posedPole(const AdjustedLimb& adjusted, const FrameState& frame) {
+  return polePlace(posedLimb(adjusted, frame));
+}
+
 Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& controller,
                      const FrameState& frame) {
-  for (const std::optional<AdjustedLimb>* limb : {&adjustments.spine, &adjustments.neck}) {
+  const AdjustedBody& body = *adjustments.body;
+  for (const std::optional<AdjustedLimb>* limb : {&body.spine, &body.neck}) {
     if (*limb && ((controller == "spine-top" && (*limb)->limb.kind == LimbKind::spine) ||
                   (controller == "head" && (*limb)->limb.kind == LimbKind::neck))) {
       return endPosition((*limb)->limb, frame);
     }
   }
-  if (controller == "spine-low" && adjustments.spine) {
-    return positionOf(frame.worlds[at(adjustments.spine->limb.joints.front())]);
+  if (controller == "spine-low" && body.spine) {
+    return positionOf(frame.worlds[at(body.spine->limb.joints.front())]);
   }
-  for (const AdjustedLimb& limb : adjustments.limbs) {
+  for (const AdjustedLimb& limb : body.limbs) {
     if (controller == endController(limb.limb.kind)) {
       return endPosition(limb.limb, frame);
     }
   }
-  return positionOf(frame.worlds[at(adjustments.hips)]);
+  return positionOf(frame.worlds[at(body.hips)]);
 }
 
 } // namespace stretch::rig

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,23 @@ struct AskedPlace {
 /// offset were wanted; those that only turn are where they are.
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          FrameState& frame);
+
+/// How the offset of a controller counts in a frame, whether it has one there or not.
+struct ControllerSpace {
+  std::string controller;
+  Quat axes{1.0, 0.0, 0.0, 0.0}; ///< World: along which it is counted.
+  std::optional<Vec3> place;     ///< Where the offset puts what is on no joint: the body's controller, and a
+                                 ///< pole, whose distance from the limb does not count.
+};
+
+/// Of all controllers but those on other joints. Adjusts the frame as applyAdjustments does;
+/// `adjustments.body` must be there.
+[[nodiscard]] std::vector<ControllerSpace>
+controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame);
+
+/// Where the pole of a limb of two spans stands in a frame: half the limb's length before the joint, the way
+/// the limb bends.
+[[nodiscard]] Vec3 posedPole(const AdjustedLimb& adjusted, const FrameState& frame);
 
 /// Where a controller stands in a frame; of a pole the joint that it leads.
 [[nodiscard]] Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& controller,

@@ -10,6 +10,7 @@
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
 #include "rig/motion/apply_adjustments.h"
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/motion/range_offset.h"
 
@@ -198,8 +199,7 @@ FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState
   return frame;
 }
 
-void applyTrails(const Scene& scene, const MotionState& motion, FrameState& frame) {
-  const FrameState source = frame;
+void applyTrails(const Scene& scene, const MotionState& motion, const FrameState& source, FrameState& frame) {
   for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
     if (motion.trails[trail].active) {
       applyTrail(scene, motion, trail, source, frame);
@@ -207,11 +207,17 @@ void applyTrails(const Scene& scene, const MotionState& motion, FrameState& fram
   }
 }
 
+void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame) {
+  const FrameState source = frame;
+  applyTrails(scene, motion, source, frame);
+  applyHolds(scene, motion, source, frame);
+  applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
+}
+
 FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                           double timeSeconds) {
   FrameState frame = adjustedFrame(scene, clip, motion, timeSeconds);
-  applyTrails(scene, motion, frame);
-  applyWeight(scene, motion.weights, motion.hips, motion.outline, frame);
+  applyMotion(scene, motion, frame);
   frame.timeSeconds = timeSeconds;
   return frame;
 }

@@ -16,12 +16,15 @@ namespace stretch::rig {
 [[nodiscard]] FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState& motion,
                                        double timeSeconds);
 
-/// Brings every active trail onto an adjusted frame, from the root outwards.
-void applyTrails(const Scene& scene, const MotionState& motion, FrameState& frame);
+/// Brings every active trail onto an adjusted frame, from the root outwards. `source`: that frame.
+void applyTrails(const Scene& scene, const MotionState& motion, const FrameState& source, FrameState& frame);
 
-/// The character at one time: the clip sampled and adjusted, its trails (applyTrails) and its weight
-/// (applyWeight) applied. Each stage takes the pose of the one before, with its stretch for each bone, and
-/// gives the next.
+/// Brings everything that acts on an adjusted frame onto it: trails, holds (applyHolds), weight
+/// (applyWeight).
+void applyMotion(const Scene& scene, const MotionState& motion, FrameState& frame);
+
+/// The character at one time: the clip sampled and adjusted, and its motion (applyMotion) applied. Each stage
+/// takes the pose of the one before, with its stretch for each bone, and gives the next.
 [[nodiscard]] FrameState evaluateMotion(const Scene& scene, const Clip& clip, const MotionState& motion,
                                         double timeSeconds);
 

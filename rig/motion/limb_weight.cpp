@@ -2,13 +2,17 @@
 #include "rig/limb.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
 #include "rig/ik/limb_shape.h"
+#include "rig/ik/two_bone.h"
 #include "rig/motion/limb_deform.h"
 #include "rig/trail/release.h"
 
@@ -136,6 +140,40 @@ double hipsMove(const std::vector<Moving>& limbs, double floor, double lowestRid
   return std::max(lost + liftOfFeet(limbs, lost), floor - lowestRiding);
 }
 
+// How much of a change of its reach a leg takes by bending, 0..1. A straight one would have to bend a lot for
+// a little, and does not: it is scaled instead.
+double bendingShare(double straightness) {
+  constexpr double straight = 0.995; // of the sum of its bones
+  constexpr double bent = 0.97;
+  return smoothstep((straight - straightness) / (straight - bent));
+}
+
+// A leg of two bones brought to a target, by its knee as far as that is bent, and scaled as a whole for the
+// rest; nothing where it has no length.
+std::optional<LimbPose> bentTo(const std::vector<Vec3>& points, const Vec3& target) {
+  const double bones = glm::length(points[1] - points[0]) + glm::length(points[2] - points[1]);
+  const double reach = glm::length(points[2] - points[0]);
+  const double wanted = glm::length(target - points[0]);
+  if (!(reach > 0.0) || !(wanted > 0.0)) {
+    return std::nullopt;
+  }
+  constexpr double nearlyStraight = 0.998;
+  const double byBending = std::min(reach * std::pow(wanted / reach, bendingShare(reach / bones)),
+                                    std::max(reach, nearlyStraight * bones));
+  const double scale = wanted / byBending;
+  TwoBoneProblem problem;
+  problem.base = points[0];
+  problem.joint = points[0] + scale * (points[1] - points[0]);
+  problem.end = points[0] + scale * (points[2] - points[0]);
+  problem.target = target;
+  const TwoBoneShape shape = solveTwoBone(problem);
+  if (shape.outcome != ShapeOutcome::reached) {
+    return std::nullopt;
+  }
+  const double stretch = scale * shape.scale;
+  return LimbPose{{shape.turns[0], shape.turns[1]}, {stretch, stretch}, Vec3(0.0), shape.end};
+}
+
 // Brings a limb's end to a place from wherever it went.
 void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target, FrameState& frame) {
   constexpr double shortestReachOfRest = 1e-3;
@@ -146,6 +184,12 @@ void bringTo(const Scene& scene, const SolvedWeight& solved, const Vec3& target,
   problem.restLength = solved.limb.restLength;
   if (glm::length(problem.target - problem.points.back()) <= 0.0) {
     return;
+  }
+  if (isLeg(solved.limb) && problem.points.size() == 3) {
+    if (const std::optional<LimbPose> bent = bentTo(problem.points, target)) {
+      deformLimb(scene, solved.limb, solved.topology, *bent, {}, frame);
+      return;
+    }
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
@@ -161,12 +205,44 @@ void putDown(const Scene& scene, const Moving& moving, FrameState& frame) {
   bringTo(scene, *moving.solved, target, frame);
 }
 
-void moveHips(const Scene& scene, NodeIndex hips, double move, FrameState& frame) {
+bool isUnder(const Scene& scene, NodeIndex node, const std::vector<NodeIndex>& nodes) {
+  for (NodeIndex above = scene.nodes[at(node)].parent; above.exists();
+       above = scene.nodes[at(above)].parent) {
+    if (std::find(nodes.begin(), nodes.end(), above) != nodes.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The hips, and what belongs to a limb but does not hang on them: a foot under the root.
+std::vector<NodeIndex> goingWithHips(const Scene& scene, const std::vector<Moving>& limbs, NodeIndex hips) {
+  std::vector<NodeIndex> all{hips};
+  for (const Moving& one : limbs) {
+    const Limb& limb = one.solved->limb;
+    if (!isUnder(scene, limb.joints.front(), {hips})) {
+      continue;
+    }
+    all.insert(all.end(), limb.joints.begin(), limb.joints.end());
+    all.insert(all.end(), one.solved->topology.companions.begin(), one.solved->topology.companions.end());
+    if (limb.endNode.exists()) {
+      all.push_back(limb.endNode);
+    }
+  }
+  std::vector<NodeIndex> highest;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(highest),
+               [&](NodeIndex node) { return !isUnder(scene, node, all); });
+  return highest;
+}
+
+void moveHips(const Scene& scene, const std::vector<Moving>& limbs, NodeIndex hips, double move,
+              FrameState& frame) {
   if (!hips.exists() || move == 0.0) {
     return;
   }
-  const Vec3 hipsWorld = positionOf(frame.worlds[at(hips)]) + move * up;
-  moveNode(scene, hips, hipsWorld, frame);
+  for (const NodeIndex node : goingWithHips(scene, limbs, hips)) {
+    moveNode(scene, node, positionOf(frame.worlds[at(node)]) + move * up, frame);
+  }
 }
 
 } // namespace
@@ -216,7 +292,7 @@ void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, N
     limbs.back().endMove = endPosition(weights[i].limb, frame) - limbs.back().endBefore;
   }
   const double lowestRiding = lowestOf(outline, outline.riding, frame).value_or(-bottomless);
-  moveHips(scene, hips, hipsMove(limbs, floor, lowestRiding), frame);
+  moveHips(scene, limbs, hips, hipsMove(limbs, floor, lowestRiding), frame);
   for (const Moving& moving : limbs) {
     if (isLeg(moving.solved->limb) || isArm(moving.solved->limb)) {
       putDown(scene, moving, frame);

@@ -46,7 +46,8 @@ struct SolvedWeight {
 /// trail's: both have the bone as an axis), what hangs on it moves with it, hands and feet keep orientation
 /// and size. The hips go up or down along +Y by what the legs that stand lost on average, and everything that
 /// hangs on them follows, a leg in the air too: it keeps its bend. A foot that touches the ground keeps its
-/// place: its leg is turned and scaled as a whole onto it. Nothing gets lower than the lowest point of the
+/// place: its knee bends as far as the leg is bent already, and the leg is turned and scaled as a whole for
+/// the rest. Nothing gets lower than the lowest point of the
 /// body was: in the air the hips rise instead, a hand is held up. Zero strains change nothing at all.
 void applyWeight(const Scene& scene, const std::vector<SolvedWeight>& weights, NodeIndex hips,
                  const BodyOutline& outline, FrameState& frame);

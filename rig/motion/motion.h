@@ -11,6 +11,7 @@
 #include "rig/motion/limb_topology.h"
 #include "rig/motion/limb_weight.h"
 #include "rig/motion/solved_adjustments.h"
+#include "rig/motion/solved_holds.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"
@@ -54,7 +55,8 @@ struct MotionState {
   NodeIndex hips;                ///< What the space "root" is measured from.
   SolvedAdjustments adjustments; ///< Of the clip, before any trail.
   std::vector<SolvedTrail> trails;
-  std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the trails (setWeight).
+  SolvedHolds holds;                 ///< On top of the trails (setHolds).
+  std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the holds (setWeight).
   BodyOutline outline;               ///< Empty without weights.
 };
 

@@ -45,8 +45,7 @@ void PartMotion::moved(double timeSeconds, FrameState& frame) const {
 
 void PartMotion::move(FrameState& frame) const {
   applyAdjustments(skeleton_, motion_.adjustments, frame);
-  applyTrails(skeleton_, motion_, frame);
-  applyWeight(skeleton_, motion_.weights, motion_.hips, motion_.outline, frame);
+  applyMotion(skeleton_, motion_, frame);
 }
 
 std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {
@@ -69,6 +68,7 @@ std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIn
 
 std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion) {
   std::vector<NodeIndex> nodes = motion.adjustments.nodes;
+  nodes.insert(nodes.end(), motion.holds.nodes.begin(), motion.holds.nodes.end());
   const auto add = [&](const Limb& limb, const LimbTopology& topology) {
     const std::vector<NodeIndex> touched = touchedNodes(limb, topology);
     nodes.insert(nodes.end(), touched.begin(), touched.end());

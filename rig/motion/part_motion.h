@@ -14,8 +14,8 @@ namespace stretch::rig {
 /// it is made from has to outlive it.
 class PartMotion {
 public:
-  /// Of `nodes`, of all that adjustments, active trails and weights of `motion` move, and of what these hang
-  /// from.
+  /// Of `nodes`, of all that adjustments, active trails, holds and weights of `motion` move, and of what
+  /// these hang from.
   PartMotion(const Scene& scene, const Clip& clip, const MotionState& motion, std::vector<NodeIndex> nodes);
 
   /// As sampledFrame; nodes that are not looked at keep the identity. `frame` may be one of this motion's
@@ -23,7 +23,7 @@ public:
   void source(double timeSeconds, FrameState& frame) const;
   /// As evaluateMotion.
   void moved(double timeSeconds, FrameState& frame) const;
-  /// Brings adjustments, trails and weight onto a frame of `source`.
+  /// Brings adjustments, trails, holds and weight onto a frame of `source`.
   void move(FrameState& frame) const;
 
 private:
@@ -36,8 +36,8 @@ private:
 /// The nodes, and all below them; ascending, without repeats.
 [[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
 
-/// Every node that the adjustments, the active trails and the weights of a motion may move: what they touch
-/// and all that hangs from it; ascending.
+/// Every node that the adjustments, the active trails, the holds and the weights of a motion may move: what
+/// they touch and all that hangs from it; ascending.
 [[nodiscard]] std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion);
 
 } // namespace stretch::rig

@@ -1,6 +1,7 @@
 #include "rig/motion/solve.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -41,8 +42,55 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
-SolvedTrail solveTrail(const MotionInput& input, const SolvedAdjustments& adjustments, const Trail& trail,
-                       const Limb& limb) {
+// What the paths of all trails are sampled from. Adjustments move the whole character: its trails, which
+// mostly ask for the same times, share the samples.
+class PathSampler {
+public:
+  PathSampler(const MotionInput& input, const SolvedAdjustments& adjustments)
+      : input_(input), adjustments_(adjustments) {}
+
+  void sample(SolvedTrail& solved, const std::vector<double>& keyTimes) {
+    if (adjustments_.empty()) {
+      SharedSampler own(*input_.scene, *input_.clip, adjustments_, pathNodes(input_, solved.limb));
+      samplePath(input_, own, solved, keyTimes);
+      return;
+    }
+    if (!shared_) {
+      shared_.emplace(*input_.scene, *input_.clip, adjustments_, nodesOfAll());
+    }
+    samplePath(input_, *shared_, solved, keyTimes);
+  }
+
+private:
+  [[nodiscard]] std::vector<NodeIndex> nodesOfAll() const {
+    std::vector<NodeIndex> nodes;
+    for (const Trail& trail : input_.trails) {
+      if (const Limb* const limb = limbOf(input_, trail.limb)) {
+        const std::vector<NodeIndex> own = pathNodes(input_, *limb);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+      }
+    }
+    return nodes;
+  }
+
+  const MotionInput& input_;
+  const SolvedAdjustments& adjustments_;
+  std::optional<SharedSampler> shared_;
+};
+
+// Made before with the body, where that is there.
+LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
+  const AdjustedBody* const body = input.body.get();
+  if (body == nullptr) {
+    return limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
+  }
+  const auto known = std::find_if(body->limbs.begin(), body->limbs.end(),
+                                  [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
+  return known != body->limbs.end() ? known->topology
+                                    : limbTopology(*input.scene, limb, input.limbs, body->places);
+}
+
+SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Trail& trail, const Limb& limb) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -51,9 +99,7 @@ SolvedTrail solveTrail(const MotionInput& input, const SolvedAdjustments& adjust
   solved.trail = trail;
   solved.limb = limb;
   solved.settings = usable(trail.settings, *input.clip);
-  solved.topology = before != nullptr
-                        ? before->topology
-                        : limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
+  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb);
   solved.active = trail.connected;
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;
@@ -69,7 +115,7 @@ SolvedTrail solveTrail(const MotionInput& input, const SolvedAdjustments& adjust
     solved.bend = before->bend;
   } else {
     before = nullptr;
-    samplePath(input, adjustments, solved, keyTimes);
+    sampler.sample(solved, keyTimes);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
@@ -112,10 +158,12 @@ MotionState solveMotion(const MotionInput& input) {
   motion.adjustments =
       input.previous != nullptr
           ? input.previous->adjustments
-          : solveAdjustments({*input.scene, *input.clip, input.hips, input.limbs, input.adjustments});
+          : solveAdjustments(
+                {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
+  PathSampler sampler(input, motion.adjustments);
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, motion.adjustments, trail, *limb));
+      motion.trails.push_back(solveTrail(input, sampler, trail, *limb));
     }
   }
   std::vector<ActingLimb> acting;

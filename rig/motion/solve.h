@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/anim/clip.h"
 #include "core/scene/scene.h"
 #include "rig/controllers/adjustment.h"
+#include "rig/hold/hold.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
 
@@ -19,7 +21,11 @@ struct MotionInput {
   std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
   std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
   bool loops = false;
-  std::vector<Adjustment> adjustments = {}; ///< Of this clip. Those of missing controllers are left out.
+  std::vector<Adjustment> adjustments = {};      ///< Of this clip. Those of missing controllers are left out.
+  Holds holds = {};                              ///< Of this clip. Those of missing limbs are left out.
+  std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
+                                                 ///< clip, hips and limbs; null: it is made where it is
+                                                 ///< needed.
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
   const MotionState* previous = nullptr;
@@ -27,8 +33,8 @@ struct MotionInput {
 
 [[nodiscard]] MotionState solveMotion(const MotionInput& input);
 
-/// Lets limbs give way on top of the trails. A leg that is not among them keeps its foot where it is when the
-/// other one moves the hips. Weight of limbs that are missing, or that has not one strain for each
+/// Lets limbs give way on top of trails and holds. A leg that is not among them keeps its foot where it is
+/// when the other one moves the hips. Weight of limbs that are missing, or that has not one strain for each
 /// bone, is left out.
 void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, MotionState& motion);
 

@@ -1,147 +1,32 @@
 #include "rig/motion/solve_adjustments.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
-
-#include <glm/geometric.hpp>
-
-#include "core/math/rotation.h"
-#include "rig/motion/bend_normal.h"
-#include "rig/trail/limb_path.h"
 
 namespace stretch::rig {
 
 namespace {
 
-// What is solved on the way, once for the whole character.
-struct Workshop {
-  const AdjustmentInput& input;
-  BindPlaces places;
-  ControllerList list;
-  Vec3 forward{0.0, 0.0, 1.0};
-};
-
-Vec3 baseInBind(const Workshop& shop, const Limb& limb) {
-  return positionOf(shop.places.worlds[at(limb.joints.front())]);
+Quat bindRotation(const AdjustedBody& body, NodeIndex node) {
+  return node.exists() ? rotationOf(body.places.worlds[at(node)]) : Quat(1.0, 0.0, 0.0, 0.0);
 }
 
-// Where the character faces in the bind pose: its left and up tell.
-Vec3 facingOf(const Workshop& shop) {
-  const Vec3 up(0.0, 1.0, 0.0);
-  for (const auto& [left, right] :
-       {std::pair(LimbKind::leftLeg, LimbKind::rightLeg), std::pair(LimbKind::leftArm, LimbKind::rightArm)}) {
-    const Limb* const a = limbOfKind(shop.input.limbs, left);
-    const Limb* const b = limbOfKind(shop.input.limbs, right);
-    if (a != nullptr && b != nullptr) {
-      const Vec3 forward = glm::cross(baseInBind(shop, *a) - baseInBind(shop, *b), up);
-      if (glm::length(forward) > 0.0) {
-        return glm::normalize(forward);
-      }
-    }
-  }
-  return {0.0, 0.0, 1.0};
-}
-
-Quat bindRotation(const Workshop& shop, NodeIndex node) {
-  return node.exists() ? rotationOf(shop.places.worlds[at(node)]) : Quat(1.0, 0.0, 0.0, 0.0);
-}
-
-std::vector<double> alongOf(const Limb& limb, const BindPlaces& places) {
-  const std::vector<Vec3> points = limbPoints(limb, places.worlds);
-  std::vector<double> along{0.0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    along.push_back(along.back() + glm::length(points[i] - points[i - 1]));
-  }
-  const double whole = along.back();
-  for (std::size_t i = 0; i < along.size(); ++i) {
-    along[i] =
-        whole > 0.0 ? along[i] / whole : static_cast<double>(i) / static_cast<double>(along.size() - 1);
-  }
-  return along;
-}
-
-// How a limb bends over the clip.
-struct Bending {
-  std::vector<double> anglesOfPoints; // sum over the samples
-  BendNormal normal;
-};
-
-Bending bendingOf(const AdjustmentInput& input, const Limb& limb) {
-  constexpr double mostSamples = 200.0;
-  std::vector<NodeIndex> nodes = limb.joints;
-  if (limb.endNode.exists()) {
-    nodes.push_back(limb.endNode);
-  }
-  const NodeSampler sampler(input.scene, input.clip, nodes);
-  const double length = std::max(0.0, input.clip.endSeconds - input.clip.startSeconds);
-  const double count = std::clamp(std::ceil(length * input.clip.framesPerSecond), 1.0, mostSamples);
-  Bending bending{std::vector<double>(limb.joints.size() + 1, 0.0), {}};
-  FrameState frame;
-  for (double i = 0.0; i <= count; i += 1.0) {
-    sampler.sample(input.clip.startSeconds + length * i / count, frame);
-    const std::vector<Vec3> points = limbPoints(limb, frame);
-    for (std::size_t p = 1; p + 1 < points.size(); ++p) {
-      bending.anglesOfPoints[p] += angleBetween(points[p] - points[p - 1], points[p + 1] - points[p]);
-    }
-    bending.normal.add(points, rotationOf(frame.worlds[at(limb.joints.front())]));
-  }
-  return bending;
-}
-
-// A limb that never bends takes its middle for the elbow or knee.
-std::size_t bendPointOf(const Bending& bending, const std::vector<double>& along) {
-  const std::size_t last = along.size() - 1;
-  if (last < 2) {
-    return 0;
-  }
-  constexpr double leastRadians = 0.02; // over all samples
-  std::size_t best = 1;
-  for (std::size_t i = 2; i < last; ++i) {
-    const bool clear = std::max(bending.anglesOfPoints[i], bending.anglesOfPoints[best]) > leastRadians;
-    const bool better = clear ? bending.anglesOfPoints[i] > bending.anglesOfPoints[best]
-                              : std::abs(along[i] - 0.5) < std::abs(along[best] - 0.5);
-    best = better ? i : best;
-  }
-  return best;
-}
-
-// As the clip bends it, else knees forward and elbows back; in the space of the base joint.
-Vec3 usualBendOf(const Workshop& shop, const Limb& limb, const Bending& bending) {
-  const std::vector<Vec3> points = limbPoints(limb, shop.places.worlds);
-  const Quat base = bindRotation(shop, limb.joints.front());
-  const std::vector<Vec3> straight{points.front(), points.back()};
-  const Vec3 normal = bending.normal.at(straight, base);
-  const Vec3 chord = points.back() - points.front();
-  const Vec3 seen = glm::cross(chord, normal);
-  const Vec3 unseen = isLeg(limb) ? shop.forward : -shop.forward;
-  return glm::inverse(base) * (glm::length(seen) > 0.0 ? glm::normalize(seen) : unseen);
-}
-
-AdjustedLimb adjustedLimb(const Workshop& shop, const Limb& limb) {
-  AdjustedLimb adjusted;
-  adjusted.limb = limb;
-  adjusted.topology = limbTopology(shop.input.scene, limb, shop.input.limbs, shop.places);
-  adjusted.along = alongOf(limb, shop.places);
-  adjusted.baseBind = bindRotation(shop, limb.joints.front());
-  if (limb.kind != LimbKind::spine && limb.kind != LimbKind::neck) {
-    const Bending bending = bendingOf(shop.input, limb);
-    adjusted.bendPoint = bendPointOf(bending, adjusted.along);
-    adjusted.usualBend = usualBendOf(shop, limb, bending);
-  }
+AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& body, const Limb& limb) {
+  AdjustedLimb adjusted{reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb)};
+  adjusted.baseBind = bindRotation(body, limb.joints.front());
   if (limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm) {
-    adjusted.fingers = handCurl(shop.input.scene, limb, shop.places);
+    adjusted.fingers = handCurl(ground.scene, limb, body.places);
   }
   if (isLeg(limb)) {
-    adjusted.roll = footRoll(shop.input.scene, limb, adjusted.topology, shop.places);
+    adjusted.roll = footRoll(ground.scene, limb, adjusted.topology, body.places);
   }
   return adjusted;
 }
 
 // The highest nodes with all of the character below them: what carries every limb, or each root.
-std::vector<NodeIndex> rootsOf(const AdjustmentInput& input) {
-  std::vector<NodeIndex> members{input.hips};
-  for (const Limb& limb : input.limbs) {
+std::vector<NodeIndex> rootsOf(const AdjustmentGround& ground) {
+  std::vector<NodeIndex> members{ground.hips};
+  for (const Limb& limb : ground.limbs) {
     members.insert(members.end(), limb.joints.begin(), limb.joints.end());
     members.push_back(limb.endNode);
   }
@@ -151,47 +36,48 @@ std::vector<NodeIndex> rootsOf(const AdjustmentInput& input) {
     NodeIndex node = member;
     const auto carriesAll = [&](NodeIndex above) {
       return std::ranges::all_of(members,
-                                 [&](NodeIndex m) { return isAncestorOrSelf(input.scene, above, m); });
+                                 [&](NodeIndex m) { return isAncestorOrSelf(ground.scene, above, m); });
     };
-    while (!carriesAll(node) && input.scene.nodes[at(node)].parent.exists()) {
-      node = input.scene.nodes[at(node)].parent;
+    while (!carriesAll(node) && ground.scene.nodes[at(node)].parent.exists()) {
+      node = ground.scene.nodes[at(node)].parent;
     }
     roots.insert(node);
   }
   return {roots.begin(), roots.end()};
 }
 
-OffsetCurves curvesOf(const Workshop& shop, std::vector<AdjustedJoint>& joints) {
-  const AdjustmentInput& input = shop.input;
+OffsetCurves curvesOf(const AdjustmentInput& input, const AdjustedBody& body,
+                      std::vector<AdjustedJoint>& joints) {
+  const AdjustmentGround& ground = input.ground;
   OffsetCurves curves;
   for (const Adjustment& adjustment : input.adjustments) {
     const std::string& id = adjustment.controller;
-    const Attribute* const attribute = shop.list.attribute(id);
+    const Attribute* const attribute = body.list.attribute(id);
     const Result<Controller> controller =
         attribute != nullptr ? Result<Controller>(Controller{})
-                             : controllerNamed(input.scene, input.limbs, input.hips, shop.list, id);
+                             : controllerNamed(ground.scene, ground.limbs, ground.hips, body.list, id);
     if (!controller || adjustment.keys.empty()) {
       continue;
     }
     const bool isJoint = attribute == nullptr && controller->kind == ControllerKind::joint;
     if (isJoint && !curves.contains(id)) {
       joints.push_back(
-          {id, controller->node, bindRotation(shop, input.scene.nodes[at(controller->node)].parent)});
+          {id, controller->node, bindRotation(body, ground.scene.nodes[at(controller->node)].parent)});
     }
     const double standard = attribute != nullptr ? attribute->standard : 0.0;
-    curves[id].emplace_back(adjustment, standard, input.clip.framesPerSecond);
+    curves[id].emplace_back(adjustment, standard, ground.clip.framesPerSecond);
   }
   return curves;
 }
 
-std::vector<std::string> idsOfLimb(const Workshop& shop, const Limb& limb) {
+std::vector<std::string> idsOfLimb(const ControllerList& list, const Limb& limb) {
   std::vector<std::string> ids;
-  for (const Controller& controller : shop.list.controllers) {
+  for (const Controller& controller : list.controllers) {
     if (controller.limb == limb.id) {
       ids.push_back(controller.id);
     }
   }
-  for (const Attribute& attribute : shop.list.attributes) {
+  for (const Attribute& attribute : list.attributes) {
     if (attribute.limb == limb.id) {
       ids.push_back(attribute.id);
     }
@@ -201,36 +87,37 @@ std::vector<std::string> idsOfLimb(const Workshop& shop, const Limb& limb) {
 
 // Whether the limb goes along with its carrier as one piece, so that nothing of it changes when the carrier
 // moves.
-bool rides(const Workshop& shop, const SolvedAdjustments& solved, const AdjustedLimb& adjusted,
+bool rides(const Scene& scene, const SolvedAdjustments& solved, const AdjustedLimb& adjusted,
            NodeIndex carrier) {
   const Limb& limb = adjusted.limb;
   return !isLeg(limb) && carrier.exists() && !solved.curves.contains(limb.id + ".follow") &&
-         isAncestorOrSelf(shop.input.scene, carrier, limb.joints.front()) &&
-         (!limb.endNode.exists() || isAncestorOrSelf(shop.input.scene, carrier, limb.endNode));
+         isAncestorOrSelf(scene, carrier, limb.joints.front()) &&
+         (!limb.endNode.exists() || isAncestorOrSelf(scene, carrier, limb.endNode));
 }
 
-AdjustedPart partOf(const Workshop& shop, const SolvedAdjustments& solved, const AdjustedLimb& adjusted) {
+AdjustedPart partOf(const Scene& scene, const SolvedAdjustments& solved, const AdjustedLimb& adjusted) {
   const Limb& limb = adjusted.limb;
+  const AdjustedBody& body = *solved.body;
   AdjustedPart part;
   part.nodes = touchedNodes(limb, adjusted.topology);
   part.boneLength = limb.restLength / static_cast<double>(limb.joints.size());
-  part.ids = idsOfLimb(shop, limb);
+  part.ids = idsOfLimb(body.list, limb);
   for (const FingerJoint& finger : adjusted.fingers) {
     part.nodes.push_back(finger.node);
   }
   if (adjusted.roll.toes.exists()) {
     part.nodes.push_back(adjusted.roll.toes);
   }
-  if (!rides(shop, solved, adjusted, solved.hips)) {
+  if (!rides(scene, solved, adjusted, body.hips)) {
     part.ids.emplace_back("hips");
   }
-  if (solved.spine && limb.kind != LimbKind::spine && !isLeg(limb) &&
-      !rides(shop, solved, adjusted, solved.chest)) {
-    const std::vector<std::string> inner = idsOfLimb(shop, solved.spine->limb);
+  if (body.spine && limb.kind != LimbKind::spine && !isLeg(limb) &&
+      !rides(scene, solved, adjusted, body.chest)) {
+    const std::vector<std::string> inner = idsOfLimb(body.list, body.spine->limb);
     part.ids.insert(part.ids.end(), inner.begin(), inner.end());
   }
   for (const AdjustedJoint& joint : solved.joints) {
-    if (isAncestorOrSelf(shop.input.scene, joint.node, limb.joints.front())) {
+    if (isAncestorOrSelf(scene, joint.node, limb.joints.front())) {
       part.ids.push_back(joint.id);
     }
   }
@@ -239,23 +126,24 @@ AdjustedPart partOf(const Workshop& shop, const SolvedAdjustments& solved, const
   return part;
 }
 
-void addParts(const Workshop& shop, SolvedAdjustments& solved) {
-  solved.parts.push_back({solved.roots, 0.0, {"body"}});
-  if (solved.hips.exists()) {
-    solved.parts.push_back({{solved.hips}, 0.0, {"hips"}});
+void addParts(const Scene& scene, SolvedAdjustments& solved) {
+  const AdjustedBody& body = *solved.body;
+  solved.parts.push_back({body.roots, 0.0, {"body"}});
+  if (body.hips.exists()) {
+    solved.parts.push_back({{body.hips}, 0.0, {"hips"}});
   }
-  for (const std::optional<AdjustedLimb>* limb : {&solved.spine, &solved.neck}) {
+  for (const std::optional<AdjustedLimb>* limb : {&body.spine, &body.neck}) {
     if (*limb) {
-      solved.parts.push_back(partOf(shop, solved, **limb));
+      solved.parts.push_back(partOf(scene, solved, **limb));
     }
   }
-  for (const AdjustedLimb& limb : solved.limbs) {
-    solved.parts.push_back(partOf(shop, solved, limb));
+  for (const AdjustedLimb& limb : body.limbs) {
+    solved.parts.push_back(partOf(scene, solved, limb));
   }
   for (const AdjustedJoint& joint : solved.joints) {
     solved.parts.push_back({{joint.node}, 0.0, {joint.id}});
   }
-  std::set<NodeIndex> nodes{solved.chest};
+  std::set<NodeIndex> nodes{body.chest};
   for (const AdjustedPart& part : solved.parts) {
     nodes.insert(part.nodes.begin(), part.nodes.end());
   }
@@ -283,37 +171,45 @@ Offset offsetAt(const OffsetCurves& curves, const std::string& id, double timeSe
   return sum;
 }
 
+AdjustedBody adjustedBody(const AdjustmentGround& ground) {
+  AdjustedBody body;
+  body.list = controllersOf(ground.scene, ground.limbs, ground.hips);
+  body.jointControllers = jointControllers(ground.scene, ground.limbs, ground.hips);
+  body.places = bindPlaces(ground.scene);
+  body.forward = facingInBind(ground.limbs, body.places);
+  body.hips = ground.hips;
+  body.roots = rootsOf(ground);
+  const Limb* const spine = limbOfKind(ground.limbs, LimbKind::spine);
+  const Limb* const neck = limbOfKind(ground.limbs, LimbKind::neck);
+  body.chest =
+      spine == nullptr ? ground.hips : (spine->endNode.exists() ? spine->endNode : spine->joints.back());
+  body.hipsBind = bindRotation(body, body.hips);
+  body.chestBind = bindRotation(body, body.chest);
+  if (spine != nullptr) {
+    body.spine = adjustedLimb(ground, body, *spine);
+  }
+  if (neck != nullptr) {
+    body.neck = adjustedLimb(ground, body, *neck);
+  }
+  for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg}) {
+    if (const Limb* const limb = limbOfKind(ground.limbs, kind)) {
+      body.limbs.push_back(adjustedLimb(ground, body, *limb));
+    }
+  }
+  return body;
+}
+
 SolvedAdjustments solveAdjustments(const AdjustmentInput& input) {
   SolvedAdjustments solved;
   if (input.adjustments.empty()) {
     return solved;
   }
-  Workshop shop{input, bindPlaces(input.scene), controllersOf(input.scene, input.limbs, input.hips)};
-  shop.forward = facingOf(shop);
-  solved.curves = curvesOf(shop, solved.joints);
-  if (solved.empty()) {
-    return solved;
+  solved.body =
+      input.body != nullptr ? input.body : std::make_shared<const AdjustedBody>(adjustedBody(input.ground));
+  solved.curves = curvesOf(input, *solved.body, solved.joints);
+  if (!solved.empty()) {
+    addParts(input.ground.scene, solved);
   }
-  solved.hips = input.hips;
-  solved.roots = rootsOf(input);
-  const Limb* const spine = limbOfKind(input.limbs, LimbKind::spine);
-  const Limb* const neck = limbOfKind(input.limbs, LimbKind::neck);
-  solved.chest =
-      spine == nullptr ? input.hips : (spine->endNode.exists() ? spine->endNode : spine->joints.back());
-  solved.hipsBind = bindRotation(shop, solved.hips);
-  solved.chestBind = bindRotation(shop, solved.chest);
-  if (spine != nullptr) {
-    solved.spine = adjustedLimb(shop, *spine);
-  }
-  if (neck != nullptr) {
-    solved.neck = adjustedLimb(shop, *neck);
-  }
-  for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg}) {
-    if (const Limb* const limb = limbOfKind(input.limbs, kind)) {
-      solved.limbs.push_back(adjustedLimb(shop, *limb));
-    }
-  }
-  addParts(shop, solved);
   return solved;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/anim/clip.h"
@@ -9,13 +10,21 @@
 
 namespace stretch::rig {
 
-/// What the adjustments of a clip are solved from.
-struct AdjustmentInput {
+/// What adjustments stand on.
+struct AdjustmentGround {
   const Scene& scene;
   const Clip& clip;
   NodeIndex hips;
   const std::vector<Limb>& limbs;
+};
+
+[[nodiscard]] AdjustedBody adjustedBody(const AdjustmentGround& ground);
+
+/// What the adjustments of a clip are solved from.
+struct AdjustmentInput {
+  AdjustmentGround ground;
   const std::vector<Adjustment>& adjustments; ///< Of this clip; those of missing controllers are left out.
+  std::shared_ptr<const AdjustedBody> body;   ///< Of this ground; null: it is made.
 };
 
 [[nodiscard]] SolvedAdjustments solveAdjustments(const AdjustmentInput& input);

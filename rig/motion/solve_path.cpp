@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "rig/limb.h"
-#include "rig/motion/adjusted_sampler.h"
 
 namespace stretch::rig {
 
@@ -60,21 +59,23 @@ void keepPulledSpheres(SolvedTrail& solved) {
 
 } // namespace
 
-void samplePath(const MotionInput& input, const SolvedAdjustments& adjustments, SolvedTrail& solved,
-                const std::vector<double>& keyTimes) {
-  std::vector<NodeIndex> nodes = solved.limb.joints;
-  nodes.push_back(solved.limb.endNode.exists() ? solved.limb.endNode : solved.limb.joints.back());
+std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
   if (input.hips.exists()) {
     nodes.push_back(input.hips);
   }
-  const AdjustedSampler sampler(*input.scene, *input.clip, adjustments, nodes);
-  FrameState frame;
+  return nodes;
+}
+
+void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
+                const std::vector<double>& keyTimes) {
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
   for (const double time :
        sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
-    sampler.sample(time, frame);
+    const FrameState& frame = sampler.at(time);
     solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
     solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
@@ -88,7 +89,7 @@ void samplePath(const MotionInput& input, const SolvedAdjustments& adjustments, 
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
   // A planted foot stands still at the keys only: between them it slides about.
   for (std::size_t i = 1; i < times.size(); ++i) {
-    sampler.sample(0.5 * (times[i - 1] + times[i]), frame);
+    const FrameState& frame = sampler.at(0.5 * (times[i - 1] + times[i]));
     solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
   }
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rig/motion/adjusted_sampler.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/solve.h"
 
@@ -16,9 +17,12 @@ inline constexpr double longestFrames = 100000.0;
 /// Null when there is none, or one without a joint.
 [[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
 
+/// What sampling the path of a limb looks at.
+[[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
+
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
-/// bends. `keyTimes`: seconds, of the limb's joints within the range.
-void samplePath(const MotionInput& input, const SolvedAdjustments& adjustments, SolvedTrail& solved,
+/// bends. `sampler`: of pathNodes at least. `keyTimes`: seconds, of the limb's joints within the range.
+void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
                 const std::vector<double>& keyTimes);
 
 /// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.

@@ -1,15 +1,17 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "rig/controllers/controller.h"
 #include "rig/controllers/offset_curve.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/foot_roll.h"
 #include "rig/motion/hand_curl.h"
-#include "rig/motion/limb_topology.h"
+#include "rig/motion/limb_reach.h"
 
 namespace stretch::rig {
 
@@ -22,13 +24,7 @@ using OffsetCurves = std::map<std::string, std::vector<OffsetCurve>>;
                               double standard = 0.0);
 
 /// A limb that controllers may move.
-struct AdjustedLimb {
-  Limb limb;
-  LimbTopology topology;
-  std::vector<double> along; ///< u of each point of the limb: rest arc length over the whole.
-  std::size_t bendPoint = 0; ///< The point between its two spans: the joint that bends most; 0: it has one
-                             ///< bone.
-  Vec3 usualBend{0.0};       ///< In the space of the base joint: which way it bends.
+struct AdjustedLimb : ReachingLimb {
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Of an arm.
   FootRoll roll;                     ///< Of a leg.
@@ -48,18 +44,27 @@ struct AdjustedPart {
   std::vector<std::string> ids;
 };
 
-/// The adjustments of one clip, ready for any time.
-struct SolvedAdjustments {
-  OffsetCurves curves; ///< Empty: nothing is adjusted, and nothing else is filled in.
+/// What the adjustments of one clip are solved on, whatever they are: made once for a clip.
+struct AdjustedBody {
+  ControllerList list;
+  std::vector<Controller> jointControllers; ///< On every joint that none of the list moves.
+  BindPlaces places;
   NodeIndex hips;
   std::vector<NodeIndex> roots; ///< What the body's controller moves: nothing of the character hangs
                                 ///< elsewhere.
   NodeIndex chest;              ///< Carrier of head and hands: the end of the spine, else the hips.
   Quat hipsBind{1.0, 0.0, 0.0, 0.0};
   Quat chestBind{1.0, 0.0, 0.0, 0.0};
+  Vec3 forward{0.0, 0.0, 1.0}; ///< Where the character faces in the bind pose; unit, level.
   std::optional<AdjustedLimb> spine;
   std::optional<AdjustedLimb> neck;
   std::vector<AdjustedLimb> limbs; ///< Arms and legs.
+};
+
+/// The adjustments of one clip, ready for any time.
+struct SolvedAdjustments {
+  OffsetCurves curves; ///< Empty: nothing is adjusted, and nothing else need be filled in.
+  std::shared_ptr<const AdjustedBody> body;
   std::vector<AdjustedJoint> joints;
   std::vector<AdjustedPart> parts;
   std::vector<NodeIndex> nodes; ///< Everything that is read or moved.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "rig/limb.h"
@@ -114,11 +115,24 @@ void addWindow(const Window& window, std::vector<Window>& windows) {
   }
 }
 
-void addJumps(const OffsetCurve& curve, const Window& window, KeyedPart& part) {
+void joinWindows(std::vector<Window>& windows) {
+  std::sort(windows.begin(), windows.end(),
+            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
+  std::vector<Window> joined;
+  for (const Window& window : windows) {
+    addWindow(window, joined);
+  }
+  windows = std::move(joined);
+}
+
+void addJumps(const OffsetCurve& curve, KeyedPart& part) {
   for (const double jump : curve.jumpSeconds()) {
     part.keySeconds.push_back(asKeyTime(jump));
     part.jumpSeconds.push_back(besideJump(jump, -1.0));
   }
+}
+
+void addBorderJumps(const Window& window, KeyedPart& part) {
   if (window.jumpsBefore) {
     part.keySeconds.push_back(window.startSeconds);
     part.jumpSeconds.push_back(besideJump(window.startSeconds, -1.0));
@@ -132,7 +146,6 @@ void addJumps(const OffsetCurve& curve, const Window& window, KeyedPart& part) {
 KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted) {
   KeyedPart part{adjusted.nodes, adjusted.boneLength, {}, {}};
   const double first = std::min(0.0, motion.startSeconds);
-  std::vector<Window> windows;
   for (const auto& [id, curves] : motion.adjustments.curves) {
     const bool concerns = std::find(adjusted.ids.begin(), adjusted.ids.end(), id) != adjusted.ids.end();
     for (const OffsetCurve& curve : concerns ? curves : std::vector<OffsetCurve>{}) {
@@ -145,16 +158,90 @@ KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted
       for (const double key : curve.keySeconds()) {
         part.keySeconds.push_back(asKeyTime(key));
       }
-      addJumps(curve, window, part);
-      windows.push_back(window);
+      addJumps(curve, part);
+      addBorderJumps(window, part);
+      part.windows.push_back(window);
     }
   }
-  std::sort(windows.begin(), windows.end(),
-            [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
-  for (const Window& window : windows) {
-    addWindow(window, part.windows);
-  }
+  joinWindows(part.windows);
   return part;
+}
+
+bool actsInClip(const MotionState& motion, const HoldSpan& span) {
+  const double first = std::min(0.0, motion.startSeconds);
+  return span.startSeconds - span.blendInSeconds <= motion.endSeconds &&
+         span.endSeconds + span.blendOutSeconds >= first;
+}
+
+// Where a hold acts: it comes and goes by itself, or jumps where it has no blend.
+void addHold(const MotionState& motion, const HoldSpan& span, KeyedPart& part) {
+  if (!actsInClip(motion, span)) {
+    return;
+  }
+  const double first = std::min(0.0, motion.startSeconds);
+  Window window =
+      windowOf(motion, span.startSeconds - span.blendInSeconds, span.endSeconds + span.blendOutSeconds);
+  window.jumpsBefore = span.blendInSeconds <= 0.0 && window.startSeconds > first + sameKey;
+  window.jumpsAfter = span.blendOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
+  for (const double border : {span.startSeconds, span.endSeconds}) {
+    if (border > first && border < motion.endSeconds) {
+      part.keySeconds.push_back(asKeyTime(border));
+    }
+  }
+  addBorderJumps(window, part);
+  part.windows.push_back(window);
+}
+
+void addProp(const MotionState& motion, const SolvedProp& prop, KeyedPart& part) {
+  addHold(motion, prop.span, part);
+  for (const SolvedPropHand& hand : prop.hands) {
+    for (const double key : hand.firmness.keySeconds()) {
+      part.keySeconds.push_back(asKeyTime(key));
+    }
+    addJumps(hand.firmness, part);
+  }
+}
+
+KeyedPart heldLimbPart(const MotionState& motion, std::size_t limb) {
+  const ReachingLimb& reaching = motion.holds.limbs[limb];
+  KeyedPart part{touchedNodes(reaching.limb, reaching.topology), boneLength(reaching.limb), {}, {}};
+  for (const std::optional<SolvedPin>& pin : motion.holds.pins) {
+    if (pin && pin->limb == limb) {
+      addHold(motion, pin->span, part);
+    }
+  }
+  for (const std::optional<SolvedGrip>& grip : motion.holds.grips) {
+    if (grip && grip->limb == limb) {
+      addHold(motion, grip->span, part);
+    }
+  }
+  for (const std::optional<SolvedProp>& prop : motion.holds.props) {
+    if (prop && std::ranges::find(prop->hands, limb, &SolvedPropHand::limb) != prop->hands.end()) {
+      addProp(motion, *prop, part);
+    }
+  }
+  joinWindows(part.windows);
+  return part;
+}
+
+KeyedPart propPart(const MotionState& motion, const SolvedProp& prop) {
+  KeyedPart part{{prop.node}, 0.0, {}, {}};
+  addProp(motion, prop, part);
+  return part;
+}
+
+void addHoldParts(const MotionState& motion, std::vector<KeyedPart>& parts) {
+  std::vector<KeyedPart> held;
+  for (std::size_t i = 0; i < motion.holds.limbs.size(); ++i) {
+    held.push_back(heldLimbPart(motion, i));
+  }
+  for (const std::optional<SolvedProp>& prop : motion.holds.props) {
+    if (prop) {
+      held.push_back(propPart(motion, *prop));
+    }
+  }
+  std::ranges::copy_if(held, std::back_inserter(parts),
+                       [](const KeyedPart& part) { return !part.windows.empty(); });
 }
 
 } // namespace
@@ -176,6 +263,7 @@ std::vector<KeyedPart> keyedParts(const MotionState& motion) {
       parts.push_back(trailPart(motion, i));
     }
   }
+  addHoldParts(motion, parts);
   for (std::size_t i = 0; i < motion.weights.size(); ++i) {
     parts.push_back(weightPart(motion, i));
   }

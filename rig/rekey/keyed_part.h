@@ -29,7 +29,7 @@ struct Window {
 /// a direction of -1, after it for 1.
 [[nodiscard]] double besideJump(double borderSeconds, double direction);
 
-/// What adjustments, one active trail, or the weight of one limb, move and when.
+/// What adjustments, one active trail, what is held, or the weight of one limb, move and when.
 struct KeyedPart {
   std::vector<NodeIndex> nodes;         ///< Whose local transforms may change.
   double boneLength = 0.0;              ///< Of the limb on average, world units.

@@ -145,6 +145,12 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
   }
   result.warnings.push_back(reason.what + ": each part of it that moves alike has a bone");
   result.skinned = clustersOfMotion(sequence, settings.bones, settings.body.firstFittedFrame);
+  const std::size_t found = result.skinned.bones.size();
+  if (found < static_cast<std::size_t>(settings.bones)) {
+    result.warnings.push_back(fmt::format("{} bones instead of {}: no part that is left can be split so that "
+                                          "both pieces keep four vertices and move apart",
+                                          found, settings.bones));
+  }
   fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
   if (settings.joints == JointOption::tree) {
     hangTogether(result.skinned);
@@ -152,19 +158,26 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
   return Success{};
 }
 
-/// Bones that were given, with their names and places.
+/// Bones that were given, with their names and places. Elastic stretch is fitted to the rows of bones as they
+/// move when nothing holds them.
 Status compressWithSkeleton(const MeshSequence& sequence, const CompressSettings& settings,
                             const Proceed& proceed, CompressedSequence& result) {
-  if (settings.stretch == StretchOption::elastic) {
-    return Error{"the elastic model makes bones of its own", "--skeleton",
-                 "use --stretch measured or --stretch none with it"};
-  }
   result.skinned = withoutBones(sequence);
   result.skinned.bones = settings.skeleton;
   if (Status weighted = addGeodesicWeights(result.skinned); !weighted) {
     return weighted;
   }
-  fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
+  FitSettings fit = fitSettings(settings);
+  if (settings.stretch != StretchOption::elastic) {
+    fitFreeBones(sequence, result.skinned, fit, proceed);
+    return Success{};
+  }
+  fit.fitStretch = true;
+  fitFreeBones(sequence, result.skinned, fit, partOf(proceed, 0.0, 0.9));
+  result.chains = stretchRows(result.skinned, settings.body.lengthModel, result.firstFittedFrame);
+  fit.fitStretch = false;
+  fit.fitWeights = false;
+  fitFreeBones(sequence, result.skinned, fit, partOf(proceed, 0.9, 1.0));
   return Success{};
 }
 

@@ -69,9 +69,10 @@ void tellScales(CompressedSequence& result) {
     }
   }
   if (bones > 0) {
-    result.warnings.push_back(fmt::format("{} {} scaled below {:g} or above {:g}, most of all {}: give more "
-                                          "bones, or another number of them",
-                                          bones, bones == 1 ? "bone is" : "bones are", least, most, worst));
+    result.warnings.push_back(
+        fmt::format("{} {} scaled below {:g} or above {:g}, most of all {}: "
+                    "--scale-limit {:g} keeps them within that, more bones may need less",
+                    bones, bones == 1 ? "bone is" : "bones are", least, most, worst, most));
   }
 }
 

@@ -23,7 +23,8 @@ void alternate(FitState& state, const FitSettings& settings, const Proceed& proc
   bones();
   double before = fit::rootMeanSquare(state);
   int idle = 0;
-  for (int round = 0; round < settings.rounds && idle < 2; ++round) {
+  constexpr double exact = 1e-7; // Of the diagonal: what single precision tells apart.
+  for (int round = 0; round < settings.rounds && idle < 2 && before > exact; ++round) {
     if (settings.fitWeights) {
       fit::solveWeights(state, std::max(settings.candidates, 2 * settings.influences), settings.influences);
     }
@@ -75,6 +76,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
   const std::size_t first = std::min(settings.firstWeightFrame, sequence.frameCount() - 1);
   if (settings.fitWeights) {
     FitState state = fit::makeState(sequence, skinned, frame, first);
+    state.largestScale = settings.largestScale;
     auto scales = fit::scalesOf(skinned, first, state.matrices.size());
     alternate(state, settings, proceed, [&] { fit::fitBones(state, scales, stretch, sweeps); });
     skinned.influences = state.influences;
@@ -85,6 +87,7 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
     }
   }
   FitState state = fit::makeState(sequence, skinned, frame, 0);
+  state.largestScale = settings.largestScale;
   auto scales = fit::scalesOf(skinned, 0, state.matrices.size());
   fit::fitBones(state, scales, stretch, sweepsForPosesAlone);
   fit::writeFreePoses(state, scales, frame, skinned);

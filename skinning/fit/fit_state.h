@@ -26,6 +26,7 @@ struct FitState {
   std::vector<Influences> influences; ///< One for each vertex.
   std::vector<BoneMatrix> matrices;   ///< Frame after frame, one for each bone.
   std::vector<Eigen::Matrix3d> axes;  ///< Of each bone: columns are the axes along which it may stretch.
+  double largestScale = 10.0;         ///< And by how much, at most; at least by 1 over it.
 
   [[nodiscard]] BoneMatrix& matrix(std::size_t frame, std::size_t bone) {
     return matrices[frame * boneCount + bone];

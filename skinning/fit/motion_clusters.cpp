@@ -1,6 +1,9 @@
 #include "skinning/fit/motion_clusters.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
@@ -67,25 +70,95 @@ std::size_t seedOf(const FitState& state, const MotionCluster& cluster, const st
                                    [&](std::size_t a, std::size_t b) { return worth(a) < worth(b); });
 }
 
-/// Gives the half of a part around its seed to another bone; false when that would leave one of them with
-/// hardly a vertex.
-bool split(FitState& state, const MotionCluster& cluster, std::size_t target,
-           const std::vector<double>& errors) {
-  constexpr std::size_t fewest = 4;
+void settle(FitState& state, int rounds) {
+  std::vector<Eigen::Vector3d> scales(state.matrices.size(), Eigen::Vector3d::Ones());
+  for (int round = 0; round < rounds; ++round) {
+    fit::fitBones(state, scales, fit::StretchFit::free, 1);
+    fit::solveWeights(state, 1, 1);
+  }
+  fit::fitBones(state, scales, fit::StretchFit::free, 1);
+}
+
+/// A part by itself, on two bones: its vertices at `second` on the second one.
+FitState partInTwo(const FitState& state, const MotionCluster& cluster,
+                   const std::vector<std::size_t>& second) {
+  FitState part;
+  part.frameCount = state.frameCount;
+  part.boneCount = 2;
+  part.axes.assign(2, Eigen::Matrix3d::Identity());
+  part.matrices.assign(2 * state.frameCount, BoneMatrix::Identity());
+  part.observed.resize(state.observed.rows(), static_cast<Eigen::Index>(cluster.vertices.size()));
+  part.influences.resize(cluster.vertices.size());
+  for (std::size_t i = 0; i < cluster.vertices.size(); ++i) {
+    part.bind.push_back(state.bind[cluster.vertices[i]]);
+    part.observed.col(static_cast<Eigen::Index>(i)) =
+        state.observed.col(static_cast<Eigen::Index>(cluster.vertices[i]));
+    part.influences[i].weights[0] = 1.0F;
+  }
+  for (const std::size_t i : second) {
+    part.influences[i].bones[0] = 1;
+  }
+  return part;
+}
+
+/// Two ways to begin: the half around the seed, which suits a body that bends, and what is nearest to it,
+/// which finds a small piece that moves by itself. Indices into the part's vertices.
+std::vector<std::vector<std::size_t>> beginningsOf(const FitState& state, const MotionCluster& cluster,
+                                                   const std::vector<double>& errors) {
+  constexpr std::size_t nearestShare = 16;
+  constexpr std::size_t fewestNearest = 4;
   const Eigen::Vector3d seed = state.bind[seedOf(state, cluster, errors)];
-  std::vector<std::size_t> moved;
-  for (const std::size_t v : cluster.vertices) {
-    if ((state.bind[v] - seed).squaredNorm() < (state.bind[v] - cluster.centre).squaredNorm()) {
-      moved.push_back(v);
+  std::vector<std::size_t> half;
+  std::vector<std::size_t> nearest(cluster.vertices.size());
+  std::iota(nearest.begin(), nearest.end(), std::size_t{0});
+  const auto away = [&](std::size_t i) { return (state.bind[cluster.vertices[i]] - seed).squaredNorm(); };
+  std::ranges::copy_if(nearest, std::back_inserter(half), [&](std::size_t i) {
+    return away(i) < (state.bind[cluster.vertices[i]] - cluster.centre).squaredNorm();
+  });
+  std::ranges::stable_sort(nearest, [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+  nearest.resize(std::min(nearest.size(), std::max(fewestNearest, nearest.size() / nearestShare)));
+  return {half, nearest};
+}
+
+/// Vertices of a part that go to a second bone, the better of both beginnings; empty where either would leave
+/// one of the two with hardly a vertex.
+std::vector<std::size_t> bestHalf(const FitState& state, const MotionCluster& cluster,
+                                  const std::vector<double>& errors) {
+  constexpr int rounds = 2;
+  constexpr std::size_t fewest = 4;
+  std::vector<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<std::size_t>& beginning : beginningsOf(state, cluster, errors)) {
+    FitState part = partInTwo(state, cluster, beginning);
+    settle(part, rounds);
+    std::vector<std::size_t> second;
+    for (std::size_t i = 0; i < cluster.vertices.size(); ++i) {
+      if (boneOf(part, i) == 1) {
+        second.push_back(cluster.vertices[i]);
+      }
+    }
+    const std::vector<double> left = vertexErrors(part);
+    const double error = std::accumulate(left.begin(), left.end(), 0.0);
+    if (error < least && second.size() >= fewest && cluster.vertices.size() - second.size() >= fewest) {
+      least = error;
+      best = std::move(second);
     }
   }
-  if (moved.size() < fewest || cluster.vertices.size() - moved.size() < fewest) {
+  return best;
+}
+
+/// Gives a piece of a part to another bone; false when the part is too small for that.
+bool split(FitState& state, const MotionCluster& cluster, std::size_t target,
+           const std::vector<double>& errors) {
+  constexpr std::size_t smallest = 8;
+  if (cluster.vertices.size() < smallest) {
     return false;
   }
+  const std::vector<std::size_t> moved = bestHalf(state, cluster, errors);
   for (const std::size_t v : moved) {
     state.influences[v].bones[0] = static_cast<std::uint16_t>(target);
   }
-  return true;
+  return !moved.empty();
 }
 
 /// More bones, all new ones at rest.
@@ -133,13 +206,12 @@ bool splitWorst(FitState& state, std::size_t wanted) {
   return used > 0;
 }
 
-void settle(FitState& state, int rounds) {
-  std::vector<Eigen::Vector3d> scales(state.matrices.size(), Eigen::Vector3d::Ones());
-  for (int round = 0; round < rounds; ++round) {
-    fit::fitBones(state, scales, fit::StretchFit::free, 1);
-    fit::solveWeights(state, 1, 1);
-  }
-  fit::fitBones(state, scales, fit::StretchFit::free, 1);
+/// Whether more bones could not be told from those that there are.
+bool isExact(const FitState& state) {
+  constexpr double exact = 1e-6; // Of the diagonal, at every vertex.
+  const std::vector<double> errors = vertexErrors(state);
+  return std::ranges::all_of(
+      errors, [&](double error) { return error < exact * exact * static_cast<double>(state.frameCount); });
 }
 
 /// Bones in the middle of their parts, those without vertices left out.
@@ -176,7 +248,7 @@ SkinnedSequence clustersOfMotion(const MeshSequence& sequence, int boneCount, st
   const auto wanted = static_cast<std::size_t>(std::max(boneCount, 1));
   settle(state, 0);
   const int mostRounds = 2 * boneCount + 8;
-  for (int round = 0; round < mostRounds && splitWorst(state, wanted); ++round) {
+  for (int round = 0; round < mostRounds && !isExact(state) && splitWorst(state, wanted); ++round) {
     settle(state, state.boneCount < wanted ? roundsWhileGrowing : roundsAtTheEnd);
   }
   writeClusters(state, frame, skinned);

@@ -1,6 +1,8 @@
 #include "skinning/fit/solve_bones.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -35,7 +37,7 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix) {
 /// One bone against what the others leave: minimise tr(M G M^T) - 2 tr(M C^T) over M = R A diag(s) A^T with a
 /// translation.
 void fitBone(const Eigen::Matrix4d& gram, const BoneMatrix& pull, const Eigen::Matrix3d& axes,
-             StretchFit stretch, BoneMatrix& matrix, Eigen::Vector3d& scale) {
+             StretchFit stretch, double largestScale, BoneMatrix& matrix, Eigen::Vector3d& scale) {
   const double mass = gram(3, 3);
   if (!(mass > 1e-9)) {
     return;
@@ -44,15 +46,13 @@ void fitBone(const Eigen::Matrix4d& gram, const BoneMatrix& pull, const Eigen::M
   const Eigen::Matrix3d spread =
       axes.transpose() * (gram.block<3, 3>(0, 0) - mass * centre * centre.transpose()) * axes;
   const Eigen::Matrix3d moment = (pull.leftCols<3>() - pull.col(3) * centre.transpose()) * axes;
-  constexpr double smallestScale = 0.1;
-  constexpr double largestScale = 10.0;
   const double ridge = 1e-5 * spread.trace() + 1e-300;
   Eigen::Matrix3d turned;
   for (int round = 0; round < (stretch == StretchFit::free ? 2 : 1); ++round) {
     turned = nearestRotation(moment * scale.asDiagonal());
     for (Eigen::Index a = 0; a < 3 && stretch == StretchFit::free; ++a) {
       const double wanted = (turned.col(a).dot(moment.col(a)) + ridge * scale(a)) / (spread(a, a) + ridge);
-      scale(a) = std::clamp(wanted, smallestScale, largestScale);
+      scale(a) = std::clamp(wanted, 1.0 / largestScale, largestScale);
     }
   }
   matrix.leftCols<3>() = turned * scale.asDiagonal() * axes.transpose();
@@ -90,16 +90,41 @@ BindMoments::BindMoments(const FitState& state)
   }
 }
 
-std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame) {
-  std::vector<BoneMatrix> moments(state.boneCount, BoneMatrix::Zero());
+ObservedMoments::ObservedMoments(const FitState& state)
+    : frames_(static_cast<Eigen::Index>(state.frameCount)), moments_(state.boneCount) {
+  struct Member {
+    std::size_t vertex = 0;
+    double weight = 0.0;
+  };
+  std::vector<std::vector<Member>> members(state.boneCount);
   for (std::size_t v = 0; v < state.vertexCount(); ++v) {
-    const Eigen::Matrix<double, 3, 4> product =
-        observedAt(state, v, frame) * homogeneous(state.bind[v]).transpose();
     const Influences& influences = state.influences[v];
     for (std::size_t i = 0; i < Influences::capacity; ++i) {
       if (influences.weights[i] != 0.0F) {
-        moments[influences.bones[i]] += static_cast<double>(influences.weights[i]) * product;
+        members[influences.bones[i]].push_back({v, static_cast<double>(influences.weights[i])});
       }
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, moments_.size(), [&](std::size_t b) {
+    OfBone& moment = moments_[b];
+    moment = OfBone::Zero(3 * frames_, 4);
+    Eigen::VectorXd path(3 * frames_);
+    for (const Member& member : members[b]) {
+      path = state.observed.col(static_cast<Eigen::Index>(member.vertex)).cast<double>();
+      const Eigen::Vector4d point = member.weight * homogeneous(state.bind[member.vertex]);
+      for (Eigen::Index column = 0; column < 4; ++column) {
+        moment.col(column) += point(column) * path;
+      }
+    }
+  });
+}
+
+std::vector<BoneMatrix> ObservedMoments::at(std::size_t frame) const {
+  const auto k = static_cast<Eigen::Index>(frame);
+  std::vector<BoneMatrix> moments(moments_.size());
+  for (std::size_t b = 0; b < moments.size(); ++b) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      moments[b].row(axis) = moments_[b].row(axis * frames_ + k);
     }
   }
   return moments;
@@ -107,15 +132,16 @@ std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame
 
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps) {
   const BindMoments bind(state);
+  const ObservedMoments moments(state);
   tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    const std::vector<BoneMatrix> observed = observedMoments(state, frame);
+    const std::vector<BoneMatrix> observed = moments.at(frame);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (std::size_t b = 0; b < state.boneCount; ++b) {
         BoneMatrix pull = observed[b];
         for (const BindMoments::Neighbour& neighbour : bind.neighbours(b)) {
           pull -= state.matrix(frame, neighbour.bone) * neighbour.product;
         }
-        fitBone(bind.own(b), pull, state.axes[b], stretch, state.matrix(frame, b),
+        fitBone(bind.own(b), pull, state.axes[b], stretch, state.largestScale, state.matrix(frame, b),
                 scales[frame * state.boneCount + b]);
       }
     }
@@ -123,10 +149,10 @@ void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit 
 }
 
 double rootMeanSquare(const FitState& state) {
-  std::vector<double> sums(state.frameCount, 0.0);
-  tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    for (std::size_t v = 0; v < state.vertexCount(); ++v) {
-      const Influences& influences = state.influences[v];
+  std::vector<double> sums(state.vertexCount(), 0.0);
+  tbb::parallel_for(std::size_t{0}, state.vertexCount(), [&](std::size_t v) {
+    const Influences& influences = state.influences[v];
+    for (std::size_t frame = 0; frame < state.frameCount; ++frame) {
       Eigen::Vector3d deviation = -observedAt(state, v, frame);
       for (std::size_t i = 0; i < Influences::capacity; ++i) {
         if (influences.weights[i] != 0.0F) {
@@ -134,13 +160,10 @@ double rootMeanSquare(const FitState& state) {
                        homogeneous(state.bind[v]);
         }
       }
-      sums[frame] += deviation.squaredNorm();
+      sums[v] += deviation.squaredNorm();
     }
   });
-  double total = 0.0;
-  for (const double sum : sums) {
-    total += sum;
-  }
+  const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
   return std::sqrt(total / static_cast<double>(state.frameCount * state.vertexCount()));
 }
 

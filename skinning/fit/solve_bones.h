@@ -23,8 +23,20 @@ private:
   std::vector<std::vector<Neighbour>> neighbours_;
 };
 
-/// sum w_b x v^T of every bone in one frame: what the observed positions x pull the bones to.
-[[nodiscard]] std::vector<BoneMatrix> observedMoments(const FitState& state, std::size_t frame);
+/// sum w_b x v^T of every bone and frame: what the observed positions x pull the bones to.
+class ObservedMoments {
+public:
+  explicit ObservedMoments(const FitState& state);
+
+  /// One for each bone.
+  [[nodiscard]] std::vector<BoneMatrix> at(std::size_t frame) const;
+
+private:
+  using OfBone = Eigen::Matrix<double, Eigen::Dynamic, 4>; ///< Rows as Trajectories: x of all frames, then y,
+                                                           ///< then z.
+  Eigen::Index frames_;
+  std::vector<OfBone> moments_;
+};
 
 /// Which factors a bone may scale by in the fit.
 enum class StretchFit {

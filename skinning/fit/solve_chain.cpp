@@ -204,8 +204,9 @@ void fitFrame(const FrameFit& fit, Links& links, int iterations) {
 
 void fitChain(FitState& state, Chain& chain, int iterations) {
   const BindMoments bind(state);
+  const ObservedMoments moments(state);
   tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
-    const std::vector<BoneMatrix> observed = observedMoments(state, frame);
+    const std::vector<BoneMatrix> observed = moments.at(frame);
     const FrameFit fit(chain, bind, observed, frame);
     const auto first = static_cast<std::ptrdiff_t>(frame * state.boneCount);
     const auto last = first + static_cast<std::ptrdiff_t>(state.boneCount);

@@ -52,6 +52,9 @@ struct MeshFile {
 /// Whether the extension is one of meshes that a point cache can move: .obj, .ply, or a glTF's.
 [[nodiscard]] bool isBaseMesh(const std::filesystem::path& path);
 
+/// Number of vertices that a point cache of this mesh has. An error for a file that cannot be read.
+[[nodiscard]] Result<std::size_t> verticesOfBase(const std::filesystem::path& path);
+
 /// Whether the extension is .pc2 or .mdd.
 [[nodiscard]] bool isPointCache(const std::filesystem::path& path);
 

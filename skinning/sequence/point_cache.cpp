@@ -126,6 +126,15 @@ bool isBaseMesh(const std::filesystem::path& path) {
   return isMeshFile(path) || isGltfFile(path);
 }
 
+Result<std::size_t> verticesOfBase(const std::filesystem::path& path) {
+  if (isMeshFile(path)) {
+    const Result<MeshFile> mesh = readMeshFile(path);
+    return mesh ? Result<std::size_t>(mesh->positions.size()) : Result<std::size_t>(mesh.error());
+  }
+  const Result<MeshSequence> base = sequenceOfGltf(path);
+  return base ? Result<std::size_t>(base->vertexCount) : Result<std::size_t>(base.error());
+}
+
 Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std::filesystem::path& cache,
                                     const Progress& progress) {
   if (!isBaseMesh(base)) {

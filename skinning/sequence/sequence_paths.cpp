@@ -15,12 +15,12 @@ std::string withoutNumber(const fs::path& path) {
   return stem.substr(0, stem.find_last_not_of("0123456789") + 1);
 }
 
-std::vector<fs::path> meshFilesIn(const fs::path& folder) {
+std::vector<fs::path> filesIn(const fs::path& folder, bool (*wanted)(const fs::path&)) {
   std::vector<fs::path> files;
   std::error_code problem;
   for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
-    if (isMeshFile(entry->path())) {
+    if (wanted(entry->path())) {
       files.push_back(entry->path());
     }
   }
@@ -33,7 +33,7 @@ fs::path folderOf(const fs::path& path) {
 
 bool isOneOfSeveralFrames(const fs::path& path) {
   const std::string name = withoutNumber(path);
-  const std::vector<fs::path> files = meshFilesIn(folderOf(path));
+  const std::vector<fs::path> files = filesIn(folderOf(path), isMeshFile);
   return name != path.stem().string() &&
          std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
            return withoutNumber(other) == name && other.extension() == path.extension();
@@ -50,7 +50,7 @@ std::size_t sharedStart(const std::string& a, const std::string& b) {
 fs::path baseMeshOf(const fs::path& cache) {
   constexpr std::size_t mostTried = 16;
   const std::string stem = cache.stem().string();
-  std::vector<fs::path> files = meshFilesIn(folderOf(cache));
+  std::vector<fs::path> files = filesIn(folderOf(cache), isBaseMesh);
   std::sort(files.begin(), files.end(), [&](const fs::path& a, const fs::path& b) {
     const std::size_t likeA = sharedStart(stem, a.stem().string());
     const std::size_t likeB = sharedStart(stem, b.stem().string());
@@ -59,8 +59,8 @@ fs::path baseMeshOf(const fs::path& cache) {
   files.resize(std::min(files.size(), mostTried));
   const auto points = pointsOfCache(cache);
   for (const fs::path& file : points ? files : std::vector<fs::path>{}) {
-    const auto mesh = readMeshFile(file);
-    if (mesh && mesh->positions.size() == *points) {
+    const auto vertices = verticesOfBase(file);
+    if (vertices && *vertices == *points) {
       return file;
     }
   }

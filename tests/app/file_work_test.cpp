@@ -67,7 +67,7 @@ public:
 
 } // namespace
 
-TEST_CASE("A file is opened beside the caller; one that cannot be read leaves what is open") {
+TEST_CASE("A file is opened beside the caller, one that cannot be read leaves what is open") {
   Desk desk;
   FileWork work;
   work.openFile(desk, {desk.file("a.glb")});

@@ -45,7 +45,7 @@ Result<ExaggerateTargets> exaggeratedOver(Session& session, double start, double
 
 } // namespace
 
-TEST_CASE("A clip whose last pose is its first can loop, however far the body got; another one cannot") {
+TEST_CASE("A clip whose last pose is its first can loop, however far the body got, another one cannot") {
   CHECK(endsMeet(shadowBoxer(), 0));
   CHECK_FALSE(endsMeet(test::boxer(), 0));
 }
@@ -71,7 +71,7 @@ TEST_CASE("A way back that is cut because its range begins again on a loop is to
   CHECK_THAT(problem->what, Contains("snaps back in 1 frame") && Contains("make the range shorter"));
 }
 
-TEST_CASE("A way back that the clip's end cuts short is told; a stretch that lasts to the end is held") {
+TEST_CASE("A way back that the clip's end cuts short is told, a stretch that lasts to the end is held") {
   const auto problem = problemOf(withTrailTo(test::boxer(), 5.0, 19.5));
   REQUIRE(problem);
   CHECK_FALSE(problem->loopHelps);

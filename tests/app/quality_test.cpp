@@ -240,7 +240,7 @@ TEST_CASE("a hand below the floor is told, and stopping there helps") {
   CHECK(warningsOf(document).empty());
 }
 
-TEST_CASE("a glove that hangs on the body instead of the hand is named; one on the hand is not") {
+TEST_CASE("a glove that hangs on the body instead of the hand is named, one on the hand is not") {
   Document document = punching(10.0, 2.0);
   const NodeIndex spine = findLimb(document, "spine")->joints.front();
   const NodeIndex hand = findLimb(document, "left-arm")->endNode;

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
+#include "app/edits/offset_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
@@ -66,6 +67,34 @@ private:
   app::EvaluationCache cache_;
 };
 
+/// The hips lowered over feet that stay, dragged as in the window.
+class PoseDrag {
+public:
+  PoseDrag(app::Document atBegin, double frame)
+      : atBegin_(std::move(atBegin)), frame_(frame), low_(0.05 * atBegin_.biped.height),
+        pull_(0.01 * atBegin_.biped.height) {
+    step();
+  }
+
+  void step() {
+    pull_ = -pull_;
+    const app::ControllerOffset hips{"hips", Vec3(0.0, pull_ - low_, 0.0), Vec3(0.0)};
+    const Result<app::Document> preview = app::setOffsets(atBegin_, 0, frame_, {&hips, 1}, {}, {});
+    check(preview.ok(), "the hips of a bench can be moved");
+    static_cast<void>(cache_.paths(*preview, 0, samplesPerFrame));
+    const double seconds = frame_ / app::clipOf(*preview, 0).framesPerSecond;
+    static_cast<void>(cache_.frame(*preview, 0, seconds));
+    static_cast<void>(cache_.controllers(*preview, 0, seconds));
+  }
+
+private:
+  app::Document atBegin_;
+  double frame_;
+  double low_;
+  double pull_;
+  app::EvaluationCache cache_;
+};
+
 /// The first step of a drag, when nothing is remembered.
 void refresh(const app::Document& document, double frame) {
   const rig::MotionState motion = app::prepareMotion(document, 0);
@@ -81,7 +110,8 @@ std::vector<Row> motionRows(const app::Document& document, int repetitions) {
   std::vector<Row> rows;
   rows.push_back({"a frame of the clip as it is",
                   timed([&] { static_cast<void>(app::evaluateOriginal(document, 0, middleSeconds)); })});
-  for (const std::size_t limbs : {std::size_t{1}, document.biped.limbs.size()}) {
+  constexpr std::size_t armsAndLegs = 4;
+  for (const std::size_t limbs : {std::size_t{1}, armsAndLegs, document.biped.limbs.size()}) {
     const app::Document moving = withTrails(document, limbs);
     const rig::MotionState motion = app::prepareMotion(moving, 0);
     const std::string trails =
@@ -97,6 +127,10 @@ std::vector<Row> motionRows(const app::Document& document, int repetitions) {
     dragRow(motion.trails.front());
     if (motion.trails.size() > 1) {
       dragRow(motion.trails.back());
+    }
+    if (document.biped.hips.exists()) {
+      PoseDrag drag(moving, middleFrame);
+      rows.push_back({"the hips dragged, " + trails, timed([&] { drag.step(); })});
     }
   }
   return rows;

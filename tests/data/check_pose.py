@@ -6,6 +6,8 @@
 In the clip in which the left arm moves most, a limb that is found, with keys on frames and between them:
 - each controller that moves, alone: where it was asked to be, at every key (1e-4 of the height);
 - hips lowered by a tenth of the height, and the spine bent: both feet where the source has them, at every frame and half frame (1e-4);
+- a hand and a foot pinned while the hips move: at one place over the range, at every frame and half frame (1e-4);
+- the second hand gripping the first, which moves: at the distance from it of one frame (1e-4);
 - adjustments of nothing, saved clean: the bytes of the file saved without an edit;
 - no error or warning of the validator that the source did not have.
 """
@@ -38,9 +40,9 @@ class Character:
         self.fps, self.last = clip["fps"], min(int(clip["seconds"] * clip["fps"] + 1e-3), MOST_FRAMES)
         self.joints = {c["controller"]: c["joint"]["node"] for c in self.info["controllers"] if "controller" in c and "joint" in c}
 
-    def pose(self, folder, adjustments, *more):
+    def pose(self, folder, adjustments, *more, **holds):
         recipe = folder / "recipe.json"
-        recipe.write_text(json.dumps({"version": 1, "adjustments": adjustments}))
+        recipe.write_text(json.dumps({"version": 1, "adjustments": adjustments, **holds}))
         output = folder / f"posed{self.file.suffix if self.file.suffix == '.gltf' else '.glb'}"
         report = run(self.program, "pose", self.file, "-o", output, "--recipe", recipe, "--clip", f"#{self.clip}", "--clean", "--json", *more)
         return output, json.loads(report)
@@ -82,6 +84,39 @@ def foot_problems(character, folder, adjustment, words):
     return problems
 
 
+def half_frames(first, last):
+    return [half / 2 for half in range(2 * first, 2 * last + 1)]
+
+
+def pin_problems(character, folder, limb, controller):
+    first, last = character.last // 4, max(character.last // 4 + 1, character.last * 3 // 4)
+    if controller not in character.joints or "hips" not in character.joints:
+        return []
+    low = [{"controller": "hips", "keys": character.keys(move=[0.05, -0.05, 0.05])}]
+    output, _ = character.pose(folder, low, pins=[{"limb": limb, "range": [first, last], "blend": [2, 2]}])
+    places = character.places(output, character.joints[controller], half_frames(first, last))
+    miss = max(math.dist(place, places[0]) for place in places) / character.height
+    return [f"pinned {controller} strays by {miss:.2e} of the height"] if miss > TOLERANCE else []
+
+
+def grip_problems(character, folder):
+    if "left-hand" not in character.joints or "right-hand" not in character.joints:
+        return []
+    moved = [{"controller": "left-hand", "keys": character.keys(move=MOVES["left-hand"])}]
+    grip = {"leader": "left-arm", "follower": "right-arm", "range": [0, character.last], "relation": 0}
+    frames = half_frames(0, character.last)
+
+    def distances(file):
+        hands = [character.places(file, character.joints[hand], frames) for hand in ("left-hand", "right-hand")]
+        return [math.dist(a, b) for a, b in zip(*hands)]
+
+    # Both poses are written to one place: each is measured before the next.
+    kept = distances(character.pose(folder, moved)[0])[0]
+    gripped = distances(character.pose(folder, moved, grips=[grip])[0])
+    miss = max(abs(distance - kept) for distance in gripped) / character.height
+    return [f"the gripping hand strays by {miss:.2e} of the height"] if miss > TOLERANCE else []
+
+
 def problems_of(character, folder):
     names = {c["controller"] for c in character.info["controllers"] if "controller" in c}
     problems = []
@@ -95,6 +130,8 @@ def problems_of(character, folder):
     if "spine-top" in names:
         bent = {"controller": "spine-top", "keys": [{"frame": 0, "move": [0, -0.15, 0.5], "turn": [45, 0, 0]}]}
         problems += foot_problems(character, folder, bent, "a bent spine")
+    problems += pin_problems(character, folder, "left-arm", "left-hand") + pin_problems(character, folder, "right-leg", "right-foot")
+    problems += grip_problems(character, folder)
     unchanged = [a for a in UNCHANGED if a.get("controller") in names or "left-hand" in names and "attribute" in a]
     if unchanged and character.file.suffix != ".gltf":
         output, _ = character.pose(folder, unchanged)

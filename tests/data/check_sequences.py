@@ -1,27 +1,41 @@
 #!/usr/bin/env python3
 """Compresses real mesh sequences and has three.js and the Khronos validator read the result; gives the program broken ones.
 
-    check_sequences.py PROGRAM DUMP_VERTICES DATA_FOLDER
+    check_sequences.py PROGRAM DUMP_VERTICES [DATA_FOLDER]
 
 For each sequence, stretch option and encoding:
 - every vertex of some frames, as three.js skins the file, against the program's own (1e-4 of the diagonal);
 - the error of the written file against the source, as `compare` measures it, against what `compress` said of its own vertices;
 - no error or warning of the validator.
+For the sequences that the check makes itself (own_sequences.py), and each of the data folder:
+- the error over every vertex and frame, as three.js skins the file and the source's files say, against what `compress` said;
+- of the own ones every corner of every triangle with its texture coordinates, normal and material, colours and images byte for
+  byte, and a picture of the clip beside one of the source.
+With STRETCH_PICTURES naming a folder the pictures are kept there. Without a data folder only the own sequences are checked.
 Broken sequences: status 1, one line that names the place, and nothing written. Flawed but usable ones: a warning.
 """
 
 import json
 import math
+import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
 import sys
 import tempfile
 
+from check_compressed import differing_pixels
+from own_sequences import FPS, MAKERS, write_positions
+
 READERS = pathlib.Path(__file__).resolve().parent / "readers"
 VERTEX_TOLERANCE = 1e-4  # of the diagonal
 ERROR_TOLERANCE = 5e-3  # RMSE, percent of the diagonal: what 16-bit rotations may cost
+INDEPENDENT_TOLERANCE = 2e-3  # of the error itself, and INDEPENDENT_SLACK percent of the diagonal
+INDEPENDENT_SLACK = 2e-5
+CORNER_TOLERANCE = 1e-4
+PIXELS_THAT_DIFFER = 0.03
 FRAMES_LOOKED_AT = 9
 PACKED = ["--quantise", "--quantise-mesh", "--meshopt"]
 VERTEX_STEP = 5
@@ -52,6 +66,64 @@ def largest_distance(a, b):
 
 def diagonal(numbers):
     return math.dist(*[[pick(numbers[axis::3]) for axis in range(3)] for pick in (min, max)])
+
+
+def obj_frames(folder):
+    """Positions of every frame of a folder, in the order of the numbers in the names."""
+    files = sorted(folder.glob("*.obj"), key=lambda file: int(re.findall(r"\d+", file.stem)[-1]))
+    lines = lambda file: (line.split() for line in file.read_text().splitlines() if line.startswith("v "))
+    return [[tuple(map(float, words[1:4])) for words in lines(file)] for file in files]
+
+
+def cache_frames(cache):
+    content = cache.read_bytes()
+    points, _, _, samples = struct.unpack("<iffi", content[16:32])
+    numbers = struct.unpack(f"<{3 * points * samples}f", content[32 : 32 + 12 * points * samples])
+    return [[numbers[3 * (k * points + v) : 3 * (k * points + v) + 3] for v in range(points)] for k in range(samples)]
+
+
+def morph_frames(file, clip, rate):
+    """Frames of a glTF's clip, as three.js shows the source."""
+    info = json.loads(file.read_text())
+    sampler = info["animations"][clip]["samplers"][0]
+    count = round(info["accessors"][sampler["input"]]["max"][0] * rate) + 1
+    times = ",".join(f"{k / rate:.9g}" for k in range(count))
+    shown = json.loads(output_of("node", READERS / "measure.mjs", file, "--clip", f"#{clip}", "--times", times, "--vertices", 1))["vertices"]
+    return [[tuple(frame[i : i + 3]) for i in range(0, len(frame), 3)] for frame in flat(shown)]
+
+
+def glb_json(file):
+    content = file.read_bytes()
+    length = struct.unpack("<I", content[12:16])[0]
+    return json.loads(content[20 : 20 + length]), content[28 + length :]
+
+
+def rounded(corner):
+    place, uv, normal, material = corner
+    steps = lambda numbers: None if numbers is None else tuple(round(n / (10 * CORNER_TOLERANCE)) for n in numbers)
+    return (steps(place), material), uv, normal
+
+
+def near(a, b):
+    return (a is None) == (b is None) and (a is None or max(abs(x - y) for x, y in zip(a, b)) <= CORNER_TOLERANCE)
+
+
+def corner_problems(wanted, found, has_normals):
+    """Every corner of the source in the clip with all that it has, and no other."""
+    pool = {}
+    for corner in found:
+        key, uv, normal = rounded(corner)
+        pool.setdefault(key, []).append((uv, normal))
+    missing = 0
+    for corner in wanted:
+        key, uv, normal = rounded(corner)
+        matches = [c for c in pool.get(key, []) if near(c[0], uv) and (not has_normals or near(c[1], normal))]
+        if matches:
+            pool[key].remove(matches[0])
+        else:
+            missing += 1
+    left = sum(map(len, pool.values()))
+    return [f"{missing} corners of {len(wanted)} are not in the clip, {left} are not in the source"] if missing or left else []
 
 
 class Check:
@@ -94,6 +166,86 @@ class Check:
         except (RuntimeError, subprocess.TimeoutExpired) as problem:
             problems.append(str(problem))
         self.tell(label, problems)
+
+    def independent_error(self, output, frames, report, folder, problems, *flags):
+        positions = folder / "positions.f32"
+        write_positions(frames, positions)
+        theirs = json.loads(output_of("node", READERS / "sequence.mjs", output, positions, len(frames[0]), FPS, *flags))
+        if theirs["unmatched"]:
+            problems.append(f"{theirs['unmatched']} vertices of the clip lie on none of the source")
+        for key, said in (("rmse_percent", report["file"]["rmse_percent"]), ("largest_percent", report["file"]["largest_percent"])):
+            if abs(theirs[key] - said) > INDEPENDENT_TOLERANCE * said + INDEPENDENT_SLACK:
+                problems.append(f"{key} is {theirs[key]:.6f}, said {said:.6f}")
+        return theirs
+
+    def looks(self, own, output, theirs, problems):
+        bind = own.frames[0]
+        wanted = [(bind[v], uv, normal, material) for v, uv, normal, material in own.corners]
+        problems += corner_problems(wanted, theirs["corners"], own.corners[0][2] is not None)
+        described, binary = glb_json(output)
+        for material in described.get("materials", []):
+            surface = material["pbrMetallicRoughness"]
+            factor = surface.get("baseColorFactor", [1.0] * 4)
+            if material["name"] not in own.colours or not near(factor, own.colours[material["name"]]):
+                problems.append(f"the colour of {material['name']} is {factor}")
+            image = None
+            if "baseColorTexture" in surface:
+                source = described["textures"][surface["baseColorTexture"]["index"]]["source"]
+                view = described["bufferViews"][described["images"][source]["bufferView"]]
+                image = binary[view.get("byteOffset", 0) :][: view["byteLength"]]
+            if image != own.images.get(material["name"]):
+                problems.append(f"the image of {material['name']} is another one")
+        if len(described.get("materials", [])) != len(own.colours):
+            problems.append("the materials are not those of the source")
+
+    def pictures(self, name, own, output, folder, problems):
+        kept = pathlib.Path(os.environ.get("STRETCH_PICTURES", folder))
+        files = [kept / f"{name.replace(' ', '_')}-{which}.png" for which in ("source", "clip")]
+        frame = len(own.frames) // 2
+        look = ["--frame", frame, "--size", "480x360"]
+        output_of(self.program, "render", *own.words, "-o", files[0], "--look", "material", *look)
+        output_of(self.program, "render", *own.words, "-o", files[1], "--over", output, "--look", "material", *look)
+        far = differing_pixels(*files)
+        if far > PIXELS_THAT_DIFFER:
+            problems.append(f"{100 * far:.1f} % of the picture differ from the source's")
+
+    def own_sequences(self, folder):
+        for name, make in MAKERS.items():
+            problems, home = [], folder / name.replace(" ", "_")
+            home.mkdir()
+            own = make(home)
+            for packing in ([], ["--quantise"]):
+                output = home / "clip.glb"
+                try:
+                    report = json.loads(output_of(self.program, "compress", *own.words, "-o", output, "--json", "--fps", FPS, *own.arguments, *packing))
+                    theirs = self.independent_error(output, own.frames, report, home, problems, "--corners")
+                    self.looks(own, output, theirs, problems)
+                    self.independent_reader(output, report, problems)
+                    if not packing:
+                        self.pictures(name, own, output, home, problems)
+                except (RuntimeError, subprocess.TimeoutExpired) as problem:
+                    problems.append(str(problem))
+            self.tell(name, problems)
+
+    def errors_of_data(self, folder):
+        """Every sequence of the data folder, measured from its own files."""
+        worm, meshes = self.data / "worm", self.data / "mesh-sequence"
+        sequences = {"wolf": ([meshes / "wolf"], lambda: obj_frames(meshes / "wolf")),
+                     "dem-bones": ([meshes / "dem-bones" / "frames"], lambda: obj_frames(meshes / "dem-bones" / "frames"))}
+        morph = meshes / "morph" / "MorphStressTest.gltf"
+        sequences["morph"] = ([morph], lambda: morph_frames(morph, 0, 24.0))
+        for cache in sorted(worm.glob("*.pc2")):
+            base = worm / ("worm_half_swim_base.obj" if "half" in cache.name else "worm_base.obj")
+            sequences[cache.stem] = ([base, cache], lambda cache=cache: cache_frames(cache))
+        for name, (words, frames) in sequences.items():
+            problems, output = [], folder / "compressed.glb"
+            try:
+                report = json.loads(output_of(self.program, "compress", *words, "-o", output, "--json", "--fps", FPS,
+                                              "--stretch", "measured", "--bones", 20))
+                self.independent_error(output, frames(), report, folder, problems)
+            except (RuntimeError, subprocess.TimeoutExpired) as problem:
+                problems.append(str(problem))
+            self.tell(f"{name}, measured from its files", problems)
 
     def refused(self, label, words, expected, folder):
         output = folder / "refused.glb"
@@ -169,13 +321,17 @@ class Check:
 
 
 def main():
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (3, 4):
         print(__doc__, file=sys.stderr)
         return 2
-    check = Check(*map(pathlib.Path, sys.argv[1:]))
+    paths = [pathlib.Path(word) for word in sys.argv[1:]]
+    check = Check(paths[0], paths[1], paths[2] if len(paths) > 2 else None)
     with tempfile.TemporaryDirectory() as name:
-        check.broken(pathlib.Path(name))
-        check.proofs(pathlib.Path(name))
+        check.own_sequences(pathlib.Path(name))
+        if check.data is not None:
+            check.broken(pathlib.Path(name))
+            check.errors_of_data(pathlib.Path(name))
+            check.proofs(pathlib.Path(name))
     print(f"{check.passed} passed, {check.failed} failed")
     return 1 if check.failed else 0
 

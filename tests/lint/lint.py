@@ -25,6 +25,7 @@ RULES = {
     "distributive": text_rules.distributive,
     "machine-paths": text_rules.machine_paths,
     "pointers": pointer_rules.pointers,
+    "test-names": text_rules.test_names,
     "pragma-once": text_rules.pragma_once,
     "clocks-and-chance": text_rules.clocks_and_chance,
     "formatting": format_rule.formatting,

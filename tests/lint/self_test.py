@@ -231,6 +231,10 @@ class Text(LintTest):
         self.kept(text_rules.pragma_once, {"core/a.h": "#pragma once\n", "core/a.cpp": "\n"})
         self.broken(text_rules.pragma_once, {"core/a.h": "#ifndef A\n#endif\n"}, "core/a.h:")
 
+    def test_names_that_ctest_splits_are_found(self):
+        self.kept(text_rules.test_names, {"tests/core/a_test.cpp": 'TEST_CASE("one, two") { run(); }\n'})
+        self.broken(text_rules.test_names, {"tests/core/a_test.cpp": 'TEST_CASE("one; two") {\n'}, "tests/core/a_test.cpp:1:")
+
     def test_clocks_and_chance_are_found_below_the_interface(self):
         self.kept(text_rules.clocks_and_chance, {"ui/a.cpp": "std::chrono::steady_clock::now();\n"})
         self.broken(text_rules.clocks_and_chance, {"rig/a.cpp": "std::random_device seed;\n"}, "rig/a.cpp:1:")

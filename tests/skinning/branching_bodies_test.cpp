@@ -6,10 +6,13 @@
 #include <glm/geometric.hpp>
 
 #include "core/gltf/edits.h"
+#include "skinning/body/body_skeleton.h"
 #include "skinning/body/given_skeleton.h"
+#include "skinning/compress/chain_stretch.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/fit/joint_tree.h"
+#include "skinning/fit/motion_clusters.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/temporary_folder.h"
@@ -120,7 +123,7 @@ TEST_CASE("a tree of bones that were split and moved is found again") {
   }
 }
 
-TEST_CASE("bones stand side by side where that is asked for; the file shows the same either way") {
+TEST_CASE("bones stand side by side where that is asked for, the file shows the same either way") {
   CompressSettings settings = measuredWith(8);
   const SkinnedSequence tree = compressedBody(settings).skinned;
   settings.joints = JointOption::free;
@@ -284,9 +287,6 @@ TEST_CASE("a skeleton that cannot be used is refused in one line") {
     bone.pivot.y += 50.0;
   }
   CHECK_THAT(compress(sequence, settings).error().line(), Catch::Contains("lie in the mesh"));
-  settings.skeleton = truth.bones;
-  settings.stretch = StretchOption::elastic;
-  CHECK_THAT(compress(sequence, settings).error().line(), Catch::Contains("--stretch measured"));
   const test::TemporaryFolder folder;
   CHECK_FALSE(readSkeleton(folder.path() / "none.glb"));
 }
@@ -301,4 +301,97 @@ TEST_CASE("bones that are stretched out of proportion are told with their frames
   CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
     return warning.find("scaled") != std::string::npos && warning.find('7') != std::string::npos;
   }));
+}
+
+TEST_CASE("scales stay within the limit that is given, at a price that is told") {
+  SkinnedSequence truth = test::armedBody(12);
+  for (std::size_t k = 0; k < truth.frameCount(); ++k) {
+    truth.pose(k, 1).scale = Vec3(1.0, k == 7 ? 3.0 : 1.0, 1.0);
+  }
+  const MeshSequence sequence = skinAllFrames(truth);
+  CompressSettings settings = measuredWith(6);
+  settings.fit.largestScale = 1.5;
+  const auto limited = compress(sequence, settings);
+  const auto free = compress(sequence, measuredWith(6));
+  REQUIRE(limited);
+  REQUIRE(free);
+  for (std::size_t b = 0; b < limited->skinned.bones.size(); ++b) {
+    const ScaleRange range = scaleRangeOf(limited->skinned, b);
+    CHECK(range.most <= 1.5 + 1e-9);
+    CHECK(range.least >= 1.0 / 1.5 - 1e-9);
+  }
+  CHECK(limited->metrics.rmsePercent > free->metrics.rmsePercent);
+}
+
+TEST_CASE("a small piece that moves by itself has a bone of its own") {
+  // A tube at rest, from the side of which a button of a few vertices is pushed out.
+  MeshSequence tube = test::shorteningTube(8, 0.0, 0.0, 0.0);
+  std::vector<std::size_t> button;
+  for (std::size_t v = 0; v < tube.vertexCount; ++v) {
+    const glm::vec3 place = tube.frame(0)[v];
+    if (std::abs(place.x - 3.0F) < 0.6F && place.y > 0.3F) {
+      button.push_back(v);
+    }
+  }
+  REQUIRE(button.size() >= 4);
+  REQUIRE(button.size() < tube.vertexCount / 16);
+  for (std::size_t k = 1; k < tube.frameCount(); ++k) {
+    for (const std::size_t v : button) {
+      tube.frame(k)[v].y += 0.1F * static_cast<float>(k);
+    }
+  }
+  const SkinnedSequence parts = clustersOfMotion(tube, 2, 0);
+  REQUIRE(parts.bones.size() == 2);
+  const std::uint16_t own = parts.influences[button.front()].bones[0];
+  for (std::size_t v = 0; v < tube.vertexCount; ++v) {
+    const bool isButton = std::ranges::find(button, v) != button.end();
+    CHECK((parts.influences[v].bones[0] == own) == isButton);
+  }
+}
+
+TEST_CASE("where fewer bones follow the mesh exactly, no more are made, and that is told") {
+  const auto result = compress(skinAllFrames(test::armedBody(1)), measuredWith(20));
+  REQUIRE(result);
+  CHECK(result->skinned.bones.size() == 1);
+  CHECK(std::ranges::any_of(result->warnings, [](const std::string& warning) {
+    return warning.find("1 bones instead of 20") != std::string::npos;
+  }));
+}
+
+TEST_CASE("a skeleton falls into rows between its branchings") {
+  const SkinnedSequence body = test::armedBody(3);
+  const auto rows = rowsOfTree(body.bones);
+  std::size_t bones = 0;
+  for (const std::vector<std::size_t>& row : rows) {
+    bones += row.size();
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      CHECK(body.bones[row[i]].parent == static_cast<int>(row[i - 1]));
+    }
+  }
+  CHECK(bones == body.bones.size());
+  REQUIRE(rows.size() == 4); // trunk, head, two arms
+  CHECK(rows.front().size() == 1);
+  CHECK(std::ranges::count_if(rows, [](const auto& row) { return row.size() == 2; }) == 2);
+}
+
+TEST_CASE("rows of a given skeleton shorten by their own curvature") {
+  constexpr double shortening = 0.05;
+  const MeshSequence tube = test::shorteningTube(24, 2.4, shortening, 0.0);
+  const auto measured = compress(tube, measuredWith(8));
+  REQUIRE(measured);
+  CompressSettings settings;
+  settings.skeleton = bonesOfFile(measured->skinned);
+  settings.stretch = StretchOption::elastic;
+  const auto elastic = compress(tube, settings);
+  REQUIRE(elastic);
+  REQUIRE(elastic->chains.size() == 1);
+  const ChainStretch& row = elastic->chains.front();
+  CHECK(row.bones.size() == 8);
+  CHECK(row.length.line.rSquared > 0.9);
+  CHECK(row.least < 0.95);
+  CHECK(row.most == Approx(1.0).margin(0.02));
+  CHECK(elastic->metrics.rmsePercent < 1.0);
+  for (std::size_t b = 1; b < elastic->skinned.bones.size(); ++b) {
+    CHECK(elastic->skinned.pose(20, b).scale == elastic->skinned.pose(20, 0).scale);
+  }
 }

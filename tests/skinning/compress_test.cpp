@@ -134,7 +134,7 @@ TEST_CASE("the first frame is the bind pose, as long as it is, whatever the fit 
   CHECK(off->rmsePercent < 0.1);
 }
 
-TEST_CASE("a modulus that is given is used; stiff segments are flattened less") {
+TEST_CASE("a modulus that is given is used, stiff segments are flattened less") {
   const MeshSequence sequence = test::shorteningTube(8, 1.0, 0.05, 0.1);
   CompressSettings settings;
   settings.bones = 10;

@@ -47,7 +47,7 @@ TEST_CASE("a still limb sags a little by its own weight and does not move") {
   }
 }
 
-TEST_CASE("free fall weighs nothing; with inertia off, gravity alone counts") {
+TEST_CASE("free fall weighs nothing, with inertia off, gravity alone counts") {
   const auto falling = hanging(30, [](double t) { return Vec3(0.0, 10.0 - 0.5 * 9.81 * t * t, 0.0); });
   const auto weightless = solve(falling);
   CHECK(weightless[25][0].factors.along == Approx(1.0).margin(1e-3));
@@ -110,7 +110,7 @@ TEST_CASE("noise of a tenth of a millimetre does not shake the limb") {
   }
 }
 
-TEST_CASE("amount 0 leaves the clip as it was; stiffer segments give less") {
+TEST_CASE("amount 0 leaves the clip as it was, stiffer segments give less") {
   const auto motion = hanging(5, [](double) { return Vec3(0.0); });
   LimbElasticity off;
   off.amount = 0.0;

@@ -152,3 +152,22 @@ TEST_CASE("frames without leading zeros and morph-target clips are read as seque
   REQUIRE(morph);
   CHECK(morph->frameCount() > 10);
 }
+
+TEST_CASE("a crawling worm without stretch: the row turns at most 1.2 times as much as the body", "[data]") {
+  if (dataFolder().empty()) {
+    return;
+  }
+  const CompressedSequence result = compressed(crawl(), 30, StretchOption::none);
+  const SkinnedSequence& skinned = result.skinned;
+  REQUIRE(result.model);
+  for (std::size_t k = 1; k < skinned.frameCount(); ++k) {
+    std::vector<Vec3> joints;
+    for (std::size_t b = 0; b < skinned.bones.size(); ++b) {
+      joints.push_back(skinned.pose(k, b).position);
+    }
+    const SkinBone& last = skinned.bones.back();
+    joints.emplace_back(skinMatrix(last, skinned.pose(k, skinned.bones.size() - 1)) * Vec4(last.end, 1.0));
+    INFO("frame " << k);
+    CHECK(totalCurvature(joints) < 1.2 * result.model->measured[k].curvatureRadians + 0.05);
+  }
+}

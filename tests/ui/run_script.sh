@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Drives the real window through a script, on a screen of its own: run_script.sh DRIVEN_EDITOR SCRIPT
 # Lines of the script set it up: "#! file PATH" (from the root of the sources), "#! size 1280x720", "#! scale 2", "#! screen 1280x720",
+# "#! first start" (the tour is shown),
 # "#! sequence NAME" (a folder of frames made by the program make-sequence, opened instead of a file),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
 set -u
@@ -14,10 +15,11 @@ export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state HOME=$work LIBGL_
 setting() { sed -n "s/^#! $1 //p" "$2" | head -n 1; }
 
 run() {
-  local file size scale screen sequence
+  local file size scale screen sequence first
   file=$(setting file "$1")
   size=$(setting size "$1")
   scale=$(setting scale "$1")
+  first=$(setting first "$1")
   screen=$(setting screen "$1")
   # The copy is opened, so that saving beside it leaves the sources alone.
   if [ -n "$file" ] && [ ! -e "$work/$(basename "$file")" ]; then
@@ -28,8 +30,8 @@ run() {
     "$(dirname "$program")/make-sequence" "$work/$sequence" || return 1
     file=$sequence
   fi
-  (cd "$work" && STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} \
-    timeout 300 xvfb-run -a -s "-screen 0 ${screen:-2560x1440}x24" "$program" "$1" ${file:+"$work/$(basename "$file")"})
+  (cd "$work" && STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} STRETCH_UI_FIRST=${first:-} \
+    "$root/tests/ui/on_screen.sh" "${screen:-2560x1440}" timeout 300 "$program" "$1" ${file:+"$work/$(basename "$file")"})
 }
 
 status=0

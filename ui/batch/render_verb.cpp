@@ -233,6 +233,9 @@ Result<SequenceContent> shownContent(const RenderArguments& arguments, app::Sequ
   if (!sequence) {
     return sequence.error();
   }
+  for (const std::string& warning : sequence->warnings) {
+    fmt::print(stderr, "warning: {}\n", warning);
+  }
   SequenceContent content;
   if (!arguments.over.empty()) {
     Result<MeshSequence> over = skinning::readAnimatedGltf(arguments.over);

@@ -24,11 +24,29 @@ struct MenuEntries {
   CommandIds ids;
 };
 
+constexpr CommandIds controllerEntries{command::controllerMove,
+                                       command::controllerTurn,
+                                       "",
+                                       command::poseKey,
+                                       command::poseDeleteKey,
+                                       command::poseReset,
+                                       command::poseWholeClip,
+                                       "",
+                                       command::poseCopy,
+                                       command::posePaste,
+                                       command::poseMirror,
+                                       "",
+                                       command::controllersAll,
+                                       command::controllersKeyed,
+                                       "",
+                                       command::viewFrameSelection,
+                                       command::viewControllers};
+
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{trailExaggerate, trailToggle,        weightToggle, "",
-                                   copyTrail,       pasteTrail,         mirrorTrail,  "",
-                                   trailDeleteAll,  viewFrameSelection, selectNone};
+  static constexpr CommandIds limb{
+      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
+      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,
@@ -64,13 +82,17 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
-  static constexpr CommandIds viewport{viewFrameAll,  viewFrameSelection, "",       viewFront,      viewSide,
-                                       viewTop,       viewPerspective,    "",       viewSkeleton,   viewWire,
-                                       viewHeatMap,   viewGhosts,         viewGrid, viewSideBySide, "",
-                                       viewNavigation};
-  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},   {MenuTarget::trail, trail},
-                                          {MenuTarget::group, group}, {MenuTarget::sphere, sphere},
-                                          {MenuTarget::key, key},     {MenuTarget::range, range},
+  static constexpr CommandIds viewport{
+      viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
+      viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
+      viewNavigation};
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},
+                                          {MenuTarget::trail, trail},
+                                          {MenuTarget::group, group},
+                                          {MenuTarget::sphere, sphere},
+                                          {MenuTarget::controller, controllerEntries},
+                                          {MenuTarget::key, key},
+                                          {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
   for (const MenuEntries& menu : menus) {
     if (menu.target == target) {
@@ -110,6 +132,12 @@ std::string spheresText(const app::ViewState& view) {
                                           : std::to_string(view.selectedSpheres.size()) + " spheres";
 }
 
+std::string controllersText(const app::Session& session) {
+  const std::vector<std::string>& selected = session.view().selectedControllers;
+  return selected.size() == 1 ? capitalised(app::controllerTitle(session.document(), selected.front()))
+                              : std::to_string(selected.size()) + " controllers";
+}
+
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
   if (target == MenuTarget::viewport) {
@@ -127,6 +155,8 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
     return capitalised(app::groupTitle(session.document(), app::wholeGroupSelected(session)));
   case MenuTarget::sphere:
     return spheresText(view);
+  case MenuTarget::controller:
+    return controllersText(session);
   case MenuTarget::key:
     return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::range:

@@ -5,6 +5,7 @@
 
 #include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
+#include "ui/panels/key_bar.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
@@ -210,6 +211,7 @@ void drawDialogs(PanelContext& context) {
   drawSettingsDialog(context);
   drawKeysOverview(context);
   drawRenameDialog(context);
+  drawRetimeDialog(context);
   drawHistoryDialog(context);
   drawContextMenu(context);
   drawQuestions(context);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ui/panels/panel_context.h"
@@ -10,17 +11,28 @@ namespace stretch::ui {
 /// Nodes of the selected limb, base first, its end last.
 [[nodiscard]] std::vector<NodeIndex> graphNodes(const rig::Limb& limb);
 
-/// The curves of one node, or of the limb's length, over the visible frames: as the character moves, with the
-/// source clip as `before` where a trail changes it, and the clip's keys. Remembered in UiState::graph until
-/// what they were made from changes. Rotations are Euler angles X, Y, Z in degrees without jumps.
-[[nodiscard]] const std::vector<Curve>& graphCurves(PanelContext& context, const rig::Limb& limb,
+/// What the graph can show: a joint, a controller or an attribute, or all joints at once.
+struct GraphSubject {
+  std::string title;
+  std::vector<NodeIndex> nodes = {}; ///< Joints; none: the controller.
+  std::string controller = {};
+  std::string limb = {}; ///< Whose length is shown.
+  bool isOne = true;     ///< A joint alone: what the character does is drawn over its curves.
+};
+
+/// The selected controllers with the attributes of their limbs, the joints of the first selected limb, then
+/// all joints of the selected limbs, and every one that is animated. Empty where nothing is selected.
+[[nodiscard]] std::vector<GraphSubject> graphSubjects(const PanelContext& context);
+
+/// The rows of keys that the graph shows of a subject.
+[[nodiscard]] std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubject& subject);
+
+/// The curves over the visible frames, remembered in UiState::graph until what they were made from changes.
+/// Rotations are angles X, Y, Z in degrees without jumps.
+[[nodiscard]] const std::vector<Curve>& graphCurves(PanelContext& context, const GraphSubject& subject,
                                                     const Span& frames);
 
-/// Unit of the values in a channel, with a leading space.
-[[nodiscard]] const char* graphUnit(GraphChannels channels);
-
-/// Angles X, Y, Z (radians, applied in the order X, Y, Z about fixed axes) of a rotation, each chosen nearest
-/// to `previous`.
-[[nodiscard]] Vec3 eulerNear(const Quat& rotation, const Vec3& previous);
+/// Unit of the values of a subject, with a leading space.
+[[nodiscard]] const char* graphUnit(const PanelContext& context, const GraphSubject& subject);
 
 } // namespace stretch::ui

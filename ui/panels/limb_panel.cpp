@@ -3,9 +3,12 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
+#include "app/edits/adjustment_edits.h"
 #include "ui/panels/context_menu.h"
+#include "ui/panels/controller_panel.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/limb_diagram.h"
@@ -65,6 +68,48 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   return state;
 }
 
+std::vector<DiagramController> diagramControllers(const PanelContext& context) {
+  const app::Session& session = context.character();
+  const app::Document& document = session.document();
+  std::vector<DiagramController> controllers;
+  if (!hasViewedClip(context)) {
+    return controllers;
+  }
+  for (const rig::Controller& controller : app::controllersOf(document).controllers) {
+    const bool selected = app::isControllerSelected(session, controller.id);
+    controllers.push_back({controller.id,
+                           selected,
+                           keyMarkOf(session, {&controller.id, 1}),
+                           {capitalised(app::controllerTitle(document, controller.id)),
+                            "A controller: click selects it, Shift+click adds it.",
+                            {}}});
+  }
+  return controllers;
+}
+
+/// Controllers on single joints, which the figure has no place for.
+void jointList(PanelContext& context) {
+  app::Session& session = context.character();
+  const std::vector<rig::Controller> joints = app::jointControllersOf(session.document());
+  if (joints.empty() || !hasViewedClip(context)) {
+    return;
+  }
+  std::vector<Choice> choices;
+  int selected = -1;
+  for (const rig::Controller& joint : joints) {
+    const bool keyed = keyMarkOf(session, {&joint.id, 1}) != KeyMark::none;
+    selected = app::isControllerSelected(session, joint.id) ? static_cast<int>(choices.size()) : selected;
+    choices.push_back({.text = joint.id, .help = {joint.id, "Turns this joint.", {}}, .marked = keyed});
+  }
+  const Help help{
+      "Other joints", "Fingers, clavicles, toes, a tail: each turns by itself. A dot: it is keyed.", {}};
+  const int chosen = dropdown(widgetsOf(context), "controller/joint", choices, selected, help, 0.0F,
+                              "Other joints", &context.ui.jointFilter);
+  if (chosen >= 0) {
+    app::selectController(session, joints[static_cast<std::size_t>(chosen)].id, ImGui::GetIO().KeyShift);
+  }
+}
+
 /// A limb of several that are selected keeps them, so that the menu acts on all.
 void selectForMenu(PanelContext& context, const std::string& limbId) {
   if (!app::isSelected(context.character(), limbId)) {
@@ -95,8 +140,13 @@ void chainChips(PanelContext& context) {
 
 std::string limbSelectionText(const app::Session& session) {
   const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  const std::vector<std::string>& controllers = session.view().selectedControllers;
+  if (!controllers.empty()) {
+    return capitalised(controllers.size() == 1 ? app::controllerTitle(session.document(), controllers.front())
+                                               : std::to_string(controllers.size()) + " controllers");
+  }
   if (limbs.empty()) {
-    return "Click a limb to start.";
+    return "Click a limb or a controller.";
   }
   std::string text;
   for (const std::string& limb : limbs) {
@@ -130,8 +180,11 @@ void drawLimbPanel(PanelContext& context) {
   }
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = std::min(width * 1.22F, context.theme.px(248.0F));
-  if (const std::optional<BodyPart> clicked = limbDiagram(widgets, "limb", parts, height)) {
-    const auto part = static_cast<std::size_t>(*clicked);
+  const DiagramClick clicked = limbDiagram(widgets, "limb", parts, diagramControllers(context), height);
+  if (!clicked.controller.empty()) {
+    app::selectController(session, clicked.controller, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
+  } else if (clicked.part) {
+    const auto part = static_cast<std::size_t>(*clicked.part);
     if (parts[part].found) {
       app::selectLimb(session, limbIds[part], ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     } else {
@@ -145,9 +198,11 @@ void drawLimbPanel(PanelContext& context) {
   ImGui::Dummy({width, context.theme.px(20.0F)});
   drawText(
       widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},
-      session.view().selectedLimbs.empty() ? context.theme.colours.quietText : context.theme.colours.text,
+      session.view().selectedLimbs.empty() && !app::hasControllers(session) ? context.theme.colours.quietText
+                                                                            : context.theme.colours.text,
       limbSelectionText(session), 0.5F);
   chainChips(context);
+  jointList(context);
 }
 
 } // namespace stretch::ui

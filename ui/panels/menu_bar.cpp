@@ -92,6 +92,86 @@ void openFileName(PanelContext& context) {
                           .width = saveWidth});
 }
 
+void poseMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Pose",
+            {controllerMove,
+             controllerTurn,
+             "",
+             controllerNext,
+             controllerPrevious,
+             controllersAll,
+             controllersKeyed,
+             "",
+             poseKey,
+             poseDeleteKey,
+             poseAutoKey,
+             poseWholeClip,
+             "",
+             poseReset,
+             poseResetRange,
+             poseResetRig,
+             poseResetRigRange,
+             "",
+             poseMirror,
+             poseCopy,
+             posePaste,
+             poseTween,
+             "",
+             poseCurlMore,
+             poseCurlLess,
+             "",
+             poseKeyAutomatic,
+             poseKeyFlat,
+             poseKeyLinear,
+             poseKeyStepped,
+             poseKeyFree}},
+           false);
+}
+
+void drawLimbMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Limb",
+            {selectLeftArm,
+             selectRightArm,
+             selectLeftLeg,
+             selectRightLeg,
+             selectSpine,
+             selectNeck,
+             selectAllLimbs,
+             selectNone,
+             "",
+             weightToggle,
+             weightAll,
+             weightRemove,
+             "",
+             holdPin,
+             holdPinFeet,
+             holdMatch,
+             holdProp,
+             holdLetGo,
+             holdRemove,
+             "",
+             pickChain,
+             detectAgain}},
+           false);
+}
+
+} // namespace
+
+namespace {
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
 } // namespace
 
 void drawMenuBar(PanelContext& context) {
@@ -100,17 +180,13 @@ void drawMenuBar(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
   drawMenu(context,
            {"File",
-            {fileOpen, "", fileSave, fileSaveAs, fileSaveIncremental, fileExportClean, "", recipeLoad,
-             recipeSave, "", fileQuit}},
+            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
+             fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
-  drawMenu(
-      context,
-      {"Limb",
-       {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck, selectAllLimbs,
-        selectNone, "", weightToggle, weightAll, weightRemove, "", pickChain, detectAgain}},
-      false);
+  drawLimbMenu(context);
+  poseMenu(context);
   drawMenu(context,
            {"Trail",
             {trailToggle,
@@ -136,19 +212,20 @@ void drawMenuBar(PanelContext& context) {
              trailDelete,
              trailDeleteAll}},
            false);
+  drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
                      timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,
                      timeOnTwos, "",         clipPrevious, clipNext,        clipRate24,  clipRate25,
                      clipRate30, clipRateOwn}},
            false);
-  drawMenu(
-      context,
-      {"View",
-       {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "", viewSkeleton,
-        viewWire, viewJointNames, viewHeatMap, viewGhosts, viewFrameNumbers, viewGrid, viewSideBySide}},
-      false);
-  drawMenu(context, {"Help", {palette, keys, about}}, false);
+  drawMenu(context,
+           {"View",
+            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
+             viewControllers, viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
+             viewFrameNumbers, viewGrid, viewSideBySide}},
+           false);
+  drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);
 }

@@ -1,4 +1,8 @@
+#include "app/commands/selection.h"
+#include "ui/panels/controller_panel.h"
+#include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/widgets/layout.h"
 
 namespace stretch::ui {
 
@@ -10,6 +14,13 @@ void characterLeft(PanelContext& context) {
 }
 
 void characterRight(PanelContext& context) {
+  if (hasViewedClip(context) && app::hasControllers(context.character())) {
+    drawControllerSettings(context);
+    verticalSpace(widgetsOf(context), 8.0F);
+    separator(widgetsOf(context));
+    drawTrailsPanel(context);
+    return;
+  }
   drawTrailsPanel(context);
   drawTrailSettingsPanel(context);
 }

@@ -285,6 +285,9 @@ std::string errorLine(const app::OpenDocument& open, Error error) {
   const app::Session* const session = open.character();
   if (session != nullptr && app::findLimb(session->document(), error.where) != nullptr) {
     error.where = limbHeading(session->document(), error.where);
+  } else if (session != nullptr) {
+    const std::string title = app::controllerTitle(session->document(), error.where);
+    error.where = title == error.where ? error.where : capitalised(title);
   }
   return error.line();
 }

@@ -43,8 +43,21 @@ void statusText(PanelContext& context, const std::string& id, const std::string&
   ImGui::SameLine(0.0F, context.theme.px(20.0F));
 }
 
+std::string controllersText(const app::Session& session) {
+  const std::vector<std::string>& ids = session.view().selectedControllers;
+  std::string text;
+  for (const std::string& id : ids) {
+    text += (text.empty() ? "" : ", ") + app::controllerTitle(session.document(), id);
+  }
+  return capitalised(ids.size() > 4 ? std::to_string(ids.size()) + " controllers" : text) +
+         (session.view().unkeyed.empty() ? "" : ", posed without a key");
+}
+
 std::string selectionText(const app::Session& session) {
   const app::ViewState& view = session.view();
+  if (app::hasControllers(session)) {
+    return controllersText(session);
+  }
   if (view.selectedLimbs.empty()) {
     return "Nothing selected";
   }
@@ -100,10 +113,15 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
   }
   const app::Session& session = context.character();
   const bool limbChosen = !session.view().selectedLimbs.empty();
-  if (!limbChosen) {
+  if (app::hasControllers(session)) {
+    addHint(context, hints, command::sphereGrab, "move");
+    addHint(context, hints, command::poseKey, "key");
+    addHint(context, hints, command::poseWholeClip, "whole clip");
+  } else if (!limbChosen) {
     const std::string first = keyOf(context, command::selectLeftArm);
     const std::string last = keyOf(context, command::selectNeck);
     hints.push_back({first + ".." + last, "limb"});
+    addHint(context, hints, command::controllersOfHips, "hips");
   } else {
     addHint(context, hints, command::rangeStart, "range start");
     addHint(context, hints, command::rangeEnd, "end");

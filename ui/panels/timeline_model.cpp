@@ -1,8 +1,15 @@
 #include "ui/panels/timeline_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "app/commands/frames.h"
+#include "app/commands/keys.h"
+#include "app/commands/posing.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
@@ -11,23 +18,147 @@ namespace stretch::ui {
 
 namespace {
 
-std::vector<KeyRow> keyRows(app::Session& session, RowDetail detail) {
-  const app::Document& document = session.document();
-  if (detail == RowDetail::selection) {
-    const std::vector<std::string>& limbs = session.view().selectedLimbs;
-    const std::string label = limbs.empty()       ? "All keys"
-                              : limbs.size() == 1 ? limbHeading(document, limbs.front())
-                                                  : std::to_string(limbs.size()) + " limbs";
-    return {{label, app::shownKeyFrames(session, limbs), false}};
-  }
-  std::vector<KeyRow> rows{{"All keys", app::shownKeyFrames(session, {}), false}};
-  const auto add = [&](const rig::Limb& limb) {
-    rows.push_back({limbHeading(document, limb.id), app::shownKeyFrames(session, {limb.id}),
-                    app::isSelected(session, limb.id)});
-  };
-  std::for_each(document.biped.limbs.begin(), document.biped.limbs.end(), add);
-  std::for_each(document.chains.begin(), document.chains.end(), add);
+using KeyedRows = std::vector<app::KeyRow>;
+
+/// The rows of a limb's joints.
+KeyedRows rowsOfLimb(const KeyedRows& all, const rig::Limb& limb) {
+  std::set<NodeIndex> nodes(limb.joints.begin(), limb.joints.end());
+  nodes.insert(limb.endNode);
+  KeyedRows rows;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+               [&](const app::KeyRow& row) { return !row.isOffset() && nodes.count(row.node) != 0; });
   return rows;
+}
+
+/// Gathers rows for the timeline and the dope sheet.
+class RowGatherer {
+public:
+  RowGatherer(app::Session& session, KeyRowsState& state)
+      : session_(session), document_(session.document()),
+        all_(app::keyedRows(document_, session.view().clip)), state_(state) {
+    state_.rows.clear();
+    state_.keyed.clear();
+  }
+
+  void addClip(const std::string& label, const std::vector<std::string>& limbs, bool selected) {
+    KeyedRows keyed;
+    for (const std::string& id : limbs) {
+      if (const rig::Limb* const limb = app::findLimb(document_, id)) {
+        const KeyedRows some = rowsOfLimb(all_, *limb);
+        keyed.insert(keyed.end(), some.begin(), some.end());
+      }
+    }
+    add({label, app::shownKeyFrames(session_, limbs), selected}, limbs.empty() ? all_ : keyed);
+  }
+
+  void addController(const std::string& id, bool selected) {
+    const app::KeyRow row{NodeIndex::none, Channel::translation, id};
+    const std::vector<double> frames = app::keyFramesOf(document_, session_.view().clip, row);
+    add({capitalised(app::rowTitle(document_, row)), frames, selected, true}, {row});
+  }
+
+  [[nodiscard]] std::vector<std::string> keyedControllers() const {
+    std::vector<std::string> ids;
+    for (const app::KeyRow& row : all_) {
+      if (row.isOffset()) {
+        ids.push_back(row.controller);
+      }
+    }
+    return ids;
+  }
+
+private:
+  void add(KeyRow row, KeyedRows keyed) {
+    state_.rows.push_back(std::move(row));
+    state_.keyed.push_back(std::move(keyed));
+  }
+
+  app::Session& session_;
+  const app::Document& document_;
+  KeyedRows all_;
+  KeyRowsState& state_;
+};
+
+bool isPosed(const app::Session& session, const std::string& id) {
+  const std::vector<std::string> posed = app::posedIds(session);
+  return std::find(posed.begin(), posed.end(), id) != posed.end();
+}
+
+void gatherSelection(app::Session& session, KeyRowsState& state) {
+  const app::Document& document = session.document();
+  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  RowGatherer gatherer(session, state);
+  const std::string label = limbs.empty()       ? "All keys"
+                            : limbs.size() == 1 ? limbHeading(document, limbs.front())
+                                                : std::to_string(limbs.size()) + " limbs";
+  gatherer.addClip(label, limbs, false);
+  constexpr std::size_t most = 4; ///< Rows of controllers: the bars of trails have to be seen too.
+  for (const std::string& id : gatherer.keyedControllers()) {
+    if (state.rows.size() <= most && isPosed(session, id)) {
+      gatherer.addController(id, false);
+    }
+  }
+}
+
+void gatherEveryLimb(app::Session& session, KeyRowsState& state) {
+  const app::Document& document = session.document();
+  RowGatherer gatherer(session, state);
+  gatherer.addClip("All keys", {}, false);
+  for (const rig::Limb& limb : app::allLimbs(document)) {
+    gatherer.addClip(limbHeading(document, limb.id), {limb.id}, app::isSelected(session, limb.id));
+  }
+  for (const std::string& id : gatherer.keyedControllers()) {
+    gatherer.addController(id, isPosed(session, id));
+  }
+}
+
+/// Frames of the picked keys in each row.
+void markPickedFrames(const app::Session& session, KeyRowsState& state) {
+  const app::KeySelection picked = app::pickedKeys(session);
+  std::map<app::KeyRow, std::vector<double>> frames;
+  for (const app::PickedRow& row : picked) {
+    const std::vector<double> all = app::keyFramesOf(session.document(), session.view().clip, row.row);
+    for (const app::PickedKey& key : row.keys) {
+      frames[row.row].push_back(all[at(key.key)]);
+    }
+  }
+  for (std::size_t i = 0; i < state.rows.size(); ++i) {
+    std::vector<double>& marked = state.rows[i].picked;
+    marked.clear();
+    for (const app::KeyRow& row : picked.empty() ? KeyedRows{} : state.keyed[i]) {
+      const auto found = frames.find(row);
+      if (found != frames.end()) {
+        marked.insert(marked.end(), found->second.begin(), found->second.end());
+      }
+    }
+    for (double& frame : marked) {
+      frame = std::round(frame * 1000.0) / 1000.0;
+    }
+    std::sort(marked.begin(), marked.end());
+    marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+  }
+}
+
+/// The rows, gathered again where what they show is another.
+const std::vector<KeyRow>& keyRows(PanelContext& context, RowDetail detail) {
+  app::Session& session = context.character();
+  KeyRowsState& state = context.ui.keyRows;
+  const app::ViewState& view = session.view();
+  std::vector<std::string> selected = view.selectedLimbs;
+  selected.push_back("clip " + std::to_string(view.clip));
+  selected.insert(selected.end(), view.selectedControllers.begin(), view.selectedControllers.end());
+  const bool every = detail == RowDetail::everyLimb;
+  const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
+  if (state.motion != motion || state.clips != session.document().clips || state.selected != selected ||
+      state.everyLimb != every) {
+    (every ? gatherEveryLimb : gatherSelection)(session, state);
+    state.motion = motion;
+    state.clips = session.document().clips;
+    state.selected = std::move(selected);
+    state.everyLimb = every;
+  }
+  markPickedFrames(session, state);
+  return state.rows;
 }
 
 TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const rig::SolvedTrail* solved,
@@ -86,7 +217,8 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.playhead = session.view().frame;
   model.range = shownRange(session);
   model.rangeIsDefault = session.view().rangeEnd < session.view().rangeStart;
-  model.keyRows = keyRows(session, detail);
+  model.keyRows = keyRows(context, detail);
+  model.keysEditable = detail == RowDetail::everyLimb;
   model.snap = context.ui.timeline.snapToFrames;
   const Clip& shown = app::clipOf(document, clip);
   const double rate = shown.framesPerSecond;

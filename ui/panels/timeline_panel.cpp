@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/commands/command_ids.h"
+#include "app/commands/keys.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
@@ -133,6 +134,55 @@ void followClip(PanelContext& context) {
   time.seenRate = rate;
 }
 
+/// The keys of the dope sheet that a box is around.
+app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
+  const app::Session& session = context.character();
+  app::KeySelection selection;
+  const auto& keyed = context.ui.keyRows.keyed;
+  for (std::size_t row = box.firstRow; row <= box.lastRow && row < keyed.size(); ++row) {
+    selection = app::joined(selection, app::keysBetween(session.document(), session.view().clip, keyed[row],
+                                                        box.frames.start, box.frames.end));
+  }
+  return selection;
+}
+
+/// Picking and dragging keys in the dope sheet.
+void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
+  app::Session& session = context.character();
+  GraphState& graph = context.ui.graph;
+  if (outcome.keysPicked) {
+    app::pickKeys(session, keysIn(context, *outcome.keysPicked), outcome.keysPicked->add);
+  } else if (outcome.clickedBesideKeys) {
+    app::pickKeys(session, {}, false);
+  }
+  if (!session.isDragging()) {
+    graph.heldKeys = app::pickedKeys(session);
+  }
+  const EditPhase phase{outcome.keysDragged && !graph.heldKeys.empty(), outcome.gestureEnded};
+  app::KeySelection picked = graph.heldKeys;
+  editThrough(context, phase, "Move " + app::selectionTitle(session.document(), graph.heldKeys),
+              [&](const app::Document& start) -> Result<app::Document> {
+                Result<app::EditedKeys> edited =
+                    app::moveKeys(start, session.view().clip, graph.heldKeys, {outcome.keyFrames, 0.0});
+                if (!edited) {
+                  return edited.error();
+                }
+                picked = std::move(edited->picked);
+                return std::move(edited->document);
+              });
+  if (phase.changed) {
+    app::pickKeys(session, picked, false);
+  }
+}
+
+/// The dope sheet owns the keys of the keyboard while the mouse is over it.
+void ownKeys(PanelContext& context, const TimelineOutcome& outcome) {
+  app::Session& session = context.character();
+  session.view().keyRows = app::keyedRows(session.document(), session.view().clip);
+  KeyPane& pane = context.ui.keyPane;
+  pane = {outcome.hovered, false, outcome.mouseFrame, 0.0, 1.0, pane.pressTaken && !outcome.gestureEnded};
+}
+
 void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   const TimelineModel model = timelineModel(context, detail);
   ImGui::BeginChild(id, ImGui::GetContentRegionAvail(), false,
@@ -142,6 +192,13 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
                                            timelineLabelWidth(context.theme, model), height);
   ImGui::EndChild();
   applyRange(context.character(), outcome);
+  const bool pressTaken = context.ui.keyPane.pressTaken;
+  if (model.keysEditable) {
+    ownKeys(context, outcome);
+  }
+  if (model.keysEditable && !pressTaken) {
+    applyKeys(context, outcome);
+  }
   applyBars(context, outcome);
   applyView(context, outcome);
   applyMenu(context, outcome);
@@ -151,8 +208,8 @@ void tabs(PanelContext& context) {
   ImGui::BeginChild("bottom/tabs", {context.theme.px(288.0F), context.theme.rowHeight()});
   const std::vector<Choice> choices{
       {"Timeline", {"Timeline", "Keys of the selection and trails over time.", {}}},
-      {"Graph", {"Graph", "Curves of the selected limb's joints.", {}}},
-      {"Dope sheet", {"Dope sheet", "Keys of every limb.", {}}}};
+      {"Graph", {"Graph", "Curves of the selection, whose keys are edited here.", {}}},
+      {"Dope sheet", {"Dope sheet", "Keys of every limb and controller: pick, move, scale, copy.", {}}}};
   const int chosen =
       segmented(widgetsOf(context), "bottom/tab", choices, static_cast<int>(context.ui.bottomTab));
   ImGui::EndChild();

@@ -32,4 +32,7 @@ void stopRows(PanelContext& context, const rig::Trail& trail);
 /// setting of every selected limb that has weight.
 void weightSection(PanelContext& context, const std::string& limbId);
 
+/// What holds hands, feet and props in the viewed clip: buttons that make a hold, and the rows of each.
+void holdSection(PanelContext& context);
+
 } // namespace stretch::ui

@@ -71,6 +71,7 @@ void settingSections(PanelContext& context, const rig::Trail& trail) {
     stopRows(context, trail);
   }
   weightSection(context, trail.limb);
+  holdSection(context);
 }
 
 /// What to do for a limb of which no trail is selected: where those are that it has, or how to make one.
@@ -95,7 +96,7 @@ void drawLimbSettings(PanelContext& context) {
   const std::vector<std::string> limbs = app::targetLimbs(context.character());
   if (limbs.empty()) {
     panelTitle(widgets, icon::sliders, "Settings");
-    note(widgets, "Select a limb or a trail to see its settings.");
+    note(widgets, "Select a limb, a trail or a controller to see its settings.");
     return;
   }
   const std::size_t also = limbs.size() - 1;
@@ -119,6 +120,7 @@ void drawTrailSettingsPanel(PanelContext& context) {
   const rig::Trail* selected = app::selectedTrail(session);
   if (selected == nullptr) {
     drawLimbSettings(context);
+    holdSection(context);
     return;
   }
   const rig::Trail trail = *selected; // a copy: rows edit the document while the others are drawn

@@ -10,6 +10,7 @@
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/ranges.h"
+#include "app/edits/retime.h"
 #include "app/file_work.h"
 #include "app/files/file_facts.h"
 #include "rig/motion/motion.h"
@@ -23,6 +24,7 @@ enum class NavigationStyle { maya, blender };
 
 /// What the viewport draws over the character.
 struct ViewportOverlays {
+  bool controllers = false; ///< Else only while one is selected.
   bool skeleton = false;
   bool wire = false;
   bool jointNames = false;
@@ -61,7 +63,7 @@ struct TimelineState {
 };
 
 /// What a menu at the mouse is about.
-enum class MenuTarget { nothing, limb, trail, group, sphere, key, range, time, viewport };
+enum class MenuTarget { nothing, limb, trail, group, sphere, controller, key, range, time, viewport };
 
 /// A trail, or a group of trails, that is given a name.
 struct RenameState {
@@ -83,27 +85,83 @@ struct HistoryState {
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
-/// What the graph's curves were made from.
+/// What the curves of one row were made from.
+struct GraphRowKey {
+  std::optional<CopyOnWrite<Track>> track = {}; ///< Of the clip, and as the source has it.
+  std::optional<CopyOnWrite<Track>> source = {};
+  std::vector<rig::Adjustment> adjustments = {};  ///< Of offset keys.
+  std::shared_ptr<const rig::MotionState> motion; ///< Where the result is drawn beside it.
+
+  friend bool operator==(const GraphRowKey&, const GraphRowKey&) = default;
+};
+
+/// What all curves of the graph have in common.
 struct GraphKey {
-  std::shared_ptr<const rig::MotionState> motion;
-  std::string limb;
-  NodeIndex node;
+  std::shared_ptr<const std::vector<Clip>> clips = {};
+  std::shared_ptr<const rig::MotionState> motion = {};
+  std::vector<NodeIndex> nodes = {};
+  std::string controller = {};
   GraphChannels channels = GraphChannels::rotation;
+  std::string lengthOf = {}; ///< The limb whose length is drawn, and no rows.
   double firstFrame = 0.0;
   double lastFrame = 0.0;
+  int clip = 0;
+  int theme = 0;
 
   friend bool operator==(const GraphKey&, const GraphKey&) = default;
 };
 
 struct GraphState {
   GraphChannels channels = GraphChannels::rotation;
-  int joint = 0; ///< Index into the limb's joints; the end comes last.
+  int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
+  bool fitPicked = false; ///< The pending fit is about the picked keys.
+  bool isolated = false;  ///< Only curves with picked keys are drawn.
   double valueMin = -1.0;
   double valueMax = 1.0;
-  std::vector<bool> hidden = std::vector<bool>(3, false); ///< Curves switched off in the legend.
+  std::vector<bool> hidden = std::vector<bool>(3, false); ///< Components switched off in the legend.
   std::vector<Curve> curves;                              ///< As last made, from:
   std::optional<GraphKey> madeFrom;
+  std::vector<app::KeyRow> rows;     ///< Whose curves they are,
+  std::vector<GraphRowKey> madeRows; ///< each made from one of these; curves of a row follow each other.
+  std::optional<app::KeySelection> shownPicks; ///< As the curves mark them.
+  CurveGesture gesture;
+  app::KeySelection heldKeys; ///< Picked when a drag of keys began.
+};
+
+/// Graph and dope sheet: the pane under the mouse owns the keys of the keyboard.
+struct KeyPane {
+  bool hovered = false;     ///< The mouse is over its keys,
+  bool valuesShown = false; ///< which have values there,
+  double frame = 0.0;       ///< here.
+  double value = 0.0;       ///< Shown units.
+  double valueStep = 1.0;   ///< What Up and Down move keys by.
+  bool pressTaken = false;  ///< The press that ended a tool means nothing else.
+};
+
+/// A range of keys that is to take another time.
+struct RetimeState {
+  bool open = false;
+  bool wasOpen = false; ///< In the frame before.
+  double firstFrame = 0.0;
+  double lastFrame = 0.0;
+  double newFrames = 0.0;
+  bool movesAfter = true;
+  std::string limb = {};                  ///< Only its keys; empty: those of the whole clip.
+  std::optional<app::Retime> looked = {}; ///< What follows is about this.
+  std::string ends = {};                  ///< Where the clip will end,
+  std::vector<std::string> past = {};     ///< and what will stand past its end that does not now.
+  std::string problem = {};               ///< Why it cannot be done; empty: it can.
+};
+
+/// Keys of the rows of the timeline and the dope sheet, as last gathered.
+struct KeyRowsState {
+  std::shared_ptr<const rig::MotionState> motion = {};
+  std::shared_ptr<const std::vector<Clip>> clips = {};
+  std::vector<std::string> selected = {}; ///< Limbs and controllers.
+  bool everyLimb = false;
+  std::vector<KeyRow> rows = {};
+  std::vector<std::vector<app::KeyRow>> keyed = {}; ///< What each of the rows stands for.
 };
 
 /// What an animator would stumble over in the selected trail, as last looked for.
@@ -158,6 +216,20 @@ struct FileEntry {
   std::string name;
   bool isFolder = false;
   std::uintmax_t bytes = 0;
+};
+
+/// What the editor offers while nothing is open.
+struct WelcomeState {
+  int highlighted = 0;  ///< Entry that the keys are on.
+  int columns = 1;      ///< Of the entries that have pictures, as they were drawn last.
+  bool entered = false; ///< The highlighted entry is to be opened.
+  bool moved = false;   ///< The highlight has not been scrolled to yet.
+};
+
+/// The tour through the first punch.
+struct TourState {
+  bool pending = false; ///< It begins when the bundled punch is opened.
+  int step = -1;        ///< -1: it does not run.
 };
 
 /// To open: set `open`, `purpose`, and, where known, `folder` and `typed` (the proposed name); the rest as it
@@ -226,6 +298,16 @@ struct UiAnswers {
   std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
+  bool keepSettings = false; ///< The user's settings are to be written at once.
+};
+
+/// One step of the tour, as its card shows it.
+struct TourCard {
+  int step = 0; ///< From 0.
+  int steps = 0;
+  std::string title;
+  std::string text;
+  std::string key; ///< What to press.
 };
 
 /// What is going on in this frame, as the panels show it: made anew for each one.
@@ -237,7 +319,8 @@ struct EditorStatus {
   std::vector<KeyHint> keyHints; ///< What the keys do in a modal.
   std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
   float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
-  std::string pressedKey; ///< Pressed in this frame, as Command::keys spells it: for the keys overview.
+  std::string pressedKey;       ///< Pressed in this frame, as Command::keys spells it: for the keys overview.
+  std::optional<TourCard> tour; ///< While it runs.
 };
 
 /// View state of all panels: no widget keeps anything anywhere else. Not part of the document, not undone.
@@ -249,6 +332,9 @@ struct UiState {
   ViewportOverlays overlays;
   TimelineState timeline;
   GraphState graph;
+  KeyPane keyPane;
+  RetimeState retime;
+  KeyRowsState keyRows;
   LookState look;
   TakenStyle takenStyle;
   BottomTab bottomTab = BottomTab::timeline;
@@ -261,12 +347,16 @@ struct UiState {
   double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
   std::optional<MenuPlace> menuPlace;          ///< Else at the mouse.
   RenameState rename;
-  std::string clipFilter; ///< Typed into the list of clips.
+  std::string clipFilter;  ///< Typed into the list of clips.
+  std::string jointFilter; ///< Typed into the list of joints.
+  double tween = 0.5;      ///< Of the tween that is dragged, from key (0) to key (1).
   HistoryState history;
   std::map<std::string, std::string> typedTexts; ///< Text of settings that are typed, for each field.
   bool settingsOpen = false;
   bool aboutOpen = false;
-  bool navigationChoiceOpen = false;         ///< The first start.
+  bool navigationChoiceOpen = false; ///< The first start.
+  WelcomeState welcome;
+  TourState tour;
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;

@@ -11,6 +11,7 @@ using app::setting;
 app::Schema<ViewportOverlays> shownThings() {
   using V = ViewportOverlays;
   return {
+      setting<V>({.name = "controllers", .help = "What the character is posed by."}, &V::controllers),
       setting<V>({.name = "skeleton", .help = "The bones of the character."}, &V::skeleton),
       setting<V>({.name = "wire", .help = "The edges of the mesh."}, &V::wire),
       setting<V>({.name = "joint_names", .help = "The name of each joint."}, &V::jointNames),
@@ -134,6 +135,9 @@ app::Schema<UiState> windowWays() {
                                 "pose there.",
                         .row = {.section = "settings", .label = "Go to the tip"}},
                        &UiState::exaggerateAtTip),
+      setting<UiState>(
+          {.name = "tour_pending", .help = "The tour begins when the bundled punch is opened."},
+          [](auto& ui) -> auto& { return ui.tour.pending; }),
       setting<UiState>(
           {.name = "loop", .help = "Playing begins again at the end."},
           [](auto& ui) -> auto& { return ui.timeline.loop; }),

@@ -32,8 +32,9 @@ void displayPopup(PanelContext& context) {
 } // namespace
 
 void drawViewportBar(PanelContext& context) {
-  constexpr std::array<std::array<const char*, 3>, 8> switches{
-      {{command::viewSkeleton, icon::skeleton, "Sk"},
+  constexpr std::array<std::array<const char*, 3>, 9> switches{
+      {{command::viewControllers, icon::controllers, "Co"},
+       {command::viewSkeleton, icon::skeleton, "Sk"},
        {command::viewWire, icon::wire, "Wi"},
        {command::viewJointNames, icon::tag, "Na"},
        {command::viewHeatMap, icon::fire, "He"},

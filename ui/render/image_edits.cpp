@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include <stb/stb_image.h>
 #include <stb_image_write.h>
 
 #include "core/base/file.h"
@@ -134,6 +136,24 @@ Status writePng(const std::filesystem::path& path, const Image& image) {
     return bytes.error();
   }
   return writeFile(path, *bytes);
+}
+
+Result<Image> readPng(const std::filesystem::path& path) {
+  const Result<std::vector<std::uint8_t>> bytes = readFile(path);
+  if (!bytes) {
+    return bytes.error();
+  }
+  Image image;
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &image.width, &image.height,
+                            &channels, 4),
+      stbi_image_free);
+  if (pixels == nullptr) {
+    return Error{"this is no picture that can be read", path.string(), "give a PNG"};
+  }
+  image.rgba.assign(pixels.get(), pixels.get() + static_cast<std::size_t>(4 * image.width * image.height));
+  return image;
 }
 
 } // namespace stretch::ui

@@ -46,4 +46,7 @@ struct SheetLayout {
 /// Writes a PNG; an existing file is replaced at once or, on an error, left as it is.
 [[nodiscard]] Status writePng(const std::filesystem::path& path, const Image& image);
 
+/// Reads a PNG as RGBA.
+[[nodiscard]] Result<Image> readPng(const std::filesystem::path& path);
+
 } // namespace stretch::ui

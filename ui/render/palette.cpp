@@ -41,6 +41,9 @@ Palette lightPalette() {
   palette.selectionLine = rgba(0x1E1F22);
   palette.selectionGround = rgba(0xFFFFFF);
   palette.ghostTip = rgba(0xB0309A);
+  palette.controllerCentre = rgba(0x5F6600);
+  palette.controllerLeft = rgba(0x005C94);
+  palette.controllerRight = rgba(0xC23B00);
   palette.bone = rgba(0x33363B, 0.9F);
   palette.boneSelected = rgba(okabe::vermilion);
   palette.outline = rgba(0xF4F5F6, 0.8F);

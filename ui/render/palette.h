@@ -38,6 +38,9 @@ struct Palette {
   glm::vec4 boneSelected{};
   glm::vec4 outline{}; ///< Around lines and marks, so that they read on any ground.
   glm::vec4 label{};
+  glm::vec4 controllerCentre = rgba(okabe::yellow); ///< Controllers by the side of the body they are on.
+  glm::vec4 controllerLeft = rgba(0x4DA3FF);
+  glm::vec4 controllerRight = rgba(0xF0703A);
   glm::vec4 original = rgba(okabe::skyBlue); ///< The original path.
   std::array<glm::vec4, 5> trails{rgba(okabe::orange), rgba(okabe::bluishGreen), rgba(okabe::reddishPurple),
                                   rgba(okabe::yellow), rgba(okabe::blue)};

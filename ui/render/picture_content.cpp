@@ -13,8 +13,12 @@ Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& co
     overlay.add(
         drawSkeleton(scene, content.frame, skeletonStyle(content.style.palette), content.style.highlight));
   }
+  overlay.add(drawControllers(content.controllers, controllerStyle(content.style.palette)));
   for (const StyledTrail& trail : content.trails) {
     overlay.add(drawTrail(view, trail.path, trail.style));
+  }
+  if (content.controllerHandles) {
+    overlay.add(drawControllerHandles(view, *content.controllerHandles, content.activeHandle));
   }
   if (content.handles) {
     overlay.add(drawAxisHandles(view, *content.handles, content.activeAxis));
@@ -22,8 +26,12 @@ Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& co
   return overlay;
 }
 
+const std::array<glm::vec4, 3>& axisColours() {
+  static const std::array<glm::vec4, 3> colours{rgba(0xE5484D), rgba(0x5BB65B), rgba(0x4C8DF6)};
+  return colours;
+}
+
 Overlay drawAxisHandles(const View& view, const AxisHandles& handles, std::optional<std::size_t> active) {
-  const std::array<glm::vec4, 3> colors{rgba(0xE5484D), rgba(0x5BB65B), rgba(0x4C8DF6)};
   const std::array<Vec3, 3> tips = handleTips(view, handles);
   constexpr double startShare = 0.16; // leaves room for the sphere at the origin
   Overlay overlay;
@@ -31,7 +39,7 @@ Overlay drawAxisHandles(const View& view, const AxisHandles& handles, std::optio
     Arrow arrow;
     arrow.from = glm::mix(handles.origin, tips[axis], startShare);
     arrow.to = tips[axis];
-    arrow.color = colors[axis];
+    arrow.color = axisColours()[axis];
     if (active == axis) {
       arrow.color = glm::mix(arrow.color, glm::vec4(1.0F), 0.35F);
       arrow.widthPoints = 4.0F;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "ui/render/controller_drawing.h"
+#include "ui/render/controller_handles.h"
 #include "ui/render/overlay.h"
 #include "ui/render/picking.h"
 #include "ui/render/scene_renderer.h"
@@ -26,16 +29,21 @@ struct PictureContent {
   Overlay bones = {};    ///< Of a mesh sequence, drawn as they are.
   bool skeleton = false; ///< Bones over the mesh; `style.highlight` tells which are selected.
   std::vector<StyledTrail> trails = {};
+  std::vector<ControllerPicture> controllers = {};
+  std::optional<ControllerHandles> controllerHandles = {};
+  std::optional<HandlePart> activeHandle = {}; ///< Of the controllers' handles: under the mouse.
   std::optional<AxisHandles> handles = {};
   std::optional<std::size_t> activeAxis = {}; ///< Of the handles: under the mouse.
 };
 
-/// Skeleton, trails and handles, as they lie over the scene in a view.
+/// Skeleton, controllers, trails and handles, as they lie over the scene in a view.
 [[nodiscard]] Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& content);
 
+/// Red, green, blue for x, y, z as everywhere, in shades that stay apart for every eye.
+[[nodiscard]] const std::array<glm::vec4, 3>& axisColours();
+
 /// The three arrows of axis handles. `active`: the axis under the mouse or being dragged, drawn brighter and
-/// thicker; the others are then quieter. Red, green, blue for x, y, z as everywhere, in shades that stay
-/// apart for every eye.
+/// thicker; the others are then quieter.
 [[nodiscard]] Overlay drawAxisHandles(const View& view, const AxisHandles& handles,
                                       std::optional<std::size_t> active = std::nullopt);
 

@@ -11,8 +11,11 @@
 #include "ui/panels/panels.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/gui.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/shell_commands.h"
+#include "ui/shell/tour.h"
+#include "ui/shell/welcome_keys.h"
 #include "ui/viewport/viewport_pane.h"
 
 namespace stretch::ui {
@@ -44,6 +47,7 @@ void readUserFiles(Shell& shell) {
     readSettings(*settings, shell.ui, shell.panes, shell.window);
   }
   shell.ui.navigationChoiceOpen = !settings;
+  shell.ui.tour.pending = shell.ui.tour.pending || !settings;
   shell.commands = editorCommands();
   shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
   if (const auto keys = readText(keysPath())) {
@@ -111,7 +115,7 @@ void takeAnswers(Editor& editor) {
     shell.ui.navigationChoiceOpen = false;
     changed = true;
   }
-  if (changed) {
+  if (changed || std::exchange(answers.keepSettings, false)) {
     saveUserFiles(editor);
   }
 }
@@ -130,6 +134,9 @@ void takeKeys(Editor& editor) {
       hideTooltip();
     }
     const bool owned = widgetsTakeKeys(shell);
+    if (!owned && input.down && (pressWelcomeKey(shell, input.press) || pressTourKey(shell, input.press))) {
+      continue;
+    }
     if (!owned || !input.down) {
       dispatchKey(shell, input);
     } else if (input.down) {
@@ -143,6 +150,7 @@ void keepToolOnPress(Shell& shell) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    shell.ui.keyPane.pressTaken = std::holds_alternative<KeysTool>(shell.tool);
     finishTool(*shell.open.character(), shell.tool, true);
   }
 }
@@ -229,6 +237,7 @@ void drawEverything(Editor& editor) {
   ViewportContext viewport{context, shell.viewport, shell.tool};
   drawViewportPane(viewport, *editor.gpu, drawOverlayBar(context, panels, rects.viewport), pixelsPerUnit);
   drawBottomPanes(context, panels, shell, rects);
+  drawTour(context, shell.viewport.box);
   drawSplitters(context, rects, shell.panes);
   drawDialogs(context);
 }
@@ -264,9 +273,12 @@ void drawFrame(Editor& editor) {
   describeCommands(shell);
   editor.gui.beginFrame(editor.hand != nullptr ? &editor.hand->mouse() : nullptr);
   play(shell, static_cast<double>(ImGui::GetIO().DeltaTime));
+  updateTour(shell);
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
+  shell.ui.keyPane.hovered = false;
   drawEverything(editor);
+  moveKeysTool(shell);
   runRequested(shell);
   editor.window.input().guiTakesKeys = widgetsTakeKeys(shell);
   editor.window.setTitle(windowTitle(shell));
@@ -343,6 +355,7 @@ int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptio
   }
   if (options.hand != nullptr) {
     editor->shell.ui.navigationChoiceOpen = false;
+    editor->shell.ui.tour.pending = options.firstStart;
   }
   if (!files.empty()) {
     openFile(editor->shell, files);

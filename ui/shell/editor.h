@@ -30,6 +30,7 @@ struct EditorOptions {
   int width = 0;      ///< Of the window; 0: as it was left.
   int height = 0;
   EditorHand* hand = nullptr; ///< Null: a user's.
+  bool firstStart = false;    ///< The hand is shown the tour, as a user is at the first start.
 };
 
 /// Opens the editor, on a file or mesh sequence unless there is none, and returns when the user leaves: 0, or

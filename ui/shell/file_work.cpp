@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "app/bundled_files.h"
 #include "app/edits/place_trails.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json.h"
 #include "ui/panels/file_listing.h"
 #include "ui/shell/sequence_work.h"
+#include "ui/shell/tour.h"
 #include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {
@@ -68,6 +70,7 @@ public:
     forgetViewOfTime(shell_.ui);
     if (shell_.open.character() != nullptr) {
       showCharacter(shell_);
+      offerTour(shell_);
     } else {
       showSequence(shell_);
     }
@@ -200,6 +203,15 @@ void askForFile(Shell& shell, FilePurpose purpose) {
         character != nullptr && purpose == FilePurpose::saveModel && !character->savePath().empty();
     dialog.typed = isOpenFile ? name : freeName(dialog.folder, name);
   }
+}
+
+Status openBundled(Shell& shell, const std::string& name) {
+  const std::optional<fs::path> folder = app::bundledFolder();
+  if (!folder) {
+    return Error{"the bundled clips are not there", name, "install the program again"};
+  }
+  openFile(shell, {*folder / name});
+  return Success{};
 }
 
 void saveFile(Shell& shell) {

@@ -11,6 +11,9 @@ namespace stretch::ui {
 /// asks first when work would be lost.
 void openFile(Shell& shell, const std::vector<std::filesystem::path>& paths);
 
+/// Opens a file that comes with the program.
+Status openBundled(Shell& shell, const std::string& name);
+
 /// Saves what is open: a character where it was saved before, the result of a sequence where a dialog says.
 void saveFile(Shell& shell);
 /// Saves under the next free number: "punch-002.glb".

@@ -11,6 +11,7 @@
 #include "app/commands/selection.h"
 #include "app/commands/step_text.h"
 #include "ui/panels/panel_support.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
 #include "ui/viewport/tools.h"
 
@@ -164,22 +165,36 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
 }
 
+namespace {
+
+/// The first key of a command, else the one that runs it while another command is off.
+std::string keyTextOf(const Shell& shell, const app::Command<Shell>& command) {
+  std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
+  for (const app::Command<Shell>& other : shell.commands) {
+    if (chords.empty() && other.otherwise == command.id) {
+      chords = shell.keymap.chordsOf(other.id);
+    }
+  }
+  return chords.empty() ? std::string() : shownChord(chords.front());
+}
+
+} // namespace
+
 void describeCommands(Shell& shell) {
   shell.commandInfos.clear();
   for (const app::Command<Shell>& command : shell.commands) {
-    const std::vector<app::Chord> chords = shell.keymap.chordsOf(command.id);
     shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
-                                  chords.empty() ? std::string() : shownChord(chords.front()),
-                                  command.enabled(shell), isOn(shell, command), reasonOf(shell, command),
-                                  command.label});
+                                  keyTextOf(shell, command), command.enabled(shell), isOn(shell, command),
+                                  reasonOf(shell, command), command.label});
   }
 }
 
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.history.open || ui.jointPick.open || ui.navigationChoiceOpen ||
-         ui.rangeClash.has_value() || shell.files.question().kind != app::FileQuestion::Kind::none;
+         ui.rename.open || ui.retime.open || ui.history.open || ui.jointPick.open ||
+         ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
+         shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 namespace {
@@ -189,12 +204,14 @@ bool looksOnly(std::string_view id) {
   return id == command::viewFrameSelection;
 }
 
-/// The command of the key, or the one that the key means while that is off.
+/// The command of the key, or the first that the key means while that one is off.
 std::string meantCommand(const Shell& shell, const app::Chord& chord) {
-  const std::string id = shell.keymap.commandOf(chord);
-  const app::Command<Shell>* const command = findCommandOf(shell, id);
-  const bool other = command != nullptr && !command->otherwise.empty() && !command->enabled(shell);
-  return other ? command->otherwise : id;
+  const std::string id = commandUnderMouse(shell, chord, shell.keymap.commandOf(chord));
+  const app::Command<Shell>* command = findCommandOf(shell, id);
+  while (command != nullptr && !command->enabled(shell)) {
+    command = findCommandOf(shell, command->otherwise);
+  }
+  return command == nullptr ? id : command->id;
 }
 
 /// A key of the tool; after one that took another stroke it is told where that is.

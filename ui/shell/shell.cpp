@@ -2,6 +2,7 @@
 
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
+#include "ui/shell/tour.h"
 
 namespace stretch::ui {
 
@@ -12,6 +13,7 @@ EditorStatus statusOf(const Shell& shell) {
   status.unsaved = app::hasUnsavedWork(shell.open);
   status.pressedKey = shell.pressedKey;
   describeTool(shell.tool, status);
+  status.tour = tourCard(shell);
   const app::SequenceSession* const sequence = shell.open.sequence();
   if (shell.files.isOpening()) {
     status.busyText = "Opening " + shell.files.openingName();

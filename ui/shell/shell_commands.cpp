@@ -5,18 +5,22 @@
 
 #include <fmt/core.h>
 
+#include "app/bundled_files.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/edits/offset_edits.h"
 #include "ui/panels/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
+#include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/stroke_news.h"
+#include "ui/shell/tour.h"
 
 namespace stretch::ui {
 
@@ -64,6 +68,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::timeEveryFrame, &shell.ui.timeline.everyFrame},
       {command::timeOnTwos, &shell.ui.timeline.onTwos},
       {command::viewGhosts, &overlays.ghosts},
+      {command::viewControllers, &overlays.controllers},
       {command::viewSkeleton, &overlays.skeleton},
       {command::viewWire, &overlays.wire},
       {command::viewJointNames, &overlays.jointNames},
@@ -145,6 +150,11 @@ Status runGrab(Shell& shell) {
   return startGrab(*shell.open.character(), shell.tool, start);
 }
 
+Status runOnControllers(Shell& shell, app::ControllerMotion motion) {
+  return startControllerTool(*shell.open.character(), shell.tool,
+                             {motion, {}, shell.viewport.mousePixels, false});
+}
+
 } // namespace
 
 void goToTip(Shell& shell) {
@@ -201,6 +211,10 @@ bool viewsClip(const Shell& shell) {
          app::hasClip(shell.open.character()->document(), shell.open.character()->view().clip);
 }
 
+bool canPose(const Shell& shell) {
+  return hasFile(shell) && app::hasControllers(*shell.open.character()) && viewsClip(shell);
+}
+
 bool canExaggerate(const Shell& shell) {
   return hasLimb(shell) && viewsClip(shell);
 }
@@ -216,7 +230,7 @@ bool hasWork(const Shell& shell) {
   }
   const app::Document& document = shell.open.character()->document();
   const int clip = shell.open.character()->view().clip;
-  return app::hasWeight(document, clip) ||
+  return app::hasWeight(document, clip) || !app::adjustedIds(document, clip).empty() ||
          std::ranges::any_of(document.trails, [&](const rig::Trail& trail) { return trail.clip == clip; });
 }
 
@@ -277,6 +291,15 @@ auto askingFor(FilePurpose purpose) {
 
 } // namespace
 
+namespace {
+
+ShellCommand bundledCommand(const app::BundledClip& clip) {
+  return entry(clip.commandId, std::string("Bundled clip: ") + clip.name, clip.line, {}, nothingNeeded,
+               [file = std::string(clip.file)](Shell& shell) { return openBundled(shell, file); });
+}
+
+} // namespace
+
 std::vector<ShellCommand> fileCommands() {
   return {
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
@@ -293,10 +316,11 @@ std::vector<ShellCommand> fileCommands() {
             "Writes a copy without the work: only what players and engines need.", {"Ctrl+E"}, exportNeeded,
             askingFor(FilePurpose::exportClean)),
       entry(command::recipeSave, "Save a recipe",
-            "Writes the clip's trails, to be replayed on another clip or character.", {},
-            {hasWork, "make a trail first"}, askingFor(FilePurpose::saveRecipe)),
-      entry(command::recipeLoad, "Replay a recipe", "Adds the trails of a recipe to this character.", {},
-            characterNeeded, askingFor(FilePurpose::openRecipe)),
+            "Writes the clip's poses, trails and weight, to be replayed on another clip or character.", {},
+            {hasWork, "make a trail or pose a controller first"}, askingFor(FilePurpose::saveRecipe)),
+      entry(command::recipeLoad, "Replay a recipe",
+            "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
+            askingFor(FilePurpose::openRecipe)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
             {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
@@ -319,14 +343,27 @@ ShellCommand renameCommand() {
 } // namespace
 
 std::vector<ShellCommand> toolCommands() {
+  constexpr ShellNeed controllerNeeded{canPose, "select a controller first"};
+  ShellCommand grab =
+      entry(command::sphereGrab, "Grab",
+            "Moves the selected spheres, or controllers, with the mouse, an axis key or a typed number.",
+            {"G"}, {hasSpheres, "select a control sphere or a controller first: click one"}, runGrab);
+  grab.otherwise = command::controllerMove;
   return {
       entry(command::trailExaggerate, "Exaggerate",
             "Makes the trail if there is none, exaggerates it and connects the limb; "
             "type the scale, X Y Z switch axes, Enter keeps, Esc restores.",
             {"E"}, {canExaggerate, "select a limb first: click one, or press its number"}, beginExaggerating),
-      entry(command::sphereGrab, "Grab",
-            "Moves the selected spheres with the mouse, an axis key or a typed number.", {"G"},
-            {hasSpheres, "select a control sphere first: click one, or go to it with Next sphere"}, runGrab),
+      grab,
+      entry(command::controllerMove, "Move the controllers",
+            "Moves the selected controllers with the mouse, an axis key or a typed number.", {},
+            controllerNeeded,
+            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::move); }),
+      entry(command::controllerTurn, "Turn the controllers",
+            "Turns the selected controllers, each about its own place, with the mouse, an axis key or typed "
+            "degrees.",
+            {"R"}, controllerNeeded,
+            [](Shell& shell) { return runOnControllers(shell, app::ControllerMotion::turn); }),
       entry(command::trailShowOriginal, "Show the original",
             "While the key is held the character moves as in the file.", {"`", "O"}, pictureNeeded,
             doing(showOriginal)),
@@ -347,6 +384,8 @@ std::vector<ShellCommand> toolCommands() {
 std::vector<ShellCommand> viewCommands() {
   return {
       switchCommand(command::viewGhosts, "Ghosts", "Shows the character at frames before and after.", {"H"}),
+      switchCommand(command::viewControllers, "Controllers",
+                    "Shows what the character is posed by; else only while a controller is selected.", {"P"}),
       switchCommand(command::viewSkeleton, "Skeleton", "Shows the joints over the character.", {"K"}),
       switchCommand(command::viewWire, "Wire", "Shows the edges of the mesh.", {"W"}),
       switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),
@@ -391,12 +430,19 @@ std::vector<ShellCommand> helpCommands() {
               shell.ui.keys = {};
               shell.ui.keys.open = true;
             })),
+      entry(command::tour, "Tour", "Goes through the first punch step by step, on the bundled clip.", {},
+            nothingNeeded, startTour),
+      entry(command::tourEnd, "End the tour", "Takes the tour's card away.", {},
+            {isOnTour, "the tour does not run"}, doing(endTour)),
       entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
       entry(command::about, "About", "What this program is.", {}, nothingNeeded,
             doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
       entry(command::keysExport, "Export the keys",
             "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
+      bundledCommand(app::bundledClips()[0]),
+      bundledCommand(app::bundledClips()[1]),
+      bundledCommand(app::bundledClips()[2]),
   };
 }
 
@@ -407,6 +453,7 @@ std::vector<ShellCommand> editorCommands() {
   }
   append(all, toolCommands());
   append(all, moduliCommands());
+  append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());
   return all;

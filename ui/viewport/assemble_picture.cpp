@@ -217,6 +217,9 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
                                 trailStyleOf(trail, selection, overlays, palette)});
     }
   }
+  content.controllers = selection.controllers;
+  content.controllerHandles = selection.controllerHandles;
+  content.activeHandle = selection.activeHandle;
   content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);
   content.activeAxis = selection.hoveredAxis;
   return content;

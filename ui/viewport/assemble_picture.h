@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/render/picture_content.h"
+#include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"
 
 namespace stretch::ui {
@@ -32,6 +33,9 @@ struct PictureSelection {
   int hoveredTrail = 0;
   std::optional<double> hoveredSphere = std::nullopt;
   std::optional<std::size_t> hoveredAxis = std::nullopt;
+  std::vector<ControllerPicture> controllers = {};
+  std::optional<ControllerHandles> controllerHandles = std::nullopt;
+  std::optional<HandlePart> activeHandle = std::nullopt; ///< Of these, under the mouse.
   std::optional<double> tipFrame = std::nullopt; ///< Where a trail's tip is: the pose there is a ghost.
 };
 

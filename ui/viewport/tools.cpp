@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "app/commands/hold.h"
+#include "app/commands/keys.h"
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
+#include "ui/viewport/keys_tool.h"
 
 namespace stretch::ui {
 
@@ -58,6 +60,12 @@ Status previewTool(app::Session& session, Tool& tool) {
   }
   if (const auto* grab = std::get_if<GrabTool>(&tool)) {
     return previewGrab(session, *grab);
+  }
+  if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    return previewKeys(session, *keys);
+  }
+  if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
+    return previewControllers(session, *controllers);
   }
   return Success{};
 }
@@ -186,6 +194,15 @@ Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbI
   return Success{};
 }
 
+Status startControllerTool(app::Session& session, Tool& tool, const ControllerStart& start) {
+  Result<ControllerTool> started = startControllers(session, start);
+  if (!started) {
+    return started.error();
+  }
+  tool = std::move(started).value();
+  return Success{};
+}
+
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press) {
   app::ModalOutcome outcome = app::ModalOutcome::running;
   if (auto* exaggerate = std::get_if<ExaggerateTool>(&tool)) {
@@ -196,6 +213,10 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
     outcome = app::pressKey(exaggerate->modal, press);
   } else if (auto* grab = std::get_if<GrabTool>(&tool)) {
     outcome = app::pressKey(grab->modal, press);
+  } else if (auto* keys = std::get_if<KeysTool>(&tool)) {
+    outcome = app::pressKey(keys->modal, press);
+  } else if (auto* controllers = std::get_if<ControllerTool>(&tool)) {
+    outcome = app::pressKey(controllers->modal, press);
   }
   if (outcome != app::ModalOutcome::running) {
     finishTool(session, tool, outcome == app::ModalOutcome::keep);
@@ -205,6 +226,10 @@ Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& pres
 }
 
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels) {
+  if (auto* controllers = std::get_if<ControllerTool>(&tool)) {
+    moveControllerMouse(*controllers, view, mousePixels);
+    return previewControllers(session, *controllers);
+  }
   auto* grab = std::get_if<GrabTool>(&tool);
   if (grab == nullptr) {
     return Success{};
@@ -267,6 +292,11 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
   if (!isRunning(tool)) {
     return;
   }
+  const auto* const keys = std::get_if<KeysTool>(&tool);
+  const app::KeySelection picked = keys != nullptr ? keys->picked : app::KeySelection{};
+  if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
+    endControllers(session, *controllers, keep);
+  }
   tool = std::monostate{};
   if (!session.isDragging()) {
     return;
@@ -275,6 +305,7 @@ void finishTool(app::Session& session, Tool& tool, bool keep) {
     session.commit();
   } else {
     session.cancel();
+    app::pickKeys(session, picked.empty() ? app::pickedKeys(session) : picked, false);
   }
 }
 
@@ -288,6 +319,12 @@ void describeTool(const Tool& tool, EditorStatus& status) {
     status.modalText = app::modalText(grab->modal, grab->tangent ? 0 : grab->selected.size());
     status.modalText += soft ? fmt::format(", falloff {:.3f}", grab->falloffRadius) : "";
     hints = app::modalHints(grab->modal);
+  } else if (const auto* keys = std::get_if<KeysTool>(&tool)) {
+    status.modalText = app::modalText(keys->modal, app::keyCount(keys->picked));
+    hints = app::modalHints(keys->modal);
+  } else if (const auto* controllers = std::get_if<ControllerTool>(&tool)) {
+    status.modalText = app::modalText(controllers->modal, controllers->title);
+    hints = app::modalHints(controllers->modal);
   }
   for (app::ModalHint& hint : hints) {
     status.keyHints.push_back({std::move(hint.key), std::move(hint.does)});

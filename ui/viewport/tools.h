@@ -7,11 +7,13 @@
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/grab_modal.h"
+#include "app/commands/keys_modal.h"
 #include "app/commands/spheres.h"
 #include "app/edits/sphere_edits.h"
 #include "app/session.h"
 #include "ui/panels/ui_state.h"
 #include "ui/render/camera.h"
+#include "ui/viewport/controller_tool.h"
 
 namespace stretch::ui {
 
@@ -39,8 +41,15 @@ struct GrabTool {
   Vec3 slope{0.0}; ///< Of the sphere's offset at the beginning, along the trail's axes.
 };
 
+/// Moving or scaling picked keys of graph and dope sheet, by G or S until Enter or a click.
+struct KeysTool {
+  app::KeysModal modal;
+  app::KeySelection picked; ///< When it began.
+  std::optional<Vec2> from; ///< The mouse at the beginning: frame and value.
+};
+
 /// What takes all keys until it ends; none most of the time.
-using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool>;
+using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool, ControllerTool, KeysTool>;
 
 [[nodiscard]] inline bool isRunning(const Tool& tool) {
   return !std::holds_alternative<std::monostate>(tool);
@@ -68,9 +77,16 @@ Status startTangentGrab(app::Session& session, Tool& tool, const app::TangentHan
 /// there.
 Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbId, const GrabStart& start);
 
+/// Begins moving or scaling the picked keys; `modal` says how they are shown.
+Status startKeys(app::Session& session, Tool& tool, const app::KeysModal& modal);
+/// The mouse over the pane of a running KeysTool, as frame and value; nothing for other tools.
+Status moveKeysMouse(app::Session& session, Tool& tool, const Vec2& at);
+/// Begins moving or turning the selected controllers.
+Status startControllerTool(app::Session& session, Tool& tool, const ControllerStart& start);
+
 /// A key for the running tool. An error tells why the preview could not follow.
 Status pressToolKey(app::Session& session, Tool& tool, const app::KeyPress& press);
-/// The mouse for a running grab; nothing for other tools.
+/// The mouse for what it pulls or turns; nothing for other tools.
 Status moveToolMouse(app::Session& session, Tool& tool, const View& view, const Vec2& mousePixels);
 /// Widens (factor above 1) or narrows the soft falloff.
 Status turnFalloff(app::Session& session, Tool& tool, double steps);

@@ -79,6 +79,47 @@ void recordHandles(ViewportContext& context) {
   }
 }
 
+void recordPlace(ViewportContext& context, const std::string& id, const Vec3& world) {
+  const float reach = context.theme.px(6.0F);
+  if (const auto place = placeOf(context.viewport, world)) {
+    context.items.add(id, {place->x - reach, place->y - reach}, {place->x + reach, place->y + reach});
+  }
+}
+
+/// Of a ring the point in the middle of its near half.
+Vec3 nearPoint(const View& view, const ControllerHandles& handles, const std::vector<Vec3>& ring) {
+  const auto nearest = std::ranges::min_element(
+      ring, {}, [&](const Vec3& point) { return glm::dot(point - handles.origin, view.forward); });
+  return *nearest;
+}
+
+/// Where the mouse takes the shape of a controller.
+Vec3 heldPoint(const ControllerPicture& picture) {
+  return picture.knob   ? *picture.knob
+         : picture.ring ? *picture.ring
+                        : picture.lines.front()[picture.lines.front().size() / 3];
+}
+
+void recordControllers(ViewportContext& context) {
+  for (const ShownController& shown : context.viewport.controllers) {
+    recordPlace(context, "viewport/controller/" + shown.placed.id, heldPoint(shown.picture));
+  }
+  const auto handles = controllerHandles(*context.open.character(), context.viewport.controllers);
+  if (!handles) {
+    return;
+  }
+  for (const HandlePart& part : partsOf(*handles)) {
+    const char* const kind = part.kind == HandleKind::axis    ? "move-"
+                             : part.kind == HandleKind::plane ? "plane-"
+                                                              : "turn-";
+    const std::vector<Vec3> points = pointsOf(context.viewport.view, *handles, part);
+    const Vec3 place = part.kind == HandleKind::axis    ? glm::mix(points[0], points[1], 0.9)
+                       : part.kind == HandleKind::plane ? 0.5 * (points[0] + points[2])
+                                                        : nearPoint(context.viewport.view, *handles, points);
+    recordPlace(context, std::string("viewport/handle/") + kind + "xyz"[part.axis], place);
+  }
+}
+
 void recordLimbs(ViewportContext& context, const FrameState& frame) {
   const LimbBones bones = limbBones(context.open.character()->document(), frame);
   const float reach = context.theme.px(6.0F);
@@ -140,6 +181,21 @@ void drawLimbName(ViewportContext& context) {
   text += viewport.hoveredEnd ? ": drag to pull it" : "";
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   label(context, {mouse.x + context.theme.px(16.0F), mouse.y + context.theme.px(14.0F)}, text,
+        context.theme.colours.text);
+}
+
+/// The controller under the mouse by its name, and what a drag does.
+void drawControllerName(ViewportContext& context) {
+  const ViewportState& viewport = context.viewport;
+  const ShownController* const shown = findShown(viewport.controllers, viewport.hoveredController);
+  if (shown == nullptr || isRunning(context.tool) || viewport.gesture != ViewportGesture::none) {
+    return;
+  }
+  const std::string title =
+      app::controllerTitle(context.open.character()->document(), viewport.hoveredController);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  label(context, {mouse.x + context.theme.px(16.0F), mouse.y + context.theme.px(14.0F)},
+        capitalised(title) + (shown->placed.moves ? ": drag to move it" : ": drag to turn it"),
         context.theme.colours.text);
 }
 
@@ -286,10 +342,12 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   recordEnds(context, frame);
   recordSpheres(context);
   recordHandles(context);
+  recordControllers(context);
   drawJointNames(context, frame);
   drawFrameNumbers(context);
   drawHoverLabel(context);
   drawLimbName(context);
+  drawControllerName(context);
   drawTangents(context);
   drawFalloff(context);
   drawEaseCurve(context);
@@ -298,28 +356,6 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   drawAxisMarker(context);
   ImGui::PopClipRect();
   drawStateLabels(context);
-}
-
-void drawEmptyViewport(ViewportContext& context, const Rect& box) {
-  const Theme& theme = context.theme;
-  ImGui::GetWindowDrawList()->AddRectFilled(box.min, box.max, theme.colours.background);
-  const WidgetContext widgets{theme, context.items};
-  const float width = std::min(theme.px(320.0F), box.width() - 2.0F * theme.unit());
-  ImGui::SetCursorScreenPos({box.centre().x - 0.5F * width, box.centre().y - theme.px(90.0F)});
-  ImGui::BeginChild("viewport-empty", {width, theme.px(200.0F)}, false, ImGuiWindowFlags_NoBackground);
-  if (!context.status.busyText.empty()) {
-    emptyState(widgets, icon::clock, context.status.busyText, "The window stays alive meanwhile.");
-  } else {
-    emptyState(widgets, icon::cube, "Drop a character here",
-               "A rigged biped with a clip, as .glb or .gltf. Or open one from the disk.");
-    ButtonSpec open{.id = "viewport/open", .icon = icon::folderOpen, .text = "Open a file"};
-    open.emphasis = Emphasis::primary;
-    open.width = width;
-    if (button(widgets, open)) {
-      request(context, command::fileOpen);
-    }
-  }
-  ImGui::EndChild();
 }
 
 } // namespace stretch::ui

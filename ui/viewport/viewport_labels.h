@@ -8,7 +8,4 @@ namespace stretch::ui {
 /// the ease curve while it is edited. Records where spheres and limbs are.
 void drawViewportLabels(ViewportContext& context, const FrameState& frame);
 
-/// What the viewport says while no file is open.
-void drawEmptyViewport(ViewportContext& context, const Rect& box);
-
 } // namespace stretch::ui

@@ -10,6 +10,7 @@
 #include "ui/panels/panel_support.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/assemble_picture.h"
+#include "ui/viewport/controller_mouse.h"
 
 namespace stretch::ui {
 
@@ -118,6 +119,9 @@ void pressLeft(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();
   const bool add = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+  if (pressController(context, add)) {
+    return;
+  }
   if (viewport.hoveredTangent) {
     const ShownTangent& held = viewport.tangents.handles[*viewport.hoveredTangent];
     GrabStart start;
@@ -169,7 +173,12 @@ void clickRight(ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
   app::Session& session = *context.open.character();
   MenuTarget target = MenuTarget::viewport;
-  if (viewport.hoveredSphere) {
+  if (!viewport.hoveredController.empty()) {
+    if (!app::isControllerSelected(session, viewport.hoveredController)) {
+      app::selectController(session, viewport.hoveredController, false);
+    }
+    target = MenuTarget::controller;
+  } else if (viewport.hoveredSphere) {
     selectSphere(session, *viewport.hoveredSphere, false);
     target = MenuTarget::sphere;
   } else if (viewport.hoveredTrail != 0) {
@@ -187,6 +196,7 @@ void clickRight(ViewportContext& context) {
 /// A click beside everything lets go: of the spheres, and with none selected of all.
 void clickNothing(app::Session& session) {
   app::ViewState& view = session.view();
+  app::clearControllers(session);
   if (view.selectedSpheres.empty()) {
     view.selectedLimbs.clear();
     app::selectTrail(session, 0);
@@ -204,6 +214,9 @@ void selectInBox(ViewportContext& context) {
     if (!add) {
       clickNothing(session);
     }
+    return;
+  }
+  if (selectControllersInBox(context, low, high, add)) {
     return;
   }
   std::vector<double>& selected = session.view().selectedSpheres;
@@ -234,6 +247,9 @@ void continueGesture(ViewportContext& context) {
     return;
   }
   app::Session& session = *context.open.character();
+  if (dragController(context)) {
+    return;
+  }
   if (viewport.gesture == ViewportGesture::pressSphere && !session.view().selectedSpheres.empty()) {
     grabFromPress(context,
                   {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
@@ -258,19 +274,24 @@ void endGesture(ViewportContext& context) {
 /// The mouse for a running tool: it follows without a button under G, with the button held in a drag.
 void driveTool(ViewportContext& context) {
   ViewportState& viewport = context.viewport;
-  auto* grab = std::get_if<GrabTool>(&context.tool);
+  auto* const grab = std::get_if<GrabTool>(&context.tool);
+  const auto* const controllers = std::get_if<ControllerTool>(&context.tool);
   const bool navigating = viewport.gesture == ViewportGesture::orbit ||
                           viewport.gesture == ViewportGesture::pan ||
                           viewport.gesture == ViewportGesture::zoom;
-  if (grab == nullptr || navigating) {
+  if (controllers != nullptr) {
+    markHeldHandle(viewport, *controllers);
+  }
+  if ((grab == nullptr && controllers == nullptr) || navigating) {
     return;
   }
   if (viewport.mousePixels != viewport.lastPixels) {
     tellProblem(context,
                 moveToolMouse(*context.open.character(), context.tool, viewport.view, viewport.mousePixels));
   }
-  viewport.falloffRadius = grab->falloffRadius;
-  if (grab->byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+  viewport.falloffRadius = grab != nullptr ? grab->falloffRadius : viewport.falloffRadius;
+  const bool byDrag = grab != nullptr ? grab->byDrag : controllers->byDrag;
+  if (byDrag && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     finishTool(*context.open.character(), context.tool, true);
     viewport.gesture = ViewportGesture::none;
   }
@@ -348,6 +369,8 @@ void updateHover(ViewportContext& context) {
   if (viewport.gesture != ViewportGesture::none || isRunning(context.tool)) {
     return; // What was taken stays marked until it is let go.
   }
+  viewport.hoveredHandle.reset();
+  viewport.hoveredController.clear();
   viewport.hoveredSphere.reset();
   viewport.hoveredAxis.reset();
   viewport.hoveredTangent.reset();
@@ -362,6 +385,10 @@ void updateHover(ViewportContext& context) {
   if (context.ui.timeline.playing && !pressed) {
     return; // The surface is another in each frame: it is looked at when it is asked for.
   }
+  hoverHandles(context);
+  if (viewport.hoveredHandle) {
+    return;
+  }
   const app::ViewState& view = context.open.character()->view();
   viewport.hoveredTangent = pickTangent(viewport.view, viewport.tangents, viewport.mousePixels);
   if (viewport.hoveredTangent) {
@@ -374,10 +401,14 @@ void updateHover(ViewportContext& context) {
   if (!viewport.hoveredAxis && selected != nullptr) {
     hoverSphere(viewport, *selected);
   }
-  if (!viewport.hoveredAxis && !viewport.hoveredSphere) {
+  const bool onSphere = viewport.hoveredAxis || viewport.hoveredSphere;
+  if (!onSphere) {
+    hoverControllers(context);
+  }
+  if (!onSphere && viewport.hoveredController.empty()) {
     hoverTrails(context);
   }
-  if (!viewport.hoveredAxis && !viewport.hoveredSphere && viewport.hoveredTrail == 0) {
+  if (!onSphere && viewport.hoveredController.empty() && viewport.hoveredTrail == 0) {
     hoverLimbs(context);
   }
 }
@@ -390,9 +421,12 @@ void shapeCursor(const ViewportContext& context) {
   if (!viewport.hovered) {
     return;
   }
-  if (std::holds_alternative<GrabTool>(context.tool) || viewport.hoveredAxis || viewport.hoveredSphere) {
+  const bool pulls =
+      std::holds_alternative<GrabTool>(context.tool) || std::holds_alternative<ControllerTool>(context.tool);
+  if (pulls || viewport.hoveredHandle || viewport.hoveredAxis || viewport.hoveredSphere) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (viewport.hoveredEnd || viewport.hoveredTrail != 0 || !viewport.hoveredLimb.empty()) {
+  } else if (!viewport.hoveredController.empty() || viewport.hoveredEnd || viewport.hoveredTrail != 0 ||
+             !viewport.hoveredLimb.empty()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
 }

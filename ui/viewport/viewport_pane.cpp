@@ -14,6 +14,7 @@
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"
 #include "ui/viewport/viewport_scene.h"
+#include "ui/viewport/welcome.h"
 
 namespace stretch::ui {
 
@@ -150,7 +151,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
     return;
   }
   if (context.open.character() == nullptr) {
-    drawEmptyViewport(context, picture);
+    drawWelcome(context, gpu.welcome, picture);
     return;
   }
   uploadScene(context, gpu);
@@ -162,6 +163,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   const auto updateShown = [&] {
     updateShownTrails(*context.open.character(), viewport.shown);
     updateTangents(*context.open.character(), viewport.view, viewport.tangents);
+    viewport.controllers = shownControllers(*context.open.character(), context.ui.overlays);
   };
   updateShown();
   handleViewportMouse(context, hovered, held);
@@ -198,8 +200,16 @@ Result<std::unique_ptr<ViewportGpu>> createViewportGpu() {
   if (!renderer) {
     return renderer.error();
   }
-  return std::make_unique<ViewportGpu>(ViewportGpu{
-      std::move(renderer).value(), {}, {}, QualityGovernor(startingQualityLevel()), {}, {}, {}, {}, false});
+  return std::make_unique<ViewportGpu>(ViewportGpu{std::move(renderer).value(),
+                                                   {},
+                                                   {},
+                                                   QualityGovernor(startingQualityLevel()),
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   false});
 }
 
 void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& rect, double pixelsPerUnit) {

@@ -9,6 +9,7 @@
 #include "ui/render/viewport_renderer.h"
 #include "ui/viewport/sequence_picture.h"
 #include "ui/viewport/viewport_context.h"
+#include "ui/viewport/welcome.h"
 
 namespace stretch::ui {
 
@@ -37,6 +38,7 @@ struct ViewportGpu {
   std::optional<BoundsSampler> bounds;
   SceneMeasures measures;
   SequenceUpload sequence;
+  WelcomePictures welcome;
   bool drewPicture = false; ///< In this frame: tells the governor whether the frame's time counts.
 };
 

@@ -20,6 +20,10 @@ PictureSelection selectionOf(const app::Session& session, const ViewportState& v
   selection.hoveredTrail = viewport.hoveredTrail;
   selection.hoveredSphere = viewport.hoveredSphere;
   selection.hoveredAxis = viewport.hoveredAxis;
+  selection.controllers = controllerPictures(viewport.controllers, session.view().selectedControllers,
+                                             viewport.hoveredController);
+  selection.controllerHandles = controllerHandles(session, viewport.controllers);
+  selection.activeHandle = viewport.hoveredHandle;
   selection.tipFrame = viewport.tipFrame;
   return selection;
 }
@@ -61,8 +65,30 @@ double fleshRadius(const app::Document& document, int trailId) {
   return limb == nullptr ? 0.0 : shareOfLimb * limb->restLength;
 }
 
-Box selectionBox(app::Session& session, const ShownTrails& shown) {
+namespace {
+
+/// Around the selected controllers, with room for what they are on.
+Box controllerBox(app::Session& session) {
+  constexpr double roomShare = 0.15; // of the height
+  const Vec3 room(roomShare * session.document().biped.height);
+  const std::vector<std::string>& selected = session.view().selectedControllers;
   Box box;
+  if (selected.empty()) {
+    return box;
+  }
+  for (const rig::PlacedController& placed : session.controllersAt(session.view().frame)) {
+    if (std::find(selected.begin(), selected.end(), placed.id) != selected.end()) {
+      box.add(placed.placeWorld - room);
+      box.add(placed.placeWorld + room);
+    }
+  }
+  return box;
+}
+
+} // namespace
+
+Box selectionBox(app::Session& session, const ShownTrails& shown) {
+  Box box = controllerBox(session);
   const app::Document& document = session.document();
   const FrameState& frame = session.frameAt(session.view().frame);
   const LimbBones bones = limbBones(document, frame);

@@ -32,7 +32,7 @@ struct LimbBones {
 };
 [[nodiscard]] LimbBones limbBones(const app::Document& document, const FrameState& frame);
 
-/// What "frame the selection" shows: limbs and trails that are selected, else nothing.
+/// What "frame the selection" shows: limbs, trails and controllers that are selected, else nothing.
 [[nodiscard]] Box selectionBox(app::Session& session, const ShownTrails& shown);
 
 /// How far a hand or a foot stands out from where the limb of a trail ends, world units; 0 without the trail.

@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/render/camera.h"
 #include "ui/viewport/limb_hover.h"
+#include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"
 #include "ui/viewport/tangent_handles.h"
 #include "ui/viewport/tip_watch.h"
@@ -13,7 +15,17 @@
 namespace stretch::ui {
 
 /// What the mouse does in the viewport from press to release.
-enum class ViewportGesture { none, orbit, pan, zoom, pressSphere, pressEnd, pressMenu, boxSelect };
+enum class ViewportGesture {
+  none,
+  orbit,
+  pan,
+  zoom,
+  pressSphere,
+  pressController,
+  pressEnd,
+  pressMenu,
+  boxSelect
+};
 
 /// What the viewport remembers between frames.
 struct ViewportState {
@@ -28,6 +40,7 @@ struct ViewportState {
                                  ///< start.
   ShownTrails shown;
   ShownTangents tangents;
+  std::vector<ShownController> controllers; ///< Empty while they are not shown.
 
   ViewportGesture gesture = ViewportGesture::none;
   Vec2 pressPixels{0.0};
@@ -37,7 +50,9 @@ struct ViewportState {
   double falloffRadius = 0.0;         ///< Kept from drag to drag, world units.
 
   // Under the mouse.
-  std::optional<double> hoveredSphere; ///< Frame, of the selected trail.
+  std::optional<HandlePart> hoveredHandle; ///< Of the selected controllers.
+  std::string hoveredController;           ///< Id; empty: none.
+  std::optional<double> hoveredSphere;     ///< Frame, of the selected trail.
   std::optional<std::size_t> hoveredAxis;
   std::optional<std::size_t> hoveredTangent; ///< Place in `tangents`.
   int hoveredTrail = 0;

@@ -1,6 +1,7 @@
 #include "ui/widgets/limb_diagram.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "ui/widgets/shapes.h"
@@ -58,6 +59,11 @@ std::vector<TaperedCapsule> shapesOf(const Figure& figure, BodyPart part) {
             figure.bone({0.0F, 21.0F}, 16.0F, {0.0F, 30.0F}, 12.5F)};
   }
   return {};
+}
+
+ImVec2 centreOf(const Figure& figure, BodyPart part) {
+  const TaperedCapsule first = shapesOf(figure, part).front();
+  return {(first.from.x + first.to.x) * 0.5F, (first.from.y + first.to.y) * 0.5F};
 }
 
 /// Where the limb ends: what a trail is drawn for.
@@ -184,22 +190,84 @@ std::optional<BodyPart> bodyPartAt(const Rect& box, const ImVec2& point) {
 }
 
 ImVec2 bodyPartCentre(const Rect& box, BodyPart part) {
-  const Figure figure = figureIn(box);
-  const TaperedCapsule first = shapesOf(figure, part).front();
-  return {(first.from.x + first.to.x) * 0.5F, (first.from.y + first.to.y) * 0.5F};
+  return centreOf(figureIn(box), part);
 }
 
-std::optional<BodyPart> limbDiagram(const WidgetContext& context, const std::string& id,
-                                    const std::array<BodyPartState, bodyPartCount>& parts, float height) {
-  const Theme& theme = context.theme;
-  const Control control = takePlace(context, id, {ImGui::GetContentRegionAvail().x, height});
-  if (!control.visible) {
-    return std::nullopt;
+namespace {
+
+struct ControllerPlace {
+  const char* id;
+  float x;
+  float y;
+};
+
+constexpr std::array<ControllerPlace, 14> controllerPlaces{{{"head", 0.0F, 6.0F},
+                                                            {"spine-top", 0.0F, 62.0F},
+                                                            {"spine-mid", 0.0F, 78.0F},
+                                                            {"spine-low", 0.0F, 119.0F},
+                                                            {"hips", 0.0F, 135.0F},
+                                                            {"body", 0.0F, 224.0F},
+                                                            {"left-hand", 73.0F, 152.0F},
+                                                            {"right-hand", -73.0F, 152.0F},
+                                                            {"left-elbow", 52.0F, 99.0F},
+                                                            {"right-elbow", -52.0F, 99.0F},
+                                                            {"left-foot", 34.0F, 222.0F},
+                                                            {"right-foot", -34.0F, 222.0F},
+                                                            {"left-knee", 18.0F, 172.0F},
+                                                            {"right-knee", -18.0F, 172.0F}}};
+
+std::optional<ImVec2> placeOfController(const Figure& figure, const std::string& id) {
+  const auto* const found =
+      std::ranges::find_if(controllerPlaces, [&](const ControllerPlace& place) { return id == place.id; });
+  return found == controllerPlaces.end() ? std::nullopt : std::optional(figure.at(found->x, found->y));
+}
+
+/// The controller whose mark lies under the mouse; null where none does.
+const DiagramController* controllerUnder(const Figure& figure,
+                                         const std::vector<DiagramController>& controllers,
+                                         const ImVec2& mouse, float radius) {
+  for (const DiagramController& controller : controllers) {
+    const std::optional<ImVec2> place = placeOfController(figure, controller.id);
+    const float x = place ? mouse.x - place->x : 2.0F * radius;
+    const float y = place ? mouse.y - place->y : 0.0F;
+    if (x * x + y * y <= radius * radius) {
+      return &controller;
+    }
   }
-  const Figure figure = figureIn(control.box);
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const std::optional<BodyPart> under = control.hovered ? bodyPartAt(control.box, mouse) : std::nullopt;
-  // Selected and coloured edges lie over the plain ones.
+  return nullptr;
+}
+
+void drawController(const WidgetContext& context, const Figure& figure, const std::string& id,
+                    const DiagramController& controller, bool hovered) {
+  const Theme& theme = context.theme;
+  const ThemeColours& colours = theme.colours;
+  const std::optional<ImVec2> place = placeOfController(figure, controller.id);
+  if (!place) {
+    return;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float radius = theme.px(hovered ? 7.0F : 6.0F);
+  const ImU32 colour = controller.selected ? colours.accent
+                       : hovered           ? colours.text
+                                           : mixed(colours.quietText, colours.text, 0.4F);
+  addDiamond(list, *place, radius + theme.px(2.0F), colours.panel); // Stands off from limbs and trails.
+  addKeyMark(theme, list, *place, radius, controller.keys, colour,
+             controller.selected ? mixed(colours.panel, colours.accent, 0.35F) : colours.panel);
+  context.items.add(id + "/" + controller.id, {place->x - radius, place->y - radius},
+                    {place->x + radius, place->y + radius});
+}
+
+void drawSides(const WidgetContext& context, const Rect& box) {
+  const Theme& theme = context.theme;
+  const float row = theme.px(18.0F);
+  const ImU32 colour = faded(theme.colours.quietText, 0.8F);
+  drawText(context, theme.fonts.label, {box.min, {box.max.x, box.min.y + row}}, colour, "R");
+  drawText(context, theme.fonts.label, {box.min, {box.max.x, box.min.y + row}}, colour, "L", 1.0F);
+}
+
+/// Selected and coloured edges lie over the plain ones.
+void drawBody(const WidgetContext& context, const Figure& figure, const std::string& id,
+              const std::array<BodyPartState, bodyPartCount>& parts, std::optional<BodyPart> under) {
   for (const bool raised : {false, true}) {
     for (int i = 0; i < bodyPartCount; ++i) {
       const BodyPartState& state = parts[static_cast<std::size_t>(i)];
@@ -213,26 +281,45 @@ std::optional<BodyPart> limbDiagram(const WidgetContext& context, const std::str
     const auto part = static_cast<BodyPart>(i);
     const BodyPartState& state = parts[static_cast<std::size_t>(i)];
     drawMarks(context, figure, part, state);
-    const ImVec2 centre = bodyPartCentre(control.box, part);
+    const ImVec2 centre = centreOf(figure, part);
     if (state.hasWeight) {
       drawWeight(context, centre, state.selected);
     }
-    const float half = theme.px(4.0F);
+    const float half = context.theme.px(4.0F);
     context.items.add(id + "/" + state.id, {centre.x - half, centre.y - half},
                       {centre.x + half, centre.y + half}, state.found);
   }
-  const Rect& box = control.box;
-  const float row = theme.px(18.0F);
-  drawText(context, theme.fonts.label, {box.min, {box.max.x, box.min.y + row}},
-           faded(theme.colours.quietText, 0.8F), "R");
-  drawText(context, theme.fonts.label, {box.min, {box.max.x, box.min.y + row}},
-           faded(theme.colours.quietText, 0.8F), "L", 1.0F);
-  if (under) {
+}
+
+} // namespace
+
+DiagramClick limbDiagram(const WidgetContext& context, const std::string& id,
+                         const std::array<BodyPartState, bodyPartCount>& parts,
+                         const std::vector<DiagramController>& controllers, float height) {
+  const Control control = takePlace(context, id, {ImGui::GetContentRegionAvail().x, height});
+  if (!control.visible) {
+    return {};
+  }
+  const Figure figure = figureIn(control.box);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const DiagramController* const held =
+      control.hovered ? controllerUnder(figure, controllers, mouse, context.theme.px(7.0F)) : nullptr;
+  const std::optional<BodyPart> under =
+      control.hovered && held == nullptr ? bodyPartAt(control.box, mouse) : std::nullopt;
+  drawBody(context, figure, id, parts, under);
+  for (const DiagramController& controller : controllers) {
+    drawController(context, figure, id, controller, held == &controller);
+  }
+  drawSides(context, control.box);
+  if (held != nullptr) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltipNow(context, held->help);
+  } else if (under) {
     const BodyPartState& state = parts[static_cast<std::size_t>(*under)];
     ImGui::SetMouseCursor(state.found ? ImGuiMouseCursor_Hand : ImGuiMouseCursor_NotAllowed);
     tooltipNow(context, state.help);
   }
-  return control.clicked ? under : std::nullopt;
+  return control.clicked ? DiagramClick{under, held == nullptr ? "" : held->id} : DiagramClick{};
 }
 
 } // namespace stretch::ui

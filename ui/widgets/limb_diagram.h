@@ -3,8 +3,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/widgets/control.h"
+#include "ui/widgets/key_diamond.h"
 
 namespace stretch::ui {
 
@@ -23,11 +25,25 @@ struct BodyPartState {
   Help help = {};
 };
 
-/// A body seen from the front, as wide as available: the character's left is on the right. The part that was
-/// clicked, or none.
-[[nodiscard]] std::optional<BodyPart> limbDiagram(const WidgetContext& context, const std::string& id,
-                                                  const std::array<BodyPartState, bodyPartCount>& parts,
-                                                  float height);
+/// A controller as the diagram shows it: a mark where it stands on the body.
+struct DiagramController {
+  std::string id = {}; ///< "left-hand": names the widget, "limb/left-hand". One that the figure has no
+                       ///< place for is not shown.
+  bool selected = false;
+  KeyMark keys = KeyMark::none;
+  Help help = {};
+};
+
+struct DiagramClick {
+  std::optional<BodyPart> part;
+  std::string controller; ///< Empty: none.
+};
+
+/// A body seen from the front, as wide as available: the character's left is on the right. What was clicked;
+/// controllers lie over the parts.
+[[nodiscard]] DiagramClick limbDiagram(const WidgetContext& context, const std::string& id,
+                                       const std::array<BodyPartState, bodyPartCount>& parts,
+                                       const std::vector<DiagramController>& controllers, float height);
 
 /// The part under a point, for a diagram in this box; none beside the body.
 [[nodiscard]] std::optional<BodyPart> bodyPartAt(const Rect& box, const ImVec2& point);

@@ -70,6 +70,8 @@ Span movedSpan(const TimelineModel& model, const TimelineGesture& gesture, doubl
   case TimelinePart::playhead:
   case TimelinePart::release:
   case TimelinePart::pan:
+  case TimelinePart::keys:
+  case TimelinePart::keyBox:
     break;
   }
   return span;
@@ -113,6 +115,21 @@ void dragBar(const TimelineModel& model, const TimelineGesture& gesture, double 
 
 } // namespace
 
+std::optional<double> keyAt(const Theme& theme, const Layout& layout, const KeyRow& row, float x) {
+  std::optional<double> found;
+  float nearest = theme.px(grabWidth);
+  const double start = layout.frames.toValue(x - nearest);
+  for (auto frame = std::lower_bound(row.frames.begin(), row.frames.end(), start);
+       frame != row.frames.end() && layout.frames.toPixel(*frame) <= x + theme.px(grabWidth); ++frame) {
+    const float away = std::abs(layout.frames.toPixel(*frame) - x);
+    if (away <= nearest) {
+      nearest = away;
+      found = *frame;
+    }
+  }
+  return found;
+}
+
 Span shownWindow(const TimelineModel& model, const TimelineBar& bar) {
   const bool endWraps = model.loops && bar.windowEnd > model.clip.end;
   const bool startWraps = model.loops && bar.windowStart < model.clip.start;
@@ -131,6 +148,11 @@ Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model
   }
   if (nearRange && std::abs(mouse.x - layout.frames.toPixel(model.range.start)) <= reach) {
     return {TimelinePart::rangeStart, 0, model.range};
+  }
+  const std::size_t row = keyRowAt(theme, layout, model, mouse.y);
+  if (model.keysEditable && row < model.keyRows.size()) {
+    const std::optional<double> key = keyAt(theme, layout, model.keyRows[row], mouse.x);
+    return {key ? TimelinePart::keys : TimelinePart::keyBox, 0, model.range, row, key.value_or(0.0)};
   }
   const Hit bar = barHit(theme, layout, model, mouse);
   return bar.part != TimelinePart::nothing ? bar : Hit{TimelinePart::playhead, 0, model.range};
@@ -161,7 +183,14 @@ void applyGesture(const TimelineModel& model, const Layout& layout, const Timeli
     outcome.viewChanged = shift != 0.0;
     break;
   }
+  case TimelinePart::keys: {
+    const double away = frame - gesture.grabbedAt;
+    outcome.keyFrames = model.snap ? std::round(away) : away;
+    outcome.keysDragged = true;
+    break;
+  }
   case TimelinePart::nothing:
+  case TimelinePart::keyBox:
     break;
   }
 }
@@ -235,6 +264,8 @@ Help helpFor(TimelinePart part) {
   case TimelinePart::nothing:
   case TimelinePart::playhead:
   case TimelinePart::pan:
+  case TimelinePart::keys:
+  case TimelinePart::keyBox:
     break;
   }
   return {};
@@ -257,6 +288,13 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
   if (std::binary_search(keys.begin(), keys.end(), model.playhead)) {
     add("key", layout.frames.toPixel(model.playhead), layout.ruler.max.y + context.theme.px(11.0F));
   }
+  for (std::size_t row = 0; model.keysEditable && row < model.keyRows.size(); ++row) {
+    const float y = layout.ruler.max.y + context.theme.px(11.0F + 22.0F * static_cast<float>(row));
+    const std::vector<double>& frames = model.keyRows[row].frames;
+    for (std::size_t i = 0; i < std::min<std::size_t>(frames.size(), 40); ++i) {
+      add("row-" + std::to_string(row) + "/" + std::to_string(i), layout.frames.toPixel(frames[i]), y);
+    }
+  }
   for (std::size_t row = 0; row < model.bars.size(); ++row) {
     const TimelineBar& bar = model.bars[row];
     const Rect box = timeline_detail::barBox(context.theme, layout, model, row, {bar.start, bar.end});
@@ -276,6 +314,55 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
 
 } // namespace
 
+namespace {
+
+/// A press on a key picks it, unless it is picked.
+void pressKeys(const TimelineModel& model, const timeline_detail::Hit& hit, TimelineOutcome& outcome) {
+  if (hit.part != TimelinePart::keys) {
+    return;
+  }
+  const std::vector<double>& picked = model.keyRows[hit.row].picked;
+  if (!std::binary_search(picked.begin(), picked.end(), hit.frame)) {
+    outcome.keysPicked = KeyBox{hit.row, hit.row, {hit.frame, hit.frame}, ImGui::GetIO().KeyShift};
+  }
+}
+
+/// The box that is drawn around keys.
+void holdKeyBox(const WidgetContext& context, const timeline_detail::Layout& layout,
+                const TimelineGesture& gesture, const ImVec2& mouse) {
+  const ImVec2 from(layout.frames.toPixel(gesture.grabbedAt), ImGui::GetIO().MouseClickedPos[0].y);
+  const ImVec2 least(std::min(from.x, mouse.x), std::min(from.y, mouse.y));
+  const ImVec2 most(std::max(from.x, mouse.x), std::max(from.y, mouse.y));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(least, most, faded(context.theme.colours.accent, 0.12F));
+  list->AddRect(least, most, context.theme.colours.accent);
+}
+
+void releaseKeyBox(const WidgetContext& context, const timeline_detail::Layout& layout,
+                   const TimelineModel& model, const TimelineGesture& gesture, const ImVec2& mouse,
+                   TimelineOutcome& outcome) {
+  if (gesture.part != TimelinePart::keyBox) {
+    return;
+  }
+  const ImVec2 pressed = ImGui::GetIO().MouseClickedPos[0];
+  const float least = context.theme.px(3.0F);
+  if (std::abs(mouse.x - pressed.x) < least && std::abs(mouse.y - pressed.y) < least) {
+    outcome.clickedBesideKeys = !ImGui::GetIO().KeyShift;
+    return;
+  }
+  const std::size_t last = model.keyRows.size() - 1;
+  const std::size_t to =
+      mouse.y < layout.ruler.max.y
+          ? 0
+          : std::min(last, timeline_detail::keyRowAt(context.theme, layout, model, mouse.y));
+  const double frame = layout.frames.toValue(mouse.x);
+  outcome.keysPicked = KeyBox{std::min(gesture.row, to), std::max(gesture.row, to),
+                              Span{std::min(gesture.grabbedAt, frame), std::max(gesture.grabbedAt, frame)},
+                              ImGui::GetIO().KeyShift};
+}
+
+} // namespace
+
 TimelineOutcome timeline(const WidgetContext& context, const std::string& id, const TimelineModel& model,
                          TimelineGesture& gesture, float labelWidth, float height) {
   const Theme& theme = context.theme;
@@ -289,8 +376,9 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   const timeline_detail::Hit hit =
       control.hovered ? timeline_detail::hitTest(theme, layout, model, mouse) : timeline_detail::Hit{};
   if (ImGui::IsItemActivated()) {
-    gesture = {hit.part, hit.bar, layout.frames.toValue(mouse.x), hit.span};
+    gesture = {hit.part, hit.bar, layout.frames.toValue(mouse.x), hit.span, hit.row};
     outcome.clickedBar = hit.bar;
+    pressKeys(model, hit, outcome);
   } else if (control.hovered && ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F)) {
     timeline_detail::applyGesture(model, layout, {.part = TimelinePart::pan}, mouse, outcome);
   }
@@ -300,6 +388,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   }
   if (ImGui::IsItemDeactivated()) {
     outcome.gestureEnded = true;
+    releaseKeyBox(context, layout, model, gesture, mouse, outcome);
     gesture = {};
   }
   if (control.hovered) {
@@ -307,9 +396,15 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
     timeline_detail::applyClicks(theme, model, layout, hit, mouse, outcome);
   }
   timeline_detail::draw(context, layout, model);
+  if (control.held && gesture.part == TimelinePart::keyBox) {
+    holdKeyBox(context, layout, gesture, mouse);
+  }
+  outcome.hovered = control.hovered && layout.track.contains(mouse);
+  outcome.mouseFrame = layout.frames.toValue(mouse.x);
   recordItems(context, id, layout, model);
   const TimelinePart shown = control.held ? gesture.part : hit.part;
-  if (shown != TimelinePart::nothing && shown != TimelinePart::playhead && shown != TimelinePart::barBody) {
+  if (shown != TimelinePart::nothing && shown != TimelinePart::playhead && shown != TimelinePart::barBody &&
+      shown != TimelinePart::keyBox) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (!control.held) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,8 @@ struct KeyRow {
   std::string label;
   std::vector<double> frames; ///< Increasing.
   bool selected = false;
+  bool offsetKeys = false;         ///< Keys of a controller, drawn as circles; else the clip's own.
+  std::vector<double> picked = {}; ///< Frames of picked keys, increasing.
 };
 
 struct TimelineModel {
@@ -41,9 +45,22 @@ struct TimelineModel {
   bool loops = false;          ///< After the clip's end its start comes again: a release goes on there.
   double turn = 0.0;           ///< Frames from one start to the next.
   bool snap = true;            ///< Frames that the mouse sets are whole ones.
+  bool keysEditable = false;   ///< Keys can be picked and dragged; the playhead is moved in the ruler alone.
 };
 
-enum class TimelinePart { nothing, playhead, rangeStart, rangeEnd, barStart, barEnd, barBody, release, pan };
+enum class TimelinePart {
+  nothing,
+  playhead,
+  rangeStart,
+  rangeEnd,
+  barStart,
+  barEnd,
+  barBody,
+  release,
+  pan,
+  keys,
+  keyBox
+};
 
 /// What the mouse holds, from press to release.
 struct TimelineGesture {
@@ -51,6 +68,15 @@ struct TimelineGesture {
   int bar = 0;
   double grabbedAt = 0.0;   ///< Frame under the mouse at the press.
   Span startSpan{0.0, 0.0}; ///< Of what is held, at the press.
+  std::size_t row = 0;      ///< Of keys, at the press.
+};
+
+/// Keys of some rows, in some frames.
+struct KeyBox {
+  std::size_t firstRow = 0;
+  std::size_t lastRow = 0;
+  Span frames;
+  bool add = false; ///< Beside those that are picked.
 };
 
 /// What the user asked for in this frame; spans are complete, ready to be set.
@@ -75,6 +101,12 @@ struct TimelineOutcome {
   bool menuOnKey = false;   ///< where a key is,
   bool menuOnRange = false; ///< or an end of the working range.
   int doubleClickedBar = 0;
+  std::optional<KeyBox> keysPicked; ///< By a press on a key or a box around some.
+  bool clickedBesideKeys = false;
+  bool keysDragged = false;
+  double keyFrames = 0.0; ///< How far, since the press.
+  bool hovered = false;   ///< The mouse is over the tracks,
+  double mouseFrame = 0.0;
 };
 
 /// Height that the rows need, in screen pixels.

@@ -33,7 +33,12 @@ struct Hit {
   TimelinePart part = TimelinePart::nothing;
   int bar = 0;
   Span span{0.0, 0.0}; ///< Of what is grabbed.
+  std::size_t row = 0; ///< Of keys,
+  double frame = 0.0;  ///< and where the key is.
 };
+/// The key of a row at the mouse.
+[[nodiscard]] std::optional<double> keyAt(const Theme& theme, const Layout& layout, const KeyRow& row,
+                                          float x);
 [[nodiscard]] Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model,
                           const ImVec2& mouse);
 

@@ -108,6 +108,40 @@ void drawRange(const WidgetContext& context, const Layout& layout, const Timelin
   list->PopClipRect();
 }
 
+void drawKeyMark(const Theme& theme, const KeyRow& keys, const ImVec2& at, float radius, ImU32 colour) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (keys.offsetKeys) {
+    list->AddCircleFilled(at, theme.px(radius - 0.5F), colour);
+  } else {
+    addDiamond(*list, at, theme.px(radius), colour);
+  }
+}
+
+void drawKeyRow(const WidgetContext& context, const Layout& layout, const TimelineModel& model,
+                const KeyRow& keys, float y) {
+  const Theme& theme = context.theme;
+  const ImU32 plain = keys.offsetKeys ? trailColour(0, theme.kind)
+                                      : mixed(theme.colours.quietText, theme.colours.text, 0.35F);
+  float lastX = -1e9F;
+  const auto first = std::lower_bound(keys.frames.begin(), keys.frames.end(), model.view.start - 1.0);
+  for (auto frame = first; frame != keys.frames.end() && *frame <= model.view.end + 1.0; ++frame) {
+    const float x = layout.frames.toPixel(*frame);
+    if (x < layout.track.min.x || x > layout.track.max.x || x - lastX < theme.px(1.5F)) {
+      continue; // marks that would cover each other say nothing
+    }
+    lastX = x;
+    const bool here = std::abs(*frame - model.playhead) < 0.5;
+    drawKeyMark(theme, keys, {x, y}, 4.5F, here ? theme.colours.accent : plain);
+  }
+  for (const double frame : keys.picked) {
+    const float x = layout.frames.toPixel(frame);
+    if (x >= layout.track.min.x && x <= layout.track.max.x) {
+      drawKeyMark(theme, keys, {x, y}, 6.5F, theme.colours.background);
+      drawKeyMark(theme, keys, {x, y}, 5.5F, theme.colours.text);
+    }
+  }
+}
+
 void drawKeys(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
   const Theme& theme = context.theme;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -122,17 +156,7 @@ void drawKeys(const WidgetContext& context, const Layout& layout, const Timeline
                      {layout.track.min.x - theme.unit(), box.max.y}};
     drawText(context, theme.fonts.label, label, keys.selected ? theme.colours.text : theme.colours.quietText,
              keys.label);
-    float lastX = -1e9F;
-    for (const double frame : keys.frames) {
-      const float x = layout.frames.toPixel(frame);
-      if (x < layout.track.min.x || x > layout.track.max.x || x - lastX < theme.px(1.5F)) {
-        continue; // diamonds that would cover each other say nothing
-      }
-      lastX = x;
-      const bool here = std::abs(frame - model.playhead) < 0.5;
-      addDiamond(*list, {x, box.centre().y}, theme.px(4.5F),
-                 here ? theme.colours.accent : mixed(theme.colours.quietText, theme.colours.text, 0.35F));
-    }
+    drawKeyRow(context, layout, model, keys, box.centre().y);
   }
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("A wrong argument is told in one line") {
   CHECK(folder.fileCount() == 0);
 }
 
-TEST_CASE("A range of weight that the clip has in part is cut, with a warning; one outside is refused") {
+TEST_CASE("A range of weight that the clip has in part is cut, with a warning, one outside is refused") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
   {

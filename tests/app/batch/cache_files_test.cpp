@@ -103,3 +103,10 @@ TEST_CASE("a glTF sequence packed by Draco is compressed, and compares with the 
   REQUIRE(answer.exitCode == 0);
   CHECK(Json::parse(answer.output)["rmse_percent"].get<double>() < 0.1);
 }
+
+TEST_CASE("a cache named alone finds the glTF beside it that has as many vertices") {
+  const TemporaryFolder folder;
+  twoSheets().write(folder / "sheets.glb");
+  const auto cache = folder.write("raised.mdd", raisedSheets());
+  CHECK(compressedTo(folder / "out.glb", {cache.string()}).exitCode == 0);
+}

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/edits/group_edits.h"
+#include "app/edits/offset_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/files/save.h"
 #include "core/gltf/json.h"
@@ -61,4 +62,23 @@ TEST_CASE("A file without work has no trails to tell of") {
   const test::VerbAnswer answer = test::runVerb({"info", STRETCH_SOURCE_DIR "/assets/dummy.glb", "--json"});
   REQUIRE(answer.exitCode == 0);
   CHECK(Json::parse(answer.output)["trails"] == Json::array());
+}
+
+TEST_CASE("Adjustments that a file carries are told with keys and range") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "posed.glb";
+  const Result<Document> opened = openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
+  REQUIRE(opened);
+  const ControllerOffset lowered{"hips", {0.0, -0.1, 0.0}, {}};
+  const Result<Document> posed = setOffsets(*opened, 0, 12.0, {&lowered, 1}, {}, {Vec2(4.0, 20.0)});
+  REQUIRE(posed);
+  REQUIRE(saveDocument(*posed, file, {}));
+  const test::VerbAnswer json = test::runVerb({"info", file.string(), "--json"});
+  REQUIRE(json.exitCode == 0);
+  const Json adjustments = Json::parse(json.output)["adjustments"];
+  REQUIRE(adjustments.size() == 1);
+  CHECK(adjustments[0]["controller"] == "hips");
+  REQUIRE(adjustments[0]["keys"].size() == 1);
+  CHECK(adjustments[0]["keys"][0]["frame"] == 12.0);
+  CHECK(adjustments[0]["range"] == Json::array({4.0, 20.0}));
 }

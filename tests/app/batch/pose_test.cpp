@@ -12,18 +12,20 @@
 #include "app/recipe/recipe.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
-#include "tests/support/app/run_verb.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::app;
 using gltf::Json;
+using test::endOf;
+using test::nodeOf;
+using test::openedFile;
+using test::pose;
+using test::Posed;
+using test::posedCharacter;
 
 namespace {
-
-// From a recipe on the command line to the saved file, read back.
-
-constexpr const char* posedCharacter = STRETCH_SOURCE_DIR "/assets/dummy.glb";
 
 Json controllerKey(const std::string& controller, double frame, const Json& offset) {
   Json key = offset;
@@ -37,38 +39,6 @@ Json attributeKey(const std::string& attribute, double frame, double value) {
 
 Json poseRecipe(const Json& adjustments) {
   return {{"version", 1}, {"units", "metres"}, {"adjustments", adjustments}};
-}
-
-Document openedFile(const std::string& path) {
-  const Result<Document> document = openDocument(path);
-  INFO((document ? std::string() : document.error().line()));
-  REQUIRE(document);
-  return *document;
-}
-
-struct Posed {
-  test::VerbAnswer answer;
-  std::string path;
-};
-
-Posed pose(const test::TemporaryFolder& folder, const Json& recipe,
-           const std::vector<std::string>& more = {}) {
-  const std::string file = folder.write("recipe.json", recipe.dump()).string();
-  Posed posed{{}, (folder / "posed.glb").string()};
-  std::vector<std::string> words{"pose", posedCharacter, "-o", posed.path, "--recipe", file, "--json"};
-  words.insert(words.end(), more.begin(), more.end());
-  posed.answer = test::runVerb(words);
-  return posed;
-}
-
-Vec3 endOf(const Document& document, const std::string& limb, double frame) {
-  const FrameState state = evaluateOriginal(document, 0, frame / clipOf(document, 0).framesPerSecond);
-  return rig::endPosition(*findLimb(document, limb), state);
-}
-
-Vec3 nodeOf(const Document& document, NodeIndex node, double frame) {
-  const FrameState state = evaluateOriginal(document, 0, frame / clipOf(document, 0).framesPerSecond);
-  return positionOf(state.worlds[at(node)]);
 }
 
 } // namespace

@@ -103,7 +103,7 @@ TEST_CASE("A range outside the clip is refused wherever it comes from") {
   CHECK(test::runVerb({"exaggerate", character, "-o", output, "--recipe", recipe}).exitCode == 1);
 }
 
-TEST_CASE("Two trails of one request may not overlap; one that the file carries is replaced") {
+TEST_CASE("Two trails of one request may not overlap, one that the file carries is replaced") {
   const test::TemporaryFolder folder;
   const std::string first = (folder / "first.glb").string();
   const std::string second = (folder / "second.glb").string();

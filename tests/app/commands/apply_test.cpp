@@ -23,7 +23,7 @@ Document withTrail(const Document& document, const std::string& limb, bool conne
       document, {.limb = limb, .startFrame = 5.0, .endFrame = 10.0, .scale = 3.0, .connected = connected});
 }
 
-bool run(Session& session, const char* id) {
+bool applied(Session& session, const char* id) {
   const std::vector<DocumentCommand> commands = documentCommands();
   const auto command =
       std::find_if(commands.begin(), commands.end(), [&](const auto& c) { return c.id == id; });
@@ -39,7 +39,7 @@ TEST_CASE("An applied trail shows its new keys, until it is changed") {
   const std::vector<double> source = shownKeyFrames(session, {"left-arm"});
   CHECK(source == keyFrames(session.document(), 0, {"left-arm"}));
   session.view().selectedTrail = 1;
-  REQUIRE(run(session, command::trailApply));
+  REQUIRE(applied(session, command::trailApply));
   const std::vector<double> keyed = shownKeyFrames(session, {"left-arm"});
   CHECK(keyed.size() > source.size());
   CHECK(std::includes(keyed.begin(), keyed.end(), source.begin(), source.end()));
@@ -53,7 +53,7 @@ TEST_CASE("What applying came to is told: the limb, its frames with the way back
   Session session(withTrail(test::boxer(), "left-arm", true));
   session.view().selectedLimbs = {"left-arm"};
   session.view().selectedTrail = 1;
-  REQUIRE(run(session, command::trailApply));
+  REQUIRE(applied(session, command::trailApply));
   const std::vector<double> keys = shownKeyFrames(session, {"left-arm"});
   const auto inside =
       std::count_if(keys.begin(), keys.end(), [](double frame) { return frame >= 4.99 && frame <= 20.01; });
@@ -70,25 +70,25 @@ TEST_CASE("Next key stops at each key, between the frames of the rate that the c
   session.view().selectedLimbs = {"left-arm"};
   std::vector<double> stops;
   for (int i = 0; i < 4; ++i) {
-    REQUIRE(run(session, command::timeNextKey));
+    REQUIRE(applied(session, command::timeNextKey));
     stops.push_back(session.view().frame);
   }
   CHECK(stops == std::vector<double>{4.0, 8.0, 16.0, 16.0});
   session.edit(workAtRate(session.document(), 0, 25.0), "Change the frame rate");
   session.view().frame = 0.0;
-  REQUIRE(run(session, command::timeNextKey));
+  REQUIRE(applied(session, command::timeNextKey));
   CHECK(session.view().frame == Approx(25.0 / 6.0).margin(1e-3));
 }
 
 TEST_CASE("Apply all is one step for every connected trail of the clip, and leaves disconnected ones out") {
   const Document two = withTrail(withTrail(test::boxer(), "left-arm", true), "right-arm", true);
   Session session(withTrail(two, "spine", false));
-  REQUIRE(run(session, command::trailApplyAll));
+  REQUIRE(applied(session, command::trailApplyAll));
   const std::vector<rig::Trail>& trails = session.document().trails;
   CHECK(trails[0].applied);
   CHECK(trails[1].applied);
   CHECK_FALSE(trails[2].applied);
-  CHECK_FALSE(run(session, command::trailApplyAll)); // Nothing waits any more.
+  CHECK_FALSE(applied(session, command::trailApplyAll)); // Nothing waits any more.
   session.undo();
   CHECK_FALSE(session.document().trails[0].applied);
 }

@@ -159,7 +159,7 @@ TEST_CASE("V switches volume preservation and lets it be typed") {
   CHECK(modal.settings.volume == Approx(0.5));
 }
 
-TEST_CASE("Esc restores; keys that mean nothing here change nothing") {
+TEST_CASE("Esc restores, keys that mean nothing here change nothing") {
   ExaggerateModal modal = punch();
   CHECK(type(modal, "Q F5 Ctrl+Z Home") == ModalOutcome::running);
   CHECK(modal.settings == modal.start);

@@ -86,7 +86,7 @@ Status runCommand(Session& session, const std::string& id) {
 
 } // namespace
 
-TEST_CASE("A clip that is worked on at another rate moves as before; its own rate forgets the choice") {
+TEST_CASE("A clip that is worked on at another rate moves as before, its own rate forgets the choice") {
   const Document at30 = exaggerated();
   const Document at24 = workAtRate(at30, 0, 24.0);
   CHECK(clipOf(at24, 0).framesPerSecond == 24.0);

@@ -164,7 +164,7 @@ TEST_CASE("A tangent stays on a sphere that is not pulled, and goes when it is t
   CHECK(settingsOf(*back) == settingsOf(start));
 }
 
-TEST_CASE("Spheres are removed with what they were pulled by; those at the ends are put back instead") {
+TEST_CASE("Spheres are removed with what they were pulled by, those at the ends are put back instead") {
   const Document pulled = moved(withTrail(), {{0.0, Vec3(0.5)}, {5.0, Vec3(1.0)}});
   const std::vector<double> present{0.0, 5.0, 10.0};
   const Result<Document> removed = removeSpheres(pulled, trailId, present, std::vector<double>{0.0, 5.0});

@@ -27,6 +27,7 @@ function chunksOf(bytes) {
 }
 
 function withoutTextures(json) {
+  json = structuredClone(json);
   for (const key of ['images', 'textures', 'samplers', 'materials']) delete json[key];
   for (const mesh of json.meshes ?? []) for (const primitive of mesh.primitives) delete primitive.material;
   const left = ['KHR_mesh_quantization', 'EXT_meshopt_compression', 'KHR_draco_mesh_compression'];
@@ -41,13 +42,14 @@ async function selfContained(file) {
   const bytes = await fs.readFile(file);
   const isBinary = bytes.subarray(0, 4).toString('latin1') === 'glTF';
   const chunks = isBinary ? chunksOf(bytes) : null;
-  const json = withoutTextures(JSON.parse(Buffer.from(isBinary ? chunks.get(jsonChunk) : bytes).toString('utf8')));
+  const asWritten = JSON.parse(Buffer.from(isBinary ? chunks.get(jsonChunk) : bytes).toString('utf8'));
+  const json = withoutTextures(asWritten);
   for (const buffer of json.buffers ?? []) {
     if (buffer.extensions?.EXT_meshopt_compression?.fallback) continue;
     if (buffer.uri === undefined) buffer.uri = asDataUri(chunks.get(binaryChunk));
     else if (!buffer.uri.startsWith('data:')) buffer.uri = asDataUri(await fs.readFile(path.join(path.dirname(file), decodeURIComponent(buffer.uri))));
   }
-  return json;
+  return { json, asWritten };
 }
 
 // The primitives of a node: the node itself, or its children that are no nodes.
@@ -55,9 +57,9 @@ function primitivesOf(object, nodes) {
   return object.isMesh ? [object] : object.children.filter((child) => child.isMesh && !nodes.includes(child));
 }
 
-/// { scene, clips, nodes: [object by node index], meshes: [{ mesh, primitive, node, object }] by mesh, primitive, node }
+/// { json: as the file has it, scene, clips, nodes: [object by node index], meshes: [{ mesh, primitive, node, object }] by mesh, primitive, node }
 export async function read(file) {
-  const json = await selfContained(file);
+  const { json, asWritten } = await selfContained(file);
   const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).setDRACOLoader(new DracoMeshes());
   const gltf = await loader.parseAsync(JSON.stringify(json), '');
   // Asked for by index: three.js mixes up the indices of nodes that share a mesh.
@@ -69,7 +71,7 @@ export async function read(file) {
   );
   meshes.sort((a, b) => a.mesh - b.mesh || a.primitive - b.primitive || a.node - b.node);
   const names = (json.nodes ?? []).map((node) => node.name ?? '');
-  return { scene: gltf.scene, clips: gltf.animations, clipNames: (json.animations ?? []).map((clip) => clip.name ?? ''), names, nodes, meshes };
+  return { json: asWritten, scene: gltf.scene, clips: gltf.animations, clipNames: (json.animations ?? []).map((clip) => clip.name ?? ''), names, nodes, meshes };
 }
 
 /// Calls visit(time) with the scene posed at each time of the clip (null: at rest).

@@ -190,7 +190,7 @@ TEST_CASE(
   CHECK(warnsOf(biped, "sides follow the way its feet point"));
 }
 
-TEST_CASE("names that agree win over feet whose mesh points back; the sides are asked for and doubted") {
+TEST_CASE("names that agree win over feet whose mesh points back, the sides are asked for and doubted") {
   SyntheticBiped body = makeNamedBody("Mixamo", {.toes = GENERATE(true, false)});
   body.feetPointBack = true;
   body.facesBackwards = GENERATE(true, false);

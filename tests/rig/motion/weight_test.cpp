@@ -22,6 +22,15 @@ Vec3 endOf(const MovingBiped& moving, const std::string& limb, const FrameState&
   return endPosition(moving.limb(limb), frame);
 }
 
+double bonesOf(const Limb& limb, const FrameState& frame) {
+  const std::vector<Vec3> points = limbPoints(limb, frame);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += glm::length(points[i] - points[i - 1]);
+  }
+  return sum;
+}
+
 SoftBones none(double /*frame*/) {
   return {};
 }
@@ -211,4 +220,45 @@ TEST_CASE("weight of a limb that is missing or has other bones is left out") {
   LimbWeight missing = softLimb(moving, "left-arm", longer);
   missing.limb = "tail";
   CHECK(softMotion(moving, {}, {wrong, missing}).weights.empty());
+}
+
+TEST_CASE("a bent leg takes what its foot in place asks of it by its knee") {
+  MovingBiped moving = still(namedBody());
+  const Limb leg = moving.limb("left-leg");
+  const Quat thigh = axisAngle(Vec3(1.0, 0.0, 0.0), -0.6);
+  const Quat shin = axisAngle(Vec3(1.0, 0.0, 0.0), 1.1);
+  moving.clip.tracks.emplace_back(
+      rotationTrack(leg.joints[0], Interpolation::linear, {{0.0, thigh}, {1.0, thigh}}));
+  moving.clip.tracks.emplace_back(
+      rotationTrack(leg.joints[1], Interpolation::linear, {{0.0, shin}, {1.0, shin}}));
+  moving.clip.endSeconds = 1.0;
+  const MotionState motion = softMotion(
+      moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", touching)});
+  for (double frame = 0.0; frame <= 24.0; frame += 3.0) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState soft = atFrame(moving, motion, frame);
+    CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
+          1e-6 * moving.biped.height);
+    CHECK(bonesOf(leg, soft) == Approx(bonesOf(leg, source)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a foot that hangs under the root goes with its leg when the hips sink") {
+  SyntheticBiped body = namedBody();
+  for (const char* const side : {"l", "r"}) {
+    jointOf(body, std::string("foot.") + side).parent = "root";
+  }
+  MovingBiped moving = still(body);
+  moving.clip.endSeconds = 1.0;
+  const MotionState motion = softMotion(
+      moving, {}, {softLimb(moving, "right-leg", squashed), softLimb(moving, "left-leg", squashed)});
+  for (double frame = 0.0; frame <= 24.0; frame += 3.0) {
+    const FrameState source = sourceAtFrame(moving, frame);
+    const FrameState soft = atFrame(moving, motion, frame);
+    for (const char* const leg : {"left-leg", "right-leg"}) {
+      CHECK(glm::length(endOf(moving, leg, soft) - endOf(moving, leg, source)) < 1e-6 * moving.biped.height);
+      CHECK(lengthOf(moving.limb(leg), soft) / lengthOf(moving.limb(leg), source) ==
+            Approx(1.0 - 0.006 * frame).epsilon(1e-3));
+    }
+  }
 }

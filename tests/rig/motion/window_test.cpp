@@ -229,7 +229,7 @@ TEST_CASE("the hand comes as far as the stop plane and not past it") {
         1e-5);
 }
 
-TEST_CASE("a pulled sphere moves the hand by its offset; one at the pivot fades in") {
+TEST_CASE("a pulled sphere moves the hand by its offset, one at the pivot fades in") {
   const MovingBiped moving = punchingBiped();
   Trail trail = connectedTrail("left-arm", 6, 18, 1.0);
   trail.settings.releaseFrames = 4.0;

@@ -12,18 +12,18 @@
 
 namespace stretch::assets {
 
-std::filesystem::path committedDummyPath() {
-  return std::filesystem::path(STRETCH_SOURCE_DIR) / "assets/dummy.glb";
+std::filesystem::path bundledPath(const std::string& name) {
+  return std::filesystem::path(STRETCH_SOURCE_DIR) / "assets" / name;
 }
 
-std::vector<std::uint8_t> committedDummy() {
-  std::ifstream file(committedDummyPath(), std::ios::binary);
+std::vector<std::uint8_t> bundledBytes(const std::string& name) {
+  std::ifstream file(bundledPath(name), std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return {bytes.begin(), bytes.end()};
 }
 
 gltf::Loaded loadedDummy() {
-  Result<gltf::Loaded> loaded = gltf::load(committedDummyPath());
+  Result<gltf::Loaded> loaded = gltf::load(bundledPath("dummy.glb"));
   REQUIRE(loaded.ok());
   return *loaded;
 }

@@ -2,14 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/gltf/source.h"
 
 namespace stretch::assets {
 
-[[nodiscard]] std::filesystem::path committedDummyPath();
-[[nodiscard]] std::vector<std::uint8_t> committedDummy();
+/// Of a committed file, by its name in bundledFiles().
+[[nodiscard]] std::filesystem::path bundledPath(const std::string& name);
+[[nodiscard]] std::vector<std::uint8_t> bundledBytes(const std::string& name);
 
 /// The committed character, read as the program reads any other.
 [[nodiscard]] gltf::Loaded loadedDummy();

@@ -31,6 +31,7 @@ int main(int argumentCount, char** arguments) {
   ui::EditorOptions options;
   options.hand = &*script;
   options.scale = std::strtof(environment("STRETCH_UI_SCALE").c_str(), nullptr);
+  options.firstStart = !environment("STRETCH_UI_FIRST").empty();
   const std::string size = environment("STRETCH_UI_SIZE");
   if (const std::size_t cross = size.find('x'); cross != std::string::npos) {
     options.width = std::atoi(size.c_str());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 #include <epoxy/gl.h>
@@ -117,7 +118,7 @@ std::optional<Script::Step> Script::stepOf(const std::string& line, int number) 
   if (!(text >> step.verb)) {
     return std::nullopt;
   }
-  for (std::string word; text >> word;) {
+  for (std::string word; text >> std::quoted(word);) {
     step.words.push_back(word);
   }
   return step;
@@ -314,14 +315,16 @@ void Script::act(const Action& action, Window& window) {
     break;
   case Action::Kind::press:
   case Action::Kind::releaseButton: {
-    mouse_.buttons[action.value] = action.kind == Action::Kind::press;
-    const int direction = action.kind == Action::Kind::press ? GLFW_PRESS : GLFW_RELEASE;
+    const bool isPress = action.kind == Action::Kind::press;
+    mouse_.buttons[action.value] = isPress;
     const std::pair<int, int> modifiers[] = {{GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT},
                                              {GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL},
                                              {GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT}};
     for (const auto& [bit, key] : modifiers) {
-      if ((action.mods & bit) != 0) {
-        receiveKey(input, window.handle(), key, 0, direction, 0);
+      if ((action.mods & bit) != 0 && isPress) {
+        receiveKey(input, window.handle(), key, 0, GLFW_PRESS, 0);
+      } else if ((action.mods & bit) != 0) { // A frame after the button, as a hand lets go.
+        actions_.push_front({Action::Kind::keyUp, 0.0F, 0.0F, key, 0});
       }
     }
     break;

@@ -13,9 +13,13 @@
 #include <imgui_internal.h>
 
 #include "app/commands/frames.h"
+#include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/key_edits.h"
+#include "app/edits/offset_edits.h"
+#include "app/edits/track_edits.h"
 #include "core/anim/sampling.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "rig/limb.h"
@@ -34,6 +38,11 @@ std::string yesNo(bool value) {
 }
 std::string number(double value) {
   return fmt::format("{:.6g}", value);
+}
+
+/// Of a clip, where there is one.
+std::size_t editedTrackCount(const app::Document& document, int clip) {
+  return app::hasClip(document, clip) ? app::editedTracks(document, clip).size() : 0;
 }
 
 std::string axesOf(const rig::TrailSettings& settings) {
@@ -198,6 +207,16 @@ std::string tangentCount(const app::Session& session) {
                                 [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
 }
 
+/// Three numbers of what the first selected controller is offset by at the playhead.
+std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::*vector, double unit) {
+  if (!app::hasControllers(session)) {
+    return "none";
+  }
+  const app::ControllerOffset offset = app::shownOffset(session, session.view().selectedControllers.front());
+  const Vec3 shown = unit * (offset.*vector);
+  return joined({number(shown.x), number(shown.y), number(shown.z)});
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -208,12 +227,20 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
+      {"controllers", [&] { return joined(view.selectedControllers); }},
+      {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
+      {"moved", [&] { return offsetText(session, &app::ControllerOffset::move, 1.0); }},
+      {"turned", [&] { return offsetText(session, &app::ControllerOffset::turn, 180.0 / pi); }},
+      {"offset-keys", [&] { return std::to_string(app::offsetKeyFrames(session).size()); }},
+      {"auto-key", [&] { return yesNo(view.autoKey); }},
       {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
       {"range.start", [&] { return number(view.rangeStart); }},
       {"range.end", [&] { return number(view.rangeEnd); }},
       {"undo", [&] { return session.history().undoLabel(); }},
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
+      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
@@ -239,6 +266,9 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second();
+  }
+  if (constexpr std::string_view value = "value."; name.starts_with(value)) {
+    return number(app::shownValue(session, std::string(name.substr(value.size()))));
   }
   const rig::Trail* trail = app::selectedTrail(session);
   return trail == nullptr ? std::nullopt : trailState(*trail, name);
@@ -341,6 +371,8 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   const std::map<std::string_view, std::string> states{
       {"file", shell.files.path().filename().string()},
       {"unsaved", yesNo(app::hasUnsavedWork(shell.open))},
+      {"tour", number(shell.ui.tour.step + 1)},
+      {"welcome", number(shell.open.isEmpty() ? shell.ui.welcome.highlighted + 1 : 0)},
       {"busy", yesNo(shell.files.isOpening())},
       {"compressing", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing())},
       {"modal", statusOf(shell).modalText},
@@ -378,6 +410,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
+      {"hovered-controller", shell.viewport.hoveredController},
       {"tooltip", yesNo(showsTooltip())},
       {"camera.distance", number(shell.viewport.camera.distance)},
       {"camera.yaw", number(shell.viewport.camera.yawRadians)},

@@ -22,6 +22,11 @@ namespace stretch::test {
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.
+/// tour (its step, from 1; 0: it does not run), welcome (its highlighted entry, from 1; 0: a file is open).
+/// keys.picked (in graph and dope sheet), keys.edited (tracks of the viewed clip that are not the source's),
+/// Of poses: controllers (that are selected), adjusted (ids in the clip), moved and turned ("0 -0.1 0" and
+/// degrees, of the first selected one at the playhead), offset-keys (how many the selection has), auto-key,
+/// value.ID (of an attribute at the playhead).
 /// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
 /// bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);

@@ -77,7 +77,7 @@ TEST_CASE("render draws a mesh with its cache as it draws the folder of the same
   CHECK(files.drawn({files.frames(), "--frame", "0"}) != folder);
 }
 
-TEST_CASE("render draws each look, bones and legend; what it needs is compressed first") {
+TEST_CASE("render draws each look, bones and legend, what it needs is compressed first") {
   const TubeFiles files;
   std::vector<Bytes> pictures;
   for (const char* const look : {"material", "compare", "error", "thickness", "segments", "cylinders"}) {

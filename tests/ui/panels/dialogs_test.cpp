@@ -9,6 +9,7 @@
 #include <imgui_internal.h>
 
 #include "app/commands/selection.h"
+#include "core/math/euler.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/panels/file_listing.h"
 #include "ui/panels/graph_model.h"
@@ -263,7 +264,7 @@ TEST_CASE("Angles of a turning joint do not jump") {
   for (int i = 0; i <= 360; ++i) {
     const double angle = static_cast<double>(i) * pi / 60.0; // three turns
     const Quat rotation = glm::angleAxis(angle, glm::normalize(Vec3(0.3, 1.0, 0.2)));
-    const Vec3 angles = ui::eulerNear(rotation, previous);
+    const Vec3 angles = eulerNear(rotation, previous);
     const Quat again(angles);
     CHECK(std::abs(glm::dot(again, rotation)) == Approx(1.0).margin(1e-9));
     CHECK(glm::length(angles - previous) < 1.0);

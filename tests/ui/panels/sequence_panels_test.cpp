@@ -62,7 +62,7 @@ TEST_CASE("Stretch, weights and length are chosen by click") {
   CHECK(panels.settings().bones > 8);
 }
 
-TEST_CASE("Compress is asked for by its command; the result shows metrics and can be exported") {
+TEST_CASE("Compress is asked for by its command, the result shows metrics and can be exported") {
   SequencePanels panels;
   CHECK(panels.driver.find(ui::command::fileExportClean) == nullptr);
   panels.driver.click(ui::command::sequenceCompress);
@@ -148,7 +148,7 @@ TEST_CASE("Segments get a modulus of their own, and lose it") {
   CHECK(panels.settings().body.moduli.ranges.empty());
 }
 
-TEST_CASE("What colours the surface is chosen over the viewport; the error needs a result") {
+TEST_CASE("What colours the surface is chosen over the viewport, the error needs a result") {
   SequencePanels panels;
   panels.driver.click("sequence/look/Error");
   CHECK(panels.driver.open.sequence()->view().look == app::SequenceLook::material);

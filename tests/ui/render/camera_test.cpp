@@ -145,7 +145,7 @@ TEST_CASE("A fitted box fills the viewport and stays inside it") {
   CHECK(std::max(largest.x, largest.y) == Approx(0.5 - margin).epsilon(1e-6));
 }
 
-TEST_CASE("Fitting nothing changes nothing; fitting a point still gives a usable distance") {
+TEST_CASE("Fitting nothing changes nothing, fitting a point still gives a usable distance") {
   const Camera camera = someCamera(ProjectionKind::perspective);
   CHECK(fitted(camera, wide, Box{}) == camera);
   Box point;

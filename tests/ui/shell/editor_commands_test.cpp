@@ -96,6 +96,8 @@ const std::pair<const char*, const char*> specifiedKeys[] = {{"1", "limb.left-ar
                                                              {"Numpad 7", command::viewTop},
                                                              {"Numpad 5", command::viewPerspective},
                                                              {"Enter", command::trailApply},
+                                                             {"S", command::poseKey},
+                                                             {"Shift+S", command::poseAutoKey},
                                                              {"Delete", "edit.delete"},
                                                              {"Shift+Delete", command::trailDeleteAll},
                                                              {"Ctrl+C", command::copyTrail},
@@ -121,8 +123,9 @@ TEST_CASE("Every id of the list has a command, every command an id of the list, 
   for (const app::Command<Shell>& command : editorCommands()) {
     known.insert(command.id);
     // Those of directions and of limbs that are added to the selection are put together.
-    const bool puttogether =
-        command.id.rfind("sphere.nudge-", 0) == 0 || command.id.rfind("-add") != std::string::npos;
+    const bool puttogether = command.id.rfind("sphere.nudge-", 0) == 0 ||
+                             command.id.rfind("controller.nudge-", 0) == 0 ||
+                             command.id.rfind("-add") != std::string::npos;
     INFO(command.id);
     CHECK((puttogether || listed.count(command.id) == 1));
   }

@@ -41,7 +41,7 @@ TEST_CASE("E on a limb that stands still opens no tool: it says which limb makes
         "The right arm does not move in this clip. The left arm makes the strongest stroke: 1 selects it");
 }
 
-TEST_CASE("Enter after an E that was refused adds nothing to what was told; later it says why") {
+TEST_CASE("Enter after an E that was refused adds nothing to what was told, later it says why") {
   Boxing boxing;
   Shell& shell = boxing.shell;
   shell.open.character()->view().selectedLimbs = {"right-arm"};

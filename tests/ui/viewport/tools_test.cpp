@@ -114,7 +114,7 @@ TEST_CASE("A press that does not move the mouse is no drag") {
   CHECK(stage.session.history().undoLabel() == "Exaggerate");
 }
 
-TEST_CASE("An axis handle moves along its axis only; the wheel takes the neighbours along") {
+TEST_CASE("An axis handle moves along its axis only, the wheel takes the neighbours along") {
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
   stage.type("Enter");

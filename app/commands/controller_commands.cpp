@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/controller_modal.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/grab_modal.h"
+#include "app/commands/needs.h"
+#include "app/commands/nudges.h"
+#include "app/commands/posing.h"
+#include "app/commands/selection.h"
+#include "app/commands/tables.h"
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+/// The controllers that one key goes through.
+struct ControllerGroup {
+  const char* id;
+  const char* title;
+  const char* digit;
+  std::array<const char*, 3> controllers;
+};
+
+constexpr std::array<ControllerGroup, 7> controllerGroups{{
+    {command::controllersOfLeftArm, "left arm", "1", {"left-hand", "left-elbow", ""}},
+    {command::controllersOfRightArm, "right arm", "2", {"right-hand", "right-elbow", ""}},
+    {command::controllersOfLeftLeg, "left leg", "3", {"left-foot", "left-knee", ""}},
+    {command::controllersOfRightLeg, "right leg", "4", {"right-foot", "right-knee", ""}},
+    {command::controllersOfSpine, "spine", "5", {"spine-top", "spine-mid", "spine-low"}},
+    {command::controllersOfNeck, "head", "6", {"head", "", ""}},
+    {command::controllersOfHips, "hips", "7", {"hips", "body", ""}},
+}};
+
+/// Those of the group that the character has.
+std::vector<std::string> presentOf(const Document& document, const ControllerGroup& group) {
+  const rig::ControllerList list = controllersOf(document);
+  std::vector<std::string> present;
+  for (const char* const id : group.controllers) {
+    if (list.controller(id) != nullptr) {
+      present.emplace_back(id);
+    }
+  }
+  return present;
+}
+
+/// The one after the first that is selected, round and round.
+Status selectNextOf(Session& session, const ControllerGroup& group) {
+  const std::vector<std::string> present = presentOf(session.document(), group);
+  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const auto last = selected.empty() ? present.end() : std::ranges::find(present, selected.back());
+  const bool goesOn = last != present.end() && std::next(last) != present.end();
+  selectController(session, goesOn ? *std::next(last) : present.front(), false);
+  return Success{};
+}
+
+DocumentCommand groupCommand(const ControllerGroup& group, bool add) {
+  const std::string title = group.title;
+  DocumentCommand command;
+  command.id = std::string(group.id) + (add ? "-add" : "");
+  command.label = (add ? "Add controllers: " : "Controllers: ") + title;
+  command.help = add ? "Adds the first controller of the " + title + " to the selection, or takes it away."
+                     : "Selects the first controller of the " + title + "; again goes on to its next one.";
+  command.keys = {std::string(add ? "Shift+Alt+" : "Alt+") + group.digit};
+  command.needs = "this character has no " + title;
+  command.enabled = [group](const Session& session) { return !presentOf(session.document(), group).empty(); };
+  command.checked = [group](const Session& session) {
+    return std::ranges::any_of(group.controllers,
+                               [&](const char* id) { return isControllerSelected(session, id); });
+  };
+  command.run = [group, add](Session& session) -> Status {
+    if (!add) {
+      return selectNextOf(session, group);
+    }
+    selectController(session, presentOf(session.document(), group).front(), true);
+    return Success{};
+  };
+  return command;
+}
+
+std::vector<std::string> allControllers(const Document& document) {
+  std::vector<std::string> ids;
+  for (const rig::Controller& controller : controllersOf(document).controllers) {
+    ids.push_back(controller.id);
+  }
+  return ids;
+}
+
+Status stepController(Session& session, int step) {
+  const std::vector<std::string> ids = allControllers(session.document());
+  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const auto count = static_cast<std::ptrdiff_t>(ids.size());
+  const std::ptrdiff_t found =
+      selected.empty() ? count : std::ranges::find(ids, selected.back()) - ids.begin();
+  const std::ptrdiff_t next = found == count ? (step > 0 ? 0 : count - 1) : (found + step + count) % count;
+  selectController(session, ids[static_cast<std::size_t>(next)], false);
+  return Success{};
+}
+
+/// The controllers that are adjusted in the viewed clip, by themselves or by an attribute that goes with
+/// them.
+std::vector<std::string> keyedControllers(const Session& session) {
+  const Document& document = session.document();
+  const rig::ControllerList list = controllersOf(document);
+  const std::vector<std::string> adjusted = adjustedIds(document, session.view().clip);
+  const auto isAdjusted = [&](const std::string& id) {
+    return std::ranges::find(adjusted, id) != adjusted.end();
+  };
+  std::vector<std::string> keyed;
+  for (const rig::Controller& controller : list.controllers) {
+    const std::vector<rig::Attribute> held = attributesHeldBy(list, controller);
+    if (isAdjusted(controller.id) || std::ranges::any_of(held, isAdjusted, &rig::Attribute::id)) {
+      keyed.push_back(controller.id);
+    }
+  }
+  std::ranges::copy_if(adjusted, std::back_inserter(keyed), [&](const std::string& id) {
+    return list.controller(id) == nullptr && list.attribute(id) == nullptr;
+  });
+  return keyed;
+}
+
+bool hasMovable(const Session& session) {
+  return clipNeeded().holds(session) &&
+         std::ranges::any_of(selectedControllers(session), &rig::Controller::moves);
+}
+
+Status nudgeSelected(Session& session, const Chord& chord) {
+  const ViewState& view = session.view();
+  ControllerModal modal;
+  modal.viewAxes = view.cameraAxes;
+  modal.arrowsWorld = nudgeOf(chord, view.cameraAxes, nudgeUnits(session.document()));
+  std::vector<rig::PlacedController> placed;
+  std::vector<ControllerOffset> offsets;
+  for (const rig::PlacedController& one : session.controllersAt(view.frame)) {
+    if (isControllerSelected(session, one.id)) {
+      placed.push_back(one);
+      offsets.push_back(shownOffset(session, one.id));
+    }
+  }
+  OffsetPose pose;
+  pose.offsets = changedOffsets(modal, heldControllers(ControllerMotion::move, placed, offsets));
+  return poseAll(session, pose, poseLabel(session.document(), "Nudge", view.selectedControllers));
+}
+
+Need controllersFound() {
+  return {[](const Session& session) { return !allControllers(session.document()).empty(); },
+          "no limb was found that a controller could move"};
+}
+
+} // namespace
+
+std::vector<DocumentCommand> controllerCommands() {
+  std::vector<DocumentCommand> commands;
+  for (const bool add : {false, true}) {
+    for (const ControllerGroup& group : controllerGroups) {
+      commands.push_back(groupCommand(group, add));
+    }
+  }
+  commands.push_back(entry(command::controllerNext, "Next controller",
+                           "Selects the next controller of the character.", {}, controllersFound(),
+                           [](Session& session) { return stepController(session, 1); }));
+  commands.push_back(entry(command::controllerPrevious, "Previous controller",
+                           "Selects the controller before.", {}, controllersFound(),
+                           [](Session& session) { return stepController(session, -1); }));
+  commands.push_back(
+      entry(command::controllersAll, "Select every controller",
+            "Selects all controllers but those on single joints.", {}, controllersFound(),
+            doing([](Session& session) { selectControllers(session, allControllers(session.document())); })));
+  commands.push_back(
+      entry(command::controllersKeyed, "Select what is keyed",
+            "Selects every controller that has a key in this clip.", {"Shift+A"},
+            {[](const Session& session) { return !keyedControllers(session).empty(); },
+             "no controller has a key in this clip"},
+            doing([](Session& session) { selectControllers(session, keyedControllers(session)); })));
+  for (DocumentCommand& command : nudgeCommands({.idPrefix = controllerNudges,
+                                  .words = "the selected controllers",
+                                  .ownsKeys = false,
+                                  .need = {hasMovable, "select a controller that moves"},
+                                  .otherwisePrefix = {},
+                                  .nudge = nudgeSelected})) {
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,86 @@
+#include "app/evaluate/hold_report.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "rig/motion/apply_holds.h"
+#include "rig/motion/evaluate.h"
+
+namespace stretch::app {
+
+namespace {
+
+HoldReport& reportOf(std::vector<HoldReport>& reports, const rig::HeldGoal& goal, const std::string& limb) {
+  const auto known = std::ranges::find_if(reports, [&](const HoldReport& report) {
+    return report.kind == goal.kind && report.index == goal.index && report.limb == limb;
+  });
+  return known != reports.end() ? *known
+                                : reports.emplace_back(HoldReport{goal.kind, goal.index, limb, 0.0, {}});
+}
+
+// The frames and half frames over which anything is held.
+std::vector<double> framesToLookAt(const rig::MotionState& motion) {
+  constexpr double most = 20000.0;
+  const double last = std::min(motion.endSeconds * motion.framesPerSecond, most);
+  std::vector<double> frames;
+  for (double frame = 0.0; frame <= last + 1e-3; frame += 0.5) {
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+} // namespace
+
+std::vector<HoldReport> holdReports(const Document& document, const rig::MotionState& motion) {
+  constexpr double seen = 1e-3; // of the height
+  std::vector<HoldReport> reports;
+  if (motion.holds.empty()) {
+    return reports;
+  }
+  const Clip& clip = clipOf(document, motion.clip);
+  for (const double frame : framesToLookAt(motion)) {
+    const FrameState source = rig::adjustedFrame(*document.scene, clip, motion, frame / clip.framesPerSecond);
+    FrameState state = source;
+    rig::applyTrails(*document.scene, motion, source, state);
+    for (const rig::HeldGoal& goal : rig::applyHolds(*document.scene, motion, source, state)) {
+      if (goal.strength < 1.0) {
+        continue;
+      }
+      const rig::Limb& limb = motion.holds.limbs[goal.limb].limb;
+      HoldReport& report = reportOf(reports, goal, limb.id);
+      const double miss = glm::length(rig::endPosition(limb, state) - goal.wanted);
+      report.farthest = std::max(report.farthest, miss);
+      if (miss > seen * document.biped.height) {
+        report.framesFallShort.push_back(frame);
+      }
+    }
+  }
+  return reports;
+}
+
+std::string holdWarning(const HoldReport& report) {
+  if (report.framesFallShort.empty()) {
+    return {};
+  }
+  return fmt::format(
+      "the {} of {} falls short at frames {:g} to {:g} by up to {:.4g}: let it stretch, or move "
+      "what it holds to",
+      holdWord(report.kind), report.limb, report.framesFallShort.front(), report.framesFallShort.back(),
+      report.farthest);
+}
+
+const char* holdWord(rig::HoldKind kind) {
+  switch (kind) {
+  case rig::HoldKind::pin:
+    return "pin";
+  case rig::HoldKind::grip:
+    return "grip";
+  case rig::HoldKind::prop:
+    return "prop";
+  }
+  return "";
+}
+
+} // namespace stretch::app

@@ -1,0 +1,70 @@
+#include "app/recipe/recipe_parts.h"
+
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
+#include "app/schema/hold_json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+double lengthOfLimb(const Document& document, const std::string& id) {
+  const rig::Limb* const limb = findLimb(document, id);
+  return limb != nullptr ? limb->restLength : 1.0;
+}
+
+double lengthOfBody(const Document& document) {
+  const rig::ControllerList list = controllersOf(document);
+  const rig::Controller* const body = list.controller("body");
+  return body != nullptr ? body->length : 1.0;
+}
+
+} // namespace
+
+Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& ground) {
+  rig::Holds holds;
+  Status read = readList(recipe, "pins", ground, holds.pins, [&](const Json& entry) {
+    const std::string limb = entry.is_object() && entry.contains("limb") && entry["limb"].is_string()
+                                 ? entry["limb"].get<std::string>()
+                                 : std::string();
+    return pinFromJson(entry, unitsOf(lengthOfLimb(ground.document, limb), ground.inMetres), {});
+  });
+  if (read) {
+    read = readList(recipe, "grips", ground, holds.grips,
+                    [&](const Json& entry) { return gripFromJson(entry, {}); });
+  }
+  if (read) {
+    const AdjustmentUnits units = unitsOf(lengthOfBody(ground.document), ground.inMetres);
+    read = readList(recipe, "props", ground, holds.props,
+                    [&](const Json& entry) { return propFromJson(entry, units, {}); });
+  }
+  if (!read) {
+    return read.error();
+  }
+  const auto onClip = [&](auto& list) {
+    for (auto& hold : list) {
+      hold.clip = ground.clip;
+    }
+  };
+  onClip(holds.pins);
+  onClip(holds.grips);
+  onClip(holds.props);
+  return holds;
+}
+
+void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
+  const rig::Holds holds = holdsOfClip(document.holds, clip);
+  for (const rig::Pin& pin : holds.pins) {
+    recipe["pins"].push_back(pinToJson(pin, unitsOf(lengthOfLimb(document, pin.limb), false)));
+  }
+  for (const rig::Grip& grip : holds.grips) {
+    recipe["grips"].push_back(gripToJson(grip));
+  }
+  for (const rig::Prop& prop : holds.props) {
+    recipe["props"].push_back(propToJson(prop, unitsOf(lengthOfBody(document), false)));
+  }
+}
+
+} // namespace stretch::app

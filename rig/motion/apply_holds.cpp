@@ -1,0 +1,196 @@
+#include "rig/motion/apply_holds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "rig/motion/limb_deform.h"
+
+namespace stretch::rig {
+
+namespace {
+
+double polylineLength(const std::vector<Vec3>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += glm::length(points[i] - points[i - 1]);
+  }
+  return length;
+}
+
+bool isHeldTurn(const Quat& turn) {
+  constexpr double unseen = 1e-11;
+  return glm::length(Vec3(turn.x, turn.y, turn.z)) > unseen;
+}
+
+double volumeOfTrail(const MotionState& motion, const Limb& limb) {
+  const auto last = std::find_if(motion.trails.rbegin(), motion.trails.rend(), [&](const SolvedTrail& trail) {
+    return trail.active && trail.limb.id == limb.id;
+  });
+  return last == motion.trails.rend() ? 1.0 : last->settings.volume;
+}
+
+class Holder {
+public:
+  Holder(const Scene& scene, const MotionState& motion, const FrameState& source, FrameState& frame)
+      : scene_(scene), motion_(motion), holds_(motion.holds), source_(source), frame_(frame),
+        gripsDone_(motion.holds.grips.size(), false) {}
+
+  std::vector<HeldGoal> run() {
+    for (std::size_t i = 0; i < holds_.pins.size(); ++i) {
+      if (holds_.pins[i]) {
+        const SolvedPin& pin = *holds_.pins[i];
+        hold({HoldKind::pin, i, pin.limb, {}, strengthOf(pin.span)}, pin.place, pin.turns, pin.stretch);
+      }
+    }
+    for (std::size_t i = 0; i < holds_.grips.size(); ++i) {
+      grip(i);
+    }
+    for (std::size_t i = 0; i < holds_.props.size(); ++i) {
+      if (holds_.props[i] && strengthOf(holds_.props[i]->span) > 0.0) {
+        holdProp(i, *holds_.props[i]);
+      }
+    }
+    return std::move(goals_);
+  }
+
+private:
+  [[nodiscard]] double strengthOf(const HoldSpan& span) const { return span.strengthAt(frame_.timeSeconds); }
+
+  // After the grip that moves its leader.
+  void grip(std::size_t index) {
+    if (gripsDone_[index]) {
+      return;
+    }
+    gripsDone_[index] = true;
+    if (!holds_.grips[index] || strengthOf(holds_.grips[index]->span) <= 0.0) {
+      return;
+    }
+    const SolvedGrip& own = *holds_.grips[index];
+    for (std::size_t i = 0; i < holds_.grips.size(); ++i) {
+      if (holds_.grips[i] && holds_.limbs[holds_.grips[i]->limb].limb.id == own.leader.id) {
+        grip(i);
+      }
+    }
+    const Limb& follower = holds_.limbs[own.limb].limb;
+    const HeldPlace relation =
+        own.relation ? *own.relation : seenFrom(endPlace(own.leader, source_), endPlace(follower, source_));
+    hold({HoldKind::grip, index, own.limb, {}, strengthOf(own.span)},
+         placedOn(endPlace(own.leader, frame_), relation), true, own.stretch);
+  }
+
+  [[nodiscard]] double firmnessOf(const SolvedPropHand& hand) const {
+    return std::clamp(hand.firmness.at(frame_.timeSeconds).value, 0.0, 1.0);
+  }
+
+  // Where the hands, by their shares, have the prop.
+  [[nodiscard]] HeldPlace heldBy(const SolvedProp& prop) const {
+    HeldPlace mixed;
+    double sum = 0.0;
+    for (const SolvedPropHand& hand : prop.hands) {
+      const double firmness = firmnessOf(hand);
+      if (firmness > 0.0) {
+        const HeldPlace own = placedOn(endPlace(holds_.limbs[hand.limb].limb, frame_), hand.relation);
+        sum += firmness;
+        mixed = between(mixed, own, sum == firmness ? 1.0 : firmness / sum);
+      }
+    }
+    return mixed;
+  }
+
+  void holdProp(std::size_t index, const SolvedProp& prop) {
+    double firmness = 0.0;
+    for (const SolvedPropHand& hand : prop.hands) {
+      firmness += firmnessOf(hand);
+    }
+    if (firmness <= 0.0) {
+      return;
+    }
+    const double strength = strengthOf(prop.span);
+    const HeldPlace held = heldBy(prop);
+    const Mat4& world = frame_.worlds[at(prop.node)];
+    const HeldPlace goal =
+        between({positionOf(world), rotationOf(world)}, held, strength * std::min(1.0, firmness));
+    for (const SolvedPropHand& hand : prop.hands) {
+      const HeldPlace onProp = placedOn(held, seenFrom(hand.relation, {}));
+      hold({HoldKind::prop, index, hand.limb, {}, strength * firmnessOf(hand)}, onProp, true, prop.stretch);
+    }
+    place(prop.node, goal);
+  }
+
+  void place(NodeIndex node, const HeldPlace& goal) {
+    const Mat4& world = frame_.worlds[at(node)];
+    const Quat turn = goal.orientation * glm::inverse(rotationOf(world));
+    if (glm::length(goal.position - positionOf(world)) > 0.0 || isHeldTurn(turn)) {
+      placeNode(scene_, node, turn, goal.position, frame_);
+    }
+  }
+
+  void hold(HeldGoal what, const HeldPlace& wanted, bool turns, double stretch) {
+    if (what.strength <= 0.0) {
+      return;
+    }
+    const ReachingLimb& reaching = holds_.limbs[what.limb];
+    std::erase_if(goals_, [&](const HeldGoal& goal) { return goal.limb == what.limb; });
+    what.wanted = wanted.position;
+    goals_.push_back(what);
+    const HeldPlace now = endPlace(reaching.limb, frame_);
+    const HeldPlace goal = between(now, wanted, what.strength);
+    ReachGoal reachGoal;
+    reachGoal.place = goal.position;
+    if (turns && reaching.limb.endNode.exists()) {
+      reachGoal.endTurn = goal.orientation * glm::inverse(now.orientation);
+    }
+    constexpr double unseen = 1e-10; // of the limb
+    const bool isThere = glm::length(goal.position - now.position) <= unseen * reaching.limb.restLength;
+    if (isThere && !isHeldTurn(reachGoal.endTurn)) {
+      return;
+    }
+    reachGoal.stretchSwitch = stretch;
+    reachGoal.volume = std::clamp(
+        offsetAt(motion_.adjustments.curves, reaching.limb.id + ".volume", frame_.timeSeconds, 1.0).value,
+        0.0, 1.0);
+    takeStretchBack(reaching, what.strength, goal.position);
+    reach(scene_, reaching, reachGoal, frame_);
+  }
+
+  // What a trail of its own made of the limb's length gives way to the hold: an arm three times as long would
+  // have to fold up. The limb is turned towards its goal with it.
+  void takeStretchBack(const ReachingLimb& reaching, double strength, const Vec3& goal) {
+    constexpr double negligible = 1e-9;
+    const std::vector<Vec3> points = limbPoints(reaching.limb, frame_);
+    const double before = polylineLength(limbPoints(reaching.limb, source_));
+    const double now = polylineLength(points);
+    const Vec3 line = goal - points.front();
+    const double span = glm::length(points.back() - points.front());
+    if (!(before > 0.0) || !(now > 0.0) || std::abs(now / before - 1.0) < negligible ||
+        !(glm::length(line) > 0.0)) {
+      return;
+    }
+    ReachGoal back;
+    back.place = points.front() + glm::normalize(line) * span * std::pow(before / now, strength);
+    back.volume = volumeOfTrail(motion_, reaching.limb);
+    reachAsOne(scene_, reaching, back, frame_);
+  }
+
+  const Scene& scene_;
+  const MotionState& motion_;
+  const SolvedHolds& holds_;
+  const FrameState& source_;
+  FrameState& frame_;
+  std::vector<bool> gripsDone_;
+  std::vector<HeldGoal> goals_;
+};
+
+} // namespace
+
+std::vector<HeldGoal> applyHolds(const Scene& scene, const MotionState& motion, const FrameState& source,
+                                 FrameState& frame) {
+  if (motion.holds.empty()) {
+    return {};
+  }
+  return Holder(scene, motion, source, frame).run();
+}
+
+} // namespace stretch::rig

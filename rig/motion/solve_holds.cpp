@@ -1,0 +1,215 @@
+#include "rig/motion/solve_holds.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "core/math/rotation.h"
+#include "rig/ik/spline_spine.h"
+#include "rig/motion/adjusted_sampler.h"
+#include "rig/motion/solve_steps.h"
+#include "rig/trail/release.h"
+
+namespace stretch::rig {
+
+namespace {
+
+HoldSpan spanOf(const HoldTime& time, double framesPerSecond) {
+  return {time.rangeFrames.x / framesPerSecond, time.rangeFrames.y / framesPerSecond,
+          time.blendFrames.x / framesPerSecond, time.blendFrames.y / framesPerSecond};
+}
+
+// With a key where each fade begins.
+std::vector<OffsetKey> withFades(const std::vector<OffsetKey>& keys) {
+  std::vector<OffsetKey> faded;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    faded.push_back(keys[i]);
+    const bool holds = i + 1 < keys.size() && keys[i].interpolation == KeyInterpolation::automatic &&
+                       keys[i + 1].frame - keys[i].frame > firmnessFadeFrames;
+    if (holds) {
+      faded.push_back(keys[i]);
+      faded.back().frame = keys[i + 1].frame - firmnessFadeFrames;
+    }
+  }
+  return faded;
+}
+
+// What is solved on the way.
+class HoldSolver {
+public:
+  HoldSolver(const MotionInput& input, const MotionState& motion)
+      : input_(input), adjustments_(motion.adjustments), places_(bindPlaces(*input.scene)) {}
+
+  SolvedHolds run() {
+    for (const Pin& pin : input_.holds.pins) {
+      solved_.pins.push_back(solve(pin));
+    }
+    for (const Grip& grip : input_.holds.grips) {
+      solved_.grips.push_back(solve(grip));
+    }
+    for (const Prop& prop : input_.holds.props) {
+      solved_.props.push_back(solve(prop));
+    }
+    std::ranges::sort(solved_.nodes);
+    solved_.nodes.erase(std::unique(solved_.nodes.begin(), solved_.nodes.end()), solved_.nodes.end());
+    return std::move(solved_);
+  }
+
+private:
+  [[nodiscard]] double framesPerSecond() const { return input_.clip->framesPerSecond; }
+
+  void addNodes(const Limb& limb) {
+    solved_.nodes.insert(solved_.nodes.end(), limb.joints.begin(), limb.joints.end());
+    if (limb.endNode.exists()) {
+      solved_.nodes.push_back(limb.endNode);
+    }
+  }
+
+  // Place in SolvedHolds::limbs.
+  std::size_t held(const Limb& limb) {
+    const auto known = std::ranges::find_if(
+        solved_.limbs, [&](const ReachingLimb& reaching) { return reaching.limb.id == limb.id; });
+    if (known != solved_.limbs.end()) {
+      return static_cast<std::size_t>(known - solved_.limbs.begin());
+    }
+    solved_.limbs.push_back(reachingLimb({*input_.scene, *input_.clip, input_.limbs, places_}, limb));
+    const std::vector<NodeIndex> touched = touchedNodes(limb, solved_.limbs.back().topology);
+    solved_.nodes.insert(solved_.nodes.end(), touched.begin(), touched.end());
+    addNodes(limb);
+    return solved_.limbs.size() - 1;
+  }
+
+  [[nodiscard]] FrameState adjustedAt(double frame, std::vector<NodeIndex> nodes) const {
+    const double seconds = std::min(frame / framesPerSecond(), input_.clip->endSeconds);
+    FrameState state;
+    AdjustedSampler(*input_.scene, *input_.clip, adjustments_, std::move(nodes)).sample(seconds, state);
+    return state;
+  }
+
+  [[nodiscard]] static std::vector<NodeIndex> nodesOf(const Limb& limb) {
+    std::vector<NodeIndex> nodes = limb.joints;
+    nodes.push_back(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+    return nodes;
+  }
+
+  std::optional<SolvedPin> solve(const Pin& pin) {
+    const Limb* const limb = limbOf(input_, pin.limb);
+    if (limb == nullptr) {
+      return std::nullopt;
+    }
+    const HeldPlace place = pin.place ? *pin.place : endPlace(*limb, adjustedAt(pin.atFrame, nodesOf(*limb)));
+    return SolvedPin{held(*limb), spanOf(pin.time, framesPerSecond()), place, pin.turns, pin.stretch};
+  }
+
+  std::optional<SolvedGrip> solve(const Grip& grip) {
+    const Limb* const follower = limbOf(input_, grip.follower);
+    const Limb* const leader = limbOf(input_, grip.leader);
+    if (follower == nullptr || leader == nullptr || follower == leader) {
+      return std::nullopt;
+    }
+    SolvedGrip solved{held(*follower), *leader, spanOf(grip.time, framesPerSecond()), {}, grip.stretch};
+    addNodes(*leader);
+    if (grip.relationFrame) {
+      std::vector<NodeIndex> nodes = nodesOf(*leader);
+      const std::vector<NodeIndex> more = nodesOf(*follower);
+      nodes.insert(nodes.end(), more.begin(), more.end());
+      const FrameState state = adjustedAt(*grip.relationFrame, nodes);
+      solved.relation = seenFrom(endPlace(*leader, state), endPlace(*follower, state));
+    }
+    return solved;
+  }
+
+  // Where the prop is bound.
+  [[nodiscard]] HeldPlace boundPlace(const Prop& prop, NodeIndex node, const FrameState& state) const {
+    const Mat4& world = state.worlds[at(node)];
+    return {positionOf(world) + prop.move, rotationOfVector(prop.turn) * rotationOf(world)};
+  }
+
+  std::optional<SolvedProp> solve(const Prop& prop) {
+    SolvedProp solved;
+    solved.node = propNode(*input_.scene, prop.node);
+    if (!solved.node.exists()) {
+      return std::nullopt;
+    }
+    solved.span = prop.time ? spanOf(*prop.time, framesPerSecond()) : HoldSpan{};
+    solved.stretch = prop.stretch;
+    std::vector<NodeIndex> nodes{solved.node};
+    for (const PropHand& hand : prop.hands) {
+      if (const Limb* const limb = limbOf(input_, hand.limb)) {
+        const std::vector<NodeIndex> more = nodesOf(*limb);
+        nodes.insert(nodes.end(), more.begin(), more.end());
+      }
+    }
+    const FrameState state = adjustedAt(prop.boundFrame, nodes);
+    for (const PropHand& hand : prop.hands) {
+      const Limb* const limb = limbOf(input_, hand.limb);
+      if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, nodesOf(*limb).back())) {
+        Adjustment firmness;
+        firmness.keys = withFades(hand.keys);
+        solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()),
+                                seenFrom(endPlace(*limb, state), boundPlace(prop, solved.node, state))});
+      }
+    }
+    solved_.nodes.push_back(solved.node);
+    return solved.hands.empty() ? std::nullopt : std::optional(std::move(solved));
+  }
+
+  const MotionInput& input_;
+  const SolvedAdjustments& adjustments_;
+  BindPlaces places_;
+  SolvedHolds solved_;
+};
+
+} // namespace
+
+double HoldSpan::strengthAt(double timeSeconds) const {
+  // Key times are stored in single precision: a time nearer than this to a border is at it.
+  const double rounding = 1e-7 * std::max(1.0, std::abs(timeSeconds));
+  const double before = startSeconds - timeSeconds;
+  const double after = timeSeconds - endSeconds;
+  const auto beside = [&](double outside, double blend) {
+    return outside <= rounding ? 1.0 : (blend > 0.0 ? 1.0 - smoothstep(outside / blend) : 0.0);
+  };
+  return std::min(beside(before, blendInSeconds), beside(after, blendOutSeconds));
+}
+
+HeldPlace endPlace(const Limb& limb, const FrameState& frame) {
+  const NodeIndex turned = limb.endNode.exists() ? limb.endNode : limb.joints.back();
+  return {endPosition(limb, frame), rotationOf(frame.worlds[at(turned)])};
+}
+
+HeldPlace seenFrom(const HeldPlace& from, const HeldPlace& place) {
+  const Quat back = glm::inverse(from.orientation);
+  return {back * (place.position - from.position), back * place.orientation};
+}
+
+HeldPlace placedOn(const HeldPlace& from, const HeldPlace& seen) {
+  return {from.position + from.orientation * seen.position,
+          glm::normalize(from.orientation * seen.orientation)};
+}
+
+HeldPlace between(const HeldPlace& a, const HeldPlace& b, double share) {
+  if (share <= 0.0 || share >= 1.0) {
+    return share <= 0.0 ? a : b;
+  }
+  return {a.position + share * (b.position - a.position), glm::slerp(a.orientation, b.orientation, share)};
+}
+
+NodeIndex propNode(const Scene& scene, const std::string& name) {
+  if (name.starts_with('#')) {
+    int index = -1;
+    const char* const end = name.data() + name.size();
+    const bool isNumber = std::from_chars(name.data() + 1, end, index).ptr == end;
+    return isNumber && index >= 0 && at(index) < scene.nodes.size() ? NodeIndex(index) : NodeIndex::none;
+  }
+  const auto found = std::ranges::find(scene.nodes, name, &Node::name);
+  return found == scene.nodes.end() || name.empty()
+             ? NodeIndex::none
+             : NodeIndex(at(static_cast<int>(found - scene.nodes.begin())));
+}
+
+void setHolds(const MotionInput& input, MotionState& motion) {
+  motion.holds = input.holds.empty() ? SolvedHolds{} : HoldSolver(input, motion).run();
+}
+
+} // namespace stretch::rig

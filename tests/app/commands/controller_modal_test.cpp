@@ -1,0 +1,141 @@
+#include "app/commands/controller_modal.h"
+
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/math/rotation.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr double degree = pi / 180.0;
+
+rig::PlacedController placed(const std::string& id, rig::ControllerKind kind) {
+  rig::PlacedController controller;
+  controller.id = id;
+  controller.kind = kind;
+  return controller;
+}
+
+// A hand whose carrier is turned by a quarter about Y: its X is the world's -Z.
+rig::PlacedController turnedHand() {
+  rig::PlacedController hand = placed("left-hand", rig::ControllerKind::hand);
+  hand.carrierAxesWorld = glm::mat3_cast(axisAngle({0, 1, 0}, 90.0 * degree));
+  return hand;
+}
+
+void type(ControllerModal& modal, const std::string& keys) {
+  std::istringstream words(keys);
+  for (std::string word; words >> word;) {
+    REQUIRE(pressKey(modal, {*parseChord(word), 0}) == ModalOutcome::running);
+  }
+}
+
+ControllerOffset changed(const ControllerModal& modal, const rig::PlacedController& one,
+                         const ControllerOffset& offset = {"left-hand"}) {
+  const std::vector<HeldController> held{{one, offset}};
+  return changedOffsets(modal, held).front();
+}
+
+bool near(const Vec3& a, const Vec3& b) {
+  return glm::length(a - b) < 1e-9;
+}
+
+} // namespace
+
+TEST_CASE("a controller is moved along the locked axis of the world by what is typed") {
+  ControllerModal modal;
+  type(modal, "Z - . 1");
+  const ControllerOffset offset = changed(modal, turnedHand(), {"left-hand", {0.5, 0.0, 0.0}});
+  CHECK(near(offset.move, Vec3(0.5 + 0.1, 0.0, 0.0)));
+  CHECK(modalText(modal, "left hand") == "left hand moved along Z by -0.100");
+}
+
+TEST_CASE("an axis that is locked twice is the carrier's, three times none") {
+  ControllerModal modal;
+  type(modal, "X X 2");
+  CHECK(near(changed(modal, turnedHand()).move, Vec3(2.0, 0.0, 0.0)));
+  type(modal, "X");
+  CHECK_FALSE(modal.lock.axis);
+}
+
+TEST_CASE("without a lock the mouse moves in the view plane, with Shift and an axis without that axis") {
+  ControllerModal modal;
+  modal.mouseWorld = {1.0, 2.0, 3.0};
+  const rig::PlacedController hand = placed("left-hand", rig::ControllerKind::hand);
+  CHECK(near(changed(modal, hand).move, Vec3(1.0, 2.0, 3.0)));
+  type(modal, "Shift+Y");
+  CHECK(near(changed(modal, hand).move, Vec3(1.0, 0.0, 3.0)));
+}
+
+TEST_CASE(
+    "a controller is turned about the locked axis by the degrees that are typed, more than a turn too") {
+  ControllerModal modal;
+  modal.motion = ControllerMotion::turn;
+  type(modal, "X 4 5");
+  const rig::PlacedController head = placed("head", rig::ControllerKind::head);
+  CHECK(near(changed(modal, head).turn, Vec3(45.0 * degree, 0.0, 0.0)));
+  type(modal, "0");
+  CHECK(near(changed(modal, head).turn, Vec3(450.0 * degree, 0.0, 0.0)));
+  CHECK(modalText(modal, "head") == "head turned about X by 450.0°");
+}
+
+TEST_CASE("a turn in the world goes on top of the one that is there") {
+  ControllerModal modal;
+  modal.motion = ControllerMotion::turn;
+  type(modal, "Y 3 0");
+  const rig::PlacedController hand = turnedHand();
+  const Vec3 before(0.0, 0.0, 60.0 * degree);
+  const Vec3 after = changed(modal, hand, {"left-hand", Vec3(0.0), before}).turn;
+  const auto inWorld = [&](const Vec3& vector) {
+    const Vec3 world = hand.carrierAxesWorld * vector;
+    return axisAngle(glm::normalize(world), glm::length(world));
+  };
+  const Quat expected = axisAngle({0, 1, 0}, 30.0 * degree) * inWorld(before);
+  CHECK(std::abs(glm::dot(expected, inWorld(after))) == Approx(1.0));
+  const Vec3 twice = changed(modal, hand, {"left-hand", Vec3(0.0), {0.0, 700.0 * degree, 0.0}}).turn;
+  CHECK(near(twice, Vec3(0.0, 730.0 * degree, 0.0)));
+}
+
+TEST_CASE("several controllers move together: what another one carries is not moved twice") {
+  const std::vector<rig::PlacedController> selected{placed("hips", rig::ControllerKind::hips),
+                                                    placed("left-hand", rig::ControllerKind::hand),
+                                                    placed("left-foot", rig::ControllerKind::foot)};
+  const std::vector<ControllerOffset> offsets{{"hips"}, {"left-hand"}, {"left-foot"}};
+  const std::vector<HeldController> held = heldControllers(ControllerMotion::move, selected, offsets);
+  REQUIRE(held.size() == 2);
+  CHECK(held[0].placed.id == "hips");
+  CHECK(held[1].placed.id == "left-foot");
+  CHECK(heldControllers(ControllerMotion::turn, selected, offsets).size() == 3);
+}
+
+TEST_CASE("what only turns cannot be moved, what only moves not be turned") {
+  rig::PlacedController joint = placed("toe", rig::ControllerKind::joint);
+  joint.moves = false;
+  rig::PlacedController pole = placed("left-knee", rig::ControllerKind::pole);
+  pole.turns = false;
+  const std::vector<rig::PlacedController> selected{joint, pole};
+  const std::vector<ControllerOffset> offsets{{"toe"}, {"left-knee"}};
+  CHECK(heldControllers(ControllerMotion::move, selected, offsets).front().placed.id == "left-knee");
+  CHECK(heldControllers(ControllerMotion::turn, selected, offsets).front().placed.id == "toe");
+}
+
+TEST_CASE("a pole's first move starts where it is seen") {
+  rig::PlacedController pole = placed("left-knee", rig::ControllerKind::pole);
+  pole.slack = {0.0, 0.0, 0.2};
+  ControllerModal modal;
+  CHECK(near(changed(modal, pole).move, Vec3(0.0)));
+  type(modal, "X 1");
+  CHECK(near(changed(modal, pole).move, Vec3(1.0, 0.0, 0.2)));
+}
+
+TEST_CASE("Enter keeps and Escape restores") {
+  ControllerModal modal;
+  CHECK(pressKey(modal, {*parseChord("Enter"), 0}) == ModalOutcome::keep);
+  CHECK(pressKey(modal, {*parseChord("Esc"), 0}) == ModalOutcome::restore);
+}

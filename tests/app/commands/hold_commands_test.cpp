@@ -1,0 +1,140 @@
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/selection.h"
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
+#include "app/evaluate/planted_feet.h"
+#include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+const DocumentCommand& holdCommand(const std::string& id) {
+  static const std::vector<DocumentCommand> commands = documentCommands();
+  const auto command = std::ranges::find(commands, id, &DocumentCommand::id);
+  REQUIRE(command != commands.end());
+  return *command;
+}
+
+/// The problem that a command tells; empty when it did its work.
+std::string runHold(Session& session, const std::string& id) {
+  const DocumentCommand& command = holdCommand(id);
+  if (!command.enabled(session)) {
+    return command.needs;
+  }
+  const Status done = command.run(session);
+  return done ? std::string() : done.error().line();
+}
+
+Vec3 seenEnd(Session& session, const std::string& limb, double frame) {
+  return rig::endPosition(*findLimb(session.document(), limb), session.frameAt(frame));
+}
+
+} // namespace
+
+TEST_CASE("A hand is pinned where it is seen at the playhead, over the working range") {
+  Session session(test::boxer());
+  session.view().rangeStart = 2.0;
+  session.view().rangeEnd = 12.0;
+  session.view().frame = 5.0;
+  selectLimb(session, "left-arm", false);
+  const Vec3 held = seenEnd(session, "left-arm", 5.0);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  REQUIRE(session.document().holds.pins.size() == 1);
+  for (double frame = 2.0; frame <= 12.0; frame += 1.0) {
+    CHECK(glm::length(seenEnd(session, "left-arm", frame) - held) < 1e-9);
+  }
+  session.undo();
+  CHECK(session.document().holds.empty());
+}
+
+TEST_CASE("M lets the other hand follow, and lets it go again") {
+  Session session(test::boxer());
+  session.view().rangeStart = 0.0;
+  session.view().rangeEnd = 20.0;
+  selectController(session, "left-hand", false);
+  REQUIRE(runHold(session, command::holdMatch).empty());
+  REQUIRE(session.document().holds.grips.size() == 1);
+  CHECK(session.document().holds.grips[0].leader == "left-arm");
+  CHECK(session.document().holds.grips[0].follower == "right-arm");
+  CHECK(holdCommand(command::holdMatch).checked(session));
+  REQUIRE(runHold(session, command::holdMatch).empty());
+  CHECK(session.document().holds.empty());
+}
+
+TEST_CASE("Holds of a limb are taken away together, and nothing is offered where there are none") {
+  Session session(test::boxer());
+  CHECK(runHold(session, command::holdPin) == "select an arm or a leg, a hand or a foot");
+  selectLimb(session, "spine", false);
+  CHECK_FALSE(runHold(session, command::holdPin).empty());
+  selectLimb(session, "left-arm", false);
+  CHECK(runHold(session, command::holdRemove) == "select a limb that is held");
+  REQUIRE(runHold(session, command::holdPin).empty());
+  REQUIRE(runHold(session, command::holdMatch).empty());
+  REQUIRE(runHold(session, command::holdRemove).empty());
+  CHECK(session.document().holds.empty());
+}
+
+TEST_CASE("Feet that stand are pinned where they stand, and hold there while the hips move") {
+  Document document = test::openedFile(test::posedCharacter);
+  rig::Adjustment low;
+  low.controller = "hips";
+  low.keys.resize(1);
+  low.keys[0].move = {0.05, -0.1, 0.0};
+  rig::Adjustment carried;
+  carried.controller = "left-leg.follow";
+  carried.keys.resize(1);
+  carried.keys[0].value = 1.0;
+  const std::vector<rig::Adjustment> both{low, carried};
+  Session session(*placeAdjustments(document, both));
+  REQUIRE(runHold(session, command::holdPinFeet).empty());
+  REQUIRE_FALSE(session.document().holds.pins.empty());
+  for (const rig::Pin& pin : session.document().holds.pins) {
+    const Vec3 held = seenEnd(session, pin.limb, pin.atFrame);
+    for (double frame = pin.time.rangeFrames.x; frame <= pin.time.rangeFrames.y; frame += 0.5) {
+      CHECK(glm::length(seenEnd(session, pin.limb, frame) - held) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("A foot that is in the air is not pinned") {
+  Document document = test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_leap.glb");
+  const Clip& clip = clipOf(document, 0);
+  const double last = clip.endSeconds * clip.framesPerSecond;
+  const rig::Holds found = plantedFeet(document, 0, Vec2(0.0, last));
+  REQUIRE_FALSE(found.pins.empty());
+  double pinned = 0.0;
+  for (const rig::Pin& pin : found.pins) {
+    pinned += pin.time.rangeFrames.y - pin.time.rangeFrames.x;
+    const Vec3 start = test::endOf(document, pin.limb, pin.time.rangeFrames.x);
+    const Vec3 end = test::endOf(document, pin.limb, pin.time.rangeFrames.y);
+    CHECK(glm::length(end - start) < 0.1 * document.biped.height);
+  }
+  CHECK(pinned < 1.8 * last);
+}
+
+TEST_CASE("The bat of the bundled swing is held by both hands, until one lets go") {
+  Session session(test::openedFile(STRETCH_SOURCE_DIR "/assets/dummy_swing.glb"));
+  session.view().frame = 10.0;
+  selectLimb(session, "left-arm", false);
+  selectLimb(session, "right-arm", true);
+  REQUIRE(runHold(session, command::holdProp).empty());
+  REQUIRE(session.document().holds.props.size() == 1);
+  CHECK(session.document().holds.props[0].hands.size() == 2);
+  selectLimb(session, "right-arm", false);
+  session.view().frame = 20.0;
+  REQUIRE(runHold(session, command::holdLetGo).empty());
+  const std::vector<rig::PropHand>& hands = session.document().holds.props[0].hands;
+  const auto right = std::ranges::find(hands, "right-arm", &rig::PropHand::limb);
+  REQUIRE(right != hands.end());
+  CHECK(right->keys.back().frame == 23.0);
+  CHECK(right->keys.back().value == 0.0);
+}

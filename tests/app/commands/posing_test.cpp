@@ -1,0 +1,338 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "app/commands/nudges.h"
+#include "app/commands/posing.h"
+#include "app/commands/selection.h"
+#include "app/commands/step_text.h"
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/trail_edits.h"
+#include "app/open_document.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+/// The problem that a command tells; empty when it did its work.
+std::string run(Session& session, const std::string& id) {
+  const std::vector<DocumentCommand> commands = documentCommands();
+  const auto command = std::ranges::find(commands, id, &DocumentCommand::id);
+  REQUIRE(command != commands.end());
+  if (!command->enabled(session)) {
+    return command->needs;
+  }
+  const Status done = command->run(session);
+  return done ? std::string() : done.error().line();
+}
+
+OffsetPose moved(const std::string& id, const Vec3& move) {
+  return {{{id, move, Vec3(0.0)}}, {}};
+}
+
+Vec3 moveOf(const Session& session, const std::string& id) {
+  return shownOffset(session, id).move;
+}
+
+Session posed(const std::string& id, const Vec3& move, double frame = 8.0) {
+  Session session(test::boxer());
+  session.view().frame = frame;
+  selectController(session, id, false);
+  REQUIRE(poseAll(session, moved(id, move), "Move"));
+  return session;
+}
+
+} // namespace
+
+TEST_CASE("A selected controller takes limb, trail and spheres out of the selection, and they take it") {
+  Session session(test::boxer());
+  NewTrail wanted;
+  wanted.limb = "left-arm";
+  wanted.settings.endFrame = 10.0;
+  const Result<CreatedTrail> created = createTrail(session.document(), wanted);
+  REQUIRE(created);
+  session.edit(created->document, "Make a trail");
+  selectTrail(session, created->trailId);
+  selectController(session, "hips", false);
+  CHECK(session.view().selectedLimbs.empty());
+  CHECK(session.view().selectedTrail == 0);
+  selectController(session, "left-hand", true);
+  CHECK(session.view().selectedControllers == std::vector<std::string>{"hips", "left-hand"});
+  selectController(session, "hips", true);
+  CHECK(session.view().selectedControllers == std::vector<std::string>{"left-hand"});
+  SECTION("by a limb") {
+    selectLimb(session, "right-arm", false);
+  }
+  SECTION("by a trail") {
+    selectTrail(session, created->trailId);
+  }
+  SECTION("by a trail that comes back") {
+    session.undo();
+    selectController(session, "hips", false);
+    session.redo();
+  }
+  SECTION("by nothing") {
+    CHECK(run(session, command::selectNone).empty());
+  }
+  CHECK(session.view().selectedControllers.empty());
+}
+
+TEST_CASE("A controller whose limb is gone is selected no longer") {
+  Session session(test::boxer());
+  selectControllers(session, {"hips", "left-hand"});
+  Document without = session.document();
+  std::erase_if(without.biped.limbs, [](const rig::Limb& limb) { return limb.id == "left-arm"; });
+  session.edit(without, "Forget the arm");
+  CHECK(session.view().selectedControllers == std::vector<std::string>{"hips"});
+}
+
+TEST_CASE("Keys go through the controllers of a limb, and through all of them") {
+  Session session(test::boxer());
+  const auto& selected = session.view().selectedControllers;
+  run(session, command::controllersOfLeftArm);
+  CHECK(selected == std::vector<std::string>{"left-hand"});
+  run(session, command::controllersOfLeftArm);
+  CHECK(selected == std::vector<std::string>{"left-elbow"});
+  run(session, command::controllersOfLeftArm);
+  CHECK(selected == std::vector<std::string>{"left-hand"});
+  run(session, std::string(command::controllersOfHips) + "-add");
+  CHECK(selected == std::vector<std::string>{"left-hand", "hips"});
+  CHECK(run(session, command::controllersOfLeftLeg) == "this character has no left leg");
+  const std::size_t count = controllersOf(session.document()).controllers.size();
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < count; ++i) {
+    run(session, command::controllerNext);
+    REQUIRE(selected.size() == 1);
+    seen.insert(selected.front());
+  }
+  CHECK(seen.size() == count);
+  const std::string last = selected.front();
+  run(session, command::controllerNext);
+  run(session, command::controllerPrevious);
+  CHECK(selected.front() == last);
+  run(session, command::controllersAll);
+  CHECK(selected.size() == count);
+}
+
+TEST_CASE("What is posed is keyed in the working range, else on the whole clip") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "hips", false);
+  SECTION("in the range") {
+    session.view().rangeStart = 4.0;
+    session.view().rangeEnd = 12.0;
+    REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+    CHECK(session.document().adjustments.front().rangeFrames == Vec2(4.0, 12.0));
+    CHECK_FALSE(isWholeClip(session));
+  }
+  SECTION("on the whole clip by choice") {
+    session.view().rangeStart = 4.0;
+    session.view().rangeEnd = 12.0;
+    CHECK(run(session, command::poseWholeClip).empty());
+    REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+    CHECK_FALSE(session.document().adjustments.front().rangeFrames);
+    CHECK(run(session, command::poseWholeClip).empty());
+    CHECK(session.document().adjustments.front().rangeFrames == Vec2(4.0, 12.0));
+  }
+  SECTION("without a range") {
+    REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+    CHECK_FALSE(session.document().adjustments.front().rangeFrames);
+    CHECK(isWholeClip(session));
+  }
+  CHECK(moveOf(session, "hips").y == Approx(-0.1));
+}
+
+TEST_CASE("The range keys end what the selection is offset in") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  session.view().rangeStart = 4.0;
+  session.view().rangeEnd = 12.0;
+  selectController(session, "hips", false);
+  REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+  const auto range = [&] { return *session.document().adjustments.front().rangeFrames; };
+  session.view().frame = 2.0;
+  CHECK(run(session, command::rangeStart).empty());
+  CHECK(range() == Vec2(2.0, 12.0));
+  session.view().frame = 15.0;
+  CHECK(run(session, command::rangeEnd).empty());
+  CHECK(range() == Vec2(2.0, 15.0));
+  session.view().frame = 9.0;
+  CHECK(run(session, command::rangeStart).find("the key at frame 8") != std::string::npos);
+  CHECK(range() == Vec2(2.0, 15.0));
+}
+
+TEST_CASE("With auto-key off a pose is shown until the playhead moves, and a key keeps it") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "hips", false);
+  run(session, command::poseAutoKey);
+  const Vec3 before = positionOf(session.frameAt(8.0).worlds[at(session.document().biped.hips)]);
+  REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
+  CHECK(session.document().adjustments.empty());
+  CHECK_FALSE(session.history().canUndo());
+  const Vec3 shown = positionOf(session.frameAt(8.0).worlds[at(session.document().biped.hips)]);
+  CHECK(shown.y - before.y == Approx(-0.1));
+  CHECK(positionOf(session.frameAt(9.0).worlds[at(session.document().biped.hips)]).y == Approx(before.y));
+  SECTION("dropped") {
+    session.view().frame = 9.0;
+    static_cast<void>(session.frameAt(9.0));
+    session.view().frame = 8.0;
+    CHECK(moveOf(session, "hips") == Vec3(0.0));
+  }
+  SECTION("keyed") {
+    CHECK(run(session, command::poseKey).empty());
+    CHECK(session.view().unkeyed.empty());
+    CHECK(offsetAt(session.document(), 0, 8.0, "hips").move.y == Approx(-0.1));
+    CHECK(session.history().undoLabel() == "Key the hips");
+  }
+  SECTION("reset") {
+    CHECK(run(session, command::poseReset).empty());
+    CHECK(moveOf(session, "hips") == Vec3(0.0));
+  }
+}
+
+TEST_CASE("A key is set, gone to and deleted") {
+  Session session = posed("hips", {0.0, -0.1, 0.0});
+  session.view().frame = 14.0;
+  CHECK(run(session, command::poseDeleteKey) == "select a controller that has a key at the playhead");
+  CHECK(run(session, command::poseKey).empty());
+  CHECK(session.document().adjustments.front().keys.size() == 2);
+  session.view().frame = 0.0;
+  run(session, command::timeNextKey);
+  CHECK(session.view().frame == 8.0);
+  run(session, command::timeNextKey);
+  CHECK(session.view().frame == 14.0);
+  CHECK(run(session, command::poseKeyStepped).empty());
+  CHECK(interpolationHere(session) == rig::KeyInterpolation::stepped);
+  CHECK(run(session, command::poseDeleteKey).empty());
+  CHECK(session.document().adjustments.front().keys.size() == 1);
+}
+
+TEST_CASE("Reset takes the selection's offsets, or everything, at the playhead or over the range") {
+  Session session = posed("hips", {0.0, -0.1, 0.0});
+  selectController(session, "left-hand", false);
+  REQUIRE(poseAll(session, moved("left-hand", {0.1, 0.0, 0.0}), "Move"));
+  SECTION("the selection") {
+    CHECK(run(session, command::poseReset).empty());
+    CHECK(moveOf(session, "left-hand") == Vec3(0.0));
+    CHECK(moveOf(session, "hips").y == Approx(-0.1));
+  }
+  SECTION("the selection over the range") {
+    session.view().frame = 3.0;
+    CHECK(run(session, command::poseResetRange).empty());
+    CHECK(adjustedIds(session.document(), 0) == std::vector<std::string>{"hips"});
+  }
+  SECTION("everything") {
+    CHECK(run(session, command::poseResetRig).empty());
+    CHECK(session.document().adjustments.empty());
+  }
+  SECTION("everything over a range") {
+    session.view().rangeStart = 5.0;
+    session.view().rangeEnd = 10.0;
+    CHECK(run(session, command::poseResetRigRange).empty());
+    CHECK(session.document().adjustments.empty());
+  }
+}
+
+TEST_CASE("A pose is mirrored to the other side, in its limb's own space, and sides change places") {
+  Session session = posed("left-hand", {0.1, 0.2, 0.3});
+  CHECK(run(session, command::poseMirror).empty());
+  CHECK(moveOf(session, "right-hand").x == Approx(-0.1));
+  CHECK(moveOf(session, "right-hand").y == Approx(0.2));
+  CHECK(moveOf(session, "right-hand").z == Approx(0.3));
+  CHECK(moveOf(session, "left-hand").x == Approx(0.1));
+  REQUIRE(poseAll(session, moved("left-hand", {0.0, 0.5, 0.0}), "Move"));
+  selectControllers(session, {"left-hand", "right-hand"});
+  CHECK(run(session, command::poseMirror).empty());
+  CHECK(moveOf(session, "right-hand").y == Approx(0.5));
+  CHECK(moveOf(session, "left-hand").y == Approx(0.2));
+}
+
+TEST_CASE("A turn in the middle is mirrored in place: leaning left becomes leaning right") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "spine-top", false);
+  REQUIRE(poseAll(session, {{{"spine-top", Vec3(0.1, 0.0, 0.0), Vec3(0.3, 0.4, 0.5)}}, {}}, "Turn"));
+  CHECK(run(session, command::poseMirror).empty());
+  const ControllerOffset mirrored = shownOffset(session, "spine-top");
+  CHECK(mirrored.move.x == Approx(-0.1));
+  CHECK(mirrored.turn.x == Approx(0.3));
+  CHECK(mirrored.turn.y == Approx(-0.4));
+  CHECK(mirrored.turn.z == Approx(-0.5));
+}
+
+TEST_CASE("A pose is copied from one frame to another, with its attributes, in one step") {
+  Session session = posed("left-hand", {0.1, 0.2, 0.3}, 4.0);
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.25}}}, "Stretch"));
+  CHECK(run(session, command::poseCopy).empty());
+  REQUIRE(run(session, command::poseResetRigRange).empty());
+  session.view().frame = 12.0;
+  CHECK(run(session, command::posePaste).empty());
+  CHECK(moveOf(session, "left-hand").z == Approx(0.3));
+  CHECK(shownValue(session, "left-arm.stretch") == Approx(0.25));
+  session.undo();
+  CHECK(session.document().adjustments.empty());
+}
+
+TEST_CASE("A copied pose fits a character of another size") {
+  Session session = posed("left-hand", {0.1, 0.2, 0.3});
+  run(session, command::poseCopy);
+  Document larger = test::boxer();
+  for (rig::Limb& limb : larger.biped.limbs) {
+    limb.restLength *= 2.0;
+  }
+  OpenDocument open(Opened(session.document()));
+  open.character()->view().copiedPose = session.view().copiedPose;
+  open.open(Opened(larger));
+  Session& other = *open.character();
+  CHECK(run(other, command::posePaste).empty());
+  CHECK(moveOf(other, "left-hand").z == Approx(0.6));
+}
+
+TEST_CASE("A tween stands between the keys beside the playhead, or past them") {
+  Session session = posed("hips", {0.0, 0.1, 0.0}, 4.0);
+  CHECK(run(session, command::poseTween) == "move the playhead between two keys of the selected controllers");
+  session.view().frame = 12.0;
+  REQUIRE(poseAll(session, moved("hips", {0.0, 0.3, 0.0}), "Move"));
+  session.view().frame = 8.0;
+  CHECK(run(session, command::poseTween).empty());
+  CHECK(moveOf(session, "hips").y == Approx(0.2));
+  CHECK(tweened(session, 0.0).offsets.front().move.y == Approx(0.1));
+  CHECK(tweened(session, 1.5).offsets.front().move.y == Approx(0.4));
+}
+
+TEST_CASE("The history says what was posed and at which frame") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "left-hand", false);
+  run(session, command::poseKey);
+  const auto last = [&] { return stepTexts(session.history()).back(); };
+  CHECK(last() == "Key the left hand \xE2\x80\x93 at frame 8");
+  selectControllers(session, {"left-hand", "right-hand", "hips", "body"});
+  run(session, command::poseKey);
+  CHECK(last() == "Key 4 controllers \xE2\x80\x93 at frame 8");
+  session.view().frame = 9.0;
+  REQUIRE(poseAll(session, {{}, {{"left-arm.stretch", 0.5}}}, "Change the left arm stretch"));
+  CHECK(last() == "Change the left arm stretch \xE2\x80\x93 at frame 9");
+}
+
+TEST_CASE("Arrows nudge the selected controllers in the view plane, by the steps of spheres") {
+  Session session(test::boxer());
+  session.view().frame = 8.0;
+  selectController(session, "hips", false);
+  const double step = nudgeUnits(session.document());
+  const std::string nudge = controllerNudges;
+  CHECK(run(session, nudge + "up").empty());
+  CHECK(moveOf(session, "hips").y == Approx(step));
+  CHECK(run(session, nudge + "up-far").empty());
+  CHECK(moveOf(session, "hips").y == Approx(11.0 * step));
+  CHECK(run(session, nudge + "right-fine").empty());
+  CHECK(moveOf(session, "hips").x == Approx(0.1 * step));
+  selectController(session, "LeftForeArm", false);
+  CHECK_FALSE(run(session, nudge + "up").empty());
+}

@@ -1,0 +1,175 @@
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/offset_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "app/history.h"
+#include "tests/support/app/boxer.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+const std::vector<std::string> hipsAlone{"hips"};
+
+/// The hips moved up by a number at a frame.
+Document hipsAt(const Document& document, double frame, double up, const KeyRange& range = {}) {
+  const std::vector<ControllerOffset> offsets{{"hips", {0.0, up, 0.0}, {}}};
+  const Result<Document> changed = setOffsets(document, 0, frame, offsets, {}, range);
+  REQUIRE(changed);
+  return *changed;
+}
+
+double hipsUp(const Document& document, double frame) {
+  return offsetAt(document, 0, frame, "hips").move.y;
+}
+
+Status refused(const Document& document, double frame, const ControllerOffset& offset,
+               const KeyRange& range = {}) {
+  const Result<Document> changed = setOffsets(document, 0, frame, {&offset, 1}, {}, range);
+  return changed ? Status(Success{}) : Status(changed.error());
+}
+
+} // namespace
+
+TEST_CASE("A first key in a range acts there alone and runs out at the range's ends") {
+  const Document document = hipsAt(test::boxer(), 8.0, -0.2, {Vec2(4.0, 12.0)});
+  CHECK(hipsUp(document, 8.0) == Approx(-0.2));
+  CHECK(hipsUp(document, 6.0) < -0.05);
+  CHECK(hipsUp(document, 4.0) == 0.0);
+  CHECK(hipsUp(document, 12.0) == 0.0);
+  CHECK(hipsUp(document, 13.0) == 0.0);
+}
+
+TEST_CASE("A first key on the whole clip is held to both of its ends") {
+  const Document document = hipsAt(test::boxer(), 8.0, -0.2);
+  CHECK(hipsUp(document, 0.0) == Approx(-0.2));
+  CHECK(hipsUp(document, 20.0) == Approx(-0.2));
+}
+
+TEST_CASE("A key inside what is adjusted already joins it, whatever range was asked for") {
+  Document document = hipsAt(test::boxer(), 8.0, -0.2, {Vec2(4.0, 12.0)});
+  document = hipsAt(document, 10.0, 0.1, {Vec2(9.0, 20.0)});
+  REQUIRE(document.adjustments.size() == 1);
+  CHECK(document.adjustments.front().keys.size() == 2);
+  CHECK(document.adjustments.front().rangeFrames == Vec2(4.0, 12.0));
+  CHECK(hipsUp(document, 10.0) == Approx(0.1));
+}
+
+TEST_CASE("A key where one stands takes its place and is passed as it was") {
+  Document document = hipsAt(test::boxer(), 8.0, -0.2);
+  document = setKeyInterpolation(document, 0, 8.0, hipsAlone, rig::KeyInterpolation::stepped);
+  document = hipsAt(document, 8.0, 0.3);
+  REQUIRE(document.adjustments.front().keys.size() == 1);
+  CHECK(document.adjustments.front().keys.front().interpolation == rig::KeyInterpolation::stepped);
+  CHECK(hipsUp(document, 8.0) == Approx(0.3));
+}
+
+TEST_CASE("Beside another adjustment a key has the room that is left") {
+  Document document = hipsAt(test::boxer(), 8.0, -0.2, {Vec2(4.0, 12.0)});
+  SECTION("a range is cut") {
+    document = hipsAt(document, 14.0, 0.1, {Vec2(2.0, 18.0)});
+    CHECK(offsetKeyAt(document, 0, 14.0, "hips") != nullptr);
+    CHECK(adjustmentAt(document, 0, 14.0, "hips")->rangeFrames == Vec2(12.0, 18.0));
+  }
+  SECTION("on the whole clip it is held to the clip's end") {
+    document = hipsAt(document, 14.0, 0.1);
+    CHECK(hipsUp(document, 20.0) == Approx(0.1));
+    CHECK(hipsUp(document, 12.0) == Approx(0.0));
+  }
+  CHECK(document.adjustments.size() == 2);
+  CHECK(hipsUp(document, 8.0) == Approx(-0.2));
+  CHECK(hipsUp(document, 10.0) < 0.0);
+}
+
+TEST_CASE("What cannot be keyed is refused with its reason, and nothing is changed") {
+  const Document document = test::boxer();
+  const double never = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refused(document, 15.0, {"hips", {}, {}}, {Vec2(4.0, 12.0)}).error().what ==
+        "frame 15 lies outside of the range 4 to 12");
+  CHECK_FALSE(refused(document, 8.0, {"tail", {}, {}}));
+  CHECK_FALSE(refused(document, 8.0, {"hips", {1e9, 0.0, 0.0}, {}}));
+  CHECK_FALSE(refused(document, 8.0, {"hips", {never, 0.0, 0.0}, {}}));
+  CHECK_FALSE(refused(document, never, {"hips", {}, {}}));
+  CHECK_FALSE(refused(document, 8.0, {"left-elbow", {}, {0.5, 0.0, 0.0}}));
+  CHECK_FALSE(setOffsets(document, 7, 0.0, {}, {}, {}));
+  const std::vector<ControllerOffset> oneIsWrong{{"hips", {0.0, 0.1, 0.0}, {}}, {"tail", {}, {}}};
+  CHECK_FALSE(setOffsets(document, 0, 8.0, oneIsWrong, {}, {}));
+}
+
+TEST_CASE("Several controllers and attributes are one step that undo takes back and redo brings") {
+  const Document start = test::boxer();
+  History<Document> history(start);
+  const std::vector<ControllerOffset> offsets{{"hips", {0.0, -0.1, 0.0}, {0.0, 0.4, 0.0}},
+                                              {"left-hand", {0.1, 0.0, 0.0}, {}}};
+  const std::vector<AttributeValue> values{{"left-arm.stretch", 0.25}};
+  const Result<Document> keyed = setOffsets(start, 0, 5.0, offsets, values, {Vec2(2.0, 9.0)});
+  REQUIRE(keyed);
+  history.push(*keyed, "Pose");
+  CHECK(offsetAt(history.current(), 0, 5.0, "hips") == offsets[0]);
+  CHECK(offsetAt(history.current(), 0, 5.0, "left-hand") == offsets[1]);
+  CHECK(valueAt(history.current(), 0, 5.0, "left-arm.stretch") == Approx(0.25));
+  CHECK(valueAt(history.current(), 0, 1.0, "left-arm.stretch") == 1.0);
+  REQUIRE(history.undo());
+  CHECK(sameDocument(history.current(), start));
+  REQUIRE(history.redo());
+  CHECK(sameDocument(history.current(), *keyed));
+}
+
+TEST_CASE("A key that is taken away leaves the others, the last one takes its adjustment along") {
+  Document document = hipsAt(hipsAt(test::boxer(), 8.0, -0.2), 12.0, 0.1);
+  document = removeOffsetKeys(document, 0, 8.0, hipsAlone);
+  CHECK(hipsUp(document, 8.0) == Approx(0.1));
+  document = removeOffsetKeys(document, 0, 12.0, hipsAlone);
+  CHECK(document.adjustments.empty());
+  CHECK(sameDocument(removeOffsetKeys(document, 0, 12.0, hipsAlone), document));
+}
+
+TEST_CASE("Reset at a frame leaves nothing offset there and the other keys in place") {
+  const Document document = hipsAt(hipsAt(test::boxer(), 4.0, -0.2), 12.0, 0.1);
+  for (const double frame : {8.0, 12.0}) {
+    const Result<Document> reset = resetOffsets(document, 0, frame, hipsAlone);
+    REQUIRE(reset);
+    CHECK(hipsUp(*reset, frame) == 0.0);
+    CHECK(hipsUp(*reset, 4.0) == Approx(-0.2));
+  }
+  const Result<Document> alone = resetOffsets(hipsAt(test::boxer(), 4.0, -0.2), 0, 4.0, hipsAlone);
+  REQUIRE(alone);
+  CHECK(alone->adjustments.empty());
+}
+
+TEST_CASE("Reset over a range clears it and keeps what is keyed outside") {
+  Document document = hipsAt(hipsAt(test::boxer(), 2.0, -0.2), 10.0, 0.1);
+  document = hipsAt(document, 18.0, 0.4);
+  const Result<Document> reset = resetOffsetsOver(document, 0, {6.0, 14.0}, hipsAlone);
+  REQUIRE(reset);
+  for (const double frame : {6.0, 10.0, 14.0}) {
+    CHECK(hipsUp(*reset, frame) == 0.0);
+  }
+  CHECK(hipsUp(*reset, 2.0) == Approx(-0.2));
+  CHECK(hipsUp(*reset, 18.0) == Approx(0.4));
+}
+
+TEST_CASE("A key that becomes free keeps the curve's slope") {
+  Document document = hipsAt(hipsAt(hipsAt(test::boxer(), 2.0, 0.0), 8.0, 0.1), 14.0, 0.3);
+  const double before = hipsUp(document, 9.0);
+  document = setKeyInterpolation(document, 0, 8.0, hipsAlone, rig::KeyInterpolation::free);
+  CHECK(offsetKeyAt(document, 0, 8.0, "hips")->moveSlope.y > 0.01);
+  CHECK(hipsUp(document, 9.0) == Approx(before).margin(1e-5));
+}
+
+TEST_CASE("A range is given to what is adjusted, unless it leaves a key out or reaches another one") {
+  Document document = hipsAt(test::boxer(), 8.0, -0.2);
+  const Result<Document> local = setOffsetRange(document, 0, 8.0, hipsAlone, {Vec2(4.0, 12.0)});
+  REQUIRE(local);
+  CHECK(hipsUp(*local, 4.0) == 0.0);
+  CHECK_FALSE(setOffsetRange(*local, 0, 8.0, hipsAlone, {Vec2(9.0, 12.0)}));
+  const Document two = hipsAt(*local, 15.0, 0.1, {Vec2(13.0, 18.0)});
+  CHECK_FALSE(setOffsetRange(two, 0, 8.0, hipsAlone, {}));
+  const Result<Document> whole = setOffsetRange(*local, 0, 8.0, hipsAlone, {});
+  REQUIRE(whole);
+  CHECK(hipsUp(*whole, 20.0) == Approx(-0.2));
+}

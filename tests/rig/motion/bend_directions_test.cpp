@@ -1,0 +1,43 @@
+#include "rig/motion/bend_directions.h"
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+using namespace stretch;
+using namespace stretch::rig;
+
+namespace {
+
+const Quat unturned(1.0, 0.0, 0.0, 0.0);
+
+// A limb of length 2 along y whose joint stands out by `out`.
+void addBent(BendDirections& bends, double seconds, const Vec3& out) {
+  bends.add(seconds, Vec3(0.0), Vec3(0.0, 1.0, 0.0) + out, Vec3(0.0, 2.0, 0.0), unturned);
+}
+
+} // namespace
+
+TEST_CASE("a nearly straight limb bends as it does at the nearest time at which it bends") {
+  BendDirections bends(Vec3(0.0, 0.0, -1.0));
+  addBent(bends, 1.0, {0.5, 0.0, 0.0});
+  addBent(bends, 2.0, {0.001, 0.0, -0.001}); // nearly straight: says nothing
+  addBent(bends, 3.0, {0.0, 0.0, 0.5});
+  CHECK(glm::length(bends.at(0.0) - Vec3(1.0, 0.0, 0.0)) < 1e-12);
+  CHECK(glm::length(bends.at(9.0) - Vec3(0.0, 0.0, 1.0)) < 1e-12);
+  CHECK(bends.at(1.2).x > bends.at(1.2).z);
+  CHECK(bends.at(2.8).z > bends.at(2.8).x);
+}
+
+TEST_CASE("the direction of a bend does not jump in time") {
+  BendDirections bends;
+  addBent(bends, 1.0, {0.5, 0.0, 0.0});
+  addBent(bends, 2.0, {-0.3, 0.0, 0.4});
+  for (double seconds = 0.5; seconds < 2.5; seconds += 0.01) {
+    CHECK(glm::length(bends.at(seconds + 0.01) - bends.at(seconds)) < 0.05);
+  }
+}
+
+TEST_CASE("a limb that never bends bends as it is told") {
+  const BendDirections bends(Vec3(0.0, 0.0, -1.0));
+  CHECK(bends.at(1.0) == Vec3(0.0, 0.0, -1.0));
+}

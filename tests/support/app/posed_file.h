@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/gltf/json.h"
+#include "core/math/types.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/temporary_folder.h"
+
+namespace stretch::test {
+
+// From a recipe on the command line to the saved file, read back.
+
+inline constexpr const char* posedCharacter = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+
+struct Posed {
+  VerbAnswer answer;
+  std::string path;
+};
+
+/// The verb `pose` with a recipe, on the bundled character or on another file.
+[[nodiscard]] Posed pose(const TemporaryFolder& folder, const gltf::Json& recipe,
+                         const std::vector<std::string>& more = {}, const std::string& file = posedCharacter);
+
+/// A file that opens without an error.
+[[nodiscard]] app::Document openedFile(const std::string& path);
+
+/// Where the file's own clip, the first, has a limb's end and a node at a frame.
+[[nodiscard]] Vec3 endOf(const app::Document& document, const std::string& limb, double frame);
+[[nodiscard]] Vec3 nodeOf(const app::Document& document, NodeIndex node, double frame);
+[[nodiscard]] Mat4 worldOf(const app::Document& document, NodeIndex node, double frame);
+
+} // namespace stretch::test

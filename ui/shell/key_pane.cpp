@@ -1,0 +1,141 @@
+#include "ui/shell/key_pane.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/frames.h"
+#include "app/commands/keys.h"
+#include "ui/panels/timeline_model.h"
+
+namespace stretch::ui {
+
+namespace {
+
+using PaneCommand = app::Command<Shell>;
+
+bool canPick(const Shell& shell) {
+  return shell.open.character() != nullptr && app::hasPickedKeys(*shell.open.character());
+}
+
+bool hasClipOpen(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && app::hasClip(session->document(), session->view().clip);
+}
+
+PaneCommand paneCommand(const char* id, const char* label, const char* help, bool (*holds)(const Shell&),
+                        const char* needs, std::function<Status(Shell&)> run) {
+  PaneCommand command;
+  command.id = id;
+  command.label = label;
+  command.help = help;
+  command.enabled = holds;
+  command.run = std::move(run);
+  command.needs = [holds, needs](const Shell& shell) { return holds(shell) ? "" : needs; };
+  return command;
+}
+
+Status runKeysTool(Shell& shell, app::KeysModal::Kind kind) {
+  const KeyPane& pane = shell.ui.keyPane;
+  app::KeysModal modal;
+  modal.kind = kind;
+  modal.valuesShown = pane.valuesShown;
+  modal.wholeFrames = shell.ui.timeline.snapToFrames;
+  modal.aboutFrame = shell.open.character()->view().frame;
+  modal.aboutValue = pane.value;
+  modal.valueStep = pane.valueStep;
+  return startKeys(*shell.open.character(), shell.tool, modal);
+}
+
+void openRetime(Shell& shell) {
+  const Span range = shownRange(*shell.open.character());
+  shell.ui.retime = {.open = true,
+                     .firstFrame = std::round(range.start),
+                     .lastFrame = std::round(range.end),
+                     .newFrames = std::round(range.end) - std::round(range.start)};
+}
+
+Status askForFit(Shell& shell, bool picked) {
+  shell.ui.graph.fitPending = true;
+  shell.ui.graph.fitPicked = picked;
+  if (!picked) {
+    shell.ui.timeline.viewStart = 0.0;
+    shell.ui.timeline.viewEnd = -1.0;
+  }
+  return Success{};
+}
+
+} // namespace
+
+std::vector<PaneCommand> keyPaneCommands() {
+  constexpr const char* pickFirst = "pick a key in the graph or the dope sheet first";
+  constexpr const char* openFirst = "open a character with an animation first";
+  std::vector<PaneCommand> commands{
+      paneCommand(command::keysGrab, "Move keys",
+                  "Moves the picked keys with the mouse, arrows or a typed number of frames; over graph and "
+                  "dope sheet by the key of Grab.",
+                  canPick, pickFirst,
+                  [](Shell& shell) { return runKeysTool(shell, app::KeysModal::Kind::move); }),
+      paneCommand(
+          command::keysScale, "Scale keys",
+          "Scales the times of the picked keys about the playhead, or (Y) their values; over graph and "
+          "dope sheet by the key that sets a key elsewhere.",
+          canPick, pickFirst, [](Shell& shell) { return runKeysTool(shell, app::KeysModal::Kind::scale); }),
+      paneCommand(command::keysRetime, "Retime", "Makes a range of the clip or of a limb slower or faster.",
+                  hasClipOpen, openFirst,
+                  [](Shell& shell) {
+                    openRetime(shell);
+                    return Status(Success{});
+                  }),
+      paneCommand(command::graphFit, "Fit the picked keys", "Shows the picked keys as large as they fit.",
+                  canPick, pickFirst, [](Shell& shell) { return askForFit(shell, true); }),
+      paneCommand(command::graphFitAll, "Fit all curves", "Shows the whole clip and every value.",
+                  hasClipOpen, openFirst, [](Shell& shell) { return askForFit(shell, false); }),
+      paneCommand(command::graphIsolate, "Isolate curves",
+                  "The graph shows only the curves that have picked keys.", hasClipOpen, openFirst,
+                  [](Shell& shell) {
+                    shell.ui.graph.isolated = !shell.ui.graph.isolated;
+                    return Status(Success{});
+                  }),
+  };
+  commands.back().checked = [](const Shell& shell) { return shell.ui.graph.isolated; };
+  return commands;
+}
+
+std::string commandUnderMouse(const Shell& shell, const app::Chord& chord, const std::string& elsewhere) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 13> meanings{
+      {{command::editDelete, command::keysDelete},
+       {command::poseDeleteKey, command::keysDelete},
+       {command::copyTrail, command::keysCopy},
+       {command::poseCopy, command::keysCopy},
+       {command::pasteTrail, command::keysPaste},
+       {command::posePaste, command::keysPaste},
+       {command::sphereAll, command::keysAll},
+       {command::controllersAll, command::keysAll},
+       {command::sphereGrab, command::keysGrab},
+       {command::poseKey, command::keysScale},
+       {command::viewFrameSelection, command::graphFit},
+       {command::viewFrameAll, command::graphFitAll},
+       {command::sphereAdd, command::keysInsert}}};
+  if (!shell.ui.keyPane.hovered || shell.open.character() == nullptr) {
+    return elsewhere;
+  }
+  for (const auto& [there, here] : meanings) {
+    if (there == elsewhere) {
+      return here;
+    }
+  }
+  const bool isInsert = elsewhere.empty() && chord == app::Chord{app::Key{'I'}};
+  return isInsert ? std::string(command::keysInsert) : elsewhere;
+}
+
+void moveKeysTool(Shell& shell) {
+  if (shell.open.character() != nullptr && shell.ui.keyPane.hovered) {
+    const Vec2 mouse(shell.ui.keyPane.frame, shell.ui.keyPane.value);
+    tellProblem(shell, moveKeysMouse(*shell.open.character(), shell.tool, mouse));
+  }
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands/controller_modal.h"
+#include "app/session.h"
+#include "ui/render/camera.h"
+
+namespace stretch::ui {
+
+/// Moving or turning controllers: by G or R until Enter or a click, or by a drag of the mouse until it lets
+/// go.
+struct ControllerTool {
+  app::ControllerModal modal;
+  std::vector<app::HeldController> held; ///< As they were at the beginning.
+  std::string title;                     ///< "left hand", "2 controllers".
+  app::UnkeyedPose unkeyed;              ///< At the beginning.
+  bool byDrag = false;                   ///< Letting the mouse button go keeps it.
+  Vec3 anchor{0.0};                      ///< The point that is held, or turned about; world.
+  Vec2 startPixels{0.0};                 ///< Of the mouse, in the viewport.
+  Vec2 lastPixels{0.0};
+  bool moved = false; ///< The mouse left its place: a click is no drag.
+};
+
+struct ControllerStart {
+  app::ControllerMotion motion = app::ControllerMotion::move;
+  app::AxisLock lock; ///< From the beginning: a handle was taken.
+  Vec2 startPixels{0.0};
+  bool byDrag = false;
+};
+
+/// Takes hold of the selected controllers. An error says why none of them can do the motion.
+[[nodiscard]] Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start);
+
+/// Shows what the modal makes of them: keyed, or while auto-key is off without a key.
+Status previewControllers(app::Session& session, const ControllerTool& tool);
+
+/// Follows the mouse.
+void moveControllerMouse(ControllerTool& tool, const View& view, const Vec2& mousePixels);
+
+/// Puts back what was shown without a key where the change is not kept. Comes before the session's drag is
+/// ended.
+void endControllers(app::Session& session, const ControllerTool& tool, bool keep);
+
+} // namespace stretch::ui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/viewport/tools.h"
+
+namespace stretch::ui {
+
+/// What the tool's modal says, from the document at its beginning.
+Status previewKeys(app::Session& session, const KeysTool& tool);
+
+} // namespace stretch::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+#include "ui/panels/ui_state.h"
+#include "ui/render/camera.h"
+#include "ui/render/controller_drawing.h"
+#include "ui/render/controller_handles.h"
+
+namespace stretch::ui {
+
+/// A controller as the viewport shows it.
+struct ShownController {
+  rig::PlacedController placed;
+  ControllerPicture picture; ///< Neither selected nor hovered.
+};
+
+/// Whether controllers are shown: they are switched on, or one is selected.
+[[nodiscard]] bool showsControllers(const app::Session& session, const ViewportOverlays& overlays);
+
+/// Those of the body, and with the skeleton those on other joints, as they stand at the playhead; none while
+/// they are not shown. A selected one is always there.
+[[nodiscard]] std::vector<ShownController> shownControllers(app::Session& session,
+                                                            const ViewportOverlays& overlays);
+
+/// The controller under the mouse: the nearest line, knob or ring within 20 points.
+[[nodiscard]] std::optional<std::string>
+pickController(const View& view, const std::vector<ShownController>& shown, const Vec2& mousePixels);
+
+/// Those that stand in a rectangle of the screen, pixels.
+[[nodiscard]] std::vector<std::string> controllersInBox(const View& view,
+                                                        const std::vector<ShownController>& shown,
+                                                        const Vec2& low, const Vec2& high);
+
+/// At the last selected one; nothing when none is selected.
+[[nodiscard]] std::optional<ControllerHandles> controllerHandles(const app::Session& session,
+                                                                 const std::vector<ShownController>& shown);
+
+/// What is drawn, with what is selected and under the mouse.
+[[nodiscard]] std::vector<ControllerPicture> controllerPictures(const std::vector<ShownController>& shown,
+                                                                const std::vector<std::string>& selected,
+                                                                const std::string& hovered);
+
+/// Null when it is not shown.
+[[nodiscard]] const ShownController* findShown(const std::vector<ShownController>& shown,
+                                               const std::string& id);
+
+} // namespace stretch::ui
