@@ -157,6 +157,9 @@ void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
   const int clip = session.view().clip;
+  if (!outcome.keysDragged && !outcome.tangent && !outcome.gestureEnded) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -198,7 +201,8 @@ void fit(PanelContext& context) {
   }
   graph.valueMin = values.start;
   graph.valueMax = values.end;
-  graph.fitPending = graph.fitPicked = false;
+  graph.fitPending = !graph.complete; // Until all curves are known.
+  graph.fitPicked = graph.fitPicked && graph.fitPending;
 }
 
 void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {

@@ -114,7 +114,11 @@ void gatherEveryLimb(app::Session& session, KeyRowsState& state) {
 
 /// Frames of the picked keys in each row.
 void markPickedFrames(const app::Session& session, KeyRowsState& state) {
-  const app::KeySelection picked = app::pickedKeys(session);
+  const app::KeySelection& picked = app::pickedKeys(session);
+  if (state.shownPicks == picked) {
+    return;
+  }
+  state.shownPicks = picked;
   std::map<app::KeyRow, std::vector<double>> frames;
   for (const app::PickedRow& row : picked) {
     const std::vector<double> all = app::keyFramesOf(session.document(), session.view().clip, row.row);
@@ -152,6 +156,7 @@ const std::vector<KeyRow>& keyRows(PanelContext& context, RowDetail detail) {
   if (state.motion != motion || state.clips != session.document().clips || state.selected != selected ||
       state.everyLimb != every) {
     (every ? gatherEveryLimb : gatherSelection)(session, state);
+    state.shownPicks.reset();
     state.motion = motion;
     state.clips = session.document().clips;
     state.selected = std::move(selected);
