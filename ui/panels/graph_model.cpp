@@ -151,7 +151,7 @@ void setKeys(const app::KeyedRow& read, Curve& curve) {
 std::vector<Curve> bareCurves(const PanelContext& context, const app::KeyRow& row, std::size_t place,
                               std::size_t components) {
   std::vector<Curve> curves;
-  for (const std::size_t component : shownComponents(row, components, context.ui.graph.channels)) {
+  for (const std::size_t component : shownComponents(row, components, context.ui.graph.offsetChannels)) {
     Curve curve;
     curve.label = components == 1 ? "Value" : std::string(1, "XYZ"[component % 3]);
     curve.colour = components == 1 ? trailColour(0, context.theme.kind)
@@ -319,8 +319,13 @@ std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
   return subjects;
 }
 
+GraphChannels graphChannels(const PanelContext& context, const GraphSubject& subject) {
+  const GraphState& graph = context.ui.graph;
+  return subject.controller.empty() ? graph.channels : graph.offsetChannels;
+}
+
 std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubject& subject) {
-  const GraphChannels channels = context.ui.graph.channels;
+  const GraphChannels channels = graphChannels(context, subject);
   if (!subject.controller.empty()) {
     return {{NodeIndex::none, Channel::translation, subject.controller}};
   }
@@ -394,6 +399,7 @@ void updateRows(PanelContext& context, bool isOne, const Span& frames, const std
       done += read.keys.size();
     }
     setPoints(context, graph.rows[place], made, samples, curves);
+    std::for_each(curves.begin(), curves.end(), [&](Curve& curve) { curve.seen = curve.seen && sameFrames; });
     done += samples.size();
     graph.madeRows[place] = std::move(made);
     graph.madeFrames[place] = frames;
@@ -437,12 +443,13 @@ const std::vector<Curve>& graphCurves(PanelContext& context, const GraphSubject&
                                       const Span& frames) {
   GraphState& graph = context.ui.graph;
   app::Session& session = context.character();
-  const bool isLength = graph.channels == GraphChannels::stretch && subject.controller.empty();
+  const GraphChannels channels = graphChannels(context, subject);
+  const bool isLength = channels == GraphChannels::stretch && subject.controller.empty();
   const GraphKey key{session.document().clips,
                      session.sharedMotion(),
                      subject.nodes,
                      subject.controller,
-                     graph.channels,
+                     channels,
                      isLength ? subject.limb : std::string(),
                      frames.start,
                      frames.end,
@@ -460,7 +467,7 @@ const char* graphUnit(const PanelContext& context, const GraphSubject& subject) 
   if (subject.controller.find('.') != std::string::npos) {
     return "";
   }
-  switch (context.ui.graph.channels) {
+  switch (graphChannels(context, subject)) {
   case GraphChannels::rotation:
     return "\xC2\xB0";
   case GraphChannels::translation:

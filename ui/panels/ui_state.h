@@ -112,7 +112,8 @@ struct GraphKey {
 };
 
 struct GraphState {
-  GraphChannels channels = GraphChannels::rotation;
+  GraphChannels channels = GraphChannels::rotation;          ///< Of joints,
+  GraphChannels offsetChannels = GraphChannels::translation; ///< of controllers.
   int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
   bool fitPicked = false; ///< The pending fit is about the picked keys.

@@ -441,8 +441,23 @@ Span fittedValues(const std::vector<Curve>& curves) {
   if (low > high) {
     return {-1.0, 1.0};
   }
-  const double margin = std::max((high - low) * 0.12, std::max(std::abs(high) * 1e-3, 1e-3));
+  constexpr double level = 0.1; // What a curve that does not move is shown within.
+  const bool isLevel = high - low < 1e-6 * std::max(1.0, std::abs(high));
+  const double margin = isLevel ? level * std::max(1.0, std::abs(high)) : (high - low) * 0.12;
   return {low - margin, high + margin};
+}
+
+bool lostFromSight(std::vector<Curve>& curves, const Span& values) {
+  bool lost = false;
+  for (Curve& curve : curves) {
+    const bool inSight =
+        !curve.hidden && std::any_of(curve.points.begin(), curve.points.end(), [&](const Vec2& point) {
+          return point.y >= values.start && point.y <= values.end;
+        });
+    lost = lost || (curve.seen && !inSight && !curve.hidden);
+    curve.seen = inSight;
+  }
+  return lost;
 }
 
 std::optional<CurveFit> fittedPicks(std::span<const Curve> curves) {

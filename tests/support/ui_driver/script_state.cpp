@@ -218,6 +218,14 @@ std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::
   return joined({number(shown.x), number(shown.y), number(shown.z)});
 }
 
+std::size_t followingCount(const app::Document& document) {
+  std::size_t count = 0;
+  for (const app::FollowingKeys& following : document.followingKeys) {
+    count += following.keys.size();
+  }
+  return count;
+}
+
 /// Frame and first picked value of the first picked key, or its slopes before and after.
 std::string firstPicked(const app::Session& session, bool slopes) {
   const app::KeySelection picked = app::pickedKeys(session);
@@ -258,6 +266,12 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
       {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
+      {"holds",
+       [&] {
+         const rig::Holds& holds = session.document().holds;
+         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
+       }},
       {"keys.first", [&] { return firstPicked(session, false); }},
       {"keys.slopes", [&] { return firstPicked(session, true); }},
       {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
