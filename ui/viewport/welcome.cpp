@@ -91,13 +91,20 @@ void drawClipPicture(const Theme& theme, const GlTexture& picture, const Rect& b
                         theme.corner());
 }
 
-/// The name of a clip and its line, on two rows.
+/// The name of a clip and its line, on three rows: a name that is wide takes two of them.
 void drawClipText(const WidgetContext& widgets, const app::BundledClip& clip, const Rect& box) {
   const Theme& theme = widgets.theme;
-  float y = box.min.y + theme.px(22.0F);
-  drawText(widgets, theme.fonts.strong, {box.min, {box.max.x, y}}, theme.colours.text, clip.name);
+  ImFont* const strong = theme.fonts.strong != nullptr ? theme.fonts.strong : ImGui::GetFont();
   ImFont* const label = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
-  for (const std::string_view text : wrapped(label, clip.line, box.width(), 2)) {
+  const std::vector<std::string_view> name = wrapped(strong, clip.name, box.width(), 2);
+  float y = box.min.y;
+  for (const std::string_view text : name) {
+    const float height = theme.px(name.size() > 1 ? 19.0F : 22.0F);
+    drawText(widgets, theme.fonts.strong, {{box.min.x, y}, {box.max.x, y + height}}, theme.colours.text,
+             text);
+    y += height;
+  }
+  for (const std::string_view text : wrapped(label, clip.line, box.width(), 3 - name.size())) {
     drawText(widgets, theme.fonts.label, {{box.min.x, y}, {box.max.x, y + theme.px(18.0F)}},
              theme.colours.quietText, text);
     y += theme.px(18.0F);
