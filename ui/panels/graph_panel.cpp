@@ -24,10 +24,13 @@ const GraphSubject& chosenSubject(PanelContext& context, const std::vector<Graph
   return subjects[static_cast<std::size_t>(graph.joint)];
 }
 
-/// Whether the toolbar has no room for everything: then what the menu Keys and keys of the keyboard have too
-/// is left out while keys are picked.
+/// How much room the toolbar has. Where it is little, the channels are a list; where it is very little, what
+/// the menu Keys and keys of the keyboard have too is left out while keys are picked.
 bool isNarrow(const PanelContext& context) {
   return ImGui::GetWindowContentRegionMax().x < context.theme.px(1100.0F);
+}
+bool isVeryNarrow(const PanelContext& context) {
+  return ImGui::GetWindowContentRegionMax().x < context.theme.px(820.0F);
 }
 
 void subjectChooser(PanelContext& context, const std::vector<GraphSubject>& subjects) {
@@ -87,7 +90,7 @@ void toolbar(PanelContext& context, const std::vector<GraphSubject>& subjects, c
   fit.help = {"Fit the curves",
               "Shows every value in the visible frames. A double click in the graph does the same.",
               keyOf(context, command::viewFrameAll)};
-  const bool leftOut = isNarrow(context) && app::hasPickedKeys(context.character());
+  const bool leftOut = isVeryNarrow(context) && app::hasPickedKeys(context.character());
   if (!leftOut) {
     graph.fitPending = button(widgets, fit) || graph.fitPending;
     ImGui::SameLine();

@@ -68,7 +68,8 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
   }
 }
 
-void keyNumbers(PanelContext& context, float width) {
+void keyNumbers(PanelContext& context, bool isNarrow) {
+  const float width = context.theme.px(isNarrow ? 74.0F : 92.0F);
   app::Session& session = context.character();
   const app::KeySelection& picked = app::pickedKeys(session);
   const FirstKey first = firstKey(session, picked);
@@ -83,7 +84,7 @@ void keyNumbers(PanelContext& context, float width) {
               .step = 1.0,
               .fineStep = 0.1,
               .decimals = frameDecimals(frame),
-              .prefix = "Frame ",
+              .prefix = isNarrow ? "" : "Frame ",
               .hardMaximum = 1e5,
               .showsFill = false,
               .width = width,
@@ -149,7 +150,7 @@ void drawKeyBar(PanelContext& context, bool keysAlone) {
   }
   tangentChooser(context);
   ImGui::SameLine();
-  keyNumbers(context, context.theme.px(keysAlone ? 74.0F : 92.0F));
+  keyNumbers(context, keysAlone);
 }
 
 namespace {
