@@ -1,7 +1,8 @@
 #include "rig/motion/solve.h"
 
 #include <algorithm>
-#include <optional>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -42,42 +43,6 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
-// What the paths of all trails are sampled from. Adjustments move the whole character: its trails, which
-// mostly ask for the same times, share the samples.
-class PathSampler {
-public:
-  PathSampler(const MotionInput& input, const SolvedAdjustments& adjustments)
-      : input_(input), adjustments_(adjustments) {}
-
-  void sample(SolvedTrail& solved, const std::vector<double>& keyTimes) {
-    if (adjustments_.empty()) {
-      SharedSampler own(*input_.scene, *input_.clip, adjustments_, pathNodes(input_, solved.limb));
-      samplePath(input_, own, solved, keyTimes);
-      return;
-    }
-    if (!shared_) {
-      shared_.emplace(*input_.scene, *input_.clip, adjustments_, nodesOfAll());
-    }
-    samplePath(input_, *shared_, solved, keyTimes);
-  }
-
-private:
-  [[nodiscard]] std::vector<NodeIndex> nodesOfAll() const {
-    std::vector<NodeIndex> nodes;
-    for (const Trail& trail : input_.trails) {
-      if (const Limb* const limb = limbOf(input_, trail.limb)) {
-        const std::vector<NodeIndex> own = pathNodes(input_, *limb);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-      }
-    }
-    return nodes;
-  }
-
-  const MotionInput& input_;
-  const SolvedAdjustments& adjustments_;
-  std::optional<SharedSampler> shared_;
-};
-
 // Made before with the body, where that is there.
 LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
   const AdjustedBody* const body = input.body.get();
@@ -90,7 +55,53 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
 }
 
-SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Trail& trail, const Limb& limb) {
+std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  return nodes;
+}
+
+// Where a trail's path is looked at: its samples and halfway between them.
+std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, const Limb& limb) {
+  const double fps = input.clip->framesPerSecond;
+  const TrailSettings settings = usable(trail.settings, *input.clip);
+  const double start = settings.startFrame / fps;
+  const double end = settings.endFrame / fps;
+  std::vector<double> times =
+      sampleTimes(start, end, fps, keyTimesOf(*input.clip, jointsAndEnd(limb), start, end));
+  for (std::size_t i = times.size() - 1; i > 0; --i) {
+    times.push_back(0.5 * (times[i - 1] + times[i]));
+  }
+  return times;
+}
+
+// Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
+std::shared_ptr<const FrameTable> adjustedFrames(const MotionInput& input,
+                                                 const SolvedAdjustments& adjustments) {
+  std::set<NodeIndex> nodes;
+  std::vector<double> times;
+  for (const Trail& trail : input.trails) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
+      const std::vector<NodeIndex> read = pathNodes(input, *limb);
+      const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb));
+      nodes.insert(read.begin(), read.end());
+      nodes.insert(written.begin(), written.end());
+      const std::vector<double> own = pathTimes(input, trail, *limb);
+      times.insert(times.end(), own.begin(), own.end());
+    }
+  }
+  if (adjustments.empty() || times.empty() || times.size() > FrameTable::most(*input.scene)) {
+    return nullptr;
+  }
+  std::vector<NodeIndex> all(nodes.begin(), nodes.end());
+  const AdjustedSampler sampler(*input.scene, *input.clip, adjustments, all);
+  return std::make_shared<const FrameTable>(sampler, std::move(all), std::move(times));
+}
+
+SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
+                       const Limb& limb) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -105,17 +116,16 @@ SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Tra
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;
   solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  std::vector<NodeIndex> keyed = limb.joints;
-  if (limb.endNode.exists()) {
-    keyed.push_back(limb.endNode);
-  }
+  const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
   const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
   if (before != nullptr && samePath(before->settings, solved.settings)) {
     solved.path = before->path;
     solved.bend = before->bend;
   } else {
     before = nullptr;
-    sampler.sample(solved, keyTimes);
+    FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
+                       motion.adjustedFrames.get());
+    samplePath(input, frames, solved, keyTimes);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
@@ -160,10 +170,11 @@ MotionState solveMotion(const MotionInput& input) {
           ? input.previous->adjustments
           : solveAdjustments(
                 {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
-  PathSampler sampler(input, motion.adjustments);
+  motion.adjustedFrames = input.previous != nullptr ? input.previous->adjustedFrames
+                                                    : adjustedFrames(input, motion.adjustments);
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, sampler, trail, *limb));
+      motion.trails.push_back(solveTrail(input, motion, trail, *limb));
     }
   }
   std::vector<ActingLimb> acting;
