@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/anim/frame_state.h"
@@ -9,16 +9,23 @@
 
 namespace stretch::rig {
 
-/// The adjusted clip of some nodes at many times, sampled once for everything that asks for them.
+/// A clip's frames of some nodes at many times, made once for everything that asks for them.
 class FrameTable {
 public:
-  /// Samples at the times, in parallel. `nodes`: what the sampler was made for.
-  FrameTable(const AdjustedSampler& sampler, std::vector<NodeIndex> nodes, std::vector<double> timesSeconds);
+  /// The clip without its adjustments, sampled in parallel.
+  FrameTable(const Scene& scene, const Clip& clip, std::vector<NodeIndex> nodes,
+             std::vector<double> timesSeconds);
+  /// The frames of another table, which need what the adjustments read and move (SolvedAdjustments::nodes),
+  /// adjusted in parallel.
+  FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments);
 
-  /// Whether every one of the nodes is filled in.
+  /// Whether every one of the nodes is filled in, and every one of the times there.
   [[nodiscard]] bool covers(const std::vector<NodeIndex>& nodes) const;
+  [[nodiscard]] bool covers(const std::vector<double>& timesSeconds) const;
   /// The frame at a time, or nearer to it than key times are stored; null where there is none.
   [[nodiscard]] const FrameState* find(double timeSeconds) const;
+  /// As NodeSampler::skeleton.
+  [[nodiscard]] const Scene& skeleton() const { return skeleton_; }
 
   /// How many frames of a scene are worth keeping.
   [[nodiscard]] static std::size_t most(const Scene& scene);
@@ -26,6 +33,7 @@ public:
 private:
   std::vector<NodeIndex> nodes_; // ascending
   std::vector<double> times_;    // ascending
+  Scene skeleton_;
   std::vector<FrameState> frames_;
 };
 
@@ -38,11 +46,18 @@ public:
 
   /// Stays as it is until the next call.
   [[nodiscard]] const FrameState& at(double timeSeconds);
-  [[nodiscard]] const Scene& skeleton() const { return sampler_.skeleton(); }
+  /// The sampled nodes at least.
+  [[nodiscard]] const Scene& skeleton();
 
 private:
+  [[nodiscard]] const AdjustedSampler& sampler();
+
+  const Scene& scene_;
+  const Clip& clip_;
+  const SolvedAdjustments& adjustments_;
+  std::vector<NodeIndex> nodes_;
   const FrameTable* table_;
-  AdjustedSampler sampler_;
+  std::optional<AdjustedSampler> sampler_; // made when the table does not have what is asked for
   FrameState sampled_;
 };
 

@@ -57,7 +57,8 @@ struct MotionState {
   bool loops = false;
   NodeIndex hips;                ///< What the space "root" is measured from.
   SolvedAdjustments adjustments; ///< Of the clip, before any trail.
-  /// The adjusted clip where its trails look at it; null where nothing is adjusted.
+  /// The clip where its trails look at it, as it is and adjusted; null where nothing is adjusted.
+  std::shared_ptr<const FrameTable> sourceFrames;
   std::shared_ptr<const FrameTable> adjustedFrames;
   std::vector<SolvedTrail> trails;
   SolvedHolds holds;                 ///< On top of the trails (setHolds).

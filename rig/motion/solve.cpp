@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -49,6 +50,11 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
   if (body == nullptr) {
     return limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
   }
+  for (const std::optional<AdjustedLimb>* const own : {&body->spine, &body->neck}) {
+    if (*own && (*own)->limb == limb) {
+      return (*own)->topology;
+    }
+  }
   const auto known = std::find_if(body->limbs.begin(), body->limbs.end(),
                                   [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
   return known != body->limbs.end() ? known->topology
@@ -78,9 +84,8 @@ std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, cons
 }
 
 // Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
-std::shared_ptr<const FrameTable> adjustedFrames(const MotionInput& input,
-                                                 const SolvedAdjustments& adjustments) {
-  std::set<NodeIndex> nodes;
+void setFrames(const MotionInput& input, MotionState& motion) {
+  std::set<NodeIndex> nodes(motion.adjustments.nodes.begin(), motion.adjustments.nodes.end());
   std::vector<double> times;
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
@@ -92,12 +97,16 @@ std::shared_ptr<const FrameTable> adjustedFrames(const MotionInput& input,
       times.insert(times.end(), own.begin(), own.end());
     }
   }
-  if (adjustments.empty() || times.empty() || times.size() > FrameTable::most(*input.scene)) {
-    return nullptr;
+  if (times.size() > FrameTable::most(*input.scene)) {
+    return;
   }
   std::vector<NodeIndex> all(nodes.begin(), nodes.end());
-  const AdjustedSampler sampler(*input.scene, *input.clip, adjustments, all);
-  return std::make_shared<const FrameTable>(sampler, std::move(all), std::move(times));
+  const FrameTable* const known = input.sourceFrames.get();
+  motion.sourceFrames =
+      known != nullptr && known->covers(all) && known->covers(times)
+          ? input.sourceFrames
+          : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(all), std::move(times));
+  motion.adjustedFrames = std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
 }
 
 SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
@@ -165,13 +174,15 @@ MotionState solveMotion(const MotionInput& input) {
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.hips;
   motion.loops = input.loops;
-  motion.adjustments =
-      input.previous != nullptr
-          ? input.previous->adjustments
-          : solveAdjustments(
-                {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
-  motion.adjustedFrames = input.previous != nullptr ? input.previous->adjustedFrames
-                                                    : adjustedFrames(input, motion.adjustments);
+  if (input.previous != nullptr) {
+    motion.adjustments = input.previous->adjustments;
+    motion.sourceFrames = input.previous->sourceFrames;
+    motion.adjustedFrames = input.previous->adjustedFrames;
+  } else if (!input.adjustments.empty()) {
+    motion.adjustments = solveAdjustments(
+        {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
+    setFrames(input, motion);
+  }
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       motion.trails.push_back(solveTrail(input, motion, trail, *limb));
