@@ -43,6 +43,15 @@ struct EndGoal {
   Quat turn{1.0, 0.0, 0.0, 0.0};
 };
 
+bool isSameTurn(const Mat4& a, const Mat4& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+// How a node turned in the world from one matrix to another.
+Quat turnBetween(const Mat4& before, const Mat4& now) {
+  return isSameTurn(before, now) ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+}
+
 class Adjuster {
 public:
   Adjuster(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame)
@@ -106,7 +115,7 @@ private:
     if (carrier.exists() && frame_.worlds[at(carrier)] != source_.worlds[at(carrier)]) {
       change.before = positionOf(source_.worlds[at(carrier)]);
       change.now = place(carrier);
-      change.turn = rotation(carrier) * glm::inverse(rotationOf(source_.worlds[at(carrier)]));
+      change.turn = turnBetween(source_.worlds[at(carrier)], frame_.worlds[at(carrier)]);
     }
     return change;
   }
@@ -173,27 +182,22 @@ private:
 
   // What belongs to a limb and hangs elsewhere goes along with its base.
   void carryDetached(const AdjustedLimb& adjusted) {
-    const NodeIndex base = adjusted.limb.joints.front();
-    const NodeIndex carrier = scene_.nodes[at(base)].parent;
-    const CarrierChange change = changeOf(carrier);
-    if (!carrier.exists() || frame_.worlds[at(carrier)] == source_.worlds[at(carrier)]) {
+    if (adjusted.detached.empty()) {
       return;
     }
-    std::vector<NodeIndex> members = adjusted.limb.joints;
-    members.push_back(adjusted.limb.endNode);
-    members.insert(members.end(), adjusted.topology.companions.begin(), adjusted.topology.companions.end());
-    for (const NodeIndex node : members) {
-      if (node.exists() && !isAncestorOrSelf(scene_, carrier, node)) {
-        const Quat left = change.turn * glm::inverse(turnSoFar(node));
-        placeNode(scene_, node, left, change.point(positionOf(source_.worlds[at(node)])), frame_);
-      }
+    const NodeIndex carrier = scene_.nodes[at(adjusted.limb.joints.front())].parent;
+    if (frame_.worlds[at(carrier)] == source_.worlds[at(carrier)]) {
+      return;
+    }
+    const CarrierChange change = changeOf(carrier);
+    for (const NodeIndex node : adjusted.detached) {
+      const Quat left = change.turn * glm::inverse(turnSoFar(node));
+      placeNode(scene_, node, left, change.point(positionOf(source_.worlds[at(node)])), frame_);
     }
   }
 
   [[nodiscard]] Quat turnSoFar(NodeIndex node) const {
-    const Mat4& before = source_.worlds[at(node)];
-    const Mat4& now = frame_.worlds[at(node)];
-    return before == now ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+    return turnBetween(source_.worlds[at(node)], frame_.worlds[at(node)]);
   }
 
   void moveSpine(const AdjustedLimb& adjusted) {

@@ -213,7 +213,9 @@ void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, Fra
 void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
                FrameState& frame) {
   PoseWriter writer(scene, frame, frame.worlds);
-  writer.turnInWorld(node, turnWorld);
+  if (!sameTurn(turnWorld, Quat(1.0, 0.0, 0.0, 0.0))) {
+    writer.turnInWorld(node, turnWorld);
+  }
   if (positionWorld != positionOf(writer.worldBefore(node))) {
     writer.setWorldPosition(node, positionWorld);
   }

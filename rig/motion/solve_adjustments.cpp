@@ -22,9 +22,21 @@ LimbControls controlsOf(const Limb& limb) {
           end + ".curl"};
 }
 
+std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& reaching) {
+  const NodeIndex carrier = scene.nodes[at(reaching.limb.joints.front())].parent;
+  std::vector<NodeIndex> nodes = reaching.limb.joints;
+  nodes.push_back(reaching.limb.endNode);
+  nodes.insert(nodes.end(), reaching.topology.companions.begin(), reaching.topology.companions.end());
+  std::erase_if(nodes, [&](NodeIndex node) {
+    return !node.exists() || !carrier.exists() || isAncestorOrSelf(scene, carrier, node);
+  });
+  return nodes;
+}
+
 AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& body, const Limb& limb) {
   AdjustedLimb adjusted{reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb)};
   adjusted.controls = controlsOf(limb);
+  adjusted.detached = detachedNodes(ground.scene, adjusted);
   adjusted.baseBind = bindRotation(body, limb.joints.front());
   if (limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm) {
     adjusted.fingers = handCurl(ground.scene, limb, body.places);

@@ -38,6 +38,7 @@ struct LimbControls {
 /// A limb that controllers may move.
 struct AdjustedLimb : ReachingLimb {
   LimbControls controls;
+  std::vector<NodeIndex> detached;   ///< What belongs to it and hangs elsewhere than under its base's parent.
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Of an arm.
   FootRoll roll;                     ///< Of a leg.
