@@ -50,8 +50,8 @@ struct EvaluationInput {
 
 /// What was made before, to be taken over; all of it may be missing.
 struct EarlierWork {
-  const rig::MotionState* sameGround = nullptr;            ///< Solved on the same ground.
-  std::shared_ptr<const rig::AdjustedBody> body = nullptr; ///< adjustedBody of the ground.
+  const rig::MotionState* sameGround = nullptr;                  ///< Solved on the same ground.
+  std::shared_ptr<const rig::AdjustedBody> body = nullptr;       ///< adjustedBody of the ground.
   std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Of a motion of the same clip.
 };
 

@@ -301,8 +301,7 @@ private:
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
     }
     if (!leg) {
-      applyCurl(scene_, adjusted.fingers, attribute(adjusted.controls.curl, 0.0, -0.2, 1.0),
-                frame_);
+      applyCurl(scene_, adjusted.fingers, attribute(adjusted.controls.curl, 0.0, -0.2, 1.0), frame_);
     }
   }
 

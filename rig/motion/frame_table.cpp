@@ -1,7 +1,6 @@
 #include "rig/motion/frame_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -11,55 +10,44 @@
 
 namespace stretch::rig {
 
-namespace {
-
-// Key times are stored in single precision: a time nearer than this to a key is at it.
-double tableRounding(double timeSeconds) {
-  return 1e-7 * std::max(1.0, std::abs(timeSeconds));
+FrameTable::Extent FrameTable::extentOf(std::vector<NodeIndex> nodes, std::vector<double> timesSeconds) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::sort(timesSeconds.begin(), timesSeconds.end());
+  timesSeconds.erase(std::unique(timesSeconds.begin(), timesSeconds.end()), timesSeconds.end());
+  return {std::move(nodes), std::move(timesSeconds)};
 }
 
-void sortOnce(std::vector<double>& times) {
-  std::sort(times.begin(), times.end());
-  const auto isSame = [](double a, double b) { return b - a <= tableRounding(a); };
-  times.erase(std::unique(times.begin(), times.end(), isSame), times.end());
-}
-
-} // namespace
-
-FrameTable::FrameTable(const Scene& scene, const Clip& clip, std::vector<NodeIndex> nodes,
-                       std::vector<double> timesSeconds)
-    : nodes_(std::move(nodes)), times_(std::move(timesSeconds)) {
-  std::sort(nodes_.begin(), nodes_.end());
-  sortOnce(times_);
-  frames_.resize(times_.size());
-  const NodeSampler sampler(scene, clip, nodes_);
+FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent) : extent_(std::move(extent)) {
+  const std::vector<double>& times = extent_.timesSeconds;
+  frames_.resize(times.size());
+  const NodeSampler sampler(scene, clip, extent_.nodes);
   skeleton_ = sampler.skeleton();
-  tbb::parallel_for(std::size_t{0}, times_.size(),
-                    [&](std::size_t i) { sampler.sample(times_[i], frames_[i]); });
+  tbb::parallel_for(std::size_t{0}, times.size(),
+                    [&](std::size_t i) { sampler.sample(times[i], frames_[i]); });
 }
 
 FrameTable::FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments)
-    : nodes_(source.nodes_), times_(source.times_), skeleton_(source.skeleton_) {
-  frames_.resize(times_.size());
-  tbb::parallel_for(std::size_t{0}, times_.size(), [&](std::size_t i) {
+    : extent_(source.extent_), skeleton_(source.skeleton_) {
+  frames_.resize(source.frames_.size());
+  tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
     frames_[i] = source.frames_[i];
     applyAdjustments(skeleton_, adjustments, frames_[i]);
   });
 }
 
 bool FrameTable::covers(const std::vector<NodeIndex>& nodes) const {
-  return std::ranges::all_of(
-      nodes, [&](NodeIndex node) { return std::binary_search(nodes_.begin(), nodes_.end(), node); });
-}
-
-bool FrameTable::covers(const std::vector<double>& timesSeconds) const {
-  return std::ranges::all_of(timesSeconds, [&](double time) { return find(time) != nullptr; });
+  return std::ranges::all_of(nodes, [&](NodeIndex node) {
+    return std::binary_search(extent_.nodes.begin(), extent_.nodes.end(), node);
+  });
 }
 
 const FrameState* FrameTable::find(double timeSeconds) const {
-  const double rounding = tableRounding(timeSeconds);
-  const auto found = std::lower_bound(times_.begin(), times_.end(), timeSeconds - rounding);
-  return found != times_.end() && *found <= timeSeconds + rounding ? &frames_[static_cast<std::size_t>(found - times_.begin())] : nullptr;
+  const std::vector<double>& times = extent_.timesSeconds;
+  const auto found = std::lower_bound(times.begin(), times.end(), timeSeconds);
+  return found != times.end() && *found == timeSeconds
+             ? &frames_[static_cast<std::size_t>(found - times.begin())]
+             : nullptr;
 }
 
 std::size_t FrameTable::most(const Scene& scene) {

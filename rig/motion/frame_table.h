@@ -12,17 +12,26 @@ namespace stretch::rig {
 /// A clip's frames of some nodes at many times, made once for everything that asks for them.
 class FrameTable {
 public:
-  /// The clip without its adjustments, sampled in parallel.
-  FrameTable(const Scene& scene, const Clip& clip, std::vector<NodeIndex> nodes,
-             std::vector<double> timesSeconds);
+  /// What a table is made for.
+  struct Extent {
+    std::vector<NodeIndex> nodes;
+    std::vector<double> timesSeconds;
+    friend bool operator==(const Extent&, const Extent&) = default;
+  };
+
+  /// Each node and each time once, ascending.
+  [[nodiscard]] static Extent extentOf(std::vector<NodeIndex> nodes, std::vector<double> timesSeconds);
+
+  /// The clip without its adjustments, sampled in parallel. `extent`: as extentOf answers.
+  FrameTable(const Scene& scene, const Clip& clip, Extent extent);
   /// The frames of another table, which need what the adjustments read and move (SolvedAdjustments::nodes),
   /// adjusted in parallel.
   FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments);
 
-  /// Whether every one of the nodes is filled in, and every one of the times there.
+  [[nodiscard]] const Extent& extent() const { return extent_; }
+  /// Whether every one of the nodes is filled in.
   [[nodiscard]] bool covers(const std::vector<NodeIndex>& nodes) const;
-  [[nodiscard]] bool covers(const std::vector<double>& timesSeconds) const;
-  /// The frame at a time, or nearer to it than key times are stored; null where there is none.
+  /// The frame at exactly this time; null where there is none.
   [[nodiscard]] const FrameState* find(double timeSeconds) const;
   /// As NodeSampler::skeleton.
   [[nodiscard]] const Scene& skeleton() const { return skeleton_; }
@@ -31,8 +40,7 @@ public:
   [[nodiscard]] static std::size_t most(const Scene& scene);
 
 private:
-  std::vector<NodeIndex> nodes_; // ascending
-  std::vector<double> times_;    // ascending
+  Extent extent_;
   Scene skeleton_;
   std::vector<FrameState> frames_;
 };

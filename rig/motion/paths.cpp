@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "rig/motion/frame_table.h"
 #include "rig/motion/evaluate.h"
+#include "rig/motion/frame_table.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -77,36 +76,41 @@ std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, cons
   const double end = settings.endFrame / fps;
   std::vector<double> times =
       sampleTimes(start, end, fps, keyTimesOf(*input.clip, jointsAndEnd(limb), start, end));
-  for (std::size_t i = times.size() - 1; i > 0; --i) {
-    times.push_back(0.5 * (times[i - 1] + times[i]));
-  }
+  const std::vector<double> between = timesBetween(times, fps);
+  times.insert(times.end(), between.begin(), between.end());
   return times;
 }
 
-// Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
-void setFrames(const MotionInput& input, MotionState& motion) {
-  std::set<NodeIndex> nodes(motion.adjustments.nodes.begin(), motion.adjustments.nodes.end());
+FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments) {
+  std::vector<NodeIndex> nodes = adjustments.nodes;
   std::vector<double> times;
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       const std::vector<NodeIndex> read = pathNodes(input, *limb);
       const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb));
-      nodes.insert(read.begin(), read.end());
-      nodes.insert(written.begin(), written.end());
       const std::vector<double> own = pathTimes(input, trail, *limb);
+      nodes.insert(nodes.end(), read.begin(), read.end());
+      nodes.insert(nodes.end(), written.begin(), written.end());
       times.insert(times.end(), own.begin(), own.end());
     }
   }
-  if (times.size() > FrameTable::most(*input.scene)) {
+  return FrameTable::extentOf(std::move(nodes), std::move(times));
+}
+
+// Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
+void setFrames(const MotionInput& input, MotionState& motion) {
+  FrameTable::Extent extent = framesToShare(input, motion.adjustments);
+  if (extent.timesSeconds.size() > FrameTable::most(*input.scene)) {
     return;
   }
-  std::vector<NodeIndex> all(nodes.begin(), nodes.end());
-  const FrameTable* const known = input.sourceFrames.get();
+  const bool isKnown = input.sourceFrames != nullptr && input.sourceFrames->extent() == extent;
   motion.sourceFrames =
-      known != nullptr && known->covers(all) && known->covers(times)
-          ? input.sourceFrames
-          : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(all), std::move(times));
-  motion.adjustedFrames = std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
+      isKnown ? input.sourceFrames
+              : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(extent));
+  const MotionState* const previous = input.previous;
+  motion.adjustedFrames = previous != nullptr && previous->sourceFrames == motion.sourceFrames
+                              ? previous->adjustedFrames
+                              : std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
 }
 
 SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
@@ -174,13 +178,12 @@ MotionState solveMotion(const MotionInput& input) {
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.hips;
   motion.loops = input.loops;
-  if (input.previous != nullptr) {
-    motion.adjustments = input.previous->adjustments;
-    motion.sourceFrames = input.previous->sourceFrames;
-    motion.adjustedFrames = input.previous->adjustedFrames;
-  } else if (!input.adjustments.empty()) {
-    motion.adjustments = solveAdjustments(
-        {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
+  if (!input.adjustments.empty()) {
+    motion.adjustments =
+        input.previous != nullptr
+            ? input.previous->adjustments
+            : solveAdjustments(
+                  {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
     setFrames(input, motion);
   }
   for (const Trail& trail : input.trails) {

@@ -88,8 +88,8 @@ void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solv
   }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
   // A planted foot stands still at the keys only: between them it slides about.
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const FrameState& frame = frames.at(0.5 * (times[i - 1] + times[i]));
+  for (const double time : timesBetween(times, input.clip->framesPerSecond)) {
+    const FrameState& frame = frames.at(time);
     solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
   }
 }
