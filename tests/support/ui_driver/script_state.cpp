@@ -412,6 +412,11 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  const std::optional<std::string> key = keyState(shell, name);
+  return key ? key : sessionState(shell, name);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -470,11 +475,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);
   }
-  if (shell.open.character() == nullptr) {
-    return std::nullopt;
-  }
-  const std::optional<std::string> key = keyState(shell, name);
-  return key ? key : sessionState(shell, name);
+  return shell.open.character() == nullptr ? std::nullopt : characterState(shell, name);
 }
 
 bool sameState(const std::string& a, const std::string& b) {
