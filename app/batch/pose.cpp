@@ -32,7 +32,7 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
-  std::string offsets; // a table of offset keys
+  std::string offsets;                // a table of offset keys
   std::string units = "limb_lengths"; // of the table
   bool pinsFeet = false;
   JsonOutput json;
@@ -204,7 +204,9 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe, arguments.offsets}); !apart) {
+  if (Status apart =
+          checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe, arguments.offsets});
+      !apart) {
     return apart;
   }
   Result<Document> document = openDocument(arguments.input);

@@ -241,9 +241,9 @@ Result<std::vector<rig::Adjustment>> adjustmentsOfRows(const std::vector<TableRo
   for (rig::Adjustment& adjustment : adjustments) {
     std::ranges::sort(adjustment.keys, {}, &rig::OffsetKey::frame);
   }
-  return adjustments.empty() ? Result<std::vector<rig::Adjustment>>(
-                                   Error{"holds no keys", "", "give a row for each key"})
-                             : Result<std::vector<rig::Adjustment>>(std::move(adjustments));
+  return adjustments.empty()
+             ? Result<std::vector<rig::Adjustment>>(Error{"holds no keys", "", "give a row for each key"})
+             : Result<std::vector<rig::Adjustment>>(std::move(adjustments));
 }
 
 } // namespace
@@ -256,9 +256,9 @@ Result<std::vector<rig::Adjustment>> loadOffsetTable(const std::filesystem::path
   }
   const bool isJson = path.extension() == ".json";
   const Result<std::vector<TableRow>> rows = isJson ? rowsOfJson(*text) : rowsOfCsv(*text);
-  Result<std::vector<rig::Adjustment>> adjustments =
-      rows ? adjustmentsOfRows(*rows, document, clip, units)
-           : Result<std::vector<rig::Adjustment>>(rows.error());
+  Result<std::vector<rig::Adjustment>> adjustments = rows
+                                                         ? adjustmentsOfRows(*rows, document, clip, units)
+                                                         : Result<std::vector<rig::Adjustment>>(rows.error());
   if (!adjustments) {
     const std::string& where = adjustments.error().where;
     return Error{adjustments.error().what, path.string() + (where.empty() ? "" : ": " + where),

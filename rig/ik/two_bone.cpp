@@ -83,8 +83,7 @@ Vec3 towardsUsual(const TwoBoneProblem& problem, const Triangle& triangle, const
   }
   const Vec3 before = unitAcross(problem.usualBend, triangle.line, 1e-9, triangle.bend);
   const double straight = 1.0 - smoothstep(triangle.height / vagueHeight(triangle, before));
-  const double grown =
-      smoothstep((newHeight - triangle.height) / (straightOfLength * triangle.length));
+  const double grown = smoothstep((newHeight - triangle.height) / (straightOfLength * triangle.length));
   const double share = straight * grown;
   if (!(share > 0.0)) {
     return carried;

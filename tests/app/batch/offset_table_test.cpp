@@ -52,8 +52,9 @@ TEST_CASE("a table of offset keys poses as the recipe with the same keys does") 
   const Tabled tabled = poseByTable(folder, "offsets.csv", csvTable, {"--clean"});
   REQUIRE(tabled.answer.exitCode == 0);
   const test::TemporaryFolder other;
-  const Json hips = {{{"frame", 12}, {"move", {0, -0.1, 0}}},
-                     {{"frame", 24}, {"move", {0, -0.2, 0.1}}, {"turn", {0, 10, 0}}, {"interpolation", "flat"}}};
+  const Json hips = {
+      {{"frame", 12}, {"move", {0, -0.1, 0}}},
+      {{"frame", 24}, {"move", {0, -0.2, 0.1}}, {"turn", {0, 10, 0}}, {"interpolation", "flat"}}};
   const Json hand = {{{"frame", 12}, {"move", {0.1, 0, 0}}, {"interpolation", "linear"}}};
   const Json recipe{{"version", 1},
                     {"units", "metres"},
@@ -68,17 +69,20 @@ TEST_CASE("a table of offset keys poses as the recipe with the same keys does") 
 
 TEST_CASE("a table may be a list in JSON and stand beside a recipe") {
   const test::TemporaryFolder folder;
-  const Json recipe{{"version", 1},
-                    {"units", "metres"},
-                    {"adjustments", {{{"controller", "hips"}, {"keys", {{{"frame", 0}, {"move", {0.1, 0, 0}}}}}}}}};
+  const Json recipe{
+      {"version", 1},
+      {"units", "metres"},
+      {"adjustments", {{{"controller", "hips"}, {"keys", {{{"frame", 0}, {"move", {0.1, 0, 0}}}}}}}}};
   const std::string recipeFile = folder.write("recipe.json", recipe.dump()).string();
   const Json table{{{"controller", "body"}, {"frame", 0}, {"move", {0, 0, 0.3}}}};
-  const Tabled tabled = poseByTable(folder, "offsets.json", table.dump(), {"--recipe", recipeFile, "--json"});
+  const Tabled tabled =
+      poseByTable(folder, "offsets.json", table.dump(), {"--recipe", recipeFile, "--json", "--clean"});
   REQUIRE(tabled.answer.exitCode == 0);
   const Json report = Json::parse(tabled.answer.output);
   CHECK(report["controllers"].size() == 2);
   const Document source = openedFile(posedCharacter);
-  const Vec3 moved = nodeOf(openedFile(tabled.path), source.biped.hips, 30) - nodeOf(source, source.biped.hips, 30);
+  const Vec3 moved =
+      nodeOf(openedFile(tabled.path), source.biped.hips, 30) - nodeOf(source, source.biped.hips, 30);
   CHECK(glm::length(moved - Vec3(0.1, 0.0, 0.3)) < 1e-4 * source.biped.height);
 }
 
@@ -86,7 +90,8 @@ TEST_CASE("a row that cannot be taken is told by its number in one line, and not
   const std::string head = "controller,frame,move_x,move_y,move_z,value\n";
   const std::string good = "hips,3,0,0.1,0,\n";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {head + good + "third-hand,12,0,0,0,\n", "row 3: controller: the character has no controller 'third-hand'"},
+      {head + good + "third-hand,12,0,0,0,\n",
+       "row 3: controller: the character has no controller 'third-hand'"},
       {head + good + "hips,12,nan,0,0,\n", "row 3: move_x: 'nan' is not a number"},
       {head + good + "hips,12,inf,0,0,\n", "row 3: move_x: 'inf' is not a number"},
       {head + good + "hips,12,1e9,0,0,\n", "row 3: hips: the offset at frame 12 is out of proportion"},
@@ -94,7 +99,8 @@ TEST_CASE("a row that cannot be taken is told by its number in one line, and not
       {head + good + "hips,twelve,0,0,0,\n", "row 3: frame: 'twelve' is not a number"},
       {head + good + "hips,3,0,0.2,0,\n", "row 3: there is a key of hips at frame 3 already"},
       {head + good + "left-knee,12,0,0,0,7\n", "row 3: value: is not a part of a controller's key"},
-      {head + good + "left-hand.curl,12,,,,1e9\n", "row 3: left-hand.curl: the value at frame 12 is out of proportion"},
+      {head + good + "left-hand.curl,12,,,,1e9\n",
+       "row 3: left-hand.curl: the value at frame 12 is out of proportion"},
       {head + good + "left-hand.curl,12,,,,\n", "row 3: "},
       {head + good + "hips,12,0,0,0,,9\n", "row 3: has 7 cells under 6 columns"},
       {head + good + ",12,0,0,0,\n", "row 3: names no controller"},
@@ -120,7 +126,8 @@ TEST_CASE("a table in JSON that cannot be taken is told by its row, and nothing 
       {"[{\"controller\": \"hips\", \"frame\": 0, \"move\": [0, NaN, 0]}]", "is not a list in JSON"},
       {"{\"controller\": \"hips\"}", "is not a list in JSON"},
       {"[{\"controller\": \"hips\", \"frame\": 0}, 7]", "row 2: 7 is not a key"},
-      {"[{\"controller\": \"hips\", \"frame\": 0}, {\"controller\": \"tail\", \"frame\": 1}]", "row 2: controller: "},
+      {"[{\"controller\": \"hips\", \"frame\": 0}, {\"controller\": \"tail\", \"frame\": 1}]",
+       "row 2: controller: "},
       {"[{\"controller\": \"hips\", \"frame\": 0, \"move\": [0, 1e9, 0]}]", "row 1: hips: "},
       {"[{\"controller\": \"hips\", \"frame\": 0, \"move\": [0, 1]}]", "row 1: move"},
       {"[{\"controller\": 7, \"frame\": 0}]", "row 1: names no controller"}};
@@ -139,7 +146,8 @@ TEST_CASE("a table beside a recipe whose grips lead in a circle writes nothing, 
   const test::TemporaryFolder folder;
   const Json grips{{{"leader", "left-arm"}, {"follower", "right-arm"}, {"range", {0, 9}}},
                    {{"leader", "right-arm"}, {"follower", "left-arm"}, {"range", {0, 9}}}};
-  const std::string recipe = folder.write("recipe.json", Json{{"version", 1}, {"grips", grips}}.dump()).string();
+  const std::string recipe =
+      folder.write("recipe.json", Json{{"version", 1}, {"grips", grips}}.dump()).string();
   const Tabled tabled = poseByTable(folder, "offsets.csv", csvTable, {"--recipe", recipe});
   CHECK(tabled.answer.exitCode == 1);
   CHECK_THAT(tabled.answer.told, Catch::Contains("grips lead in a circle"));

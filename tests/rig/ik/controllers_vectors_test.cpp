@@ -142,7 +142,8 @@ TEST_CASE("a straight leg that is pressed down bends its knee the usual way") {
   CHECK(glm::length(solveTwoBone(leg).joint - leg.joint) < 1e-3);
 }
 
-TEST_CASE("an overextended leg that is pressed down bends its knee the usual way, one that bends back goes on") {
+TEST_CASE(
+    "an overextended leg that is pressed down bends its knee the usual way, one that bends back goes on") {
   TwoBoneProblem leg = standingLeg();
   leg.usualBend = {0.0, 0.0, 1.0};
   leg.target.y = 0.3;
