@@ -10,6 +10,7 @@
 #include "app/commands/selection.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/shown_holds.h"
 #include "ui/panels/trail_colours.h"
 
 namespace stretch::ui {
@@ -82,6 +83,8 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
+  static constexpr CommandIds hold{"", holdPin,    holdPinFeet, holdMatch,
+                                   "", rangeStart, rangeEnd,    rangeDefault};
   static constexpr CommandIds viewport{
       viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
       viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
@@ -91,6 +94,7 @@ CommandIds entriesOf(MenuTarget target) {
                                           {MenuTarget::group, group},
                                           {MenuTarget::sphere, sphere},
                                           {MenuTarget::controller, controllerEntries},
+                                          {MenuTarget::hold, hold},
                                           {MenuTarget::key, key},
                                           {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
@@ -138,6 +142,54 @@ std::string controllersText(const app::Session& session) {
                               : std::to_string(selected.size()) + " controllers";
 }
 
+/// The hold that the menu is about; none after it was taken away.
+std::optional<ShownHold> menuHold(const PanelContext& context) {
+  const app::Session& session = context.character();
+  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+    if (barOfHold(hold.place) == context.ui.menuHold) {
+      return hold;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string holdText(const PanelContext& context) {
+  const std::optional<ShownHold> hold = menuHold(context);
+  return hold ? hold->title + ", " + shortNumber(hold->time.rangeFrames.x, 1) + " to " +
+                    shortNumber(hold->time.rangeFrames.y, 1)
+              : "Hold";
+}
+
+bool plainEntry(PanelContext& context, const std::string& id, const char* text, const std::string& help,
+                bool enabled) {
+  const bool chosen = ImGui::MenuItem(text, nullptr, false, enabled);
+  context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
+  tooltip(widgetsOf(context), {text, help, {}});
+  return chosen;
+}
+
+/// What is done with one hold: the working range becomes its range, it is taken away.
+void holdEntries(PanelContext& context) {
+  const std::optional<ShownHold> hold = menuHold(context);
+  if (!hold) {
+    return;
+  }
+  const app::ViewState& view = context.character().view();
+  const bool isSet = view.rangeEnd >= view.rangeStart;
+  if (plainEntry(context, "context/hold-range", "Hold over the working range",
+                 isSet ? "It holds from frame " + shortNumber(view.rangeStart, 1) + " to " +
+                             shortNumber(view.rangeEnd, 1) + "."
+                       : "Off: set the working range first.",
+                 isSet)) {
+    const Vec2 range(view.rangeStart, view.rangeEnd);
+    editHold(context, {true, true}, "Change the range of a hold", hold->place,
+             [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
+  }
+  if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.", true)) {
+    editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold->place));
+  }
+}
+
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
   if (target == MenuTarget::viewport) {
@@ -157,6 +209,8 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
     return spheresText(view);
   case MenuTarget::controller:
     return controllersText(session);
+  case MenuTarget::hold:
+    return holdText(context);
   case MenuTarget::key:
     return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::range:
@@ -186,6 +240,9 @@ void entries(PanelContext& context) {
   ImGui::PopFont();
   if (isOfTime(target)) {
     goToEntry(context);
+  }
+  if (target == MenuTarget::hold) {
+    holdEntries(context);
   }
   for (const char* id : entriesOf(target)) {
     if (id[0] == '\0') {
