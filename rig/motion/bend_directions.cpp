@@ -34,8 +34,9 @@ void BendDirections::keepClear() {
   std::erase_if(seen_, [&](const Seen& seen) {
     return seen.height < 0.5 * overextendedOfLength && glm::dot(seen.direction, usual) < 0.0;
   });
-  if (std::ranges::any_of(seen_, [&](const Seen& seen) { return seen.height > clear; })) {
-    std::erase_if(seen_, [&](const Seen& seen) { return seen.height <= clear; });
+  std::erase_if(seen_, [&](const Seen& seen) { return seen.height <= clear; });
+  if (const double length = glm::length(usual); seen_.empty() && length > 0.0) {
+    unseen_ = usual / length;
   }
 }
 

@@ -20,7 +20,8 @@ public:
            const Quat& baseRotation);
 
   /// After the last pose: forgets those in which the limb is overextended, bent a little against what the
-  /// clear bends, and where there are none `unseen`, tell; and those that are not clear where others are.
+  /// clear bends and `unseen` tell, and those that are not clear. Where no bend is clear, `unseen` becomes
+  /// what they tell together.
   void keepClear();
 
   /// Unit, in the space of the base joint, or zero. Between two times at which the limb bends it goes over

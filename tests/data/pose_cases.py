@@ -178,13 +178,14 @@ def turned_by_pole(limb, pole, end):
         outwards = left if limb.startswith("left") else scaled(left, -1)
         reach = 2 * sum(joint["rest_length"] for joint in character.info["limbs"] if joint["limb"] == limb)
 
-        # One that points against the bend would turn the limb over by way of no direction at all.
+        # One that points against the bend would turn the limb over by way of no direction at all, one along it would do nothing.
         def posed(move):
             adjustment = {"controller": pole, "keys": character.rising(move=move)}
             output, _ = character.pose(folder, [adjustment], units="metres")
             full = Measured(character, output, [character.full])
             bend, source = unit(bend_of(full, limb)), unit(bend_of(full, limb, file="before"))
-            return dot(bend, outwards) - (10 if dot(bend, source) < -0.7 else 0)
+            turned = angle(bend, source)
+            return dot(bend, outwards) - (0 if math.radians(20) < turned < math.radians(135) else 10)
 
         moves = [[sign * reach if axis == i else 0 for i in range(3)] for axis in range(3) for sign in (-1, 1)]
         best = max(moves, key=posed)

@@ -65,3 +65,12 @@ TEST_CASE("a limb that is only ever overextended bends as it is told, one that b
   bird.keepClear();
   CHECK(bird.at(2.0).z == -1.0);
 }
+
+TEST_CASE("legs that lean inwards and never bend clearly bend forwards") {
+  BendDirections bends(Vec3(0.0, 0.0, 1.0));
+  addBent(bends, 1.0, {0.05, 0.0, 0.0});
+  addBent(bends, 2.0, {0.05, 0.0, 0.0});
+  bends.keepClear();
+  CHECK(bends.at(1.0).z > 0.9);
+  CHECK(bends.at(1.0).x > 0.1);
+}
