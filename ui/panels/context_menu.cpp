@@ -11,6 +11,7 @@
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/shown_holds.h"
+#include "ui/panels/timeline_model.h"
 #include "ui/panels/trail_colours.h"
 
 namespace stretch::ui {
@@ -42,6 +43,10 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        "",
                                        command::viewFrameSelection,
                                        command::viewControllers};
+
+/// After what is done with the one hold.
+constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
+                                  "", command::rangeStart, command::rangeEnd,    command::rangeDefault};
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
@@ -83,8 +88,6 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
-  static constexpr CommandIds hold{"", holdPin,    holdPinFeet, holdMatch,
-                                   "", rangeStart, rangeEnd,    rangeDefault};
   static constexpr CommandIds viewport{
       viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
       viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
@@ -94,7 +97,7 @@ CommandIds entriesOf(MenuTarget target) {
                                           {MenuTarget::group, group},
                                           {MenuTarget::sphere, sphere},
                                           {MenuTarget::controller, controllerEntries},
-                                          {MenuTarget::hold, hold},
+                                          {MenuTarget::hold, holdEntryIds},
                                           {MenuTarget::key, key},
                                           {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
@@ -160,10 +163,10 @@ std::string holdText(const PanelContext& context) {
               : "Hold";
 }
 
-bool plainEntry(PanelContext& context, const std::string& id, const char* text, const std::string& help,
-                bool enabled) {
-  const bool chosen = ImGui::MenuItem(text, nullptr, false, enabled);
-  context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
+/// An entry that is no command.
+bool plainEntry(PanelContext& context, const std::string& id, const char* text, const std::string& help) {
+  const bool chosen = ImGui::MenuItem(text);
+  context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   tooltip(widgetsOf(context), {text, help, {}});
   return chosen;
 }
@@ -174,18 +177,15 @@ void holdEntries(PanelContext& context) {
   if (!hold) {
     return;
   }
-  const app::ViewState& view = context.character().view();
-  const bool isSet = view.rangeEnd >= view.rangeStart;
+  const Span working = shownRange(context.character());
   if (plainEntry(context, "context/hold-range", "Hold over the working range",
-                 isSet ? "It holds from frame " + shortNumber(view.rangeStart, 1) + " to " +
-                             shortNumber(view.rangeEnd, 1) + "."
-                       : "Off: set the working range first.",
-                 isSet)) {
-    const Vec2 range(view.rangeStart, view.rangeEnd);
+                 "It holds from frame " + shortNumber(working.start, 1) + " to " +
+                     shortNumber(working.end, 1) + ".")) {
+    const Vec2 range(working.start, working.end);
     editHold(context, {true, true}, "Change the range of a hold", hold->place,
              [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
   }
-  if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.", true)) {
+  if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.")) {
     editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold->place));
   }
 }
