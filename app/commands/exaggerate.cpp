@@ -169,7 +169,7 @@ void exaggerate(rig::Trail& trail) {
 rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb, const Vec2& range) {
   rig::TrailSettings settings;
   if (isLeg(limb)) {
-    settings.stopAt = floorForLegs(session.document(), session.view().clip);
+    settings.stopAt = floorForLeg(session.document(), session.view().clip, limb, range.y);
   }
   settings.startFrame = range.x;
   settings.endFrame = range.y;

@@ -134,7 +134,9 @@ void mapHolds(const TimeMap& map, int clip, rig::Holds& holds) {
     if (prop.clip == clip && prop.time) {
       prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
     }
-    prop.boundFrame = prop.clip == clip ? map(prop.boundFrame) : prop.boundFrame;
+    if (prop.clip == clip && prop.boundFrame) {
+      prop.boundFrame = map(*prop.boundFrame);
+    }
   }
 }
 

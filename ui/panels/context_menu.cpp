@@ -44,9 +44,24 @@ constexpr CommandIds controllerEntries{command::controllerMove,
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{
-      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
-      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
+  static constexpr CommandIds limb{trailExaggerate,
+                                   trailToggle,
+                                   weightToggle,
+                                   "",
+                                   holdPin,
+                                   holdPinFeet,
+                                   holdMatch,
+                                   holdProp,
+                                   holdLetGo,
+                                   holdRemove,
+                                   "",
+                                   copyTrail,
+                                   pasteTrail,
+                                   mirrorTrail,
+                                   "",
+                                   trailDeleteAll,
+                                   viewFrameSelection,
+                                   selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,
