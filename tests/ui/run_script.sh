@@ -32,7 +32,7 @@ run() {
     file=$sequence
   fi
   (cd "$work" && STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} STRETCH_UI_FIRST=${first:-} \
-    timeout 300 xvfb-run -a -s "-screen 0 ${screen:-2560x1440}x24" "$program" "$1" ${file:+"$work/$(basename "$file")"})
+    "$root/tests/ui/on_screen.sh" "${screen:-2560x1440}" timeout 300 "$program" "$1" ${file:+"$work/$(basename "$file")"})
 }
 
 # What the window saved against what batch makes of the same file.

@@ -2,7 +2,7 @@
 # The program as a user starts it, driven from outside through X: xdotool_smoke.sh PROGRAM
 set -u
 if [ "${2:-}" != inside ]; then
-  exec xvfb-run -a -s "-screen 0 1600x1000x24" "$0" "$(realpath "$1")" inside
+  exec "$(dirname "$0")/on_screen.sh" 1600x1000 "$0" "$(realpath "$1")" inside
 fi
 program=$1
 root=$(realpath "$(dirname "$0")/../..")

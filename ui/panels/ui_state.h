@@ -10,6 +10,7 @@
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/ranges.h"
+#include "app/edits/retime.h"
 #include "app/file_work.h"
 #include "app/files/file_facts.h"
 #include "rig/motion/motion.h"
@@ -146,7 +147,11 @@ struct RetimeState {
   double lastFrame = 0.0;
   double newFrames = 0.0;
   bool movesAfter = true;
-  std::string limb = {}; ///< Only its keys; empty: those of the whole clip.
+  std::string limb = {};                  ///< Only its keys; empty: those of the whole clip.
+  std::optional<app::Retime> looked = {}; ///< What follows is about this.
+  std::string ends = {};                  ///< Where the clip will end,
+  std::vector<std::string> past = {};     ///< and what will stand past its end that does not now.
+  std::string problem = {};               ///< Why it cannot be done; empty: it can.
 };
 
 /// Keys of the rows of the timeline and the dope sheet, as last gathered.
