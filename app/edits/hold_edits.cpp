@@ -193,7 +193,8 @@ Status checkBinding(const Document& document, const rig::Prop& prop, Entry entry
     return Error{"the offset at its binding is out of proportion", prop.node,
                  "move by at most a thousand heights of the character"};
   }
-  return prop.boundFrame ? checkFrame(document, prop.clip, *prop.boundFrame, prop.node, entry) : Status(Success{});
+  return prop.boundFrame ? checkFrame(document, prop.clip, *prop.boundFrame, prop.node, entry)
+                         : Status(Success{});
 }
 
 Status checkHold(const Document& document, const rig::Prop& prop, Entry entry) {
