@@ -47,6 +47,9 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
                 const PickedChange& change) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
+  if (!phase.changed && !phase.ended) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -67,7 +70,7 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
 
 void keyNumbers(PanelContext& context) {
   app::Session& session = context.character();
-  const app::KeySelection picked = app::pickedKeys(session);
+  const app::KeySelection& picked = app::pickedKeys(session);
   const FirstKey first = firstKey(session, picked);
   const int clip = session.view().clip;
   const double last = app::lastFrame(session.document(), clip);

@@ -85,7 +85,7 @@ struct HistoryState {
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
-/// What the curves of one row were made from.
+/// What the curves and keys of one row were made from, but for the frames.
 struct GraphRowKey {
   std::optional<CopyOnWrite<Track>> track = {}; ///< Of the clip, and as the source has it.
   std::optional<CopyOnWrite<Track>> source = {};
@@ -112,7 +112,8 @@ struct GraphKey {
 };
 
 struct GraphState {
-  GraphChannels channels = GraphChannels::rotation;
+  GraphChannels channels = GraphChannels::rotation;          ///< Of joints,
+  GraphChannels offsetChannels = GraphChannels::translation; ///< of controllers.
   int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
   bool fitPicked = false; ///< The pending fit is about the picked keys.
@@ -124,6 +125,8 @@ struct GraphState {
   std::optional<GraphKey> madeFrom;
   std::vector<app::KeyRow> rows;     ///< Whose curves they are,
   std::vector<GraphRowKey> madeRows; ///< each made from one of these; curves of a row follow each other.
+  std::vector<Span> madeFrames;      ///< The frames that the points of each row are over.
+  bool complete = true;              ///< No row waits for a later frame of the window.
   std::optional<app::KeySelection> shownPicks; ///< As the curves mark them.
   CurveGesture gesture;
   app::KeySelection heldKeys; ///< Picked when a drag of keys began.
@@ -162,6 +165,7 @@ struct KeyRowsState {
   bool everyLimb = false;
   std::vector<KeyRow> rows = {};
   std::vector<std::vector<app::KeyRow>> keyed = {}; ///< What each of the rows stands for.
+  std::optional<app::KeySelection> shownPicks = {}; ///< As the rows mark them.
 };
 
 /// What an animator would stumble over in the selected trail, as last looked for.

@@ -13,6 +13,7 @@
 #include <imgui_internal.h>
 
 #include "app/commands/frames.h"
+#include "app/commands/keys.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
@@ -217,6 +218,31 @@ std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::
   return joined({number(shown.x), number(shown.y), number(shown.z)});
 }
 
+std::size_t followingCount(const app::Document& document) {
+  std::size_t count = 0;
+  for (const app::FollowingKeys& following : document.followingKeys) {
+    count += following.keys.size();
+  }
+  return count;
+}
+
+/// Frame and first picked value of the first picked key, or its slopes before and after.
+std::string firstPicked(const app::Session& session, bool slopes) {
+  const app::KeySelection picked = app::pickedKeys(session);
+  if (picked.empty()) {
+    return "none";
+  }
+  const app::PickedKey& first = picked.front().keys.front();
+  const app::KeyedRow row = app::readRow(session.document(), session.view().clip, picked.front().row);
+  const app::RowKey& key = row.keys[at(first.key)];
+  std::size_t component = 0;
+  while (component + 1 < row.components && (first.components >> component & 1U) == 0) {
+    ++component;
+  }
+  return slopes ? joined({number(key.inSlopes[component]), number(key.outSlopes[component])})
+                : joined({number(key.frame), number(key.values[component])});
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -240,6 +266,15 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
       {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
+      {"holds",
+       [&] {
+         const rig::Holds& holds = session.document().holds;
+         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
+       }},
+      {"keys.first", [&] { return firstPicked(session, false); }},
+      {"keys.slopes", [&] { return firstPicked(session, true); }},
+      {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
       {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
@@ -371,6 +406,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   const std::map<std::string_view, std::string> states{
       {"file", shell.files.path().filename().string()},
       {"unsaved", yesNo(app::hasUnsavedWork(shell.open))},
+      {"graph.curves", std::to_string(std::ranges::count(shell.ui.graph.curves, false, &Curve::hidden))},
+      {"retime", yesNo(shell.ui.retime.open)},
+      {"retime.past", std::to_string(shell.ui.retime.past.size())},
       {"tour", number(shell.ui.tour.step + 1)},
       {"welcome", number(shell.open.isEmpty() ? shell.ui.welcome.highlighted + 1 : 0)},
       {"busy", yesNo(shell.files.isOpening())},
