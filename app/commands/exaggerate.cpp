@@ -8,8 +8,8 @@
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
-#include "app/evaluate/standing_floor.h"
 #include "app/evaluate/way_back.h"
+#include "app/standing_floor.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/edits/place_trails.h"
-#include "app/evaluate/standing_floor.h"
+#include "app/standing_floor.h"
 
 namespace stretch::app {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/evaluate/evaluate.h"
-#include "app/evaluate/standing_floor.h"
+#include "app/standing_floor.h"
 #include "app/weight/sample_clip.h"
 #include "skinning/elastic/limb_elasticity.h"
 

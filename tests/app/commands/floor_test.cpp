@@ -4,8 +4,8 @@
 #include "app/commands/selection.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/planted_feet.h"
-#include "app/evaluate/standing_floor.h"
 #include "app/files/save.h"
+#include "app/standing_floor.h"
 
 using namespace stretch;
 using namespace stretch::app;

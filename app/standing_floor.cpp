@@ -1,4 +1,4 @@
-#include "app/evaluate/standing_floor.h"
+#include "app/standing_floor.h"
 
 #include <algorithm>
 
