@@ -243,6 +243,31 @@ std::string firstPicked(const app::Session& session, bool slopes) {
                 : joined({number(key.frame), number(key.values[component])});
 }
 
+/// States of graph, dope sheet and what they edit.
+std::optional<std::string> keyState(const Shell& shell, std::string_view name) {
+  const app::Session& session = *shell.open.character();
+  const app::ViewState& view = session.view();
+  const std::map<std::string_view, std::function<std::string()>> states{
+      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
+      {"holds",
+       [&] {
+         const rig::Holds& holds = session.document().holds;
+         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
+       }},
+      {"keys.first", [&] { return firstPicked(session, false); }},
+      {"keys.slopes", [&] { return firstPicked(session, true); }},
+      {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
+      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
+      {"graph.curves",
+       [&] { return std::to_string(std::ranges::count(shell.ui.graph.curves, false, &Curve::hidden)); }},
+      {"retime", [&] { return yesNo(shell.ui.retime.open); }},
+      {"retime.past", [&] { return std::to_string(shell.ui.retime.past.size()); }},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second());
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -265,17 +290,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"undo", [&] { return session.history().undoLabel(); }},
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
-      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
-      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
-      {"holds",
-       [&] {
-         const rig::Holds& holds = session.document().holds;
-         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
-       }},
-      {"keys.first", [&] { return firstPicked(session, false); }},
-      {"keys.slopes", [&] { return firstPicked(session, true); }},
-      {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
-      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
@@ -398,6 +412,11 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  const std::optional<std::string> key = keyState(shell, name);
+  return key ? key : sessionState(shell, name);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -406,9 +425,6 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   const std::map<std::string_view, std::string> states{
       {"file", shell.files.path().filename().string()},
       {"unsaved", yesNo(app::hasUnsavedWork(shell.open))},
-      {"graph.curves", std::to_string(std::ranges::count(shell.ui.graph.curves, false, &Curve::hidden))},
-      {"retime", yesNo(shell.ui.retime.open)},
-      {"retime.past", std::to_string(shell.ui.retime.past.size())},
       {"tour", number(shell.ui.tour.step + 1)},
       {"welcome", number(shell.open.isEmpty() ? shell.ui.welcome.highlighted + 1 : 0)},
       {"busy", yesNo(shell.files.isOpening())},
@@ -459,7 +475,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);
   }
-  return shell.open.character() == nullptr ? std::nullopt : sessionState(shell, name);
+  return shell.open.character() == nullptr ? std::nullopt : characterState(shell, name);
 }
 
 bool sameState(const std::string& a, const std::string& b) {
