@@ -151,7 +151,9 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
                                           "both pieces keep four vertices and move apart",
                                           found, settings.bones));
   }
-  fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
+  FitSettings fit = fitSettings(settings);
+  fit.bonesMove = true;
+  fitFreeBones(sequence, result.skinned, fit, proceed);
   if (settings.joints == JointOption::tree) {
     hangTogether(result.skinned);
   }
