@@ -76,7 +76,12 @@ void fitRow(const MeshSequence& sequence, const CompressSettings& settings, cons
             SkinnedSequence& skinned) {
   FitSettings fit = fitSettings(settings);
   if (fit.fitWeights) {
+    constexpr int rounds = 24; // More would only suit the weights to bones that are free, which these are
+                               // not.
+    constexpr double leastGain = 2e-3;
     SkinnedSequence free = skinned;
+    fit.rounds = std::min(fit.rounds, rounds);
+    fit.leastGain = std::max(fit.leastGain, leastGain);
     fit.fitStretch = true;
     fitFreeBones(sequence, free, fit, proceed);
     skinned.influences = std::move(free.influences);

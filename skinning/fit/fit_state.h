@@ -40,7 +40,7 @@ struct FitState {
 /// Where the search for a vertex's weights begins.
 enum class WeightSearch {
   everywhere, ///< With all candidates, and with the bones that it hangs on: the better of both.
-  nearby,     ///< With the bones that it hangs on: a third of the time.
+  own,        ///< With the bones that it hangs on, and no others: a fifth of the time.
 };
 
 /// Fits every vertex's influences to its trajectory, bones and bind pose given: least squares over the frames

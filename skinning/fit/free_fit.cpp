@@ -9,7 +9,9 @@
 namespace stretch::skinning::fit {
 namespace {
 
-constexpr double exact = 1e-7; // Of the diagonal: what single precision tells apart.
+constexpr double exact = 1e-6;       // Of the diagonal: files hold no more.
+constexpr int priceOfFineRounds = 4; // In rounds, and in what they have to gain, once the error is fine.
+constexpr int roundsToTurn = 3;      // Axes are turned after so many.
 constexpr int sweeps = 3;
 
 /// Bones as much farther as they went in the last round, more and more boldly.
@@ -37,19 +39,21 @@ void FreeFit::fitBonesOnce() {
 
 /// Weights for bones as they are shown, then bones from where they are.
 void FreeFit::round(int number, bool ahead, const std::vector<BoneMatrix>& shown) {
-  constexpr int everywhere = 4; // Of so many rounds one looks at all candidates.
-  constexpr int turns = 3;
+  constexpr int everywhere = 3; // Of so many rounds one looks at all candidates.
   constexpr int lastTurn = 15;
   if (settings_.fitWeights) {
     const std::vector<BoneMatrix> fitted = std::exchange(state_.matrices, shown);
     solveWeights(state_, std::max(settings_.candidates, 2 * settings_.influences), settings_.influences,
-                 ahead && number % everywhere != 0 ? WeightSearch::nearby : WeightSearch::everywhere);
+                 ahead && number % everywhere != 0 ? WeightSearch::own : WeightSearch::everywhere);
     state_.matrices = fitted;
   }
-  if (settings_.bonesMove && settings_.fitStretch && number % turns == turns - 1 && number < lastTurn) {
+  const bool turn = turning_ && number % roundsToTurn == roundsToTurn - 1 && number < lastTurn;
+  if (turn) {
     turnAxes(state_, scales_);
   }
+  const double before = error_;
   fitBonesOnce();
+  turning_ = turning_ && !(turn && error_ > before);
 }
 
 bool FreeFit::settle(int rounds, double leastGain, const Proceed& proceed) {
@@ -57,13 +61,18 @@ bool FreeFit::settle(int rounds, double leastGain, const Proceed& proceed) {
   std::vector<BoneMatrix> before = state_.matrices;
   int onTheWay = 0;
   int idle = 0;
+  int spent = 0;
   bool goesOn = true;
-  for (int number = 0; number < rounds && idle < 2 && best.error > exact && goesOn; ++number) {
+  turning_ = settings_.bonesMove && settings_.fitStretch;
+  for (int number = 0;
+       spent < rounds && (idle < 2 || (turning_ && number < roundsToTurn)) && best.error > exact && goesOn;
+       ++number) {
+    const int price = best.error > fineError ? 1 : priceOfFineRounds;
     const bool ahead = onTheWay > 0;
     const std::vector<BoneMatrix> now = state_.matrices;
     round(number, ahead, ahead ? movedOn(now, before, onTheWay) : now);
     before = now;
-    idle = error_ <= best.error * (1.0 - leastGain) ? 0 : idle + 1;
+    idle = error_ <= best.error * (1.0 - price * leastGain) ? 0 : idle + 1;
     if (error_ < best.error) {
       best = reached();
       ++onTheWay;
@@ -71,7 +80,8 @@ bool FreeFit::settle(int rounds, double leastGain, const Proceed& proceed) {
       goBackTo(best);
       onTheWay = 0;
     }
-    goesOn = !proceed || proceed(static_cast<double>(number + 1) / rounds);
+    spent += price;
+    goesOn = !proceed || proceed(std::min(1.0, static_cast<double>(spent) / rounds));
   }
   goBackTo(best);
   return goesOn;

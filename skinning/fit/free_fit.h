@@ -12,6 +12,9 @@
 
 namespace stretch::skinning::fit {
 
+/// Of the diagonal: less is hardly seen, and more bones would do more than long fits.
+inline constexpr double fineError = 5e-4;
+
 /// All that a fit changes, and the root of the mean squared distance with it.
 struct Reached {
   std::vector<Influences> influences;
@@ -51,6 +54,7 @@ private:
   std::vector<Eigen::Vector3d> scales_;
   FitSettings settings_;
   double error_ = 0.0;
+  bool turning_ = false; ///< Axes are turned from time to time, as long as that helps.
 };
 
 /// Takes bones from where the others could nearly do their work and gives them to parts that are followed

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include "skinning/fit/free_fit.h"
 #include "skinning/fit/split_part.h"
@@ -20,7 +19,7 @@ std::vector<BoneMove> movesOf(const std::vector<MotionCluster>& parts, const std
   for (std::size_t bone = 0; bone < losses.size(); ++bone) {
     for (std::size_t part = 0; part < parts.size(); ++part) {
       const double promise = parts[part].error - losses[bone];
-      if (bone != part && promise > 0.0) {
+      if (bone != part) {
         moves.push_back({bone, part, promise});
       }
     }
@@ -32,8 +31,10 @@ std::vector<BoneMove> movesOf(const std::vector<MotionCluster>& parts, const std
 /// The first move that lowers the error is kept; false when none of those that were tried does. Counts the
 /// trials down.
 bool moveOne(FreeFit& fit, int& trials) {
-  constexpr std::size_t mostInARow = 8;
+  constexpr std::size_t mostInARow = 4;
   constexpr int rounds = 6;
+  constexpr int moreRounds = 12;
+  constexpr double nearly = 1.02;
   constexpr double roundGain = 1e-2;
   constexpr double leastGain = 2e-3;
   constexpr std::size_t smallest = 8;
@@ -52,6 +53,9 @@ bool moveOne(FreeFit& fit, int& trials) {
     --trials;
     fit.giveTo(moves[i].bone, half);
     fit.settle(rounds, roundGain);
+    if (fit.error() < before.error * nearly) {
+      fit.settle(moreRounds, leastGain);
+    }
     if (fit.error() < before.error * (1.0 - leastGain)) {
       return true;
     }
@@ -64,10 +68,9 @@ bool moveOne(FreeFit& fit, int& trials) {
 
 bool moveBones(FreeFit& fit, const Proceed& proceed) {
   constexpr int most = 20;
-  constexpr double exact = 1e-7; // Of the diagonal: what single precision tells apart.
   int trials = most;
   bool goesOn = true;
-  while (trials > 0 && fit.error() > exact && goesOn && moveOne(fit, trials)) {
+  while (trials > 0 && fit.error() > fineError && goesOn && moveOne(fit, trials)) {
     goesOn = !proceed || proceed(1.0 - static_cast<double>(trials) / most);
   }
   return goesOn;

@@ -232,12 +232,10 @@ private:
   void measure(std::size_t vertex) {
     const Eigen::Vector3f point = state_.bind[vertex].cast<float>();
     const auto observed = state_.observed.col(static_cast<Eigen::Index>(vertex));
-    Eigen::VectorXd errors(static_cast<Eigen::Index>(state_.boneCount));
-    for (std::size_t b = 0; b < state_.boneCount; ++b) {
-      paths_.deviation(b, point, observed, deviations_.col(0));
-      errors(static_cast<Eigen::Index>(b)) = static_cast<double>(deviations_.col(0).squaredNorm());
+    bones_.clear();
+    if (search_.from == WeightSearch::everywhere) {
+      bones_ = bestAlone(point, observed);
     }
-    bones_ = smallest(errors, search_.candidates);
     takeOwn(state_.influences[vertex]);
     const auto count = static_cast<Eigen::Index>(bones_.size());
     for (Eigen::Index c = 0; c < count; ++c) {
@@ -250,6 +248,16 @@ private:
       }
     }
     gram_.diagonal().array() += 1e-9 * gram_.trace() + 1e-300; // Settles ties.
+  }
+
+  template <typename Observed>
+  std::vector<std::size_t> bestAlone(const Eigen::Vector3f& point, const Observed& observed) {
+    Eigen::VectorXd errors(static_cast<Eigen::Index>(state_.boneCount));
+    for (std::size_t b = 0; b < state_.boneCount; ++b) {
+      paths_.deviation(b, point, observed, deviations_.col(0));
+      errors(static_cast<Eigen::Index>(b)) = static_cast<double>(deviations_.col(0).squaredNorm());
+    }
+    return smallest(errors, search_.candidates);
   }
 
   void takeOwn(const Influences& influences) {
