@@ -25,6 +25,21 @@ struct ClipRate {
   friend bool operator==(const ClipRate&, const ClipRate&) = default;
 };
 
+/// The keys of one of a clip's own tracks whose tangents follow their neighbours.
+struct FollowingKeys {
+  struct Key {
+    float seconds = 0.0F;
+    unsigned components = 0; ///< Bit i: component i of the shown value.
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  int clip = 0;
+  NodeIndex node;
+  Channel channel = Channel::translation;
+  std::vector<Key> keys; ///< Ascending; of keys that the track has.
+
+  friend bool operator==(const FollowingKeys&, const FollowingKeys&) = default;
+};
+
 /// Everything that is edited, undone and saved, as one value: copying it is cheap, since large parts are
 /// shared and never change. Nothing derived is kept here. Clips are the source's with the keys that the user
 /// edited: what adjustments and trails make of them is evaluated, so deleting one gives the clip back by
@@ -35,8 +50,9 @@ struct Document {
   std::shared_ptr<const std::vector<Clip>> clips;
   /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
   std::shared_ptr<const std::vector<Clip>> sourceClips;
-  std::vector<std::string> warnings; ///< Of opening the file.
-  bool carriedWork = false;          ///< The file was one of ours: saving goes back to it.
+  std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.
+  std::vector<std::string> warnings;        ///< Of opening the file.
+  bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.

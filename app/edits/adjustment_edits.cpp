@@ -29,11 +29,14 @@ bool overlap(const rig::Adjustment& a, const rig::Adjustment& b) {
   return a.controller == b.controller && a.clip == b.clip && first.x < second.y && second.x < first.y;
 }
 
-Status checkTimes(const Document& document, const rig::Adjustment& adjustment) {
+Status checkTimes(const Document& document, const rig::Adjustment& adjustment, Entry entry) {
   const Clip& clip = clipOf(document, adjustment.clip);
-  const double last = std::ceil(clip.endSeconds * clip.framesPerSecond - sameKeyFrame);
+  const bool mayBeCut = entry == Entry::file; // The clip, since the work was saved.
+  const double last = mayBeCut ? std::numeric_limits<double>::infinity()
+                               : std::ceil(clip.endSeconds * clip.framesPerSecond - sameKeyFrame);
   const Vec2 range = adjustment.rangeFrames.value_or(Vec2(0.0, std::max(last, 0.0)));
-  if (!std::isfinite(range.x + range.y) || (adjustment.rangeFrames && !(range.x < range.y))) {
+  if (!std::isfinite(range.x + (adjustment.rangeFrames ? range.y : 0.0)) ||
+      (adjustment.rangeFrames && !(range.x < range.y))) {
     return Error{"the range has no length", adjustment.controller, "set its end after its start"};
   }
   if (range.x > last || range.y < 0.0) {
@@ -109,13 +112,13 @@ Status checkKeys(const Document& document, const rig::ControllerList& list,
 }
 
 Status checkAdjustment(const Document& document, const rig::ControllerList& list,
-                       const rig::Adjustment& adjustment) {
+                       const rig::Adjustment& adjustment, Entry entry) {
   if (document.clips == nullptr || adjustment.clip < 0 || at(adjustment.clip) >= document.clips->size()) {
     return Error{"the file has no such clip", fmt::format("clip {}", adjustment.clip),
                  "open a file with an animation"};
   }
   Status keys = checkKeys(document, list, adjustment);
-  return keys ? checkTimes(document, adjustment) : keys;
+  return keys ? checkTimes(document, adjustment, entry) : keys;
 }
 
 } // namespace
@@ -133,11 +136,12 @@ Result<rig::Controller> findController(const Document& document, const rig::Cont
   return rig::controllerNamed(*document.scene, document.biped.limbs, document.biped.hips, list, id);
 }
 
-Result<Document> placeAdjustments(const Document& document, std::span<const rig::Adjustment> wanted) {
+Result<Document> placeAdjustments(const Document& document, std::span<const rig::Adjustment> wanted,
+                                  Entry entry) {
   Document changed = document;
   const rig::ControllerList list = controllersOf(document);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (const Status fits = checkAdjustment(document, list, wanted[i]); !fits) {
+    if (const Status fits = checkAdjustment(document, list, wanted[i], entry); !fits) {
       return fits.error();
     }
     const auto before = wanted.first(i);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "app/edits/place_trails.h"
 #include "rig/controllers/controller.h"
 
 namespace stretch::app {
@@ -24,9 +25,11 @@ namespace stretch::app {
                                                      const rig::ControllerList& list, const std::string& id);
 
 /// All of them or none. What the document has of the same controller at the same time gives way; two of
-/// `wanted` that overlap are refused. Errors name the controller.
+/// `wanted` that overlap are refused. Errors name the controller. With Entry::file a range may lie past the
+/// clip's end.
 [[nodiscard]] Result<Document> placeAdjustments(const Document& document,
-                                                std::span<const rig::Adjustment> wanted);
+                                                std::span<const rig::Adjustment> wanted,
+                                                Entry entry = Entry::request);
 
 /// Takes every adjustment of a controller or an attribute in a clip away.
 [[nodiscard]] Document removeAdjustments(const Document& document, const std::string& controller, int clip);

@@ -19,7 +19,11 @@ bool isFinite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-double lastFrameOf(const Document& document, int clip) {
+// A file's work may stand on a clip that was cut since.
+double lastFrameOf(const Document& document, int clip, Entry entry) {
+  if (entry == Entry::file) {
+    return std::numeric_limits<double>::infinity();
+  }
   const Clip& shown = clipOf(document, clip);
   return std::max(0.0, std::ceil(shown.endSeconds * shown.framesPerSecond - holdRounding));
 }
@@ -31,16 +35,17 @@ Status checkClip(const Document& document, int clip) {
   return Success{};
 }
 
-Status checkFrame(const Document& document, int clip, double frame, const std::string& who) {
-  const double last = lastFrameOf(document, clip);
-  if (!(frame >= -holdRounding && frame <= last + holdRounding)) {
+Status checkFrame(const Document& document, int clip, double frame, const std::string& who, Entry entry) {
+  const double last = lastFrameOf(document, clip, entry);
+  if (!(frame >= -holdRounding && frame <= last + holdRounding && std::isfinite(frame))) {
     return Error{fmt::format("frame {:g} lies outside the clip, which has the frames 0 to {:g}", frame, last),
                  who, "give a frame of the clip"};
   }
   return Success{};
 }
 
-Status checkTime(const Document& document, int clip, const rig::HoldTime& time, const std::string& who) {
+Status checkTime(const Document& document, int clip, const rig::HoldTime& time, const std::string& who,
+                 Entry entry) {
   constexpr double longest = 1e6; // frames
   const Vec2& range = time.rangeFrames;
   const Vec2& blend = time.blendFrames;
@@ -53,7 +58,7 @@ Status checkTime(const Document& document, int clip, const rig::HoldTime& time, 
   if (blend.x < 0.0 || blend.y < 0.0 || std::max(blend.x, blend.y) > longest) {
     return Error{"its blend is no number of frames", who, "give two numbers of frames, 0 or more"};
   }
-  const double last = lastFrameOf(document, clip);
+  const double last = lastFrameOf(document, clip, entry);
   if (range.x > last + holdRounding || range.y < -holdRounding) {
     return Error{fmt::format("its range lies outside the clip, which has the frames 0 to {:g}", last), who,
                  "give frames of the clip"};
@@ -96,17 +101,17 @@ Status firstError(std::initializer_list<Status> all) {
   return found == all.end() ? Status(Success{}) : *found;
 }
 
-Status checkHold(const Document& document, const rig::Pin& pin) {
+Status checkHold(const Document& document, const rig::Pin& pin, Entry entry) {
   if (Status clip = checkClip(document, pin.clip); !clip) {
     return clip;
   }
-  return firstError({checkLimb(document, pin.limb), checkTime(document, pin.clip, pin.time, pin.limb),
-                     checkFrame(document, pin.clip, pin.atFrame, pin.limb),
+  return firstError({checkLimb(document, pin.limb), checkTime(document, pin.clip, pin.time, pin.limb, entry),
+                     checkFrame(document, pin.clip, pin.atFrame, pin.limb, entry),
                      checkStretch(pin.stretch, pin.limb),
                      pin.place ? checkPlace(document, *pin.place, pin.limb) : Status(Success{})});
 }
 
-Status checkHold(const Document& document, const rig::Grip& grip) {
+Status checkHold(const Document& document, const rig::Grip& grip, Entry entry) {
   if (Status clip = checkClip(document, grip.clip); !clip) {
     return clip;
   }
@@ -114,10 +119,11 @@ Status checkHold(const Document& document, const rig::Grip& grip) {
     return Error{"it follows itself", grip.follower, "name another limb as its leader"};
   }
   return firstError({checkLimb(document, grip.follower), checkLimb(document, grip.leader),
-                     checkTime(document, grip.clip, grip.time, grip.follower),
+                     checkTime(document, grip.clip, grip.time, grip.follower, entry),
                      checkStretch(grip.stretch, grip.follower),
-                     grip.relationFrame ? checkFrame(document, grip.clip, *grip.relationFrame, grip.follower)
-                                        : Status(Success{})});
+                     grip.relationFrame
+                         ? checkFrame(document, grip.clip, *grip.relationFrame, grip.follower, entry)
+                         : Status(Success{})});
 }
 
 bool isLimbJoint(const Document& document, NodeIndex node) {
@@ -177,24 +183,25 @@ Status checkHands(const Document& document, const rig::Prop& prop) {
   return Success{};
 }
 
-Status checkBinding(const Document& document, const rig::Prop& prop) {
+Status checkBinding(const Document& document, const rig::Prop& prop, Entry entry) {
   constexpr double mostTurns = 100.0;
   constexpr double farthest = 1000.0; // heights of the character
   const bool isUsable = isFinite(prop.move) && isFinite(prop.turn) &&
                         glm::length(prop.move) <= farthest * document.biped.height &&
                         glm::length(prop.turn) <= mostTurns * 2.0 * pi;
-  return isUsable ? checkFrame(document, prop.clip, prop.boundFrame, prop.node)
+  return isUsable ? checkFrame(document, prop.clip, prop.boundFrame, prop.node, entry)
                   : Status(Error{"the offset at its binding is out of proportion", prop.node,
                                  "move by at most a thousand heights of the character"});
 }
 
-Status checkHold(const Document& document, const rig::Prop& prop) {
+Status checkHold(const Document& document, const rig::Prop& prop, Entry entry) {
   if (Status clip = checkClip(document, prop.clip); !clip) {
     return clip;
   }
-  return firstError({checkNode(document, prop), checkHands(document, prop), checkBinding(document, prop),
-                     checkStretch(prop.stretch, prop.node),
-                     prop.time ? checkTime(document, prop.clip, *prop.time, prop.node) : Status(Success{})});
+  return firstError(
+      {checkNode(document, prop), checkHands(document, prop), checkBinding(document, prop, entry),
+       checkStretch(prop.stretch, prop.node),
+       prop.time ? checkTime(document, prop.clip, *prop.time, prop.node, entry) : Status(Success{})});
 }
 
 Vec2 rangeOf(const rig::Pin& pin) {
@@ -226,9 +233,10 @@ bool holdTogether(const Hold& a, const Hold& b) {
 }
 
 template <typename Hold>
-Status placeAll(const Document& document, const std::vector<Hold>& wanted, std::vector<Hold>& list) {
+Status placeAll(const Document& document, const std::vector<Hold>& wanted, Entry entry,
+                std::vector<Hold>& list) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (Status fits = checkHold(document, wanted[i]); !fits) {
+    if (Status fits = checkHold(document, wanted[i], entry); !fits) {
       return fits;
     }
     for (std::size_t other = 0; other < i; ++other) {
@@ -295,11 +303,11 @@ void bringTo(std::vector<Hold>& list, std::size_t index) {
 
 } // namespace
 
-Result<Document> placeHolds(const Document& document, const rig::Holds& wanted) {
+Result<Document> placeHolds(const Document& document, const rig::Holds& wanted, Entry entry) {
   Document changed = document;
-  for (const Status& placed : {placeAll(document, wanted.pins, changed.holds.pins),
-                               placeAll(document, wanted.grips, changed.holds.grips),
-                               placeAll(document, wanted.props, changed.holds.props)}) {
+  for (const Status& placed : {placeAll(document, wanted.pins, entry, changed.holds.pins),
+                               placeAll(document, wanted.grips, entry, changed.holds.grips),
+                               placeAll(document, wanted.props, entry, changed.holds.props)}) {
     if (!placed) {
       return placed.error();
     }
@@ -325,7 +333,7 @@ Document removeHold(const Document& document, const HoldPlace& place) {
 }
 
 Result<Document> changeHold(const Document& document, const HoldPlace& place, const rig::Holds& value) {
-  Result<Document> changed = placeHolds(removeHold(document, place), value);
+  Result<Document> changed = placeHolds(removeHold(document, place), value, Entry::hand);
   if (changed) {
     bringTo(changed->holds.pins, place.kind == rig::HoldKind::pin ? place.index : changed->holds.pins.size());
     bringTo(changed->holds.grips,

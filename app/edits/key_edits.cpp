@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "core/math/monotone_curve.h"
+#include "app/edits/following_keys.h"
 
 namespace stretch::app {
 
@@ -363,6 +363,7 @@ RowKey keyOnCurve(const Document& document, int clip, const HeldRow& held, doubl
   constexpr double step = 1e-3;
   RowKey key;
   key.frame = frame;
+  key.onCurve = true;
   const auto before = std::find_if(held.keys.rbegin(), held.keys.rend(),
                                    [&](const HeldKey& other) { return other.key.frame < frame; });
   const KeyValues near = before == held.keys.rend() ? KeyValues{} : before->key.values;
@@ -459,13 +460,18 @@ double slopeOf(const HeldRow& held, std::size_t key, std::size_t component, rig:
     const Vec2 piece = after ? point(key + 1) - point(key) : point(key) - point(key - 1);
     return piece.y / piece.x;
   }
-  const bool smooth = kind == rig::KeyInterpolation::automatic && hasBefore && hasAfter;
-  return smooth ? monotoneSlope(point(key - 1), point(key), point(key + 1)) : 0.0;
+  const auto rowKey = [&](bool exists, std::size_t i) { return exists ? &held.keys[i].key : nullptr; };
+  return kind == rig::KeyInterpolation::automatic
+             ? followingSlope(rowKey(hasBefore, key - 1), held.keys[key].key, rowKey(hasAfter, key + 1),
+                              component)
+             : 0.0;
 }
 
 void setSlopesByKind(HeldRow& held, rig::KeyInterpolation kind) {
   for (std::size_t i = 0; i < held.keys.size(); ++i) {
     HeldKey& key = held.keys[i];
+    const bool follows = kind == rig::KeyInterpolation::automatic;
+    key.key.following = follows ? key.key.following | key.picked : key.key.following & ~key.picked;
     if (key.picked == 0 || kind == rig::KeyInterpolation::free) {
       continue;
     }
@@ -529,6 +535,7 @@ Result<EditedKeys> setKeySlope(const Document& document, int clip, const KeyRow&
         picked.key.outSlopes[i] = both || side == TangentSide::out ? finite(slope) : picked.key.outSlopes[i];
       }
       picked.key.kind = rig::KeyInterpolation::free;
+      picked.key.following &= ~picked.picked;
       picked.key.slopesChanged = true;
     });
     if (!row.isOffset()) {

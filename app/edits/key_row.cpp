@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/following_keys.h"
 #include "app/edits/track_edits.h"
 #include "app/edits/track_row.h"
 #include "app/named.h"
@@ -211,17 +212,19 @@ Result<Document> writeOwn(const Document& document, int clip, const KeyedRow& ro
   before.channel = row.row.channel;
   before.width = channelWidth(row.row.channel);
   before.interpolation = row.interpolation;
-  const Track written =
-      writeTrack(known != nullptr ? *known : before, row, clipOf(document, clip).framesPerSecond);
-  if (written.times.empty()) {
+  const Track& from = known != nullptr ? *known : before;
+  const WrittenTrack written = writeFollowing(from, row, clipOf(document, clip).framesPerSecond);
+  if (written.track.times.empty()) {
     return Error{"a track of the clip keeps one key", rowTitle(document, row.row),
                  "leave one of its keys where it is"};
   }
-  if (const Status sound = checkTrack(document, written); !sound) {
+  if (const Status sound = checkTrack(document, written.track); !sound) {
     return sound.error();
   }
-  return known != nullptr && written == *known ? Result<Document>(document)
-                                               : setTracks(document, clip, {written});
+  Document changed =
+      known != nullptr && written.track == *known ? document : setTracks(document, clip, {written.track});
+  rememberFollowing(clip, written, row, changed);
+  return changed;
 }
 
 const char* channelWord(Channel channel) {
@@ -305,7 +308,9 @@ KeyedRow readRow(const Document& document, int clip, const KeyRow& row, RowDetai
     empty.parts = {{0.0, 1e7}};
     return empty;
   }
-  return readTrack(*track, clipOf(document, clip).framesPerSecond, detail);
+  KeyedRow read = readTrack(*track, clipOf(document, clip).framesPerSecond, detail);
+  markFollowing(document, clip, *track, read);
+  return read;
 }
 
 std::vector<double> keyFramesOf(const Document& document, int clip, const KeyRow& row) {

@@ -35,8 +35,10 @@ struct RowKey {
   KeyValues inSlopes{}; ///< For each frame.
   KeyValues outSlopes{};
   rig::KeyInterpolation kind = rig::KeyInterpolation::automatic;
-  int origin = -1;           ///< Place in the row that it was read from; -1: a new one.
-  int part = 0;              ///< Which of KeyedRow::parts it belongs to.
+  int origin = -1;        ///< Place in the row that it was read from; -1: a new one.
+  int part = 0;           ///< Which of KeyedRow::parts it belongs to.
+  unsigned following = 0; ///< Of the clip's own keys: components whose slopes follow the neighbours (auto).
+  bool onCurve = false;   ///< A new key that leaves the curve as it is: slopes beside it do not follow it.
   bool valuesChanged = true; ///< Else the key keeps its values as they are stored, to the last bit,
   bool slopesChanged = true; ///< and its slopes.
 };

@@ -84,15 +84,19 @@ Vec2 mapped(const TimeMap& map, const Vec2& range) {
   return {map(range.x), map(range.y)};
 }
 
-void mapAdjustment(const TimeMap& map, rig::Adjustment& adjustment) {
-  std::erase_if(adjustment.keys, [&](const rig::OffsetKey& key) { return map.givesWay(key.frame); });
-  for (rig::OffsetKey& key : adjustment.keys) {
+void mapOffsetKeys(const TimeMap& map, std::vector<rig::OffsetKey>& keys) {
+  std::erase_if(keys, [&](const rig::OffsetKey& key) { return map.givesWay(key.frame); });
+  for (rig::OffsetKey& key : keys) {
     const double slower = map.isInside(key.frame) ? map.factor : 1.0;
     key.frame = map(key.frame);
     key.moveSlope /= slower;
     key.turnSlope /= slower;
     key.valueSlope /= slower;
   }
+}
+
+void mapAdjustment(const TimeMap& map, rig::Adjustment& adjustment) {
+  mapOffsetKeys(map, adjustment.keys);
   if (adjustment.rangeFrames) {
     adjustment.rangeFrames = mapped(map, *adjustment.rangeFrames);
   }
@@ -116,7 +120,20 @@ void mapTrail(const TimeMap& map, rig::Trail& trail) {
   }
 }
 
-// Weights of a prop's hands stay keyed where they are.
+void mapProp(const TimeMap& map, rig::Prop& prop) {
+  if (prop.time) {
+    prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
+  }
+  prop.boundFrame = map(prop.boundFrame);
+  for (rig::PropHand& hand : prop.hands) {
+    const rig::OffsetKey last = hand.keys.back();
+    mapOffsetKeys(map, hand.keys);
+    if (hand.keys.empty()) {
+      hand.keys.push_back(last); // A hand that holds keeps one key.
+    }
+  }
+}
+
 void mapHolds(const TimeMap& map, int clip, rig::Holds& holds) {
   for (rig::Pin& pin : holds.pins) {
     if (pin.clip == clip) {
@@ -131,10 +148,9 @@ void mapHolds(const TimeMap& map, int clip, rig::Holds& holds) {
     }
   }
   for (rig::Prop& prop : holds.props) {
-    if (prop.clip == clip && prop.time) {
-      prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
+    if (prop.clip == clip) {
+      mapProp(map, prop);
     }
-    prop.boundFrame = prop.clip == clip ? map(prop.boundFrame) : prop.boundFrame;
   }
 }
 

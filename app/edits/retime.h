@@ -13,9 +13,11 @@ struct Retime {
   double newFrames = 0.0; ///< How long it is to be; above 0.
   bool movesAfter = true; ///< What comes after moves along; else it stays, and gives way where it must.
   std::string limb = {};  ///< Only the keys of this limb; empty: of the whole clip.
+
+  friend bool operator==(const Retime&, const Retime&) = default;
 };
 
-/// The clip's own keys, offset keys with their ranges, and, for the whole clip, the ranges of trails and of
+/// The clip's own keys, offset keys with their ranges, and, for the whole clip, trails, holds and ranges of
 /// weight, slower or faster. Curves get a key at the ends of the range, so that what lies outside stays as it
 /// is. Morph weights are left alone.
 [[nodiscard]] Result<Document> retimed(const Document& document, int clip, const Retime& wanted);

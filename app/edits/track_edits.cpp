@@ -93,11 +93,16 @@ Document restoreTracks(const Document& document, int clip, const TrackChoice& wh
   }
   restored.tracks = std::move(tracks);
   endWithKeys(restored);
-  return withClips(document, std::move(clips));
+  Document changed = withClips(document, std::move(clips));
+  std::erase_if(changed.followingKeys, [&](const FollowingKeys& following) {
+    return following.clip == clip && which(following.node, following.channel);
+  });
+  return changed;
 }
 
 Document restoreAllTracks(const Document& document) {
   Document restored = document;
+  restored.followingKeys.clear();
   for (int clip = 0; hasEditedKeys(restored) && clip < static_cast<int>(document.clips->size()); ++clip) {
     restored = restoreTracks(restored, clip, [](NodeIndex, Channel) { return true; });
   }

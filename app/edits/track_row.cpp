@@ -143,7 +143,7 @@ public:
   TrackWriter(const Track& before, const KeyedRow& row, double framesPerSecond)
       : before_(before), row_(row), rate_(framesPerSecond) {}
 
-  [[nodiscard]] Track track() {
+  [[nodiscard]] WrittenTrack track() {
     Track written = before_;
     written.interpolation = row_.interpolation;
     written.times.clear();
@@ -158,7 +158,11 @@ public:
       written.times.push_back(seconds_[i]);
       append(i, written.values);
     }
-    return written;
+    std::vector<std::size_t> rowKeys;
+    for (const RowKey* const key : keys_) {
+      rowKeys.push_back(static_cast<std::size_t>(key - row_.keys.data()));
+    }
+    return {std::move(written), std::move(rowKeys)};
   }
 
 private:
@@ -309,7 +313,7 @@ KeyedRow readTrack(const Track& track, double framesPerSecond, RowDetail detail)
   return row;
 }
 
-Track writeTrack(const Track& before, const KeyedRow& row, double framesPerSecond) {
+WrittenTrack writeTrack(const Track& before, const KeyedRow& row, double framesPerSecond) {
   return TrackWriter(before, row, framesPerSecond).track();
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "app/edits/key_row.h"
 
 namespace stretch::app {
@@ -8,9 +11,14 @@ namespace stretch::app {
 
 [[nodiscard]] KeyedRow readTrack(const Track& track, double framesPerSecond, RowDetail detail);
 
-/// The track with the keys of the row. What did not change keeps its bits. `before`: the track that the row
-/// was read from, or one without keys.
-[[nodiscard]] Track writeTrack(const Track& before, const KeyedRow& row, double framesPerSecond);
+struct WrittenTrack {
+  Track track;
+  std::vector<std::size_t> rowKeys; ///< For each key of the track, its place in the row.
+};
+
+/// The track with the keys of the row; of keys at one time the first. What did not change keeps its bits.
+/// `before`: the track that the row was read from, or one without keys.
+[[nodiscard]] WrittenTrack writeTrack(const Track& before, const KeyedRow& row, double framesPerSecond);
 
 /// The value of a track at a time, as it is shown; angles nearest to `near`.
 [[nodiscard]] KeyValues trackValues(const Track& track, double timeSeconds, const KeyValues& near);

@@ -5,6 +5,14 @@
 
 namespace stretch::app {
 
+namespace {
+
+bool isSameClip(const EvaluationGround& a, const EvaluationGround& b) {
+  return a.scene == b.scene && a.clips == b.clips && a.clip == b.clip;
+}
+
+} // namespace
+
 const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& ground) {
   EvaluationGround unadjusted = ground;
   unadjusted.adjustments.clear();
@@ -15,10 +23,17 @@ const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& groun
 
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
-    const bool sameGround = last != nullptr && last->key.ground == input.ground;
-    return std::make_shared<const rig::MotionState>(
-        solveTrails(input, sameGround ? last->value.get() : nullptr,
-                    input.ground.adjustments.empty() ? nullptr : body(input.ground)));
+    EarlierWork earlier;
+    if (last != nullptr && last->key.ground == input.ground) {
+      earlier.sameGround = last->value.get();
+    }
+    if (last != nullptr && isSameClip(last->key.ground, input.ground)) {
+      earlier.sourceFrames = last->value->sourceFrames;
+    }
+    if (!input.ground.adjustments.empty()) {
+      earlier.body = body(input.ground);
+    }
+    return std::make_shared<const rig::MotionState>(solveTrails(input, earlier));
   });
 }
 

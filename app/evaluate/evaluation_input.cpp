@@ -92,11 +92,11 @@ rig::AdjustedBody adjustedBody(const EvaluationGround& ground) {
   return rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs});
 }
 
-rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
-                             std::shared_ptr<const rig::AdjustedBody> body) {
+rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& earlier) {
   rig::MotionInput wanted = motionInput(input);
-  wanted.previous = previous;
-  wanted.body = std::move(body);
+  wanted.previous = earlier.sameGround;
+  wanted.body = earlier.body;
+  wanted.sourceFrames = earlier.sourceFrames;
   return rig::solveMotion(wanted);
 }
 

@@ -70,8 +70,12 @@ Json keptTrack(int clip, const Track& track, const Track* source) {
   return json;
 }
 
+Error malformedKeys(const char* where) {
+  return {"is not what this program writes", where, "open the file and edit its keys again"};
+}
+
 Error malformedTrack() {
-  return {"is not what this program writes", "clip_keys", "open the file and edit its keys again"};
+  return malformedKeys("clip_keys");
 }
 
 template <std::size_t count>
@@ -138,6 +142,46 @@ Json keptTracks(const Document& document) {
     }
   }
   return list;
+}
+
+Json keptFollowingKeys(const Document& document) {
+  Json list = Json::array();
+  for (const FollowingKeys& following : document.followingKeys) {
+    Json keys = Json::array();
+    for (const FollowingKeys::Key& key : following.keys) {
+      keys.push_back({key.seconds, key.components});
+    }
+    list.push_back({{"clip", following.clip},
+                    {"node", following.node.value},
+                    {"path", channelNames[static_cast<std::size_t>(following.channel)]},
+                    {"keys", std::move(keys)}});
+  }
+  return list;
+}
+
+Status restoreFollowingKeys(const Json& entries, Document& document) {
+  for (const Json& json : entries) {
+    const int clip = json.at("clip").get<int>();
+    const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
+    if (clip < 0 || at(clip) >= document.clips->size() || !channel) {
+      return malformedKeys("auto_keys");
+    }
+    FollowingKeys following{clip, NodeIndex(json.at("node").get<int>()), static_cast<Channel>(*channel), {}};
+    const int track = findTrack(clipOf(document, clip), following.node, following.channel);
+    const std::vector<float> times =
+        track < 0 ? std::vector<float>{} : clipOf(document, clip).tracks[at(track)]->times;
+    for (const Json& entry : json.at("keys")) {
+      const FollowingKeys::Key key{entry.at(0).get<float>(), entry.at(1).get<unsigned>()};
+      const bool isNext = following.keys.empty() || key.seconds > following.keys.back().seconds;
+      if (isNext && std::binary_search(times.begin(), times.end(), key.seconds)) {
+        following.keys.push_back(key);
+      }
+    }
+    if (!following.keys.empty()) {
+      document.followingKeys.push_back(std::move(following));
+    }
+  }
+  return Success{};
 }
 
 Status restoreKeptTracks(const Json& entries, Document& document) {

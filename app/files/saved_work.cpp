@@ -208,7 +208,7 @@ Status restoreAdjustments(const Json& entries, Document& document) {
       return adjustment.error();
     }
     adjustment->clip = json.at("clip").get<int>();
-    Result<Document> placed = placeAdjustments(document, {&*adjustment, 1});
+    Result<Document> placed = placeAdjustments(document, {&*adjustment, 1}, Entry::file);
     if (placed) {
       document = std::move(*placed);
     } else {
@@ -219,7 +219,7 @@ Status restoreAdjustments(const Json& entries, Document& document) {
 }
 
 Status restoreHold(const rig::Holds& hold, Document& document) {
-  Result<Document> placed = placeHolds(document, hold);
+  Result<Document> placed = placeHolds(document, hold, Entry::file);
   if (placed) {
     document = std::move(*placed);
   } else {
@@ -298,6 +298,9 @@ Status restoreParts(const Json& work, Document& document) {
   if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
     return keys;
   }
+  if (Status autos = restoreFollowingKeys(work.value("auto_keys", Json::array()), document); !autos) {
+    return autos;
+  }
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
@@ -342,7 +345,8 @@ Status restoreParts(const Json& work, Document& document) {
 Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
-      document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document)) {
+      document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document) &&
+      document.followingKeys.empty()) {
     return nullptr;
   }
   Json work;
@@ -365,6 +369,9 @@ Json workOf(const Document& document) {
   }
   if (hasEditedKeys(document)) {
     work["clip_keys"] = keptTracks(document);
+  }
+  if (!document.followingKeys.empty()) {
+    work["auto_keys"] = keptFollowingKeys(document);
   }
   saveHolds(document.holds, work);
   work["loops"] = document.loopingClips;

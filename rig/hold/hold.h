@@ -56,6 +56,10 @@ struct Grip {
   friend bool operator==(const Grip&, const Grip&) = default;
 };
 
+/// Between two `auto` keys of firmness the value of the first is held; over so many frames before the second,
+/// or all that there are, it becomes the second's.
+inline constexpr double firmnessFadeFrames = 3.0;
+
 /// How firmly one hand holds a prop, over time.
 struct PropHand {
   std::string limb;

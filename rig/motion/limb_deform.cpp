@@ -17,8 +17,8 @@ namespace {
 
 // A linear map of the joint's space seen from the space of a node below it.
 Mat3 inSpaceOf(const PoseWriter& writer, NodeIndex joint, NodeIndex node, const Mat3& stretch) {
-  const Mat3 toJoint = Mat3(inverseOf(writer.worldBefore(joint)) * writer.worldBefore(node));
-  return Mat3(inverseOf(Mat4(toJoint))) * stretch * toJoint;
+  const Mat3 toJoint = inverseOf(Mat3(writer.worldBefore(joint))) * Mat3(writer.worldBefore(node));
+  return inverseOf(toJoint) * stretch * toJoint;
 }
 
 // What hangs on the bone moves by K; on the path K goes through the frames of the nodes between.
@@ -128,7 +128,8 @@ LimbPose limbPose(const LimbShape& shape) {
 
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
-  PoseWriter writer(scene, frame);
+  const std::vector<Mat4> before = frame.worlds;
+  PoseWriter writer(scene, frame, before);
   const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
   const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
@@ -149,8 +150,8 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(bone.joint, points.front() + shape.baseMove);
     }
     writer.refresh(bone.joint);
-    const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
-    if (glm::length(offset) > 0.0) {
+    const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * (points[i + 1] - points[i]);
+    if (glm::length(offset) > 0.0 && shape.stretches[i] != 1.0) {
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretches[i], options.volume);
       stretchBone(writer, scene, bone, stretch);
     }
@@ -176,7 +177,8 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
 
 void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
                  const std::vector<Mat3>& stretches, FrameState& frame) {
-  PoseWriter writer(scene, frame);
+  const std::vector<Mat4> before = frame.worlds;
+  PoseWriter writer(scene, frame, before);
   const Vec3 end = endPosition(limb, frame);
   // Where a point that hangs elsewhere comes to with the bone before it.
   const auto carried = [&](std::size_t bone, const Vec3& point) {
@@ -203,15 +205,17 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
 }
 
 void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame) {
-  PoseWriter writer(scene, frame);
+  PoseWriter writer(scene, frame, frame.worlds);
   writer.setWorldPosition(node, positionWorld);
   writer.refreshSubtree(node);
 }
 
 void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
                FrameState& frame) {
-  PoseWriter writer(scene, frame);
-  writer.turnInWorld(node, turnWorld);
+  PoseWriter writer(scene, frame, frame.worlds);
+  if (!sameTurn(turnWorld, Quat(1.0, 0.0, 0.0, 0.0))) {
+    writer.turnInWorld(node, turnWorld);
+  }
   if (positionWorld != positionOf(writer.worldBefore(node))) {
     writer.setWorldPosition(node, positionWorld);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@
 #include "rig/trail/trail.h"
 
 namespace stretch::rig {
+
+class FrameTable;
 
 /// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
 struct SolvedTrail {
@@ -54,6 +57,9 @@ struct MotionState {
   bool loops = false;
   NodeIndex hips;                ///< What the space "root" is measured from.
   SolvedAdjustments adjustments; ///< Of the clip, before any trail.
+  /// The clip where its trails look at it, as it is and adjusted; null where nothing is adjusted.
+  std::shared_ptr<const FrameTable> sourceFrames;
+  std::shared_ptr<const FrameTable> adjustedFrames;
   std::vector<SolvedTrail> trails;
   SolvedHolds holds;                 ///< On top of the trails (setHolds).
   std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the holds (setWeight).

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "rig/motion/adjusted_sampler.h"
 #include "rig/motion/evaluate.h"
+#include "rig/motion/frame_table.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {
@@ -30,13 +30,16 @@ std::vector<std::size_t> innerTrails(const Scene& scene, const MotionState& moti
 std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<std::size_t>& inner,
                                const std::vector<PathRequest>& requests) {
   std::set<NodeIndex> nodes;
-  const auto add = [&](std::size_t trail) {
+  for (const std::size_t trail : inner) {
     const SolvedTrail& solved = motion.trails[trail];
     const std::vector<NodeIndex> touched = touchedNodes(solved.limb, solved.topology);
     nodes.insert(touched.begin(), touched.end());
-  };
-  std::for_each(inner.begin(), inner.end(), add);
-  std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(request.trail); });
+  }
+  for (const PathRequest& request : requests) {
+    const Limb& limb = motion.trails[request.trail].limb;
+    nodes.insert(limb.joints.begin(), limb.joints.end());
+    nodes.insert(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+  }
   if (motion.hips.exists()) {
     nodes.insert(motion.hips);
   }
@@ -70,8 +73,9 @@ public:
   PathSweep(const Scene& scene, const Clip& clip, const MotionState& motion,
             const std::vector<PathRequest>& requests)
       : motion_(motion), requests_(requests), inner_(innerTrails(scene, motion, requests)),
-        sampler_(scene, clip, motion.adjustments, nodesOf(motion, inner_, requests)),
-        skeleton_(sampler_.skeleton()), order_(requests.size()) {
+        frames_(scene, clip, motion.adjustments, nodesOf(motion, inner_, requests),
+                motion.adjustedFrames.get()),
+        skeleton_(frames_.skeleton()), order_(requests.size()) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       order_[i] = i;
     }
@@ -95,19 +99,22 @@ public:
 
 private:
   void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
-    sampler_.sample(insideLoop(motion_, frameNumber / motion_.framesPerSecond), frame_);
-    source_ = frame_;
+    const FrameState& source = frames_.at(insideLoop(motion_, frameNumber / motion_.framesPerSecond));
+    if (!inner_.empty()) {
+      moved_ = source;
+    }
+    const FrameState& frame = inner_.empty() ? source : moved_;
     auto next = inner_.begin();
     for (const std::size_t i : order_) {
       const PathRequest& request = requests_[i];
       for (; next != inner_.end() && *next < request.trail; ++next) {
-        applyTrail(skeleton_, motion_, *next, source_, frame_);
+        applyTrail(skeleton_, motion_, *next, source, moved_);
       }
       const auto found = std::equal_range(request.frames.begin(), request.frames.end(), frameNumber);
       if (found.first == found.second) {
         continue;
       }
-      const PathPoint point = pathPoint(skeleton_, motion_, request.trail, source_, frame_);
+      const PathPoint point = pathPoint(skeleton_, motion_, request.trail, source, frame);
       for (auto place = found.first; place != found.second; ++place) {
         const auto sample = static_cast<std::size_t>(place - request.frames.begin());
         drawn[i].original[sample] = point.original;
@@ -119,11 +126,10 @@ private:
   const MotionState& motion_;
   const std::vector<PathRequest>& requests_;
   std::vector<std::size_t> inner_;
-  AdjustedSampler sampler_;
+  FrameSource frames_;
   const Scene& skeleton_;          // the sampled nodes only
   std::vector<std::size_t> order_; // of the requests, as their trails act
-  FrameState frame_;
-  FrameState source_;
+  FrameState moved_;               // by the trails before the one that is asked for
 };
 
 } // namespace

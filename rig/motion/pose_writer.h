@@ -14,24 +14,24 @@ namespace stretch::rig {
   return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
 }
 
+/// The same of a linear map.
+[[nodiscard]] inline Mat3 inverseOf(const Mat3& linear) {
+  return glm::determinant(linear) != 0.0 ? glm::inverse(linear) : Mat3(1.0);
+}
+
 /// Writes local transforms of a frame while knowing the pose it started from.
 class PoseWriter {
 public:
-  PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
+  /// `before`: world matrices of the pose that the frame starts from; may be the frame's own where the first
+  /// thing that is written is the last that asks for them.
+  PoseWriter(const Scene& scene, FrameState& frame, const std::vector<Mat4>& before)
+      : scene_(scene), frame_(frame), before_(before) {}
 
   [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
   [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
 
   /// World matrix of the node's parent as it stands, parents of it having been written before.
-  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
-    const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : frame_.worlds[at(parent)];
-  }
-
-  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
-    const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : before_[at(parent)];
-  }
+  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const { return parentIn(frame_.worlds, node); }
 
   Transform& local(NodeIndex node) {
     frame_.pose.usesMatrix[at(node)] = false;
@@ -53,9 +53,10 @@ public:
   /// Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
   /// Seen from the parents, which may be mirrored: their world rotations alone would not tell.
   void turnInWorld(NodeIndex node, const Quat& turn) {
-    const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
+    const Mat3 now = inverseOf(Mat3(parentWorld(node)));
+    const Mat3 seen = now * glm::mat3_cast(turn) * Mat3(parentIn(before_, node));
     Transform& transform = local(node);
-    transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
+    transform.rotation = glm::normalize(rotationOf(Mat4(seen)) * transform.rotation);
   }
 
   void setWorldPosition(NodeIndex node, const Vec3& positionWorld) {
@@ -70,9 +71,14 @@ public:
   }
 
 private:
+  [[nodiscard]] Mat4 parentIn(const std::vector<Mat4>& worlds, NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return !parent.exists() ? Mat4(1.0) : worlds[at(parent)];
+  }
+
   const Scene& scene_;
   FrameState& frame_;
-  std::vector<Mat4> before_;
+  const std::vector<Mat4>& before_;
 };
 
 } // namespace stretch::rig

@@ -1,6 +1,7 @@
 #include "rig/motion/solve.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -42,47 +43,16 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
-// What the paths of all trails are sampled from. Adjustments move the whole character: its trails, which
-// mostly ask for the same times, share the samples.
-class PathSampler {
-public:
-  PathSampler(const MotionInput& input, const SolvedAdjustments& adjustments)
-      : input_(input), adjustments_(adjustments) {}
-
-  void sample(SolvedTrail& solved, const std::vector<double>& keyTimes) {
-    if (adjustments_.empty()) {
-      SharedSampler own(*input_.scene, *input_.clip, adjustments_, pathNodes(input_, solved.limb));
-      samplePath(input_, own, solved, keyTimes);
-      return;
-    }
-    if (!shared_) {
-      shared_.emplace(*input_.scene, *input_.clip, adjustments_, nodesOfAll());
-    }
-    samplePath(input_, *shared_, solved, keyTimes);
-  }
-
-private:
-  [[nodiscard]] std::vector<NodeIndex> nodesOfAll() const {
-    std::vector<NodeIndex> nodes;
-    for (const Trail& trail : input_.trails) {
-      if (const Limb* const limb = limbOf(input_, trail.limb)) {
-        const std::vector<NodeIndex> own = pathNodes(input_, *limb);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-      }
-    }
-    return nodes;
-  }
-
-  const MotionInput& input_;
-  const SolvedAdjustments& adjustments_;
-  std::optional<SharedSampler> shared_;
-};
-
 // Made before with the body, where that is there.
 LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
   const AdjustedBody* const body = input.body.get();
   if (body == nullptr) {
     return limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
+  }
+  for (const std::optional<AdjustedLimb>* const own : {&body->spine, &body->neck}) {
+    if (*own && (*own)->limb == limb) {
+      return (*own)->topology;
+    }
   }
   const auto known = std::find_if(body->limbs.begin(), body->limbs.end(),
                                   [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
@@ -90,7 +60,61 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
 }
 
-SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Trail& trail, const Limb& limb) {
+std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  return nodes;
+}
+
+// Where a trail's path is looked at: its samples and halfway between them.
+std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, const Limb& limb) {
+  const double fps = input.clip->framesPerSecond;
+  const TrailSettings settings = usable(trail.settings, *input.clip);
+  const double start = settings.startFrame / fps;
+  const double end = settings.endFrame / fps;
+  std::vector<double> times =
+      sampleTimes(start, end, fps, keyTimesOf(*input.clip, jointsAndEnd(limb), start, end));
+  const std::vector<double> between = timesBetween(times, fps);
+  times.insert(times.end(), between.begin(), between.end());
+  return times;
+}
+
+FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments) {
+  std::vector<NodeIndex> nodes = adjustments.nodes;
+  std::vector<double> times;
+  for (const Trail& trail : input.trails) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
+      const std::vector<NodeIndex> read = pathNodes(input, *limb);
+      const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb));
+      const std::vector<double> own = pathTimes(input, trail, *limb);
+      nodes.insert(nodes.end(), read.begin(), read.end());
+      nodes.insert(nodes.end(), written.begin(), written.end());
+      times.insert(times.end(), own.begin(), own.end());
+    }
+  }
+  return FrameTable::extentOf(std::move(nodes), std::move(times));
+}
+
+// Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
+void setFrames(const MotionInput& input, MotionState& motion) {
+  FrameTable::Extent extent = framesToShare(input, motion.adjustments);
+  if (extent.timesSeconds.size() > FrameTable::most(*input.scene)) {
+    return;
+  }
+  const bool isKnown = input.sourceFrames != nullptr && input.sourceFrames->extent() == extent;
+  motion.sourceFrames =
+      isKnown ? input.sourceFrames
+              : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(extent));
+  const MotionState* const previous = input.previous;
+  motion.adjustedFrames = previous != nullptr && previous->sourceFrames == motion.sourceFrames
+                              ? previous->adjustedFrames
+                              : std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
+}
+
+SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
+                       const Limb& limb) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -105,17 +129,16 @@ SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Tra
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;
   solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  std::vector<NodeIndex> keyed = limb.joints;
-  if (limb.endNode.exists()) {
-    keyed.push_back(limb.endNode);
-  }
+  const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
   const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
   if (before != nullptr && samePath(before->settings, solved.settings)) {
     solved.path = before->path;
     solved.bend = before->bend;
   } else {
     before = nullptr;
-    sampler.sample(solved, keyTimes);
+    FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
+                       motion.adjustedFrames.get());
+    samplePath(input, frames, solved, keyTimes);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
@@ -155,15 +178,17 @@ MotionState solveMotion(const MotionInput& input) {
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.hips;
   motion.loops = input.loops;
-  motion.adjustments =
-      input.previous != nullptr
-          ? input.previous->adjustments
-          : solveAdjustments(
-                {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
-  PathSampler sampler(input, motion.adjustments);
+  if (!input.adjustments.empty()) {
+    motion.adjustments =
+        input.previous != nullptr
+            ? input.previous->adjustments
+            : solveAdjustments(
+                  {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
+    setFrames(input, motion);
+  }
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, sampler, trail, *limb));
+      motion.trails.push_back(solveTrail(input, motion, trail, *limb));
     }
   }
   std::vector<ActingLimb> acting;

@@ -26,6 +26,9 @@ struct MotionInput {
   std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
                                                  ///< clip, hips and limbs; null: it is made where it is
                                                  ///< needed.
+  /// MotionState::sourceFrames of a motion that was solved for the same scene and clip, whatever moved it
+  /// then; null: none.
+  std::shared_ptr<const FrameTable> sourceFrames = {};
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
   const MotionState* previous = nullptr;

@@ -19,6 +19,21 @@ HoldSpan spanOf(const HoldTime& time, double framesPerSecond) {
           time.blendFrames.x / framesPerSecond, time.blendFrames.y / framesPerSecond};
 }
 
+// With a key where each fade begins.
+std::vector<OffsetKey> withFades(const std::vector<OffsetKey>& keys) {
+  std::vector<OffsetKey> faded;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    faded.push_back(keys[i]);
+    const bool holds = i + 1 < keys.size() && keys[i].interpolation == KeyInterpolation::automatic &&
+                       keys[i + 1].frame - keys[i].frame > firmnessFadeFrames;
+    if (holds) {
+      faded.push_back(keys[i]);
+      faded.back().frame = keys[i + 1].frame - firmnessFadeFrames;
+    }
+  }
+  return faded;
+}
+
 // What is solved on the way.
 class HoldSolver {
 public:
@@ -130,7 +145,7 @@ private:
       const Limb* const limb = limbOf(input_, hand.limb);
       if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, nodesOf(*limb).back())) {
         Adjustment firmness;
-        firmness.keys = hand.keys;
+        firmness.keys = withFades(hand.keys);
         solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()),
                                 seenFrom(endPlace(*limb, state), boundPlace(prop, solved.node, state))});
       }

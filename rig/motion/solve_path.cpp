@@ -68,14 +68,14 @@ std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   return nodes;
 }
 
-void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
+void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved,
                 const std::vector<double>& keyTimes) {
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
   for (const double time :
        sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
-    const FrameState& frame = sampler.at(time);
+    const FrameState& frame = frames.at(time);
     solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
     solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
@@ -88,8 +88,8 @@ void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& s
   }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
   // A planted foot stands still at the keys only: between them it slides about.
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const FrameState& frame = sampler.at(0.5 * (times[i - 1] + times[i]));
+  for (const double time : timesBetween(times, input.clip->framesPerSecond)) {
+    const FrameState& frame = frames.at(time);
     solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
   }
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/motion/adjusted_sampler.h"
+#include "rig/motion/frame_table.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/solve.h"
 
@@ -21,8 +21,8 @@ inline constexpr double longestFrames = 100000.0;
 [[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
 
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
-/// bends. `sampler`: of pathNodes at least. `keyTimes`: seconds, of the limb's joints within the range.
-void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
+/// bends. `frames`: of pathNodes at least. `keyTimes`: seconds, of the limb's joints within the range.
+void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved,
                 const std::vector<double>& keyTimes);
 
 /// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.

@@ -16,6 +16,7 @@
 #include "app/files/save.h"
 #include "core/base/check.h"
 #include "core/scene/scene.h"
+#include "tests/bench/graph_bench.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {
@@ -171,6 +172,7 @@ bool benchFile(const std::filesystem::path& path, int repetitions) {
   printTable("file", fileRows(path, *document, std::max(repetitions / 10, 3)));
   if (moves) {
     printTable("motion", motionRows(*document, repetitions));
+    printTable(graphTitle, graphRows(*document, repetitions));
   }
   return true;
 }

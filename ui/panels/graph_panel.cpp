@@ -52,11 +52,11 @@ void channelChooser(PanelContext& context, const GraphSubject& subject) {
       {"Scale", {"Scale", "Local scale of the joint.", {}}, isJoint},
       {"Length", {"Length", "Length of the limb, straight from its base to its end.", {}}, isJoint}};
   ImGui::BeginChild("graph/channels", {context.theme.px(320.0F), context.theme.rowHeight()});
-  const int chosen =
-      segmented(widgetsOf(context), "graph/channel", choices, static_cast<int>(graph.channels));
+  const int chosen = segmented(widgetsOf(context), "graph/channel", choices,
+                               static_cast<int>(graphChannels(context, subject)));
   ImGui::EndChild();
   if (chosen >= 0) {
-    graph.channels = static_cast<GraphChannels>(chosen);
+    (isJoint ? graph.channels : graph.offsetChannels) = static_cast<GraphChannels>(chosen);
     graph.fitPending = true;
   }
 }
@@ -97,6 +97,7 @@ void applyView(PanelContext& context, const CurveViewOutcome& outcome) {
   if (outcome.valuesChanged) {
     graph.valueMin = outcome.values.start;
     graph.valueMax = outcome.values.end;
+    std::for_each(graph.curves.begin(), graph.curves.end(), [](Curve& curve) { curve.seen = false; });
   }
   if (outcome.playheadMoved) {
     const double last = app::lastFrame(context.character().document(), context.character().view().clip);
@@ -157,6 +158,9 @@ void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
   const int clip = session.view().clip;
+  if (!outcome.keysDragged && !outcome.tangent && !outcome.gestureEnded) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -198,7 +202,8 @@ void fit(PanelContext& context) {
   }
   graph.valueMin = values.start;
   graph.valueMax = values.end;
-  graph.fitPending = graph.fitPicked = false;
+  graph.fitPending = !graph.complete; // Until all curves are known.
+  graph.fitPicked = graph.fitPicked && graph.fitPending;
 }
 
 void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
@@ -209,6 +214,9 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   model.frames = visibleFrames(context);
   static_cast<void>(graphCurves(context, subject, model.frames));
   session.view().keyRows = graph.rows;
+  if (!session.isDragging() && lostFromSight(graph.curves, {graph.valueMin, graph.valueMax})) {
+    graph.fitPending = true;
+  }
   if (graph.fitPending) {
     fit(context);
   }

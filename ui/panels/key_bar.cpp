@@ -9,6 +9,7 @@
 
 #include "app/commands/frames.h"
 #include "app/commands/keys.h"
+#include "app/commands/past_end.h"
 #include "app/commands/selection.h"
 #include "app/edits/retime.h"
 #include "ui/panels/dialog_frame.h"
@@ -46,6 +47,9 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
                 const PickedChange& change) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
+  if (!phase.changed && !phase.ended) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -66,7 +70,7 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
 
 void keyNumbers(PanelContext& context) {
   app::Session& session = context.character();
-  const app::KeySelection picked = app::pickedKeys(session);
+  const app::KeySelection& picked = app::pickedKeys(session);
   const FirstKey first = firstKey(session, picked);
   const int clip = session.view().clip;
   const double last = app::lastFrame(session.document(), clip);
@@ -200,10 +204,56 @@ void retimeRows(PanelContext& context) {
   }
 }
 
+app::Retime wantedRetime(const RetimeState& state) {
+  return {state.firstFrame, state.lastFrame, state.newFrames, state.movesAfter, state.limb};
+}
+
+/// What the clip will be like, looked at again where another retime is asked for.
+void lookAhead(PanelContext& context) {
+  RetimeState& state = context.ui.retime;
+  const app::Retime wanted = wantedRetime(state);
+  if (state.looked == wanted) {
+    return;
+  }
+  const app::Document& document = context.character().document();
+  const int clip = context.character().view().clip;
+  const Result<app::Document> made = app::retimed(document, clip, wanted);
+  state.looked = wanted;
+  state.past.clear();
+  state.problem = made ? std::string() : made.error().line();
+  if (!made) {
+    return;
+  }
+  state.ends = fmt::format("The clip ends at frame {}; now at {}.", shortNumber(app::lastFrame(*made, clip)),
+                           shortNumber(app::lastFrame(document, clip)));
+  if (app::lastFrame(*made, clip) < app::lastFrame(document, clip)) {
+    state.past = app::standingPastEnd(*made, clip);
+  }
+}
+
+void aheadRows(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  const RetimeState& state = context.ui.retime;
+  if (!state.problem.empty()) {
+    notice(widgets, NoticeKind::error, state.problem);
+    return;
+  }
+  note(widgets, state.ends);
+  if (!state.past.empty()) {
+    constexpr std::size_t most = 5;
+    std::string text = "Past that end, where it has no effect: ";
+    for (std::size_t i = 0; i < std::min(most, state.past.size()); ++i) {
+      text += (i > 0 ? ", " : "") + state.past[i];
+    }
+    text += state.past.size() > most ? fmt::format(" and {} more.", state.past.size() - most) : ".";
+    notice(widgets, NoticeKind::warning, text);
+  }
+}
+
 void retime(PanelContext& context) {
   const RetimeState& state = context.ui.retime;
   const app::Session& session = context.character();
-  const app::Retime wanted{state.firstFrame, state.lastFrame, state.newFrames, state.movesAfter, state.limb};
+  const app::Retime wanted = wantedRetime(state);
   const std::string whose = state.limb.empty() ? "the clip" : app::limbTitle(session.document(), state.limb);
   editOnce(context,
            fmt::format("Retime {}: frames {:g} to {:g} take {:g}", whose, state.firstFrame, state.lastFrame,
@@ -221,6 +271,8 @@ void drawRetimeDialog(PanelContext& context) {
     return;
   }
   retimeRows(context);
+  lookAhead(context);
+  aheadRows(context);
   const bool entered =
       (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) && !ImGui::GetIO().WantTextInput;
   const int clicked =

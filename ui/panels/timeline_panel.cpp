@@ -155,6 +155,9 @@ void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
   } else if (outcome.clickedBesideKeys) {
     app::pickKeys(session, {}, false);
   }
+  if (!outcome.keysDragged && !outcome.gestureEnded) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }

@@ -10,6 +10,7 @@
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/ranges.h"
+#include "app/edits/retime.h"
 #include "app/file_work.h"
 #include "app/files/file_facts.h"
 #include "rig/motion/motion.h"
@@ -84,7 +85,7 @@ struct HistoryState {
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
-/// What the curves of one row were made from.
+/// What the curves and keys of one row were made from, but for the frames.
 struct GraphRowKey {
   std::optional<CopyOnWrite<Track>> track = {}; ///< Of the clip, and as the source has it.
   std::optional<CopyOnWrite<Track>> source = {};
@@ -111,7 +112,8 @@ struct GraphKey {
 };
 
 struct GraphState {
-  GraphChannels channels = GraphChannels::rotation;
+  GraphChannels channels = GraphChannels::rotation;          ///< Of joints,
+  GraphChannels offsetChannels = GraphChannels::translation; ///< of controllers.
   int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
   bool fitPicked = false; ///< The pending fit is about the picked keys.
@@ -123,6 +125,8 @@ struct GraphState {
   std::optional<GraphKey> madeFrom;
   std::vector<app::KeyRow> rows;     ///< Whose curves they are,
   std::vector<GraphRowKey> madeRows; ///< each made from one of these; curves of a row follow each other.
+  std::vector<Span> madeFrames;      ///< The frames that the points of each row are over.
+  bool complete = true;              ///< No row waits for a later frame of the window.
   std::optional<app::KeySelection> shownPicks; ///< As the curves mark them.
   CurveGesture gesture;
   app::KeySelection heldKeys; ///< Picked when a drag of keys began.
@@ -146,7 +150,11 @@ struct RetimeState {
   double lastFrame = 0.0;
   double newFrames = 0.0;
   bool movesAfter = true;
-  std::string limb = {}; ///< Only its keys; empty: those of the whole clip.
+  std::string limb = {};                  ///< Only its keys; empty: those of the whole clip.
+  std::optional<app::Retime> looked = {}; ///< What follows is about this.
+  std::string ends = {};                  ///< Where the clip will end,
+  std::vector<std::string> past = {};     ///< and what will stand past its end that does not now.
+  std::string problem = {};               ///< Why it cannot be done; empty: it can.
 };
 
 /// Keys of the rows of the timeline and the dope sheet, as last gathered.
@@ -157,6 +165,7 @@ struct KeyRowsState {
   bool everyLimb = false;
   std::vector<KeyRow> rows = {};
   std::vector<std::vector<app::KeyRow>> keyed = {}; ///< What each of the rows stands for.
+  std::optional<app::KeySelection> shownPicks = {}; ///< As the rows mark them.
 };
 
 /// What an animator would stumble over in the selected trail, as last looked for.

@@ -213,6 +213,31 @@ TEST_CASE("two hands stay on a prop until one lets go, and the other then has it
   }
 }
 
+TEST_CASE("a hand with two keys stays firm on a prop until shortly before the second") {
+  const test::TemporaryFolder folder;
+  const std::string character = characterWithStick(folder);
+  const Json letsGo = Json::array({{{"frame", 0}, {"value", 1}}, {{"frame", 24}, {"value", 0}}});
+  const Json hands{{"right-arm", letsGo}, {"left-arm", oneHand(1.0)}};
+  const Posed posed =
+      pose(folder, heldRecipe("props", {{"node", "Stick"}, {"bound_at", 0}, {"hands", hands}}), {"--clean"},
+           character);
+  REQUIRE(posed.answer.exitCode == 0);
+  const Document source = openedFile(character);
+  const Document file = openedFile(posed.path);
+  const NodeIndex stick(source.scene->nodes.size() - 1);
+  const auto onStick = [&](const Document& document, double frame) {
+    const Mat4 world = test::worldOf(document, stick, frame);
+    return glm::inverse(rotationOf(world)) * (endOf(document, "right-arm", frame) - positionOf(world));
+  };
+  const double limit = heldShare * source.biped.height;
+  for (const double frame : halfFrames(0, 21)) {
+    CHECK(glm::length(onStick(file, frame) - onStick(source, 0)) < limit);
+  }
+  for (const double frame : halfFrames(24, 40)) {
+    CHECK(glm::length(endOf(file, "right-arm", frame) - endOf(source, "right-arm", frame)) < limit);
+  }
+}
+
 TEST_CASE("a limb that is not to stretch falls short of its pin, and the frames are told") {
   const test::TemporaryFolder folder;
   Json pin{{"limb", "left-arm"}, {"range", {8, 12}}, {"place", {0.0, 1.0, 2.0}}, {"stretch", 0}};

@@ -6,7 +6,9 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/commands/past_end.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/following_keys.h"
 #include "app/edits/key_edits.h"
 #include "app/edits/retime.h"
 #include "app/edits/track_edits.h"
@@ -217,6 +219,86 @@ TEST_CASE("A tangent on a linear track makes it a cubic one whose other keys run
   CHECK(row.keys[2].inSlopes[1] == Approx(readRow(start, 0, armTurns).keys[2].inSlopes[1]).epsilon(0.02));
 }
 
+TEST_CASE("Auto tangents follow their neighbours, level at extremes and smooth between", "[keys]") {
+  const Document start = test::boxer();
+  const std::vector<KeyRow> rows{armTurns};
+  const Document curved =
+      documentOf(setKeyKind(start, 0, allKeys(start, 0, rows), rig::KeyInterpolation::automatic));
+  const KeyedRow before = readRow(curved, 0, armTurns);
+  const double first = before.keys[0].values[1];
+  const double third = before.keys[2].values[1];
+  const auto secondAt = [&](double value) {
+    const double by = value - before.keys[1].values[1];
+    return documentOf(moveKeys(curved, 0, oneKey(armTurns, 1, 2U), {0.0, by}));
+  };
+  const auto slopeAt = [](const Document& document, std::size_t key) {
+    const RowKey read = readRow(document, 0, armTurns).keys[key];
+    CHECK(read.inSlopes[1] == Approx(read.outSlopes[1]).margin(1e-3));
+    return read.outSlopes[1];
+  };
+  const Document between = secondAt(0.5 * (first + third));
+  CHECK(slopeAt(between, 1) == Approx((third - first) / 10.0).margin(2e-2));
+  const Document beyond = secondAt(third + (third - first));
+  CHECK(slopeAt(beyond, 1) == Approx(0.0).margin(1e-3));
+  // The neighbour is no extreme any more once the second key has passed it.
+  const double fourth = before.keys[3].values[1];
+  const Document passed = secondAt(third + (third - fourth));
+  CHECK(slopeAt(passed, 2) == Approx((fourth - third) / 5.0).epsilon(0.5));
+  CHECK(std::abs(slopeAt(passed, 2)) > 0.5);
+  CHECK(numbersAt(trackAt(passed), 3 * 3) == numbersAt(trackAt(curved), 3 * 3));
+}
+
+TEST_CASE("Only keys that were made auto follow, and only where a neighbour moved", "[keys]") {
+  const Document start = test::boxer();
+  const std::vector<KeyRow> rows{armTurns};
+  const Document one =
+      documentOf(setKeyKind(start, 0, oneKey(armTurns, 2), rig::KeyInterpolation::automatic));
+  const Document moved = documentOf(moveKeys(one, 0, oneKey(armTurns, 0, 2U), {0.0, 20.0}));
+  const auto numbers = [](const Document& document, std::size_t key) {
+    const std::vector<float>& values = trackAt(document).values;
+    return std::vector<float>(values.begin() + static_cast<std::ptrdiff_t>(12 * key),
+                              values.begin() + static_cast<std::ptrdiff_t>(12 * key + 12));
+  };
+  CHECK(numbers(moved, 1) == numbers(one, 1));
+  CHECK(numbers(moved, 2) == numbers(one, 2));
+  const Document beside = documentOf(moveKeys(one, 0, oneKey(armTurns, 3, 2U), {0.0, 20.0}));
+  CHECK(numbers(beside, 1) == numbers(one, 1));
+  // A tangent that is drawn is the artist's.
+  const Document drawn = documentOf(setKeySlope(one, 0, armTurns, {2, ~0U}, TangentSide::both, 4.0));
+  const Document after = documentOf(moveKeys(drawn, 0, oneKey(armTurns, 3, 2U), {0.0, 20.0}));
+  CHECK(numbers(after, 2) == numbers(drawn, 2));
+  CHECK(after.followingKeys.empty());
+  CHECK(restoreAllTracks(one).followingKeys.empty());
+}
+
+TEST_CASE("A key that is deleted, moved in time or inserted and moved bends auto keys beside it", "[keys]") {
+  const Document start = test::boxer();
+  const std::vector<KeyRow> rows{armTurns};
+  const Document curved =
+      documentOf(setKeyKind(start, 0, allKeys(start, 0, rows), rig::KeyInterpolation::automatic));
+  const auto isAuto = [](const Document& document, std::size_t key) {
+    const KeyedRow row = readRow(document, 0, armTurns);
+    const RowKey* const next = key + 1 < row.keys.size() ? &row.keys[key + 1] : nullptr;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double slope = followingSlope(key > 0 ? &row.keys[key - 1] : nullptr, row.keys[key], next, i);
+      CHECK(row.keys[key].outSlopes[i] == Approx(slope).margin(2e-3));
+    }
+  };
+  const Document without = documentOf(removeKeys(curved, 0, oneKey(armTurns, 1)));
+  const Document later = documentOf(moveKeys(curved, 0, oneKey(armTurns, 1), {3.0, 0.0}));
+  const Document inserted = documentOf(insertKeys(curved, 0, rows, 7.0));
+  const Document raised = documentOf(moveKeys(inserted, 0, oneKey(armTurns, 2, 2U), {0.0, 30.0}));
+  isAuto(without, 1);
+  isAuto(later, 2);
+  isAuto(raised, 1);
+  isAuto(raised, 3);
+  const Result<Document> slower = retimed(curved, 0, {5.0, 10.0, 10.0});
+  REQUIRE(slower);
+  for (const std::size_t key : {0U, 1U, 2U, 3U}) {
+    isAuto(*slower, key);
+  }
+}
+
 TEST_CASE("A tangent that is dragged has the slope that is asked for", "[keys]") {
   const Document start = test::boxer();
   const Document bent = documentOf(setKeySlope(start, 0, armTurns, {1, 2U}, TangentSide::both, -3.0));
@@ -287,6 +369,45 @@ TEST_CASE("A range of the whole clip is made slower, and what comes after moves 
   slower.limb = "right-arm";
   CHECK(sameDocument(*retimed(start, 0, slower), start));
   CHECK_FALSE(retimed(start, 0, {5.0, 5.0, 3.0}));
+}
+
+TEST_CASE("A prop's hands let go at the retimed frame", "[keys][holds]") {
+  Document start = test::boxer();
+  rig::Prop prop;
+  prop.node = "Club";
+  prop.boundFrame = 12.0;
+  prop.hands = {{"left-arm", {}}};
+  for (const auto& [frame, value] : {std::pair(2.0, 1.0), std::pair(8.0, 1.0), std::pair(12.0, 0.0)}) {
+    rig::OffsetKey key;
+    key.frame = frame;
+    key.value = value;
+    prop.hands[0].keys.push_back(key);
+  }
+  start.holds.props = {prop};
+  const Result<Document> made = retimed(start, 0, {5.0, 10.0, 10.0});
+  REQUIRE(made);
+  const std::vector<rig::OffsetKey>& keys = made->holds.props[0].hands[0].keys;
+  CHECK(keys[0].frame == 2.0);
+  CHECK(keys[1].frame == 11.0);
+  CHECK(keys[2].frame == 17.0);
+  CHECK(made->holds.props[0].boundFrame == 17.0);
+}
+
+TEST_CASE("What will stand past a clip's end is named", "[keys]") {
+  Document start = test::boxer();
+  rig::Trail trail;
+  trail.limb = "right-arm";
+  trail.settings.startFrame = 10.0;
+  trail.settings.endFrame = 20.0;
+  start.trails = {trail};
+  CHECK(standingPastEnd(start, 0).empty());
+  const double end = keyFramesOf(start, 0, armTurns).back();
+  Document cut = start;
+  for (const KeyRow& row : keyedRows(start, 0)) {
+    const KeySelection late = keysBetween(cut, 0, {&row, 1}, 12.0, end);
+    cut = late.empty() ? cut : documentOf(removeKeys(cut, 0, late));
+  }
+  CHECK(standingPastEnd(cut, 0) == std::vector<std::string>{"trail of right arm (10 to 20)"});
 }
 
 TEST_CASE("Outside of a range whose ends lie between keys nothing but the time changes", "[keys]") {

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/key_edits.h"
 #include "app/edits/retime.h"
 #include "app/edits/track_edits.h"
@@ -112,6 +114,56 @@ TEST_CASE("Every kind of edit of the clip's keys comes back", "[keys]") {
     CHECK(sameDocument(withoutWork(edited), start));
     CHECK(*withoutWork(edited).clips == *start.clips);
   }
+}
+
+TEST_CASE("Auto keys come back with the file and follow their neighbours as before", "[keys]") {
+  const test::TemporaryFolder folder;
+  const fs::path path = folder.path() / "auto.glb";
+  const Document start = openedForKeys(editedDummyPath);
+  const KeyRow row = armRow(start);
+  const Document curved =
+      valueOrFail(setKeyKind(start, 0, {{row, {{2}, {3, 1U}}}}, rig::KeyInterpolation::automatic)).document;
+  REQUIRE(curved.followingKeys.size() == 1);
+  REQUIRE(saveDocument(curved, path, {}));
+  const Document again = openedForKeys(path);
+  CHECK(again.followingKeys == curved.followingKeys);
+  const auto moved = [&](const Document& document) {
+    return *valueOrFail(moveKeys(document, 0, {{row, {{4, 1U}}}}, {0.0, 25.0})).document.clips;
+  };
+  CHECK(moved(again) == moved(curved));
+  Json broken = workOf(curved);
+  broken["auto_keys"][0]["path"] = "weights";
+  Document restored = openedForKeys(editedDummyPath);
+  CHECK_FALSE(restoreWork(broken, restored));
+  Json elsewhere = workOf(curved);
+  elsewhere["auto_keys"][0]["keys"] = {{123.0, 7}};
+  restored = openedForKeys(editedDummyPath);
+  REQUIRE(restoreWork(elsewhere, restored));
+  CHECK(restored.followingKeys.empty());
+}
+
+TEST_CASE("What stands past the end of a shortened clip comes back with the file", "[keys]") {
+  const test::TemporaryFolder folder;
+  const fs::path path = folder.path() / "short.glb";
+  Document start = openedForKeys(editedDummyPath);
+  rig::Adjustment adjustment;
+  adjustment.controller = "left-hand";
+  adjustment.rangeFrames = Vec2(50.0, 58.0);
+  adjustment.keys = {{.frame = 54.0, .move = Vec3(0.1, 0.0, 0.0)}};
+  start = valueOrFail(placeAdjustments(start, {&adjustment, 1}));
+  rig::Holds pin;
+  pin.pins.push_back({.limb = "right-leg", .time = {{52.0, 57.0}, {2.0, 2.0}}, .atFrame = 53.0});
+  start = valueOrFail(placeHolds(start, pin));
+  Document cut = start;
+  for (const KeyRow& row : keyedRows(start, 0)) {
+    const KeySelection late = row.isOffset() ? KeySelection{} : keysBetween(cut, 0, {&row, 1}, 45.0, 1000.0);
+    cut = late.empty() ? cut : valueOrFail(removeKeys(cut, 0, late)).document;
+  }
+  REQUIRE(saveDocument(cut, path, {}));
+  const Document again = openedForKeys(path);
+  CHECK(again.warnings == start.warnings);
+  CHECK(again.adjustments == start.adjustments);
+  CHECK(again.holds == start.holds);
 }
 
 TEST_CASE("Kept keys that make no sense are refused", "[keys]") {

@@ -13,6 +13,7 @@
 #include <imgui_internal.h>
 
 #include "app/commands/frames.h"
+#include "app/commands/keys.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
@@ -217,6 +218,56 @@ std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::
   return joined({number(shown.x), number(shown.y), number(shown.z)});
 }
 
+std::size_t followingCount(const app::Document& document) {
+  std::size_t count = 0;
+  for (const app::FollowingKeys& following : document.followingKeys) {
+    count += following.keys.size();
+  }
+  return count;
+}
+
+/// Frame and first picked value of the first picked key, or its slopes before and after.
+std::string firstPicked(const app::Session& session, bool slopes) {
+  const app::KeySelection picked = app::pickedKeys(session);
+  if (picked.empty()) {
+    return "none";
+  }
+  const app::PickedKey& first = picked.front().keys.front();
+  const app::KeyedRow row = app::readRow(session.document(), session.view().clip, picked.front().row);
+  const app::RowKey& key = row.keys[at(first.key)];
+  std::size_t component = 0;
+  while (component + 1 < row.components && (first.components >> component & 1U) == 0) {
+    ++component;
+  }
+  return slopes ? joined({number(key.inSlopes[component]), number(key.outSlopes[component])})
+                : joined({number(key.frame), number(key.values[component])});
+}
+
+/// States of graph, dope sheet and what they edit.
+std::optional<std::string> keyState(const Shell& shell, std::string_view name) {
+  const app::Session& session = *shell.open.character();
+  const app::ViewState& view = session.view();
+  const std::map<std::string_view, std::function<std::string()>> states{
+      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
+      {"holds",
+       [&] {
+         const rig::Holds& holds = session.document().holds;
+         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
+       }},
+      {"keys.first", [&] { return firstPicked(session, false); }},
+      {"keys.slopes", [&] { return firstPicked(session, true); }},
+      {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
+      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
+      {"graph.curves",
+       [&] { return std::to_string(std::ranges::count(shell.ui.graph.curves, false, &Curve::hidden)); }},
+      {"retime", [&] { return yesNo(shell.ui.retime.open); }},
+      {"retime.past", [&] { return std::to_string(shell.ui.retime.past.size()); }},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second());
+}
+
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   app::Session& session = *shell.open.character();
   const app::ViewState& view = session.view();
@@ -239,8 +290,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"undo", [&] { return session.history().undoLabel(); }},
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
-      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
-      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
@@ -363,6 +412,11 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  const std::optional<std::string> key = keyState(shell, name);
+  return key ? key : sessionState(shell, name);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -421,7 +475,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);
   }
-  return shell.open.character() == nullptr ? std::nullopt : sessionState(shell, name);
+  return shell.open.character() == nullptr ? std::nullopt : characterState(shell, name);
 }
 
 bool sameState(const std::string& a, const std::string& b) {
