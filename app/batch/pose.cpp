@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
+#include "app/recipe/offset_table.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -30,6 +32,8 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
+  std::string offsets;                // a table of offset keys
+  std::string units = "limb_lengths"; // of the table
   bool pinsFeet = false;
   JsonOutput json;
 };
@@ -142,7 +146,7 @@ void printPose(const Json& report) {
   }
 }
 
-// What --pin-feet alone asks for.
+// What --pin-feet and --offsets without a recipe start from.
 Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& document) {
   const Result<int> clip = clipOfArguments(arguments.input, document);
   if (!clip) {
@@ -153,12 +157,7 @@ Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& docum
   return recipe;
 }
 
-Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  if (arguments.recipe.empty()) {
-    return arguments.pinsFeet
-               ? emptyRecipe(arguments, document)
-               : Result<Recipe>(Error{"nothing was asked for", "--recipe", "give a recipe, or --pin-feet"});
-  }
+Result<Recipe> recipeOf(const PoseArguments& arguments, Document& document) {
   std::optional<int> clip;
   if (!arguments.input.clip.empty()) {
     const Result<int> named = clipOfArguments(arguments.input, document);
@@ -167,7 +166,24 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     }
     clip = *named;
   }
-  Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
+  return loadRecipe(arguments.recipe, document, clip);
+}
+
+Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
+  if (arguments.recipe.empty() && arguments.offsets.empty() && !arguments.pinsFeet) {
+    return Error{"nothing was asked for", "--recipe",
+                 "give a recipe, a table of offset keys by --offsets, or --pin-feet"};
+  }
+  Result<Recipe> recipe =
+      arguments.recipe.empty() ? emptyRecipe(arguments, document) : recipeOf(arguments, document);
+  if (recipe && !arguments.offsets.empty()) {
+    Result<std::vector<rig::Adjustment>> table =
+        loadOffsetTable(arguments.offsets, document, recipe->clip, arguments.units);
+    if (!table) {
+      return table.error();
+    }
+    std::ranges::move(*table, std::back_inserter(recipe->adjustments));
+  }
   if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
@@ -188,7 +204,9 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
+  if (Status apart =
+          checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe, arguments.offsets});
+      !apart) {
     return apart;
   }
   Result<Document> document = openDocument(arguments.input);
@@ -220,14 +238,20 @@ Status runPose(const PoseArguments& arguments) {
 Verb poseVerb() {
   return {
       "pose",
-      "Adjusts a clip by the controllers that a recipe keys and the pins, grips and props that it holds, and "
-      "saves the file.",
+      "Adjusts a clip by the controllers that a recipe or a table keys and the pins, grips and props that a "
+      "recipe holds, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
-        line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
+        line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",
+                       "dummy.glb -o low.glb --offsets offsets.csv --units metres"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
+        line.option("--offsets", arguments->offsets,
+                    "A table of offset keys, CSV or JSON, one key a row; beside a recipe or alone");
+        line.option("--units", arguments->units, "What the table counts moves in")
+            .oneOf({"limb_lengths", "metres"})
+            .showDefault();
         line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);

@@ -97,6 +97,7 @@ BendDirections bendsOf(const ReachInput& input, const Limb& limb, std::size_t be
   for (const SampledPose& pose : poses) {
     bends.add(pose.timeSeconds, pose.points.front(), pose.points[bendPoint], pose.points.back(), pose.base);
   }
+  bends.keepClear();
   return bends;
 }
 

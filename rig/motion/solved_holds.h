@@ -19,9 +19,13 @@ struct HoldSpan {
   double endSeconds = std::numeric_limits<double>::infinity();
   double blendInSeconds = 0.0; ///< Before the start.
   double blendOutSeconds = 0.0;
+  double turnSeconds = 0.0; ///< Of a loop that comes back to where it began: the blends go on across its
+                            ///< seam. 0: none.
 
   /// 0 outside, 1 over the range, even in between.
   [[nodiscard]] double strengthAt(double timeSeconds) const;
+  /// Whether it acts on the turns of a loop before (-1) and after (1) its own (0), too.
+  [[nodiscard]] bool actsInTurn(int turn) const;
 };
 
 struct SolvedPin {

@@ -13,6 +13,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/shown_holds.h"
 
 namespace stretch::ui {
 
@@ -206,6 +207,20 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   return bar;
 }
 
+TimelineBar barOf(const app::Session& session, const ShownHold& hold, const ThemeColours& colours) {
+  TimelineBar bar;
+  bar.id = barOfHold(hold.place);
+  bar.start = hold.time.rangeFrames.x;
+  bar.end = hold.time.rangeFrames.y;
+  bar.windowStart = rig::touchedFrames(hold.time).x;
+  bar.windowEnd = rig::touchedFrames(hold.time).y;
+  bar.colour = mixed(colours.quietText, colours.text, 0.35F);
+  bar.label = hold.title;
+  bar.selected = app::isSelected(session, hold.limb);
+  bar.active = true;
+  return bar;
+}
+
 } // namespace
 
 Span visibleFrames(const PanelContext& context) {
@@ -254,6 +269,9 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
       model.bars.push_back(
           barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
     }
+  }
+  for (const ShownHold& hold : shownHolds(document, clip)) {
+    model.bars.push_back(barOf(session, hold, context.theme.colours));
   }
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {
     model.spheres = selected->controlFrames;

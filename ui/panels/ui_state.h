@@ -63,7 +63,7 @@ struct TimelineState {
 };
 
 /// What a menu at the mouse is about.
-enum class MenuTarget { nothing, limb, trail, group, sphere, controller, key, range, time, viewport };
+enum class MenuTarget { nothing, limb, trail, group, sphere, controller, hold, key, range, time, viewport };
 
 /// A trail, or a group of trails, that is given a name.
 struct RenameState {
@@ -348,6 +348,7 @@ struct UiState {
   KeysOverviewState keys;
   MenuTarget menuAsked = MenuTarget::nothing;  ///< To be opened in this frame.
   MenuTarget menuTarget = MenuTarget::nothing; ///< Of the menu that was opened last.
+  int menuHold = 0;                            ///< TimelineBar::id of the hold that the menu is about.
   double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
   std::optional<MenuPlace> menuPlace;          ///< Else at the mouse.
   RenameState rename;

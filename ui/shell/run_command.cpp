@@ -110,6 +110,17 @@ void tellUndone(Shell& shell, std::string_view commandId, const std::string& lab
   tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
 }
 
+/// What a command that holds something did, and over which frames; empty for other commands.
+std::string heldText(const Shell& shell, std::string_view commandId) {
+  constexpr std::array<std::string_view, 6> holding{command::holdPin,   command::holdPinFeet,
+                                                    command::holdMatch, command::holdProp,
+                                                    command::holdLetGo, command::holdRemove};
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && std::find(holding.begin(), holding.end(), commandId) != holding.end()
+             ? undoneText(shell, command::undo)
+             : std::string();
+}
+
 /// The trails that a command is going to apply; none for any other command.
 std::vector<int> trailsToApply(const Shell& shell, std::string_view commandId) {
   const app::Session* const session = shell.open.character();
@@ -159,6 +170,9 @@ void runCommand(Shell& shell, std::string_view commandId) {
   tellProblem(shell, done);
   if (done && !undone.empty()) {
     tellUndone(shell, commandId, undone);
+  }
+  if (const std::string held = heldText(shell, commandId); done && !held.empty()) {
+    tell(shell, ToastKind::info, held);
   }
   if (done && !applied.empty()) {
     tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));

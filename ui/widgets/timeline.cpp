@@ -23,8 +23,11 @@ Hit barHit(const Theme& theme, const Layout& layout, const TimelineModel& model,
       continue;
     }
     const Span span{bar.start, bar.end};
-    const bool releaseAfter = bar.windowEnd > bar.end && std::abs(window.max.x - box.max.x) > reach;
-    const bool releaseBefore = bar.windowStart < bar.start && std::abs(box.min.x - window.min.x) > reach;
+    const bool isTrail = bar.id > 0;
+    const bool releaseAfter =
+        isTrail && bar.windowEnd > bar.end && std::abs(window.max.x - box.max.x) > reach;
+    const bool releaseBefore =
+        isTrail && bar.windowStart < bar.start && std::abs(box.min.x - window.min.x) > reach;
     if (std::abs(mouse.x - box.min.x) <= reach) {
       return {TimelinePart::barStart, bar.id, span};
     }
@@ -244,7 +247,23 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   }
 }
 
-Help helpFor(TimelinePart part) {
+namespace {
+
+Help helpForHold(TimelinePart part) {
+  return part == TimelinePart::barStart ? Help{"Start of the hold", "Drag it to change when it holds.", {}}
+         : part == TimelinePart::barEnd
+             ? Help{"End of the hold", "Drag it to change when it holds.", {}}
+             : Help{"Pin, grip or prop",
+                    "Click selects what it holds, dragging moves its range, a right click opens its menu.",
+                    {}};
+}
+
+} // namespace
+
+Help helpFor(TimelinePart part, int bar) {
+  if (bar < 0) {
+    return helpForHold(part);
+  }
   switch (part) {
   case TimelinePart::rangeStart:
     return {"Start of the working range", "Drag it. New trails take this range.", {}};
@@ -298,14 +317,14 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
   for (std::size_t row = 0; row < model.bars.size(); ++row) {
     const TimelineBar& bar = model.bars[row];
     const Rect box = timeline_detail::barBox(context.theme, layout, model, row, {bar.start, bar.end});
-    const std::string name = "trail-" + std::to_string(bar.id);
+    const std::string name = (bar.id > 0 ? "trail-" : "hold-") + std::to_string(std::abs(bar.id));
     add(name + "/start", box.min.x, box.centre().y);
     add(name + "/end", box.max.x, box.centre().y);
     add(name + "/body", box.centre().x, box.centre().y);
     context.items.add(id + "/" + name + "/name", {layout.labelLeft, box.min.y},
                       {layout.track.min.x, box.max.y});
     const Span window = timeline_detail::shownWindow(model, bar);
-    if (bar.windowEnd > bar.end || bar.windowStart < bar.start) {
+    if (bar.id > 0 && (bar.windowEnd > bar.end || bar.windowStart < bar.start)) {
       add(name + "/release", layout.frames.toPixel(bar.windowEnd > bar.end ? window.end : window.start),
           box.centre().y);
     }
@@ -409,7 +428,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   }
   if (!control.held) {
     const std::string name = timeline_detail::cutLabelAt(theme, layout, model, mouse);
-    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part) : Help{.title = name});
+    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part, hit.bar) : Help{.title = name});
   }
   return outcome;
 }

@@ -10,9 +10,9 @@
 
 namespace stretch::ui {
 
-/// A trail's time: its range, and the release in which the limb comes back.
+/// A trail's time: its range, and the release in which the limb comes back; or a hold's with its blends.
 struct TimelineBar {
-  int id = 0; ///< > 0
+  int id = 0; ///< Of a trail above 0, of a hold below.
   double start = 0.0;
   double end = 0.0;
   double windowStart = 0.0; ///< Range and release together.

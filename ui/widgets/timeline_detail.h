@@ -61,6 +61,7 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
 [[nodiscard]] std::string cutLabelAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
                                      const ImVec2& mouse);
 
-[[nodiscard]] Help helpFor(TimelinePart part);
+/// `bar`: TimelineBar::id of what the part belongs to; 0: none.
+[[nodiscard]] Help helpFor(TimelinePart part, int bar);
 
 } // namespace stretch::ui::timeline_detail

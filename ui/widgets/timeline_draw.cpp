@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/widgets/icons.h"
 #include "ui/widgets/shapes.h"
 #include "ui/widgets/timeline_detail.h"
 
@@ -222,7 +223,13 @@ void drawBar(const WidgetContext& context, const Layout& layout, const TimelineM
   list->PopClipRect();
   const Rect label{{layout.labelLeft + theme.unit(), box.min.y},
                    {layout.track.min.x - theme.unit(), box.max.y}};
-  list->AddCircleFilled({label.min.x + theme.px(4.0F), label.centre().y}, theme.px(4.0F), bar.colour);
+  if (bar.id > 0) {
+    list->AddCircleFilled({label.min.x + theme.px(4.0F), label.centre().y}, theme.px(4.0F), bar.colour);
+  } else {
+    drawText(context, theme.fonts.label,
+             {{label.min.x, label.min.y}, {label.min.x + theme.px(12.0F), label.max.y}}, bar.colour,
+             icon::pin);
+  }
   drawText(context, theme.fonts.label, {{label.min.x + theme.px(14.0F), label.min.y}, label.max},
            bar.selected ? theme.colours.text : theme.colours.quietText, bar.label);
 }

@@ -18,6 +18,7 @@
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/key_edits.h"
 #include "app/edits/offset_edits.h"
 #include "app/edits/track_edits.h"
@@ -208,6 +209,16 @@ std::string tangentCount(const app::Session& session) {
                                 [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
 }
 
+/// "left-arm 21 to 27, left-leg 3 to 9".
+std::string pinsText(const app::Document& document, int clip) {
+  std::string text;
+  for (const rig::Pin& pin : app::holdsOfClip(document.holds, clip).pins) {
+    text += (text.empty() ? "" : ", ") + pin.limb + " " + number(pin.time.rangeFrames.x) + " to " +
+            number(pin.time.rangeFrames.y);
+  }
+  return text;
+}
+
 /// Three numbers of what the first selected controller is offset by at the playhead.
 std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::*vector, double unit) {
   if (!app::hasControllers(session)) {
@@ -280,6 +291,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
+      {"pins", [&] { return pinsText(session.document(), view.clip); }},
       {"moved", [&] { return offsetText(session, &app::ControllerOffset::move, 1.0); }},
       {"turned", [&] { return offsetText(session, &app::ControllerOffset::turn, 180.0 / pi); }},
       {"offset-keys", [&] { return std::to_string(app::offsetKeyFrames(session).size()); }},
