@@ -166,17 +166,27 @@ bool hasTargetArms(const Session& session) {
   return clipNeeded().holds(session) && !targetArms(session).empty();
 }
 
-rig::Prop propIn(const std::string& node, const std::vector<std::string>& arms, int clip, double frame) {
+rig::Prop propIn(const std::string& node, const std::vector<std::string>& arms, int clip,
+                 std::optional<double> boundFrame) {
   rig::Prop prop;
   prop.node = node;
   prop.clip = clip;
-  prop.boundFrame = frame;
+  prop.boundFrame = boundFrame;
   for (const std::string& arm : arms) {
     rig::OffsetKey held;
     held.value = 1.0;
     prop.hands.push_back({arm, {held}});
   }
   return prop;
+}
+
+// What the clip itself moves is in the hands there as it should be, at each frame; what lies still is taken
+// as it stands at the playhead.
+std::optional<double> bindingOf(const Session& session, NodeIndex node) {
+  const bool isMoved =
+      std::ranges::any_of(clipOf(session.document(), session.view().clip).tracks,
+                          [&](const CopyOnWrite<Track>& track) { return track->node == node; });
+  return isMoved ? std::nullopt : std::optional(session.view().frame);
 }
 
 // The thing with a mesh that stands nearest to the hands and that they can hold.
@@ -192,7 +202,8 @@ std::optional<rig::Prop> nearestProp(Session& session) {
     if (document.scene->nodes[i].mesh < 0 || distance >= best) {
       continue;
     }
-    rig::Prop prop = propIn("#" + std::to_string(i), arms, session.view().clip, session.view().frame);
+    rig::Prop prop =
+        propIn("#" + std::to_string(i), arms, session.view().clip, bindingOf(session, NodeIndex(i)));
     rig::Holds wanted;
     wanted.props.push_back(prop);
     if (placeHolds(document, wanted)) {
@@ -315,10 +326,12 @@ std::vector<DocumentCommand> holdCommands() {
                 {"M"}, heldTargetNeeded(), matchOtherHand),
           hasGrip),
       entry(command::holdProp, "Hold the nearest prop",
-            "Puts the nearest thing into the selected hand, or into both, as it stands at the playhead.", {},
-            {hasTargetArms, "select an arm or a hand"}, holdProp),
+            "Puts the nearest thing into the selected hand, or into both: what the clip moves as it is there "
+            "at "
+            "each frame, what lies still as it stands at the playhead.",
+            {"Shift+H"}, {hasTargetArms, "select an arm or a hand"}, holdProp),
       entry(command::holdLetGo, "Let the prop go",
-            "From the playhead on the selected hand lets go what it holds; another hand keeps it.", {},
+            "From the playhead on the selected hand lets go what it holds; another hand keeps it.", {"Alt+H"},
             {hasPropInHand, "select a hand that holds something"}, letGo),
       entry(command::holdRemove, "Take holds away",
             "Takes pins, grips and props of the selected limbs out of this clip.", {},

@@ -8,8 +8,8 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/left_behind.h"
-#include "app/evaluate/standing_floor.h"
 #include "app/evaluate/trail_look.h"
+#include "app/standing_floor.h"
 
 namespace stretch::app {
 

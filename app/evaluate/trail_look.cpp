@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/evaluate/standing_floor.h"
+#include "app/standing_floor.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
 #include "rig/limb.h"

@@ -146,12 +146,6 @@ private:
     return solved;
   }
 
-  // Where the prop is bound.
-  [[nodiscard]] HeldPlace boundPlace(const Prop& prop, NodeIndex node, const FrameState& state) const {
-    const Mat4& world = state.worlds[at(node)];
-    return {positionOf(world) + prop.move, rotationOfVector(prop.turn) * rotationOf(world)};
-  }
-
   std::optional<SolvedProp> solve(const Prop& prop) {
     SolvedProp solved;
     solved.node = propNode(*input_.scene, prop.node);
@@ -160,6 +154,8 @@ private:
     }
     solved.span = prop.time ? spanOf(*prop.time, framesPerSecond(), turnSeconds_) : HoldSpan{};
     solved.stretch = prop.stretch;
+    solved.move = prop.move;
+    solved.turn = rotationOfVector(prop.turn);
     std::vector<NodeIndex> nodes{solved.node};
     for (const PropHand& hand : prop.hands) {
       if (const Limb* const limb = limbOf(input_, hand.limb)) {
@@ -167,14 +163,17 @@ private:
         nodes.insert(nodes.end(), more.begin(), more.end());
       }
     }
-    const FrameState state = adjustedAt(prop.boundFrame, nodes);
+    const std::optional<FrameState> bound =
+        prop.boundFrame ? std::optional(adjustedAt(*prop.boundFrame, nodes)) : std::nullopt;
     for (const PropHand& hand : prop.hands) {
       const Limb* const limb = limbOf(input_, hand.limb);
       if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, nodesOf(*limb).back())) {
         Adjustment firmness;
         firmness.keys = withFades(hand.keys);
-        solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()),
-                                seenFrom(endPlace(*limb, state), boundPlace(prop, solved.node, state))});
+        solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()), {}});
+        if (bound) {
+          solved.hands.back().relation = seenFrom(endPlace(*limb, *bound), boundPlace(solved, *bound));
+        }
       }
     }
     solved_.nodes.push_back(solved.node);
@@ -234,6 +233,11 @@ HeldPlace between(const HeldPlace& a, const HeldPlace& b, double share) {
     return share <= 0.0 ? a : b;
   }
   return {a.position + share * (b.position - a.position), glm::slerp(a.orientation, b.orientation, share)};
+}
+
+HeldPlace boundPlace(const SolvedProp& prop, const FrameState& frame) {
+  const Mat4& world = frame.worlds[at(prop.node)];
+  return {positionOf(world) + prop.move, prop.turn * rotationOf(world)};
 }
 
 NodeIndex propNode(const Scene& scene, const std::string& name) {

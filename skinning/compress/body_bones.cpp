@@ -76,7 +76,12 @@ void fitRow(const MeshSequence& sequence, const CompressSettings& settings, cons
             SkinnedSequence& skinned) {
   FitSettings fit = fitSettings(settings);
   if (fit.fitWeights) {
+    constexpr int rounds = 24; // More would only suit the weights to bones that are free, which these are
+                               // not.
+    constexpr double leastGain = 2e-3;
     SkinnedSequence free = skinned;
+    fit.rounds = std::min(fit.rounds, rounds);
+    fit.leastGain = std::max(fit.leastGain, leastGain);
     fit.fitStretch = true;
     fitFreeBones(sequence, free, fit, proceed);
     skinned.influences = std::move(free.influences);
@@ -151,7 +156,9 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
                                           "both pieces keep four vertices and move apart",
                                           found, settings.bones));
   }
-  fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
+  FitSettings fit = fitSettings(settings);
+  fit.bonesMove = true;
+  fitFreeBones(sequence, result.skinned, fit, proceed);
   if (settings.joints == JointOption::tree) {
     hangTogether(result.skinned);
   }

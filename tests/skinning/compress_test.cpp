@@ -238,6 +238,29 @@ TEST_CASE("an arm of a few large triangles makes a body branch") {
   CHECK(compress(body, settings));
 }
 
+TEST_CASE("a short trunk between long arms makes a body branch") {
+  const int half = GENERATE(7, 8, 12); // of the trunk's height, in cells; it is 4 wide, as the arms are thick
+  const test::Shape shape = test::cubes({-26, -20, -3}, {26, 20, 3}, 0.5, [&](int x, int y, int z) {
+    const bool arms = x >= -24 && x < 24 && y >= -2 && y < 2;
+    const bool trunk = x >= -2 && x < 2 && y >= -half && y < half;
+    return z >= -2 && z < 2 && (arms || trunk);
+  });
+  MeshSequence body = test::still(shape);
+  for (int k = 1; k < 8; ++k) { // The arms flap, what is below them swings to and fro.
+    for (const glm::vec3& p : shape.positions) {
+      const float time = 0.5F * static_cast<float>(k);
+      body.positions.emplace_back(p.x, p.y + 0.02F * std::sin(time) * p.x * p.x,
+                                  p.z + 0.3F * std::sin(2.0F * time) * std::min(0.0F, p.y + 1.0F));
+    }
+  }
+  CompressSettings settings;
+  settings.bones = 10;
+  const auto elastic = compress(body, settings);
+  REQUIRE_FALSE(elastic);
+  CHECK_THAT(elastic.error().line(),
+             Catch::Contains("branches") && Catch::Contains("--stretch measured --weights fitted"));
+}
+
 TEST_CASE("bodies of several parts are refused with what helps") {
   MeshSequence two = test::still(test::tube(10.0, 0.5, 40, 10));
   const auto count = static_cast<std::uint32_t>(two.vertexCount);

@@ -44,15 +44,31 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        command::viewFrameSelection,
                                        command::viewControllers};
 
+constexpr CommandIds limbEntries{command::trailExaggerate,
+                                 command::trailToggle,
+                                 command::weightToggle,
+                                 "",
+                                 command::holdPin,
+                                 command::holdPinFeet,
+                                 command::holdMatch,
+                                 command::holdProp,
+                                 command::holdLetGo,
+                                 command::holdRemove,
+                                 "",
+                                 command::copyTrail,
+                                 command::pasteTrail,
+                                 command::mirrorTrail,
+                                 "",
+                                 command::trailDeleteAll,
+                                 command::viewFrameSelection,
+                                 command::selectNone};
+
 /// After what is done with the one hold.
 constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
                                   "", command::rangeStart, command::rangeEnd,    command::rangeDefault};
 
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{
-      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
-      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,
@@ -92,7 +108,7 @@ CommandIds entriesOf(MenuTarget target) {
       viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
       viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
       viewNavigation};
-  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limbEntries},
                                           {MenuTarget::trail, trail},
                                           {MenuTarget::group, group},
                                           {MenuTarget::sphere, sphere},
