@@ -309,13 +309,20 @@ def folded(character, limb, worlds):
     return joints[1:-1] if nearest < 0.35 * rest else []
 
 
+def straight(character, limb, worlds, index):
+    """The knee or elbow of a limb that is straight at a frame: what brings its ends nearer bends it by the square root of that, at once."""
+    points = [place(worlds[joint][index]) for joint in character.limbs[limb]]
+    length = sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+    return character.limbs[limb][1:-1] if math.dist(points[0], points[-1]) > 0.995 * length else []
+
+
 def accelerations(path):
     return [math.dist(add(a, c), scaled(b, 2)) for a, b, c in zip(path, path[1:], path[2:])]
 
 
 def spikes(character, output):
     """Joints that accelerate by more than 1.5 times what the source and the offset together do, where they do most around that frame: the
-    offset counts along axes that turn with the body, which the ends of the limbs tell."""
+    offset counts along axes that turn with the body, which the ends of the limbs tell. Knees and elbows count where the source bends them."""
     frames = list(range(character.last + 1))
     if character.last < 4:
         return []
@@ -330,10 +337,13 @@ def spikes(character, output):
     offset = [max(6.0 * moved / character.full**2, *each) for each in zip(*ends)]  # the first: of 3 u^2 - 2 u^3
 
     free = set(character.bones) - {node for limb in character.limbs for node in folded(character, limb, after)}
+    unbent = [{node for limb in character.limbs for node in straight(character, limb, before, i)} for i in frames]
     worst = (0.0, 0, 0, 0.0)
     for node in sorted(free):
         _, posed = paths[node]
         for index, now in enumerate(accelerations(posed)):
+            if any(node in each for each in unbent[index:index + 3]):
+                continue
             around = slice(max(0, index - 1), index + 2)
             allowed = max(own[around]) + max(offset[around]) + SEEN_SPIKE * character.height
             worst = max(worst, (now / allowed, node, index + 1, now / character.height))
