@@ -82,6 +82,17 @@ std::vector<std::pair<std::string, std::vector<std::string>>> byTitle(const std:
   return titles;
 }
 
+// Many are told by the first of them: a message is read at a glance.
+std::string toldRanges(std::vector<std::string> ranges) {
+  constexpr std::size_t most = 3;
+  if (ranges.size() > most) {
+    const std::size_t more = ranges.size() - (most - 1);
+    ranges.resize(most - 1);
+    ranges.push_back(fmt::format("{} more", more));
+  }
+  return listed(ranges);
+}
+
 } // namespace
 
 std::string holdChangeText(const Document& before, const Document& after) {
@@ -90,10 +101,10 @@ std::string holdChangeText(const Document& before, const Document& after) {
   const auto oldTitles = byTitle(removed);
   std::string text;
   for (const auto& [title, ranges] : byTitle(added.empty() ? removed : added)) {
-    text += (text.empty() ? "" : ", ") + title + " " + listed(ranges);
+    text += (text.empty() ? "" : ", ") + title + " " + toldRanges(ranges);
     const auto old = std::ranges::find_if(oldTitles, [&](const auto& one) { return one.first == title; });
     if (!added.empty() && old != oldTitles.end()) {
-      text += " in the place of " + listed(old->second);
+      text += " in the place of " + toldRanges(old->second);
     }
   }
   return text;

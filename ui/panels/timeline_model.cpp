@@ -221,6 +221,20 @@ TimelineBar barOf(const app::Session& session, const ShownHold& hold, const Them
   return bar;
 }
 
+// Those of one limb share a row.
+void addHolds(PanelContext& context, TimelineModel& model) {
+  const app::Session& session = context.character();
+  std::size_t rows = model.bars.size();
+  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+    TimelineBar bar = barOf(session, hold, context.theme.colours);
+    const auto same = std::find_if(model.bars.begin(), model.bars.end(), [&](const TimelineBar& other) {
+      return other.id < 0 && other.label == bar.label;
+    });
+    bar.row = same != model.bars.end() ? same->row : rows++;
+    model.bars.push_back(std::move(bar));
+  }
+}
+
 } // namespace
 
 Span visibleFrames(const PanelContext& context) {
@@ -270,9 +284,10 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
           barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
     }
   }
-  for (const ShownHold& hold : shownHolds(document, clip)) {
-    model.bars.push_back(barOf(session, hold, context.theme.colours));
+  for (TimelineBar& bar : model.bars) {
+    bar.row = static_cast<std::size_t>(&bar - model.bars.data());
   }
+  addHolds(context, model);
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {
     model.spheres = selected->controlFrames;
   }

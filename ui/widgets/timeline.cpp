@@ -15,10 +15,9 @@ constexpr float grabWidth = 6.0F; ///< Either side of an edge, design pixels.
 
 Hit barHit(const Theme& theme, const Layout& layout, const TimelineModel& model, const ImVec2& mouse) {
   const float reach = theme.px(grabWidth);
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    const TimelineBar& bar = model.bars[row];
-    const Rect box = barBox(theme, layout, model, row, {bar.start, bar.end});
-    const Rect window = barBox(theme, layout, model, row, shownWindow(model, bar));
+  for (const TimelineBar& bar : model.bars) {
+    const Rect box = barBox(theme, layout, model, bar, {bar.start, bar.end});
+    const Rect window = barBox(theme, layout, model, bar, shownWindow(model, bar));
     if (mouse.y < box.min.y || mouse.y >= box.max.y) {
       continue;
     }
@@ -225,9 +224,8 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   }
   outcome.menuAsked = true;
   outcome.menuBar = hit.bar;
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    outcome.menuRow =
-        model.bars[row].id == hit.bar ? barBox(theme, layout, model, row, {0.0, 0.0}) : outcome.menuRow;
+  for (const TimelineBar& bar : model.bars) {
+    outcome.menuRow = bar.id == hit.bar ? barBox(theme, layout, model, bar, {0.0, 0.0}) : outcome.menuRow;
   }
   outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
   if (hit.part == TimelinePart::rangeStart || hit.part == TimelinePart::rangeEnd) {
@@ -314,9 +312,8 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
       add("row-" + std::to_string(row) + "/" + std::to_string(i), layout.frames.toPixel(frames[i]), y);
     }
   }
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    const TimelineBar& bar = model.bars[row];
-    const Rect box = timeline_detail::barBox(context.theme, layout, model, row, {bar.start, bar.end});
+  for (const TimelineBar& bar : model.bars) {
+    const Rect box = timeline_detail::barBox(context.theme, layout, model, bar, {bar.start, bar.end});
     const std::string name = (bar.id > 0 ? "trail-" : "hold-") + std::to_string(std::abs(bar.id));
     add(name + "/start", box.min.x, box.centre().y);
     add(name + "/end", box.max.x, box.centre().y);

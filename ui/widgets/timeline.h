@@ -22,6 +22,7 @@ struct TimelineBar {
   bool selected = false;
   bool active = false;  ///< The character follows it, and the artist is not done with it.
   bool applied = false; ///< The artist is done with it.
+  std::size_t row = 0;  ///< Of the bars; those of one row have one label.
 };
 
 /// A row of keys, for the dope sheet.

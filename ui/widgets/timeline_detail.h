@@ -18,9 +18,9 @@ struct Layout {
 
 [[nodiscard]] Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
                               float labelWidth);
-/// Where a span of the bar in this row is.
+/// Where a span of a bar is.
 [[nodiscard]] Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
-                          std::size_t row, const Span& span);
+                          const TimelineBar& bar, const Span& span);
 
 /// Where the ends of range and release together stand: on a loop one past the seam stands at the clip's other
 /// end.
