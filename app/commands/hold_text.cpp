@@ -102,7 +102,8 @@ std::string holdChangeText(const Document& before, const Document& after) {
   std::string text;
   for (const auto& [title, ranges] : byTitle(added.empty() ? removed : added)) {
     text += (text.empty() ? "" : ", ") + title + " " + toldRanges(ranges);
-    const auto old = std::ranges::find_if(oldTitles, [&](const auto& one) { return one.first == title; });
+    const auto old =
+        std::ranges::find_if(oldTitles, [&title = title](const auto& one) { return one.first == title; });
     if (!added.empty() && old != oldTitles.end()) {
       text += " in the place of " + toldRanges(old->second);
     }
