@@ -97,7 +97,7 @@ Status checkPlace(const Document& document, const rig::HeldPlace& place, const s
 }
 
 Status firstError(std::initializer_list<Status> all) {
-  const auto found = std::ranges::find_if(all, [](const Status& one) { return !one.ok(); });
+  const Status* const found = std::ranges::find_if(all, [](const Status& one) { return !one.ok(); });
   return found == all.end() ? Status(Success{}) : *found;
 }
 

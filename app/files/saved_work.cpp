@@ -239,7 +239,7 @@ Status restoreHoldList(const Json& entries, const Read& read, const Put& put, Do
     hold->clip = json.at("clip").get<int>();
     rig::Holds one;
     put(one).push_back(std::move(*hold));
-    if (const Status restored = restoreHold(one, document); !restored) {
+    if (Status restored = restoreHold(one, document); !restored) {
       return restored;
     }
   }

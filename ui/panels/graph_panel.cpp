@@ -36,6 +36,7 @@ bool isVeryNarrow(const PanelContext& context) {
 void subjectChooser(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   GraphState& graph = context.ui.graph;
   std::vector<Choice> choices;
+  choices.reserve(subjects.size());
   for (const GraphSubject& subject : subjects) {
     choices.push_back({subject.title});
   }
