@@ -108,6 +108,24 @@ std::vector<Block> leapBlocks() {
           {boxBetween({-0.8, 0.0, 4.6}, {0.8, 0.30, 6.4})}};
 }
 
+/// By how much a node stands elsewhere than in the source.
+double strayOf(const Seen& before, const Seen& after, const std::string& node, double frame) {
+  return glm::length(placeOf(after.scene(), after.at(frame), node) -
+                     placeOf(before.scene(), before.at(frame), node));
+}
+
+/// `look(before, after)` for both versions of an evaluation played on its clip.
+template <typename Look>
+void inBothVersions(const Document& source, const std::string& evaluation, const Look& look) {
+  const Seen before(source);
+  for (const char* const version : {"simple-", "refined-"}) {
+    const std::string recipe = version + evaluation;
+    CAPTURE(recipe);
+    const Document document = played(source, recipe);
+    look(before, Seen(document));
+  }
+}
+
 } // namespace
 
 TEST_CASE("The recipes of punch and swing apply without a word of warning") {
@@ -124,12 +142,9 @@ TEST_CASE("The recipes of punch and swing apply without a word of warning") {
 
 TEST_CASE("In the exaggerated swing both hands stay on the bat, and the left one after the hit") {
   const Document source = bundled("dummy_swing.glb");
-  const Seen before(source);
-  for (const char* recipe : {"simple-swing", "refined-swing"}) {
-    const Document document = played(source, recipe);
-    const Seen after(document);
+  inBothVersions(source, "swing", [&](const Seen& before, const Seen& after) {
     for (double frame = 0.0; frame <= 88.0; frame += 0.5) {
-      CAPTURE(recipe, frame);
+      CAPTURE(frame);
       for (const char* hand : {"LeftHand", "RightHand"}) {
         const bool holds = hand == std::string("LeftHand") || frame <= rightLetsGo;
         const Vec3 was = onBat(before.scene(), before.at(frame), hand);
@@ -137,7 +152,7 @@ TEST_CASE("In the exaggerated swing both hands stay on the bat, and the left one
         CHECK((!holds || off < 0.01 * batLength));
       }
     }
-  }
+  });
 }
 
 TEST_CASE("The refined swing leaves the wind-up alone and is longest around the hit") {
@@ -145,10 +160,7 @@ TEST_CASE("The refined swing leaves the wind-up alone and is longest around the 
   const Document document = played(source, "refined-swing");
   const Seen before(source);
   const Seen after(document);
-  const auto moved = [&](double frame) {
-    return glm::length(placeOf(after.scene(), after.at(frame), "RightHand") -
-                       placeOf(before.scene(), before.at(frame), "RightHand"));
-  };
+  const auto moved = [&](double frame) { return strayOf(before, after, "RightHand", frame); };
   CHECK(moved(33.0) < 0.01);
   CHECK(moved(36.0) < 0.05);
   CHECK(moved(42.0) > 0.25);
@@ -157,57 +169,45 @@ TEST_CASE("The refined swing leaves the wind-up alone and is longest around the 
 
 TEST_CASE("Feet that stand do not slide in the exaggerated swing") {
   const Document source = bundled("dummy_swing.glb");
-  const Seen before(source);
-  for (const char* recipe : {"simple-swing", "refined-swing"}) {
-    const Document document = played(source, recipe);
-    const Seen after(document);
+  inBothVersions(source, "swing", [&](const Seen& before, const Seen& after) {
     for (double frame = 0.0; frame <= 88.0; frame += 0.5) {
-      CAPTURE(recipe, frame);
+      CAPTURE(frame);
       for (const char* foot : {"LeftFoot", "RightFoot", "LeftToeBase", "RightToeBase"}) {
-        const double slid = glm::length(placeOf(after.scene(), after.at(frame), foot) -
-                                        placeOf(before.scene(), before.at(frame), foot));
-        CHECK(slid < 0.005 * source.biped.height);
+        CHECK(strayOf(before, after, foot, frame) < 0.005 * source.biped.height);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("The exaggerated leap goes neither into the floor nor into a block, beyond what the source does") {
   const Document source = bundled("dummy_leap.glb");
-  const Seen before(source);
-  for (const char* recipe : {"simple-leap", "refined-leap"}) {
-    const Document document = played(source, recipe);
-    const Seen after(document);
+  inBothVersions(source, "leap", [&](const Seen& before, const Seen& after) {
     for (double frame = 28.0; frame <= 80.0; frame += 0.5) {
-      CAPTURE(recipe, frame);
+      CAPTURE(frame);
       const double was = depthIn(leapBlocks(), before.scene(), before.at(frame));
       const double is = depthIn(leapBlocks(), after.scene(), after.at(frame));
       CHECK(is < was + 0.005 * source.biped.height);
     }
-  }
+  });
 }
 
 TEST_CASE("The leap's hands stand on the ledge and its feet on the platform as in the source") {
   const Document source = bundled("dummy_leap.glb");
-  const Seen before(source);
-  for (const char* recipe : {"simple-leap", "refined-leap"}) {
-    const Document document = played(source, recipe);
-    const Seen after(document);
+  inBothVersions(source, "leap", [&](const Seen& before, const Seen& after) {
     const auto strays = [&](const std::string& joint, double frame) {
-      return glm::length(placeOf(after.scene(), after.at(frame), joint) -
-                         placeOf(before.scene(), before.at(frame), joint));
+      return strayOf(before, after, joint, frame);
     };
     for (double frame = 46.0; frame <= 50.0; frame += 0.5) {
-      CAPTURE(recipe, frame);
+      CAPTURE(frame);
       CHECK(strays("LeftHand", frame) < 0.005 * source.biped.height);
       CHECK(strays("RightHand", frame) < 0.005 * source.biped.height);
     }
     for (double frame = 64.0; frame <= 76.0; frame += 0.5) {
-      CAPTURE(recipe, frame);
+      CAPTURE(frame);
       CHECK(strays("LeftFoot", frame) < 0.005 * source.biped.height);
       CHECK(strays("RightFoot", frame) < 0.005 * source.biped.height);
     }
-  }
+  });
 }
 
 TEST_CASE("The leap stretches arms and legs in the air, and the landing the trunk as well") {
