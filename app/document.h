@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -68,6 +69,9 @@ struct Document {
 
 /// Equal by value (shared parts by identity first).
 [[nodiscard]] bool sameDocument(const Document& a, const Document& b);
+
+/// Bytes that a document takes and does not share with another one, about.
+[[nodiscard]] std::size_t bytesBeyond(const Document& document, const Document& other);
 
 /// The limbs of the body, then the chains: what trails and weight may name.
 [[nodiscard]] std::vector<rig::Limb> allLimbs(const Document& document);

@@ -45,6 +45,21 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
 
 } // namespace
 
+std::size_t bytesBeyond(const SequenceDocument& document, const SequenceDocument& other) {
+  std::size_t bytes = sizeof document;
+  if (document.result != nullptr && document.result != other.result) {
+    const skinning::SkinnedSequence& skinned = document.result->compressed.skinned;
+    bytes += skinned.bindPositions.size() * (sizeof(glm::vec3) + sizeof(skinning::Influences)) +
+             skinned.triangles.size() * sizeof(Triangle) + skinned.poses.size() * sizeof(skinning::BonePose);
+  }
+  if (document.clip != nullptr && document.clip != other.clip) {
+    for (const Bytes& buffer : document.clip->clip.source.buffers) {
+      bytes += buffer.size();
+    }
+  }
+  return bytes;
+}
+
 bool sameDocument(const SequenceDocument& a, const SequenceDocument& b) {
   return a.paths == b.paths && a.mesh == b.mesh && a.analysis == b.analysis && a.settings == b.settings &&
          a.encoding == b.encoding && a.result == b.result;

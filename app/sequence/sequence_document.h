@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -53,6 +54,9 @@ struct SequenceDocument {
 
 /// Equal by value (shared parts by identity).
 [[nodiscard]] bool sameDocument(const SequenceDocument& a, const SequenceDocument& b);
+
+/// Bytes that a document takes and does not share with another one, about.
+[[nodiscard]] std::size_t bytesBeyond(const SequenceDocument& document, const SequenceDocument& other);
 
 /// The path that names the sequence: the folder, the file, or the cache.
 [[nodiscard]] const std::filesystem::path& pathOf(const SequenceDocument& document);
