@@ -12,6 +12,7 @@
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::app {
 
@@ -32,7 +33,7 @@ std::string absoluteText(const fs::path& path) {
 /// The file's content; null when it is none of ours.
 Json readAutosave(const fs::path& file) {
   const Result<std::string> text = readText(file);
-  const Json json = Json::parse(text ? *text : "", nullptr, false);
+  const Json json = gltf::parseAnyJson(text ? *text : "");
   const bool ours = json.is_object() && json.contains("source") && json["source"].is_string() &&
                     json.contains("process") && json["process"].is_number_integer() && json.contains("work");
   return ours ? json : Json();

@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::app {
 
@@ -155,7 +156,7 @@ Result<std::vector<TableRow>> rowsOfCsv(const std::string& text) {
 }
 
 Result<std::vector<TableRow>> rowsOfJson(const std::string& text) {
-  const Json list = Json::parse(text, nullptr, false);
+  const Json list = gltf::parseAnyJson(text);
   if (!list.is_array()) {
     return Error{"is not a list in JSON", "",
                  R"(give [{"controller": "hips", "frame": 12, "move": [0, -0.1, 0]}, ...])"};

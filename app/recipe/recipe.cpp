@@ -15,6 +15,7 @@
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -239,7 +240,7 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
   if (!text) {
     return text.error();
   }
-  const Json json = Json::parse(*text, nullptr, false);
+  const Json json = gltf::parseAnyJson(*text);
   if (json.is_discarded()) {
     return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
   }

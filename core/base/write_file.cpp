@@ -241,7 +241,7 @@ bool isProtected(const fs::path& target) {
   struct stat found {};
   constexpr mode_t anyoneWrites = 0222;
   return ::stat(target.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
-         ((found.st_mode & anyoneWrites) == 0 || ::access(target.c_str(), W_OK) != 0);
+         ((found.st_mode & anyoneWrites) == 0 || (::access(target.c_str(), W_OK) != 0 && errno == EACCES));
 }
 
 struct Content {

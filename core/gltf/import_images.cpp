@@ -51,10 +51,30 @@ std::optional<Bytes> bytesOfUri(const Source& source, const std::string& uri) {
   return bytes ? std::optional(std::move(bytes.value())) : std::nullopt;
 }
 
+// The decoder takes memory for each part of a PNG as that says how long it is, whether the bytes are there or
+// not.
+bool partsFit(std::string_view png) {
+  constexpr std::size_t signature = 8;
+  constexpr std::size_t aroundPart = 12; // its length, its kind and its checksum
+  for (std::size_t start = signature; start + aroundPart <= png.size();) {
+    std::size_t length = 0;
+    for (const char byte : png.substr(start, 4)) {
+      length = length << 8U | static_cast<unsigned char>(byte);
+    }
+    if (length > png.size() - start - aroundPart) {
+      return false;
+    }
+    if (png.substr(start + 4, 4) == "IEND") {
+      return true;
+    }
+    start += aroundPart + length;
+  }
+  return true;
+}
+
 bool isPngOrJpeg(const Bytes& bytes) {
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
-                               std::min<std::size_t>(bytes.size(), 4));
-  return start == "\x89PNG" || start.starts_with("\xFF\xD8\xFF");
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.starts_with("\xFF\xD8\xFF") || (text.starts_with("\x89PNG") && partsFit(text));
 }
 
 // Size is asked for before anything is allocated: a small file can claim to be a huge picture.

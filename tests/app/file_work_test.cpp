@@ -220,6 +220,7 @@ TEST_CASE("A file that another program changes while it is read is not overwritt
     return read;
   });
   desk.openNow(work, "a.glb");
+  desk.edit();
   work.saveAs(desk, desk.file("mine.glb"));
   desk.openNow(work, "mine.glb");
   desk.news();
@@ -361,7 +362,7 @@ TEST_CASE("After a save under another name unsaved work is kept for the file tha
 }
 
 TEST_CASE("Save incremental takes the next free number") {
-  std::shared_ptr<const test::TemporaryFolder> folder;
+  const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "punch.glb";
   CHECK(nextIncrement(file).filename() == "punch-001.glb");
   std::ofstream(folder.path() / "punch-001.glb") << "x";

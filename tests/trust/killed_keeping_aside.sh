@@ -31,7 +31,7 @@ for ((round = 0; round < kills; round += 2)); do
   kill -9 "$first"
   sleep "$(printf '0.%03d' $((RANDOM % 30)))"
   kill -9 "$second"
-  wait "$first" "$second" 2>/dev/null || true
+  { wait "$first" "$second"; } 2>/dev/null || true
   found=$("$keep" "$file" found) || fail "$found"
   [ "$found" = 2 ] || fail "two windows kept their work aside, $found of them is there"
   rm -f "$folder"/.stretch-engine-*

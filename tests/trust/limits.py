@@ -101,7 +101,7 @@ def hostile():
     yield "chain.glb", chain(50000)
     yield "deep.gltf", b'{"asset":{"version":"2.0"},"extras":' + b"[" * 1000000 + b"]" * 1000000 + b"}"
     yield "lists.gltf", b'{"asset":{"version":"2.0"},"extras":[' + b"[]," * 2000000 + b"0]}"
-    for seconds in (1e5, 1e9, 3e38):
+    for seconds in (1e5, 2e5, 1e6, 1e9, 3e38):
         yield f"clip_{seconds:g}.glb", long_clip(seconds)
     yield "recipe.json", b'{"version":1,"trails":' + b"[" * 500000 + b"]" * 500000 + b"}"
     yield "range.json", b'{"version":1,"trails":[{"limb":"left-arm","range":[0,1e12],"scale":2}]}'

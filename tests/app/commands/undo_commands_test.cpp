@@ -10,6 +10,7 @@
 #include "app/commands/frames.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
+#include "app/edits/adjustment_edits.h"
 #include "app/files/save.h"
 #include "tests/support/app/random_edits.h"
 
