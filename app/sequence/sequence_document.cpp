@@ -142,7 +142,9 @@ Result<Compression> makeCompression(const MeshSequence& mesh, const skinning::Co
 Result<SequenceDocument> withSkeleton(const SequenceDocument& document, const std::filesystem::path& path) {
   auto skeleton = skinning::readSkeleton(path);
   if (!skeleton) {
-    return Error{skeleton.error().what, path.filename().string(), skeleton.error().remedy};
+    Error error = skeleton.error();
+    error.where.replace(0, path.string().size(), path.filename().string());
+    return error;
   }
   if (const Status fits = skinning::checkSkeleton(*skeleton, *document.mesh); !fits) {
     return Error{fits.error().what, path.filename().string(), fits.error().remedy};

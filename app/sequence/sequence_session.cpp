@@ -71,9 +71,10 @@ std::shared_ptr<const ExportedClip> SequenceSession::clip() const {
 
 void SequenceSession::keepClip() {
   if (encoding_ != nullptr && encoding_->isFinished()) {
+    const bool cancelled = encoding_->isCancelled();
     Result<ExportedClip> made = encoding_->take();
     encoding_.reset();
-    if (made) {
+    if (made && !cancelled) {
       clip_ = std::make_shared<const ExportedClip>(std::move(made).value());
     }
   }
