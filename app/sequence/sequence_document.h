@@ -51,8 +51,8 @@ struct SequenceDocument {
   std::vector<std::filesystem::path> paths; ///< As opened: a folder or file, or a base mesh and its cache.
   std::shared_ptr<const MeshSequence> mesh;
   std::shared_ptr<const SequenceAnalysis> analysis;
-  skinning::CompressSettings settings;                 ///< For the next compression.
-  std::filesystem::path skeletonFile; ///< That the skeleton of the settings is from; empty without one.
+  skinning::CompressSettings settings; ///< For the next compression.
+  std::filesystem::path skeletonFile;  ///< That the skeleton of the settings is from; empty without one.
   skinning::EncodeSettings encoding{.quantise = true}; ///< Of what is exported.
   std::shared_ptr<const Compression> result;           ///< Null: nothing was compressed yet.
 };

@@ -13,8 +13,8 @@ Result<CompressedClip> makeCompressedClip(const MeshSequence& mesh,
                                           const skinning::CompressSettings& settings,
                                           const skinning::EncodeSettings& encoding,
                                           const skinning::Proceed& proceed) {
-  auto compression = makeCompression(
-      mesh, settings, [&](double share) { return proceed(compressedShareOfWork * share); });
+  auto compression =
+      makeCompression(mesh, settings, [&](double share) { return proceed(compressedShareOfWork * share); });
   if (!compression) {
     return compression.error();
   }

@@ -52,8 +52,8 @@ struct EncodedClip {
 [[nodiscard]] EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings = {});
 
 /// The same, which leaving out keys makes long; nothing when it was stopped.
-[[nodiscard]] std::optional<EncodedClip>
-encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings, const Proceed& proceed);
+[[nodiscard]] std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence,
+                                                    const EncodeSettings& settings, const Proceed& proceed);
 
 /// Bytes of a frame as positions of all vertices, single precision.
 [[nodiscard]] std::size_t sourceBytesPerFrame(const MeshSequence& sequence);

@@ -49,8 +49,9 @@ void skeletonRow(PanelContext& context) {
   const app::SequenceDocument& document = context.sequence().document();
   const std::size_t bones = document.settings.skeleton.size();
   const std::string file = document.skeletonFile.filename().string();
-  labelledRow(widgetsOf(context), "Skeleton",
-              {"Skeleton", "Bones of a file's skin in place of own ones: their names, parents and places.", {}});
+  labelledRow(
+      widgetsOf(context), "Skeleton",
+      {"Skeleton", "Bones of a file's skin in place of own ones: their names, parents and places.", {}});
   const float removeWidth = bones == 0 ? 0.0F : theme.px(34.0F);
   const std::string text = fmt::format("{}, {} {}", file, bones, bones == 1 ? "bone" : "bones");
   commandButton(context, {.command = command::skeletonTake,
@@ -73,7 +74,8 @@ bool applies(const app::SequenceDocument& document, const app::SettingFacts& set
   if (setting.name == "length") {
     return hasSkeleton || !document.analysis->joints.empty();
   }
-  const bool asksForBones = setting.name == "bones" || setting.name == "tolerance" || setting.name == "joints";
+  const bool asksForBones =
+      setting.name == "bones" || setting.name == "tolerance" || setting.name == "joints";
   return !hasSkeleton || !asksForBones;
 }
 
@@ -102,9 +104,8 @@ void progressRow(PanelContext& context, const char* id, const char* what, double
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const float cancelWidth = theme.px(84.0F);
-  const Control place =
-      takePlace(widgets, id,
-                {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
+  const Control place = takePlace(
+      widgets, id, {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
   list->AddRectFilled(place.box.min,
@@ -137,8 +138,9 @@ void sizeRows(PanelContext& context) {
   const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*session.document().mesh));
   const std::shared_ptr<const app::ExportedClip> clip = session.clip();
   if (clip == nullptr) {
-    const std::string state =
-        session.isEncoding() ? fmt::format("encoding {:.0f} %", 100.0 * session.encodedShare()) : "not encoded";
+    const std::string state = session.isEncoding()
+                                  ? fmt::format("encoding {:.0f} %", 100.0 * session.encodedShare())
+                                  : "not encoded";
     const Help help{"Not known yet", "The result is encoded beside the window, at the latest by Export.", {}};
     valueRow(widgets, "Frame", state, help);
     valueRow(widgets, "Once", state, help);
@@ -166,9 +168,7 @@ void encodingRows(PanelContext& context) {
   const EncodeSettings encoding = context.sequence().document().encoding; // a copy: rows edit it
   const auto edit = [&](const EditPhase& phase, const std::string& label,
                         const std::function<void(EncodeSettings&)>& change) {
-    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
-      change(changed.encoding);
-    });
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) { change(changed.encoding); });
   };
   for (const app::Setting<EncodeSettings>& setting : app::clipSchema()) {
     settingRow(context, "sequence/", setting, encoding, edit);

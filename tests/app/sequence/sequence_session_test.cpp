@@ -60,8 +60,8 @@ private:
   test::TemporaryFolder folder_;
 };
 
-/// Asks again and again, as a window does once per frame, until `take` answers something or `goesOn` does not.
-/// Ten minutes are enough for a build that looks for races, on a machine that has other work.
+/// Asks again and again, as a window does once per frame, until `take` answers something or `goesOn` does
+/// not. Ten minutes are enough for a build that looks for races, on a machine that has other work.
 template <typename Take, typename GoesOn>
 auto waitFor(const Take& take, const GoesOn& goesOn) -> decltype(take()) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
