@@ -102,6 +102,7 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::exportSequence:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
+  case FilePurpose::openSkeleton:
     break;
   }
 }
