@@ -54,11 +54,6 @@ std::size_t bytesBeyond(const SequenceDocument& document, const SequenceDocument
     bytes += skinned.bindPositions.size() * (sizeof(glm::vec3) + sizeof(skinning::Influences)) +
              skinned.triangles.size() * sizeof(Triangle) + skinned.poses.size() * sizeof(skinning::BonePose);
   }
-  if (document.clip != nullptr && document.clip != other.clip) {
-    for (const Bytes& buffer : document.clip->clip.source.buffers) {
-      bytes += buffer.size();
-    }
-  }
   return bytes;
 }
 
