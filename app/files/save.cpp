@@ -80,6 +80,7 @@ void noteRates(const Document& document, gltf::Edits& edits) {
 
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
   gltf::Edits edits;
+  edits.addedFiles = document.addedFiles;
   const Document seen = connectedOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions = keyingOptions(document);
@@ -123,6 +124,7 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
   }
   Document document;
   document.source = loaded->source;
+  document.addedFiles = std::move(loaded->added);
   document.scene = loaded->scene;
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
   document.warnings = std::move(loaded->warnings);

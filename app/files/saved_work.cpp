@@ -7,6 +7,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/edits/place_trails.h"
+#include "app/edits/prop_file_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/edits/track_edits.h"
 #include "app/files/kept_tracks.h"
@@ -346,7 +347,7 @@ Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
       document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document) &&
-      document.followingKeys.empty()) {
+      document.followingKeys.empty() && document.addedFiles.empty()) {
     return nullptr;
   }
   Json work;
@@ -383,6 +384,9 @@ Json workOf(const Document& document) {
 
 Document withoutWork(Document document) {
   document = restoreAllTracks(document);
+  if (Result<Document> without = withAddedFiles(document, {}); without) {
+    document = std::move(*without);
+  }
   document.trails.clear();
   document.adjustments.clear();
   document.holds = {};
@@ -408,6 +412,8 @@ Status restoreWork(const Json& work, Document& document) {
                    "open it with the program that wrote it"};
     }
     Document restored = withoutWork(document);
+    restored.addedFiles = document.addedFiles;
+    restored.scene = document.scene;
     restored.limbsCorrected = work.value("limbs_corrected", false);
     if (Status parts = restoreParts(work, restored); !parts) {
       return parts;

@@ -1,5 +1,8 @@
 #include "app/recipe/recipe_parts.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/schema/hold_json.h"
@@ -63,7 +66,13 @@ void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
     recipe["grips"].push_back(gripToJson(grip));
   }
   for (const rig::Prop& prop : holds.props) {
-    recipe["props"].push_back(propToJson(prop, unitsOf(lengthOfBody(document), false)));
+    Json entry = propToJson(prop, unitsOf(lengthOfBody(document), false));
+    const auto added = std::ranges::find(document.addedFiles, prop.node, &gltf::AddedFile::name);
+    if (added != document.addedFiles.end()) {
+      entry.erase("node");
+      entry["file"] = added->file;
+    }
+    recipe["props"].push_back(std::move(entry));
   }
 }
 

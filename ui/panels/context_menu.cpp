@@ -44,24 +44,12 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        command::viewFrameSelection,
                                        command::viewControllers};
 
-constexpr CommandIds limbEntries{command::trailExaggerate,
-                                 command::trailToggle,
-                                 command::weightToggle,
-                                 "",
-                                 command::holdPin,
-                                 command::holdPinFeet,
-                                 command::holdMatch,
-                                 command::holdProp,
-                                 command::holdLetGo,
-                                 command::holdRemove,
-                                 "",
-                                 command::copyTrail,
-                                 command::pasteTrail,
-                                 command::mirrorTrail,
-                                 "",
-                                 command::trailDeleteAll,
-                                 command::viewFrameSelection,
-                                 command::selectNone};
+constexpr CommandIds limbEntries{
+    command::trailExaggerate, command::trailToggle,        command::weightToggle, "",
+    command::holdPin,         command::holdPinFeet,        command::holdMatch,    command::holdProp,
+    command::propAdd,         command::holdLetGo,          command::holdRemove,   "",
+    command::copyTrail,       command::pasteTrail,         command::mirrorTrail,  "",
+    command::trailDeleteAll,  command::viewFrameSelection, command::selectNone};
 
 /// After what is done with the one hold.
 constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,

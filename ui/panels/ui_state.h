@@ -208,6 +208,7 @@ enum class FilePurpose {
   saveModel,
   exportClean,
   openRecipe,
+  openProp,
   saveRecipe,
   saveFrames,
   exportSequence,

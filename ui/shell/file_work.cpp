@@ -94,6 +94,9 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::openRecipe:
     loadRecipeFile(shell, choice.path);
     break;
+  case FilePurpose::openProp:
+    addPropFile(shell, choice.path);
+    break;
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
     break;
@@ -282,6 +285,18 @@ void saveRecipeFile(Shell& shell, const std::filesystem::path& path) {
   if (done) {
     tell(shell, ToastKind::success, "Saved the recipe " + path.filename().string());
   }
+}
+
+void addPropFile(Shell& shell, const std::filesystem::path& path) {
+  app::Session& session = *shell.open.character();
+  Result<app::AddedProp> added = app::holdPropFile(
+      session.document(), {path, app::selectedArms(session), session.view().clip, session.view().frame});
+  if (!added) {
+    tell(shell, ToastKind::error, added.error().line());
+    return;
+  }
+  session.edit(std::move(added->document), "Add a prop");
+  tell(shell, ToastKind::success, added->node + " is in the hand");
 }
 
 void loadRecipeFile(Shell& shell, const std::filesystem::path& path) {

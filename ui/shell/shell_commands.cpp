@@ -300,6 +300,15 @@ ShellCommand bundledCommand(const app::BundledClip& clip) {
 
 } // namespace
 
+namespace {
+
+bool hasHands(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && !app::selectedArms(*session).empty();
+}
+
+} // namespace
+
 std::vector<ShellCommand> fileCommands() {
   return {
       entry(command::fileOpen, "Open", "Opens a character (.glb, .gltf, .vrm) or a mesh sequence.",
@@ -321,6 +330,11 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::recipeLoad, "Replay a recipe",
             "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
             askingFor(FilePurpose::openRecipe)),
+      entry(
+          command::propAdd, "Add a prop",
+          "Puts the thing of another file into the selected hand, or into both, at the playhead; it is saved "
+          "with the character.",
+          {}, {hasHands, "select an arm or a hand"}, askingFor(FilePurpose::openProp)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
             {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
