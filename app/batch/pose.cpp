@@ -116,6 +116,7 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
   addHoldReports(document, recipe.clip, report);
+  report["added_files"] = addedFilesToJson(document);
   return report;
 }
 
@@ -174,7 +175,8 @@ Result<Recipe> recipeOf(const PoseArguments& arguments, Document& document) {
 }
 
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() && !arguments.pinsFeet) {
+  if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() &&
+      !arguments.pinsFeet) {
     return Error{"nothing was asked for", "--recipe",
                  "give a recipe, a table of offset keys by --offsets, --prop or --pin-feet"};
   }
@@ -220,9 +222,8 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart =
-          checkOutput(arguments.output.file,
-                      {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
+  if (Status apart = checkOutput(arguments.output.file,
+                                 {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
       !apart) {
     return apart;
   }
@@ -256,11 +257,12 @@ Verb poseVerb() {
   return {
       "pose",
       "Adjusts a clip by the controllers that a recipe or a table keys and the pins, grips and props that a "
-      "recipe holds, and saves the file.",
+      "recipe holds, puts the thing of another file into a hand, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",
-                       "dummy.glb -o low.glb --offsets offsets.csv --units metres"});
+                       "dummy.glb -o low.glb --offsets offsets.csv --units metres",
+                       "dummy.glb -o armed.glb --prop bat.glb --prop-hand both"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
@@ -272,7 +274,9 @@ Verb poseVerb() {
         line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
         line.option("--prop", arguments->prop,
                     "A file with a thing that is put into a hand, and added to the output");
-        line.option("--prop-hand", arguments->hand, "left-arm, right-arm or both").showDefault();
+        line.option("--prop-hand", arguments->hand, "The arm whose hand takes it")
+            .oneOf({"left-arm", "right-arm", "both"})
+            .showDefault();
         line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it").showDefault();
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);

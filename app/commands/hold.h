@@ -21,7 +21,8 @@ struct HeldLimb {
 /// becomes that of the sphere which is there already.
 [[nodiscard]] Result<Document> withSphereAt(Session& session, int trailId, double& frame);
 
-/// The arms whose hands are meant: of the selected controllers, else the selected limbs.
-[[nodiscard]] std::vector<std::string> selectedArms(const Session& session);
+/// The arms whose hands take what is added: the selected ones, else the right one, else the left one. None
+/// without arms or a clip.
+[[nodiscard]] std::vector<std::string> handsForProp(const Session& session);
 
 } // namespace stretch::app

@@ -158,6 +158,13 @@ Status matchOtherHand(Session& session) {
   return finish(session, placeHolds(session.document(), wanted), "Match the other hand");
 }
 
+// The arms whose hands are meant: of the selected controllers, else the selected limbs.
+std::vector<std::string> selectedArms(const Session& session) {
+  std::vector<std::string> arms = heldTargets(session);
+  std::erase_if(arms, [&](const std::string& id) { return isLeg(*findLimb(session.document(), id)); });
+  return arms;
+}
+
 bool hasTargetArms(const Session& session) {
   return clipNeeded().holds(session) && !selectedArms(session).empty();
 }
@@ -306,10 +313,14 @@ Status removeHolds(Session& session) {
 
 } // namespace
 
-std::vector<std::string> selectedArms(const Session& session) {
-  std::vector<std::string> arms = heldTargets(session);
-  std::erase_if(arms, [&](const std::string& id) { return isLeg(*findLimb(session.document(), id)); });
-  return arms;
+std::vector<std::string> handsForProp(const Session& session) {
+  std::vector<std::string> hands = selectedArms(session);
+  for (const char* arm : {"right-arm", "left-arm"}) {
+    if (hands.empty() && findLimb(session.document(), arm) != nullptr) {
+      hands.emplace_back(arm);
+    }
+  }
+  return hasClip(session.document(), session.view().clip) ? hands : std::vector<std::string>{};
 }
 
 std::vector<DocumentCommand> holdCommands() {

@@ -1,13 +1,15 @@
 #include "app/edits/prop_file_edits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <memory>
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
-#include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "core/gltf/added_file.h"
 #include "rig/motion/bind_places.h"
@@ -49,35 +51,37 @@ Document withoutHoldsAndTrails(Document document) {
   return document;
 }
 
-Result<Vec3> placeInHands(const Document& document, const PropFile& file) {
-  if (document.clips == nullptr || file.clip < 0 || at(file.clip) >= document.clips->size()) {
-    return Error{"the file has no such clip", fmt::format("clip {}", file.clip),
-                 "open a file with an animation"};
-  }
-  const Document adjusted = withoutHoldsAndTrails(document);
-  const double seconds = file.frame / clipOf(adjusted, file.clip).framesPerSecond;
-  const FrameState frame = evaluate(adjusted, prepareMotion(adjusted, file.clip), seconds);
-  Vec3 sum(0.0);
-  for (const std::string& hand : file.hands) {
-    const rig::Limb* const limb = findLimb(document, hand);
-    if (limb == nullptr) {
-      return Error{"the character has no such limb", hand, "give left-arm or right-arm"};
-    }
-    sum += middleOfHand(document, *limb, frame);
-  }
-  return file.hands.empty() ? Result<Vec3>(Error{"no hand is to hold it", file.path.string(), "name one"})
-                            : Result<Vec3>(sum / static_cast<double>(file.hands.size()));
+bool isUsablePlace(const Document& document, const Vec3& place) {
+  constexpr double farthest = 1000.0; // heights of the character
+  return std::isfinite(place.x + place.y + place.z) && glm::length(place) <= farthest * document.biped.height;
 }
 
 bool isOpenFile(const Document& document, const fs::path& path) {
   std::error_code problem;
-  return fs::equivalent(document.source->path, path, problem) && !problem;
+  return document.source != nullptr && fs::equivalent(document.source->path, path, problem) && !problem;
 }
 
 bool isHeld(const Document& document, const gltf::AddedFile& file) {
   const NodeIndex node = rig::propNode(*document.scene, file.name);
   return std::ranges::any_of(document.holds.props, [&](const rig::Prop& prop) {
     return rig::propNode(*document.scene, prop.node) == node;
+  });
+}
+
+std::size_t sourceNodeCount(const Document& document) {
+  std::size_t count = document.scene->nodes.size();
+  for (const gltf::AddedFile& file : document.addedFiles) {
+    count -= gltf::addedNodeCount(file);
+  }
+  return count;
+}
+
+// Chains name nodes by index, which would be others once a file is gone.
+bool hasChainOnFiles(const Document& document) {
+  const NodeIndex past(sourceNodeCount(document));
+  return std::ranges::any_of(document.chains, [&](const rig::Limb& chain) {
+    return chain.endNode >= past ||
+           std::ranges::any_of(chain.joints, [&](NodeIndex joint) { return joint >= past; });
   });
 }
 
@@ -88,18 +92,18 @@ std::string nodeText(NodeIndex node) {
 // Nodes of the scene by the file that they were added with: where the same nodes are once other files stay.
 std::vector<NodeIndex> movedNodes(const Document& document, const std::vector<gltf::AddedFile>& kept) {
   std::vector<NodeIndex> moved;
-  std::size_t sourceCount = document.scene->nodes.size();
-  for (const gltf::AddedFile& file : document.addedFiles) {
-    sourceCount -= gltf::addedNodeCount(file);
-  }
+  const std::size_t sourceCount = sourceNodeCount(document);
   for (std::size_t i = 0; i < sourceCount; ++i) {
     moved.emplace_back(i);
   }
-  std::size_t next = sourceCount;
   for (const gltf::AddedFile& file : document.addedFiles) {
-    const bool stays = std::ranges::find(kept, file) != kept.end();
+    const auto place = std::ranges::find(kept, file.name, &gltf::AddedFile::name);
+    std::size_t next = sourceCount;
+    for (auto before = kept.begin(); before != place; ++before) {
+      next += gltf::addedNodeCount(*before);
+    }
     for (std::size_t i = 0; i < gltf::addedNodeCount(file); ++i) {
-      moved.push_back(stays ? NodeIndex(next++) : NodeIndex::none);
+      moved.push_back(place != kept.end() ? NodeIndex(next + i) : NodeIndex::none);
     }
   }
   return moved;
@@ -128,6 +132,11 @@ void moveTracks(const std::vector<NodeIndex>& moved, Document& document) {
     }
   }
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  std::erase_if(document.followingKeys,
+                [&](const FollowingKeys& keys) { return !moved[at(keys.node)].exists(); });
+  for (FollowingKeys& keys : document.followingKeys) {
+    keys.node = moved[at(keys.node)];
+  }
 }
 
 } // namespace
@@ -135,6 +144,9 @@ void moveTracks(const std::vector<NodeIndex>& moved, Document& document) {
 Result<Document> withAddedFiles(const Document& document, std::vector<gltf::AddedFile> files) {
   if (files == document.addedFiles) {
     return document;
+  }
+  if (document.source == nullptr) {
+    return Error{"the character is of no file", "", "open one"};
   }
   Result<std::shared_ptr<const Scene>> scene = gltf::sceneWith(*document.source, files);
   if (!scene) {
@@ -154,30 +166,57 @@ Result<Document> withAddedFiles(const Document& document, std::vector<gltf::Adde
   return changed;
 }
 
+Result<Vec3> placeInHands(const Document& document, const PropFile& file) {
+  if (document.clips == nullptr || file.clip < 0 || at(file.clip) >= document.clips->size()) {
+    return Error{"the file has no such clip", fmt::format("clip {}", file.clip),
+                 "open a file with an animation"};
+  }
+  if (!std::isfinite(file.frame) || file.hands.empty()) {
+    return Error{"no hand is to hold it, or at no frame", file.path.string(), "name a hand and a frame"};
+  }
+  const Document adjusted = withoutHoldsAndTrails(document);
+  const double seconds = file.frame / clipOf(adjusted, file.clip).framesPerSecond;
+  const FrameState frame = evaluate(adjusted, prepareMotion(adjusted, file.clip), seconds);
+  Vec3 sum(0.0);
+  for (const std::string& hand : file.hands) {
+    const rig::Limb* const limb = findLimb(document, hand);
+    if (limb == nullptr) {
+      return Error{"the character has no such limb", hand, "give left-arm or right-arm"};
+    }
+    sum += middleOfHand(document, *limb, frame);
+  }
+  return sum / static_cast<double>(file.hands.size());
+}
+
 Result<AddedProp> withPropFile(const Document& document, const PropFile& file) {
   if (isOpenFile(document, file.path)) {
     return Error{"is the open file itself", file.path.string(), "give the file of a thing"};
   }
-  const std::string fileName = file.path.filename().string();
-  const auto known = std::ranges::find(document.addedFiles, fileName, &gltf::AddedFile::file);
-  if (known != document.addedFiles.end()) {
-    return AddedProp{document, known->name};
-  }
-  Result<std::shared_ptr<const gltf::Source>> thing = gltf::readThing(file.path);
+  Result<gltf::Thing> thing = gltf::readThing(file.path);
   if (!thing) {
     return thing.error();
   }
-  const Result<Vec3> place = placeInHands(document, file);
+  const Result<Vec3> place = file.place ? Result<Vec3>(*file.place) : placeInHands(document, file);
   if (!place) {
     return place.error();
   }
-  gltf::AddedFile added{fileName, freeNodeName(*document.scene, file.path.stem().string()), {}, *thing};
+  gltf::AddedFile added{file.path.filename().string(),
+                        freeNodeName(*document.scene, file.path.stem().string()),
+                        {},
+                        std::move(thing->source)};
   added.place.translation = *place;
+  if (!isUsablePlace(document, *place)) {
+    return Error{"its place is out of proportion", file.path.string(),
+                 "give one within a thousand heights of the character from the origin"};
+  }
   std::vector<gltf::AddedFile> files = document.addedFiles;
   files.push_back(added);
   Result<Document> changed = withAddedFiles(document, std::move(files));
-  return changed ? Result<AddedProp>(AddedProp{std::move(changed).value(), added.name})
-                 : Result<AddedProp>(changed.error());
+  if (!changed) {
+    return Error{changed.error().line(), file.path.string(), "give another file"};
+  }
+  changed->warnings.insert(changed->warnings.end(), thing->warnings.begin(), thing->warnings.end());
+  return AddedProp{std::move(*changed), added.name, std::move(thing->warnings)};
 }
 
 Result<AddedProp> holdPropFile(const Document& document, const PropFile& file) {
@@ -205,10 +244,23 @@ Result<AddedProp> holdPropFile(const Document& document, const PropFile& file) {
 }
 
 Result<Document> withoutUnheldFiles(const Document& document) {
+  if (hasChainOnFiles(document)) {
+    return document;
+  }
   std::vector<gltf::AddedFile> held;
   std::ranges::copy_if(document.addedFiles, std::back_inserter(held),
                        [&](const gltf::AddedFile& file) { return isHeld(document, file); });
   return withAddedFiles(document, std::move(held));
+}
+
+Result<Document> takeHoldAway(const Document& document, const HoldPlace& place) {
+  return withoutUnheldFiles(removeHold(document, place));
+}
+
+rig::Biped bodyOfSource(const Document& document) {
+  const Result<std::shared_ptr<const Scene>> own =
+      document.addedFiles.empty() ? document.scene : gltf::sceneWith(*document.source, {});
+  return rig::detectBiped(own ? **own : *document.scene);
 }
 
 } // namespace stretch::app

@@ -382,11 +382,11 @@ Json workOf(const Document& document) {
   return work;
 }
 
-Document withoutWork(Document document) {
+namespace {
+
+// The files that were added stay.
+Document withoutEdits(Document document) {
   document = restoreAllTracks(document);
-  if (Result<Document> without = withAddedFiles(document, {}); without) {
-    document = std::move(*without);
-  }
   document.trails.clear();
   document.adjustments.clear();
   document.holds = {};
@@ -399,10 +399,18 @@ Document withoutWork(Document document) {
   countInChosenRates(document);
   document.rates.clear();
   if (document.limbsCorrected) {
-    document.biped = rig::detectBiped(*document.scene);
+    document.biped = bodyOfSource(document);
     document.limbsCorrected = false;
   }
   return document;
+}
+
+} // namespace
+
+Document withoutWork(Document document) {
+  document = withoutEdits(std::move(document));
+  Result<Document> without = withAddedFiles(document, {});
+  return without ? std::move(*without) : document;
 }
 
 Status restoreWork(const Json& work, Document& document) {
@@ -411,9 +419,7 @@ Status restoreWork(const Json& work, Document& document) {
       return Error{"this program does not know this version of the work", "extras.stretch_engine",
                    "open it with the program that wrote it"};
     }
-    Document restored = withoutWork(document);
-    restored.addedFiles = document.addedFiles;
-    restored.scene = document.scene;
+    Document restored = withoutEdits(document);
     restored.limbsCorrected = work.value("limbs_corrected", false);
     if (Status parts = restoreParts(work, restored); !parts) {
       return parts;

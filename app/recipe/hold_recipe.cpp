@@ -1,8 +1,5 @@
 #include "app/recipe/recipe_parts.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/schema/hold_json.h"
@@ -18,13 +15,31 @@ double lengthOfLimb(const Document& document, const std::string& id) {
   return limb != nullptr ? limb->restLength : 1.0;
 }
 
+// A prop that names a file has its node once the file is added (addPropFiles).
+Result<rig::Prop> propOfRecipe(Json entry, const AdjustmentUnits& units) {
+  if (!entry.is_object() || !entry.contains("file")) {
+    return propFromJson(entry, units, {});
+  }
+  if (!entry["file"].is_string() || entry.contains("node")) {
+    return Error{"is no path, or stands beside a node", "file", "give the path of a file, or a node"};
+  }
+  if (!entry.contains("bound_at")) {
+    entry["bound_at"] = 0;
+  }
+  if (entry["bound_at"] == "source") {
+    return Error{"a thing of a file of its own does not move in the clip", "bound_at", "give a frame"};
+  }
+  entry["node"] = entry["file"];
+  return propFromJson(entry, units, {"file", "place"});
+}
+
+} // namespace
+
 double lengthOfBody(const Document& document) {
   const rig::ControllerList list = controllersOf(document);
   const rig::Controller* const body = list.controller("body");
   return body != nullptr ? body->length : 1.0;
 }
-
-} // namespace
 
 Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& ground) {
   rig::Holds holds;
@@ -41,7 +56,7 @@ Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& groun
   if (read) {
     const AdjustmentUnits units = unitsOf(lengthOfBody(ground.document), ground.inMetres);
     read = readList(recipe, "props", ground, holds.props,
-                    [&](const Json& entry) { return propFromJson(entry, units, {}); });
+                    [&](const Json& entry) { return propOfRecipe(entry, units); });
   }
   if (!read) {
     return read.error();
@@ -67,12 +82,7 @@ void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
   }
   for (const rig::Prop& prop : holds.props) {
     Json entry = propToJson(prop, unitsOf(lengthOfBody(document), false));
-    const auto added = std::ranges::find(document.addedFiles, prop.node, &gltf::AddedFile::name);
-    if (added != document.addedFiles.end()) {
-      entry.erase("node");
-      entry["file"] = added->file;
-    }
-    recipe["props"].push_back(std::move(entry));
+    recipe["props"].push_back(withFileOfProp(document, prop, std::move(entry)));
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
-#include "app/edits/prop_file_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/named.h"
 #include "app/recipe/recipe_parts.h"
@@ -185,7 +184,8 @@ AdjustmentUnits unitsOf(double limbLength, bool inMetres) {
   return {inMetres ? 1.0 : limbLength, degree};
 }
 
-Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip) {
+Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip,
+                              const std::filesystem::path& folder) {
   if (!json.is_object()) {
     return Error{"is not a JSON object", "recipe", R"(give {"version": 1, "trails": [...]})"};
   }
@@ -232,59 +232,11 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   }
   document.chains = std::move(asInRecipe.chains);
   recountAllOf(recipe, rate / recipeRate);
+  if (read) {
+    read = addPropFiles(json, ground.inMetres, folder, recipe, document);
+  }
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
-
-namespace {
-
-std::vector<std::string> handsOf(const Json& prop) {
-  std::vector<std::string> hands;
-  if (prop.contains("hands") && prop["hands"].is_object()) {
-    for (const auto& [limb, keys] : prop["hands"].items()) {
-      hands.push_back(limb);
-    }
-  }
-  return hands;
-}
-
-// The files that props name are added to the document; the entry then names the node. A path starts in the
-// recipe's folder.
-Result<Json> withPropFiles(Json json, const std::filesystem::path& folder, std::optional<int> wantedClip,
-                           Document& document) {
-  if (!json.is_object() || !json.contains("props") || !json["props"].is_array()) {
-    return json;
-  }
-  for (std::size_t i = 0; i < json["props"].size(); ++i) {
-    Json& prop = json["props"][i];
-    if (!prop.is_object() || !prop.contains("file")) {
-      continue;
-    }
-    if (!prop["file"].is_string() || prop.contains("node")) {
-      return Error{"is no path, or stands beside a node", fmt::format("props[{}].file", i),
-                   "give the path of a file, or a node"};
-    }
-    const bool namesClip = json.contains("clip") && json["clip"].is_string();
-    const Result<int> clip =
-        wantedClip ? Result<int>(*wantedClip)
-                   : findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
-    if (!clip) {
-      return clip.error();
-    }
-    const bool isFrame = prop.contains("bound_at") && prop["bound_at"].is_number();
-    const double frame = isFrame ? prop["bound_at"].get<double>() : 0.0;
-    Result<AddedProp> added =
-        withPropFile(document, {folder / prop["file"].get<std::string>(), handsOf(prop), *clip, frame});
-    if (!added) {
-      return Error{added.error().line(), fmt::format("props[{}].file", i), ""};
-    }
-    document = std::move(added->document);
-    prop.erase("file");
-    prop["node"] = added->node;
-  }
-  return json;
-}
-
-} // namespace
 
 Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document, std::optional<int> clip) {
   const Result<std::string> text = readText(path);
@@ -295,9 +247,7 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
   if (json.is_discarded()) {
     return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
   }
-  const Result<Json> withNodes = withPropFiles(json, path.parent_path(), clip, document);
-  Result<Recipe> recipe =
-      withNodes ? recipeFromJson(*withNodes, document, clip) : Result<Recipe>(withNodes.error());
+  Result<Recipe> recipe = recipeFromJson(json, document, clip, path.parent_path());
   if (!recipe) {
     return Error{recipe.error().what, path.string() + ": " + recipe.error().where, recipe.error().remedy};
   }

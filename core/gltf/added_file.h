@@ -10,10 +10,21 @@
 
 namespace stretch::gltf {
 
-/// Reads what can be added to another file: the nodes of the file's scene with their meshes, materials and
-/// images, all data in one buffer. Animations, cameras and extensions of nodes stay behind, compressed parts
-/// are opened. An error, which names the file, for one that cannot be read, holds no mesh or a skinned one.
-[[nodiscard]] Result<std::shared_ptr<const Source>> readThing(const std::filesystem::path& path);
+/// What can be added to another file.
+struct Thing {
+  std::shared_ptr<const Source> source; ///< In one buffer.
+  std::vector<std::string> warnings;    ///< One line each.
+};
+
+/// Reads the nodes of a file's scene with their meshes, materials and images. Animations, cameras and
+/// extensions of nodes stay behind, compressed parts are opened, textures whose picture cannot be read are
+/// left out with a warning. An error, which names the file, for one that cannot be read, holds no mesh or a
+/// skinned one.
+[[nodiscard]] Result<Thing> readThing(const std::filesystem::path& path);
+
+/// Whether the file holds meshes and none of them is skinned, without reading more than has to be: what
+/// readThing may still refuse.
+[[nodiscard]] bool looksLikeThing(const std::filesystem::path& path);
 
 /// Whether a file of the user can be what readThing answers: for what comes out of a saved file.
 [[nodiscard]] bool isThing(const Source& thing);

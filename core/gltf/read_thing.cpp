@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/plain_source.h"
+#include "core/gltf/read.h"
 #include "core/gltf/structure.h"
 
 namespace stretch::gltf {
@@ -42,6 +44,9 @@ public:
     to_.hasBinaryChunk = true;
     return std::move(to_);
   }
+
+  /// One line for each picture that cannot be read.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
   int take(const std::string& list, int index) {
@@ -125,16 +130,45 @@ private:
 
   // Wherever a material names a texture: its own properties, and those of its extensions.
   void retakeTextures(Json& json) {
+    std::vector<std::string> lost;
     for (auto& [key, value] : json.items()) {
-      if (value.is_object() || value.is_array()) {
-        const bool isTexture = key.ends_with("Texture") && indexOr(value, "index") >= 0;
-        if (isTexture) {
-          retake(value, "index", "textures");
-        } else {
-          retakeTextures(value);
-        }
+      const bool isTexture = key.ends_with("Texture") && indexOr(value, "index") >= 0;
+      if (isTexture && !hasPictures(element(from_.json, "textures", at(indexOr(value, "index"))))) {
+        lost.push_back(key);
+      } else if (isTexture) {
+        retake(value, "index", "textures");
+      } else if (value.is_structured()) {
+        retakeTextures(value);
       }
     }
+    for (const std::string& key : lost) {
+      json.erase(key);
+    }
+  }
+
+  // Whether the texture has a picture, and each that it names can be read.
+  bool hasPictures(const Json& texture) {
+    std::vector<int> images{indexOr(texture, "source")};
+    if (const Json* const extensions = find(texture, "extensions")) {
+      for (const Json& extension : *extensions) {
+        images.push_back(indexOr(extension, "source"));
+      }
+    }
+    std::erase(images, -1);
+    return !images.empty() && std::ranges::all_of(images, [&](int image) { return isReadable(image); });
+  }
+
+  bool isReadable(int image) {
+    const auto [known, isNew] = readable_.try_emplace(image, false);
+    if (isNew) {
+      const Json& entry = element(from_.json, "images", at(image));
+      known->second = encodedImage(from_, entry).has_value();
+      if (!known->second) {
+        warnings_.push_back(fmt::format("its picture '{}' cannot be read and is left out",
+                                        textOr(entry, "uri").substr(0, 200)));
+      }
+    }
+    return known->second;
   }
 
   void retakeTexture(Json& texture) {
@@ -152,15 +186,9 @@ private:
     if (const Json* name = find(entry, "name")) {
       copy["name"] = *name;
     }
-    const std::optional<Bytes> bytes = encodedImage(from_, entry);
-    if (!bytes) {
-      copy["uri"] = textOr(entry, "uri"); // A picture that is missing stays missing.
-      return copy;
-    }
-    const bool isJpeg = bytes->size() > 2 && (*bytes)[0] == 0xFF && (*bytes)[1] == 0xD8;
-    const bool isWebp = bytes->size() > 12 && (*bytes)[8] == 'W' && (*bytes)[9] == 'E';
-    copy["mimeType"] = isJpeg ? "image/jpeg" : isWebp ? "image/webp" : "image/png";
-    copy["bufferView"] = addView(Json::object(), *bytes);
+    const Bytes bytes = encodedImage(from_, entry).value_or(Bytes()); // is readable
+    copy["mimeType"] = mediaTypeOf(entry, bytes);
+    copy["bufferView"] = addView(Json::object(), bytes);
     return copy;
   }
 
@@ -228,11 +256,24 @@ private:
     }
   }
 
+  static std::string mediaTypeOf(const Json& image, const Bytes& bytes) {
+    const bool isJpeg = bytes.size() > 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
+    const bool isWebp = bytes.size() > 12 && bytes[8] == 'W' && bytes[9] == 'E';
+    return image.contains("mimeType") ? textOr(image, "mimeType")
+           : isJpeg                   ? "image/jpeg"
+           : isWebp                   ? "image/webp"
+                                      : "image/png";
+  }
+
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
   const Source& from_;
   Source to_;
   std::map<std::pair<std::string, int>, int> taken_;
   std::map<std::string, Json> lists_;
   Bytes bytes_;
+  std::map<int, bool> readable_; // images
+  std::vector<std::string> warnings_;
 };
 
 Error inFile(const std::filesystem::path& path, const Error& error) {
@@ -254,7 +295,7 @@ bool hasSkinnedNode(const Json& json) {
 
 } // namespace
 
-Result<std::shared_ptr<const Source>> readThing(const std::filesystem::path& path) {
+Result<Thing> readThing(const std::filesystem::path& path) {
   const Result<Loaded> loaded = load(path);
   if (!loaded) {
     return inFile(path, loaded.error());
@@ -269,11 +310,26 @@ Result<std::shared_ptr<const Source>> readThing(const std::filesystem::path& pat
   if (sizeOf(from.json, "scenes") == 0) {
     return Error{"has no scene", path.string(), "export it again, with its scene"};
   }
-  Source thing = ThingCopy(from).ofScene();
-  if (!isShownMesh(thing)) {
+  ThingCopy copy(from);
+  auto thing = std::make_shared<const Source>(copy.ofScene());
+  if (!isShownMesh(*thing)) {
     return Error{"holds no mesh", path.string(), "give a file with a thing that a hand can hold"};
   }
-  return std::make_shared<const Source>(std::move(thing));
+  Thing read{std::move(thing), {}};
+  for (const std::string& warning : copy.warnings()) {
+    read.warnings.push_back(path.filename().string() + ": " + warning);
+  }
+  return read;
+}
+
+bool looksLikeThing(const std::filesystem::path& path) {
+  Problems problems;
+  const std::optional<Source> source = readSource(path, problems);
+  if (!source) {
+    return false;
+  }
+  validateStructure(source->json, problems);
+  return !problems.hasErrors() && isShownMesh(*source) && !hasSkinnedNode(source->json);
 }
 
 bool isThing(const Source& thing) {

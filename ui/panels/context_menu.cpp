@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands/selection.h"
+#include "app/edits/prop_file_edits.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/shown_holds.h"
@@ -190,7 +191,7 @@ void holdEntries(PanelContext& context) {
              [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
   }
   if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.")) {
-    editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold->place));
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold->place));
   }
 }
 

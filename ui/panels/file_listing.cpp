@@ -72,8 +72,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 }
 
 bool isSaving(FilePurpose purpose) {
-  return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe && purpose != FilePurpose::openProp &&
-         purpose != FilePurpose::openModuli;
+  return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
+         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli;
 }
 
 const char* titleOf(FilePurpose purpose) {

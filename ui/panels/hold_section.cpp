@@ -88,8 +88,7 @@ void deleteButton(PanelContext& context, const std::string& id, const ShownHold&
                                   .emphasis = Emphasis::quiet,
                                   .width = ImGui::GetContentRegionAvail().x});
   if (clicked) {
-    editOnce(context, "Take a hold away",
-             app::withoutUnheldFiles(app::removeHold(context.character().document(), hold.place)));
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold.place));
   }
 }
 

@@ -266,6 +266,14 @@ std::optional<std::string> keyState(const Shell& shell, std::string_view name) {
          const rig::Holds& holds = session.document().holds;
          return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
        }},
+      {"added-files",
+       [&] {
+         std::vector<std::string> files;
+         for (const gltf::AddedFile& file : session.document().addedFiles) {
+           files.push_back(file.file);
+         }
+         return joined(files);
+       }},
       {"keys.first", [&] { return firstPicked(session, false); }},
       {"keys.slopes", [&] { return firstPicked(session, true); }},
       {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
@@ -458,6 +466,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-unsaved", yesNo(asked == Kind::unsaved)},
       {"asks-overwrite", yesNo(asked == Kind::overwrite)},
       {"offers-restore", yesNo(asked == Kind::restore)},
+      {"asks-drop", yesNo(!shell.ui.droppedThing.empty())},
       {"asks-clash", yesNo(shell.ui.rangeClash.has_value())},
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
