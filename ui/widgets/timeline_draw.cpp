@@ -336,12 +336,14 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
 float timelineLabelWidth(const Theme& theme, const TimelineModel& model) {
   constexpr float least = 112.0F;
   constexpr float most = 240.0F;
+  constexpr float mostOfHold = 130.0F; ///< Its long name is cut: the frames need the room.
   float width = 0.0F;
   for (const KeyRow& row : model.keyRows) {
     width = std::max(width, textSize(theme.fonts.label, row.label).x);
   }
   for (const TimelineBar& bar : model.bars) {
-    width = std::max(width, textSize(theme.fonts.label, bar.label).x + theme.px(14.0F));
+    const float own = textSize(theme.fonts.label, bar.label).x + theme.px(14.0F);
+    width = std::max(width, bar.id < 0 ? std::min(own, theme.px(mostOfHold)) : own);
   }
   return std::clamp(std::ceil(width) + theme.px(20.0F), theme.px(least), theme.px(most));
 }
