@@ -42,7 +42,8 @@ std::string refusal(const std::filesystem::path& path) {
   return thing ? "read" : thing.error().line();
 }
 
-gltf::Source with(const gltf::Source& source, const std::vector<gltf::AddedFile>& files, const Json& work) {
+gltf::Source withFiles(const gltf::Source& source, const std::vector<gltf::AddedFile>& files,
+                       const Json& work) {
   gltf::Edits edits;
   edits.addedFiles = files;
   edits.work = work;
@@ -52,7 +53,7 @@ gltf::Source with(const gltf::Source& source, const std::vector<gltf::AddedFile>
   return *changed;
 }
 
-gltf::Loaded reopened(const TemporaryFolder& folder, const gltf::Source& source) {
+gltf::Loaded savedAndLoaded(const TemporaryFolder& folder, const gltf::Source& source) {
   REQUIRE(gltf::save(source, folder / "saved.glb"));
   Result<gltf::Loaded> file = gltf::load(folder / "saved.glb");
   INFO((file ? std::string() : file.error().line()));
@@ -79,7 +80,7 @@ TEST_CASE(
   const TemporaryFolder folder;
   const gltf::Loaded arm = test::loaded(armBuilder());
   const gltf::Loaded sheets = test::loaded(twoSheets());
-  const gltf::Loaded both = reopened(folder, with(*arm.source, {addedSheets(folder)}, {}));
+  const gltf::Loaded both = savedAndLoaded(folder, withFiles(*arm.source, {addedSheets(folder)}, {}));
   REQUIRE(both.scene->nodes.size() == armNodes + 3);
   const Node& carrier = both.scene->nodes.back();
   CHECK(carrier.name == "sheets");
@@ -111,7 +112,7 @@ TEST_CASE("a file with work gives back its source by bytes and the things that w
   const gltf::Loaded arm = gltf::load(folder / "arm.glb").value();
   REQUIRE(gltf::save(*arm.source, folder / "plain.glb"));
   const std::vector<gltf::AddedFile> files{addedSheets(folder), addedSheets(folder, twoSheets(), "other")};
-  const gltf::Loaded again = reopened(folder, with(*arm.source, files, {{"version", 1}}));
+  const gltf::Loaded again = savedAndLoaded(folder, withFiles(*arm.source, files, {{"version", 1}}));
   CHECK(again.warnings.empty());
   REQUIRE(gltf::save(*again.source, folder / "restored.glb"));
   CHECK(test::readBytes(folder / "restored.glb") == test::readBytes(folder / "plain.glb"));
@@ -125,7 +126,7 @@ TEST_CASE("a file with work gives back its source by bytes and the things that w
   }
   CHECK(again.scene->nodes.size() == armNodes + 6);
   // Saved once more the same bytes come out.
-  REQUIRE(gltf::save(with(*again.source, again.added, {{"version", 1}}), folder / "second.glb"));
+  REQUIRE(gltf::save(withFiles(*again.source, again.added, {{"version", 1}}), folder / "second.glb"));
   CHECK(test::readBytes(folder / "second.glb") == test::readBytes(folder / "saved.glb"));
 }
 
@@ -192,7 +193,7 @@ TEST_CASE("a picture outside of the file's folder comes along inside") {
 TEST_CASE("a damaged record of a thing never does more than leave it out") {
   const TemporaryFolder folder;
   const gltf::Loaded arm = test::loaded(armBuilder());
-  const gltf::Source saved = with(*arm.source, {addedSheets(folder)}, {{"version", 1}});
+  const gltf::Source saved = withFiles(*arm.source, {addedSheets(folder)}, {{"version", 1}});
   const Json::json_pointer record("/extras/stretch_engine/restore/added/0");
   REQUIRE(saved.json->contains(record));
   const Json flat = saved.json->at(record).flatten();
