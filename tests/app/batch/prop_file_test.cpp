@@ -15,7 +15,7 @@
 #include "app/session.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
-#include "rig/motion/solved_holds.h"
+#include "rig/motion/solve_holds.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/core/two_sheets.h"
 
@@ -33,7 +33,7 @@ namespace {
 
 // A thing of a file of its own in the hands of the character: command line, recipe, saved file.
 
-constexpr double heldShare = 1e-4; // of the height
+constexpr double inHandShare = 1e-4; // of the height
 
 std::string sheetsIn(const TemporaryFolder& folder, const std::string& name = "sheets.glb") {
   test::twoSheets().write(folder / name);
@@ -109,7 +109,7 @@ TEST_CASE("pose --prop puts the thing of another file into the hand, where it st
   REQUIRE(report["added_files"].size() == 1);
   CHECK(report["added_files"][0] == Json{{"file", "sheets.glb"}, {"node", "sheets"}});
   const Document file = openedFile(output);
-  CHECK(slip(file, "right-arm", "sheets") < heldShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
   CHECK(distanceToHand(file, "right-arm", "sheets", 0.0) < 0.1 * file.biped.height);
   CHECK(file.biped.limbs == openedFile(posedCharacter).biped.limbs);
   CHECK(file.biped.height == openedFile(posedCharacter).biped.height);
@@ -123,8 +123,8 @@ TEST_CASE("a thing in both hands stays in both") {
   const std::string output = (folder / "armed.glb").string();
   REQUIRE(poseWithProp(output, sheetsIn(folder), {"--prop-hand", "both", "--prop-frame", "5"}).exitCode == 0);
   const Document file = openedFile(output);
-  CHECK(slip(file, "right-arm", "sheets") < heldShare * file.biped.height);
-  CHECK(slip(file, "left-arm", "sheets") < heldShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
+  CHECK(slip(file, "left-arm", "sheets") < inHandShare * file.biped.height);
 }
 
 TEST_CASE("a clean file plays the thing in the hand and is an ordinary file") {
@@ -134,7 +134,7 @@ TEST_CASE("a clean file plays the thing in the hand and is an ordinary file") {
   const Document file = openedFile(output);
   CHECK(file.addedFiles.empty());
   CHECK(file.holds.empty());
-  CHECK(slip(file, "right-arm", "sheets") < heldShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
 }
 
 TEST_CASE("a saved file with an added thing gives back its source by bytes") {
@@ -161,7 +161,7 @@ TEST_CASE("a recipe names the file of a prop, from its own folder, where its adj
   INFO(posed.answer.told);
   REQUIRE(posed.answer.exitCode == 0);
   const Document file = openedFile(posed.path);
-  CHECK(slip(file, "right-arm", "sheets") < heldShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
   CHECK(distanceToHand(file, "right-arm", "sheets", 10.0) < 0.1 * file.biped.height);
   // Without the adjustment it is held at the same place of the hand.
   recipe.erase("adjustments");
