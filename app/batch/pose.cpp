@@ -12,8 +12,8 @@
 #include "app/batch/verb.h"
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
-#include "app/edits/prop_file_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/hand_place.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
 #include "app/recipe/offset_table.h"
@@ -202,7 +202,8 @@ Result<Document> withProp(const PoseArguments& arguments, const Recipe& recipe, 
   const std::vector<std::string> hands = arguments.hand == "both"
                                              ? std::vector<std::string>{"left-arm", "right-arm"}
                                              : std::vector<std::string>{arguments.hand};
-  Result<AddedProp> added = holdPropFile(document, {arguments.prop, hands, recipe.clip, arguments.propFrame});
+  Result<AddedProp> added =
+      putIntoHands(document, {arguments.prop, hands, recipe.clip, arguments.propFrame, {}});
   return added ? Result<Document>(std::move(added->document)) : Result<Document>(added.error());
 }
 

@@ -10,9 +10,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "app/evaluate/evaluate.h"
 #include "core/gltf/added_file.h"
-#include "rig/motion/bind_places.h"
 #include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
@@ -30,25 +28,6 @@ std::string freeNodeName(const Scene& scene, const std::string& wanted) {
     name = fmt::format("{} {}", wanted, number);
   }
   return name;
-}
-
-// Of the part of the mesh that follows the hand, else the hand's joint.
-Vec3 middleOfHand(const Document& document, const rig::Limb& limb, const FrameState& frame) {
-  const NodeIndex hand = limb.endNode.exists() ? limb.endNode : limb.joints.back();
-  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
-  const Bounds& box = places.meshes[at(hand)];
-  if (box.empty()) {
-    return rig::endPosition(limb, frame);
-  }
-  const Mat4 moved = frame.worlds[at(hand)] * glm::inverse(places.worlds[at(hand)]);
-  return transformPoint(moved, 0.5 * (box.low + box.high));
-}
-
-Document withoutHoldsAndTrails(Document document) {
-  document.trails.clear();
-  document.holds = {};
-  document.weights.clear();
-  return document;
 }
 
 bool isUsablePlace(const Document& document, const Vec3& place) {
@@ -166,28 +145,6 @@ Result<Document> withAddedFiles(const Document& document, std::vector<gltf::Adde
   return changed;
 }
 
-Result<Vec3> placeInHands(const Document& document, const PropFile& file) {
-  if (document.clips == nullptr || file.clip < 0 || at(file.clip) >= document.clips->size()) {
-    return Error{"the file has no such clip", fmt::format("clip {}", file.clip),
-                 "open a file with an animation"};
-  }
-  if (!std::isfinite(file.frame) || file.hands.empty()) {
-    return Error{"no hand is to hold it, or at no frame", file.path.string(), "name a hand and a frame"};
-  }
-  const Document adjusted = withoutHoldsAndTrails(document);
-  const double seconds = file.frame / clipOf(adjusted, file.clip).framesPerSecond;
-  const FrameState frame = evaluate(adjusted, prepareMotion(adjusted, file.clip), seconds);
-  Vec3 sum(0.0);
-  for (const std::string& hand : file.hands) {
-    const rig::Limb* const limb = findLimb(document, hand);
-    if (limb == nullptr) {
-      return Error{"the character has no such limb", hand, "give left-arm or right-arm"};
-    }
-    sum += middleOfHand(document, *limb, frame);
-  }
-  return sum / static_cast<double>(file.hands.size());
-}
-
 Result<AddedProp> withPropFile(const Document& document, const PropFile& file) {
   if (isOpenFile(document, file.path)) {
     return Error{"is the open file itself", file.path.string(), "give the file of a thing"};
@@ -196,16 +153,12 @@ Result<AddedProp> withPropFile(const Document& document, const PropFile& file) {
   if (!thing) {
     return thing.error();
   }
-  const Result<Vec3> place = file.place ? Result<Vec3>(*file.place) : placeInHands(document, file);
-  if (!place) {
-    return place.error();
-  }
   gltf::AddedFile added{file.path.filename().string(),
                         freeNodeName(*document.scene, file.path.stem().string()),
                         {},
                         std::move(thing->source)};
-  added.place.translation = *place;
-  if (!isUsablePlace(document, *place)) {
+  added.place.translation = file.place;
+  if (!isUsablePlace(document, file.place)) {
     return Error{"its place is out of proportion", file.path.string(),
                  "give one within a thousand heights of the character from the origin"};
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,8 @@ struct PropFile {
   std::filesystem::path path;
   std::vector<std::string> hands; ///< Limbs; one or two arms.
   int clip = 0;
-  double frame = 0.0;             ///< At which it is put into the hands.
-  std::optional<Vec3> place = {}; ///< Where its origin is then, world space; nothing: in the hands.
+  double frame = 0.0; ///< At which it is put into the hands.
+  Vec3 place{0.0};    ///< Where its origin is then, world space (evaluate/hand_place.h).
 };
 
 struct AddedProp {
@@ -24,10 +23,6 @@ struct AddedProp {
   std::string node;                       ///< Name of the node that carries it: what a prop names.
   std::vector<std::string> warnings = {}; ///< Of the file, one line each.
 };
-
-/// Where the hands are that take it: the middle of the hand, or between both, where the clip with its
-/// adjustments has them at the frame. An error for a clip, a frame or a hand that the character lacks.
-[[nodiscard]] Result<Vec3> placeInHands(const Document& document, const PropFile& file);
 
 /// Adds the thing of a file beside the source, not held yet. Refused with a line that names the file: one
 /// that is not there or broken, without a mesh, with a skinned one, and the open file itself.

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/edits/adjustment_edits.h"
-#include "app/edits/prop_file_edits.h"
+#include "app/evaluate/hand_place.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -17,7 +17,7 @@ namespace {
 using gltf::Json;
 
 PropFile propFileOf(const rig::Prop& prop, std::filesystem::path path) {
-  PropFile file{std::move(path), {}, prop.clip, prop.boundFrame.value_or(0.0)};
+  PropFile file{std::move(path), {}, prop.clip, prop.boundFrame.value_or(0.0), {}};
   for (const rig::PropHand& hand : prop.hands) {
     file.hands.push_back(hand.limb);
   }
@@ -45,21 +45,15 @@ std::optional<Document> withEarlier(const Document& before, const Document& afte
   return again ? std::optional(std::move(*again)) : std::nullopt;
 }
 
-// Answers the name of the node.
-Result<std::string> addPropFile(const PropFile& file, const std::vector<std::string>& taken,
-                                const Recipe& recipe, Document& document) {
+// Where the adjustments of the recipe have the hands.
+Result<Vec3> placeAsAdjusted(const PropFile& file, const Recipe& recipe, const Document& document) {
   const Result<Document> adjusted = placeAdjustments(document, recipe.adjustments);
-  if (!adjusted) {
-    return adjusted.error();
-  }
-  PropFile placed = file;
-  if (!placed.place) {
-    const Result<Vec3> place = placeInHands(*adjusted, file);
-    if (!place) {
-      return place.error();
-    }
-    placed.place = *place;
-  }
+  return adjusted ? placeInHands(*adjusted, file) : Result<Vec3>(adjusted.error());
+}
+
+// Answers the name of the node.
+Result<std::string> addPropFile(const PropFile& placed, const std::vector<std::string>& taken,
+                                Document& document) {
   Result<AddedProp> added = withPropFile(document, placed);
   if (!added) {
     return added.error();
@@ -81,14 +75,14 @@ Status addPropFiles(const Json& json, bool inMetres, const std::filesystem::path
     }
     rig::Prop& prop = recipe.holds.props[i];
     PropFile file = propFileOf(prop, folder / entries[i]["file"].get<std::string>());
-    if (entries[i].contains("place")) {
-      const Result<Vec3> place = vectorFromJson(entries[i]["place"], "place");
-      if (!place) {
-        return Error{place.error().what, fmt::format("props[{}].place", i), place.error().remedy};
-      }
-      file.place = *place * (inMetres ? 1.0 : lengthOfBody(document));
+    const double unit = inMetres ? 1.0 : lengthOfBody(document);
+    const Result<Vec3> place = entries[i].contains("place") ? vectorFromJson(entries[i]["place"], "place")
+                                                            : placeAsAdjusted(file, recipe, document);
+    if (!place) {
+      return Error{place.error().line(), fmt::format("props[{}]", i), ""};
     }
-    Result<std::string> node = addPropFile(file, taken, recipe, document);
+    file.place = *place * (entries[i].contains("place") ? unit : 1.0);
+    Result<std::string> node = addPropFile(file, taken, document);
     if (!node) {
       return Error{node.error().line(), fmt::format("props[{}]", i), ""};
     }

@@ -277,7 +277,8 @@ private:
 };
 
 Error inFile(const std::filesystem::path& path, const Error& error) {
-  return {error.where.empty() ? error.what : error.where + ": " + error.what, path.string(), error.remedy};
+  const bool isNamed = error.where.empty() || error.where == path.string();
+  return {isNamed ? error.what : error.where + ": " + error.what, path.string(), error.remedy};
 }
 
 bool isShownMesh(const Source& thing) {

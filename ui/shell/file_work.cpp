@@ -6,7 +6,7 @@
 #include "app/commands/hold.h"
 #include "app/commands/selection.h"
 #include "app/edits/place_trails.h"
-#include "app/edits/prop_file_edits.h"
+#include "app/evaluate/hand_place.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/added_file.h"
@@ -314,7 +314,7 @@ void addPropFile(Shell& shell, const std::filesystem::path& path) {
   app::Session& session = *shell.open.character();
   const std::vector<std::string> hands = app::handsForProp(session);
   Result<app::AddedProp> added =
-      app::holdPropFile(session.document(), {path, hands, session.view().clip, session.view().frame});
+      app::putIntoHands(session.document(), {path, hands, session.view().clip, session.view().frame, {}});
   if (!added) {
     tell(shell, ToastKind::error, added.error().line());
     return;
