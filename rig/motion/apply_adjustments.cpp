@@ -59,11 +59,15 @@ public:
         done_(adjustments.joints.size(), false) {}
 
   /// `spaces`: where to note how offsets count; null: nowhere.
-  std::vector<AskedPlace> run(std::vector<ControllerSpace>* spaces = nullptr) {
+  /// `source`: what the frame is a copy of; null: not at hand.
+  std::vector<AskedPlace> run(const FrameState* source, std::vector<ControllerSpace>* spaces = nullptr) {
     spaces_ = spaces;
-    moveBody();
-    source_.worlds = frame_.worlds;
-    source_.stretch = frame_.stretch;
+    const bool isCarried = moveBody();
+    if (source == nullptr || isCarried) {
+      carried_.worlds = frame_.worlds;
+      carried_.stretch = frame_.stretch;
+    }
+    source_ = source == nullptr || isCarried ? &carried_ : source;
     moveHips();
     if (body_.spine && concerns(*body_.spine)) {
       turnJointsAbove(body_.spine->limb);
@@ -112,19 +116,20 @@ private:
 
   [[nodiscard]] CarrierChange changeOf(NodeIndex carrier) const {
     CarrierChange change;
-    if (carrier.exists() && frame_.worlds[at(carrier)] != source_.worlds[at(carrier)]) {
-      change.before = positionOf(source_.worlds[at(carrier)]);
+    if (carrier.exists() && frame_.worlds[at(carrier)] != source_->worlds[at(carrier)]) {
+      change.before = positionOf(source_->worlds[at(carrier)]);
       change.now = place(carrier);
-      change.turn = turnBetween(source_.worlds[at(carrier)], frame_.worlds[at(carrier)]);
+      change.turn = turnBetween(source_->worlds[at(carrier)], frame_.worlds[at(carrier)]);
     }
     return change;
   }
 
-  void moveBody() {
+  // Answers whether it did.
+  bool moveBody() {
     const Offset body = offset("body");
     noteBody(body);
     if (body.move == Vec3(0.0) && body.turn == Vec3(0.0)) {
-      return;
+      return false;
     }
     const Vec3 hips = place(body_.hips);
     const CarrierChange change{
@@ -134,6 +139,7 @@ private:
       placeNode(scene_, root, change.turn, change.point(place(root)), frame_);
     }
     ask("body", change.point(hips));
+    return true;
   }
 
   void noteBody(const Offset& body) {
@@ -186,18 +192,18 @@ private:
       return;
     }
     const NodeIndex carrier = scene_.nodes[at(adjusted.limb.joints.front())].parent;
-    if (frame_.worlds[at(carrier)] == source_.worlds[at(carrier)]) {
+    if (frame_.worlds[at(carrier)] == source_->worlds[at(carrier)]) {
       return;
     }
     const CarrierChange change = changeOf(carrier);
     for (const NodeIndex node : adjusted.detached) {
       const Quat left = change.turn * glm::inverse(turnSoFar(node));
-      placeNode(scene_, node, left, change.point(positionOf(source_.worlds[at(node)])), frame_);
+      placeNode(scene_, node, left, change.point(positionOf(source_->worlds[at(node)])), frame_);
     }
   }
 
   [[nodiscard]] Quat turnSoFar(NodeIndex node) const {
-    return turnBetween(source_.worlds[at(node)], frame_.worlds[at(node)]);
+    return turnBetween(source_->worlds[at(node)], frame_.worlds[at(node)]);
   }
 
   void moveSpine(const AdjustedLimb& adjusted) {
@@ -238,7 +244,7 @@ private:
     const Limb& limb = adjusted.limb;
     const double follow = attribute(adjusted.controls.follow, standardFollow, 0.0, 1.0);
     const CarrierChange change = changeOf(carrier);
-    const Vec3 stays = endPosition(limb, source_);
+    const Vec3 stays = endPosition(limb, *source_);
     EndGoal goal{stays + follow * (change.point(stays) - stays),
                  follow >= 1.0 ? change.turn : glm::slerp(noTurn, change.turn, follow)};
     const Offset own = offset(adjusted.controls.end);
@@ -326,7 +332,7 @@ private:
     if (roll == 0.0 || adjusted.roll.axis == Vec3(0.0)) {
       return noTurn;
     }
-    const Mat4& before = source_.worlds[at(adjusted.limb.endNode)];
+    const Mat4& before = source_->worlds[at(adjusted.limb.endNode)];
     const Vec3 about = roll > 0.0 ? adjusted.roll.ball : adjusted.roll.heel;
     const Vec3 pivot = goal.place + goal.turn * transformVector(before, about);
     const Vec3 axis = goal.turn * (rotationOf(before) * adjusted.roll.axis);
@@ -346,7 +352,8 @@ private:
   const SolvedAdjustments& adjustments_;
   const AdjustedBody& body_;
   FrameState& frame_;
-  FrameState source_; // as the body's controller carries it; without its pose
+  const FrameState* source_ = nullptr; // as the body's controller carries it; its pose does not count
+  FrameState carried_;
   Quat bodyTurn_{1.0, 0.0, 0.0, 0.0};
   std::vector<bool> done_; // of the joints
   std::vector<AskedPlace> asked_;
@@ -360,13 +367,21 @@ std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustm
   if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
     return {};
   }
-  return Adjuster(scene, adjustments, frame).run();
+  return Adjuster(scene, adjustments, frame).run(nullptr);
+}
+
+std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
+                                         const FrameState& source, FrameState& frame) {
+  if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
+    return {};
+  }
+  return Adjuster(scene, adjustments, frame).run(&source);
 }
 
 std::vector<ControllerSpace> controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments,
                                               FrameState& frame) {
   std::vector<ControllerSpace> spaces;
-  static_cast<void>(Adjuster(scene, adjustments, frame).run(&spaces));
+  static_cast<void>(Adjuster(scene, adjustments, frame).run(nullptr, &spaces));
   return spaces;
 }
 

@@ -32,7 +32,7 @@ FrameTable::FrameTable(const FrameTable& source, const SolvedAdjustments& adjust
   frames_.resize(source.frames_.size());
   tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
     frames_[i] = source.frames_[i];
-    applyAdjustments(skeleton_, adjustments, frames_[i]);
+    applyAdjustments(skeleton_, adjustments, source.frames_[i], frames_[i]);
   });
 }
 

@@ -154,7 +154,7 @@ void applyCurl(const Scene& scene, const std::vector<FingerJoint>& fingers, doub
   if (curl == 0.0 || fingers.empty()) {
     return;
   }
-  PoseWriter writer(scene, frame, frame.worlds);
+  PoseWriter writer(scene, frame);
   for (const FingerJoint& finger : fingers) {
     Transform& local = writer.local(finger.node);
     local.rotation = glm::normalize(local.rotation * axisAngle(finger.axis, curl * finger.fistRadians));

@@ -75,7 +75,7 @@ void moveWithEnd(PoseWriter& writer, NodeIndex node, const Mat4& endBefore, cons
 // An end that hangs elsewhere is brought to its place, after the companions that carry it.
 void moveDetachedEnd(PoseWriter& writer, const Scene& scene, const Limb& limb, const LimbTopology& topology,
                      const Vec3& endWorld) {
-  const Mat4& endBefore = writer.worldBefore(limb.endNode);
+  const Mat4 endBefore = writer.worldBefore(limb.endNode);
   Mat4 endNow = endBefore;
   endNow[3] = Vec4(endWorld, 1.0);
   for (const NodeIndex node : topology.companions) {
@@ -115,6 +115,15 @@ bool sameTurn(const Quat& a, const Quat& b) {
   return a == b;
 }
 
+// Where a node goes that is carried by one above it, without a look at its own transforms.
+void carrySubtree(const Scene& scene, NodeIndex node, const Mat4& changeWorld, FrameState& frame) {
+  Mat4& world = frame.worlds[at(node)];
+  world = changeWorld * world;
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
+    carrySubtree(scene, child, changeWorld, frame);
+  }
+}
+
 } // namespace
 
 Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
@@ -128,8 +137,7 @@ LimbPose limbPose(const LimbShape& shape) {
 
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
-  const std::vector<Mat4> before = frame.worlds;
-  PoseWriter writer(scene, frame, before);
+  PoseWriter writer(scene, frame);
   const std::vector<Vec3> points = limbPoints(limb, frame.worlds);
   const Quat still(1.0, 0.0, 0.0, 0.0);
   std::vector<KeptTransform> kept;
@@ -177,8 +185,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
 
 void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology,
                  const std::vector<Mat3>& stretches, FrameState& frame) {
-  const std::vector<Mat4> before = frame.worlds;
-  PoseWriter writer(scene, frame, before);
+  PoseWriter writer(scene, frame);
   const Vec3 end = endPosition(limb, frame);
   // Where a point that hangs elsewhere comes to with the bone before it.
   const auto carried = [&](std::size_t bone, const Vec3& point) {
@@ -205,21 +212,30 @@ void stretchLimb(const Scene& scene, const Limb& limb, const LimbTopology& topol
 }
 
 void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, FrameState& frame) {
-  PoseWriter writer(scene, frame, frame.worlds);
+  PoseWriter writer(scene, frame);
   writer.setWorldPosition(node, positionWorld);
   writer.refreshSubtree(node);
 }
 
 void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
                FrameState& frame) {
-  PoseWriter writer(scene, frame, frame.worlds);
+  PoseWriter writer(scene, frame);
   if (!sameTurn(turnWorld, Quat(1.0, 0.0, 0.0, 0.0))) {
     writer.turnInWorld(node, turnWorld);
   }
-  if (positionWorld != positionOf(writer.worldBefore(node))) {
+  const Mat4 before = writer.world(node);
+  if (positionWorld != positionOf(before)) {
     writer.setWorldPosition(node, positionWorld);
   }
-  writer.refreshSubtree(node);
+  if (glm::determinant(Mat3(before)) == 0.0) { // scaled to nothing: what it carries cannot tell how it moved
+    writer.refreshSubtree(node);
+    return;
+  }
+  writer.refresh(node);
+  const Mat4 change = writer.world(node) * glm::inverse(before);
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
+    carrySubtree(scene, child, change, frame);
+  }
 }
 
 } // namespace stretch::rig

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <glm/matrix.hpp>
@@ -22,16 +24,21 @@ namespace stretch::rig {
 /// Writes local transforms of a frame while knowing the pose it started from.
 class PoseWriter {
 public:
-  /// `before`: world matrices of the pose that the frame starts from; may be the frame's own where the first
-  /// thing that is written is the last that asks for them.
-  PoseWriter(const Scene& scene, FrameState& frame, const std::vector<Mat4>& before)
-      : scene_(scene), frame_(frame), before_(before) {}
+  PoseWriter(const Scene& scene, FrameState& frame)
+      : scene_(scene), frame_(frame), keptAt_(scene.nodes.size(), isNotKept) {}
 
   [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
-  [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
+  /// World matrix of the node in the pose that the frame started from.
+  [[nodiscard]] Mat4 worldBefore(NodeIndex node) const {
+    const std::size_t kept = keptAt_[at(node)];
+    return kept == isNotKept ? frame_.worlds[at(node)] : kept_[kept];
+  }
 
   /// World matrix of the node's parent as it stands, parents of it having been written before.
-  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const { return parentIn(frame_.worlds, node); }
+  [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return parent.exists() ? world(parent) : Mat4(1.0);
+  }
 
   Transform& local(NodeIndex node) {
     frame_.pose.usesMatrix[at(node)] = false;
@@ -40,6 +47,10 @@ public:
 
   /// Recomputes the node's own world matrix; its children follow when they are written or at the end.
   void refresh(NodeIndex node) {
+    if (keptAt_[at(node)] == isNotKept) {
+      keptAt_[at(node)] = kept_.size();
+      kept_.push_back(world(node));
+    }
     frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
   }
 
@@ -54,7 +65,7 @@ public:
   /// Seen from the parents, which may be mirrored: their world rotations alone would not tell.
   void turnInWorld(NodeIndex node, const Quat& turn) {
     const Mat3 now = inverseOf(Mat3(parentWorld(node)));
-    const Mat3 seen = now * glm::mat3_cast(turn) * Mat3(parentIn(before_, node));
+    const Mat3 seen = now * glm::mat3_cast(turn) * Mat3(parentWorldBefore(node));
     Transform& transform = local(node);
     transform.rotation = glm::normalize(rotationOf(Mat4(seen)) * transform.rotation);
   }
@@ -71,14 +82,16 @@ public:
   }
 
 private:
-  [[nodiscard]] Mat4 parentIn(const std::vector<Mat4>& worlds, NodeIndex node) const {
+  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
     const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : worlds[at(parent)];
+    return parent.exists() ? worldBefore(parent) : Mat4(1.0);
   }
 
+  static constexpr std::size_t isNotKept = std::numeric_limits<std::size_t>::max();
   const Scene& scene_;
   FrameState& frame_;
-  const std::vector<Mat4>& before_;
+  std::vector<std::size_t> keptAt_; // of each node: where in kept_
+  std::vector<Mat4> kept_;          // world matrices of what was written, as they were
 };
 
 } // namespace stretch::rig

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <tbb/parallel_for.h>
+
 #include "rig/body/detection.h"
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
@@ -149,6 +151,31 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
   return solved;
 }
 
+// Each looks at the clip alone, not at what the others make of it.
+std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& motion) {
+  std::vector<std::pair<const Trail*, const Limb*>> found;
+  std::size_t isNew = 0;
+  for (const Trail& trail : input.trails) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
+      found.emplace_back(&trail, limb);
+      const SolvedTrail* const before = solvedBefore(input, trail);
+      isNew += before == nullptr || before->trail != trail ? 1 : 0;
+    }
+  }
+  std::vector<SolvedTrail> solved(found.size());
+  const auto solve = [&](std::size_t i) {
+    solved[i] = solveTrail(input, motion, *found[i].first, *found[i].second);
+  };
+  if (isNew > 1) {
+    tbb::parallel_for(std::size_t{0}, found.size(), solve);
+  } else { // a drag: not worth waking anybody
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      solve(i);
+    }
+  }
+  return solved;
+}
+
 void setWindow(SolvedTrail& solved, double fadeSeconds) {
   const bool forwards = solved.settings.pivot == Pivot::start;
   const double release = solved.release.seconds();
@@ -186,11 +213,7 @@ MotionState solveMotion(const MotionInput& input) {
                   {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
     setFrames(input, motion);
   }
-  for (const Trail& trail : input.trails) {
-    if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, motion, trail, *limb));
-    }
-  }
+  motion.trails = solveAll(input, motion);
   std::vector<ActingLimb> acting;
   for (const SolvedTrail& solved : motion.trails) {
     acting.push_back({&solved.limb, solved.startSeconds});

@@ -134,49 +134,47 @@ void dragKey(Pane& pane, const app::KeySelection& picked, double value) {
 
 } // namespace
 
-std::vector<Row> graphRows(const app::Document& character, int repetitions) {
+void measureGraph(const app::Document& character, const Options& options) {
   Pane pane(manyKeys(character));
-  const auto timed = [&](const std::function<void()>& work) { return measure(repetitions, work); };
-  std::vector<Row> rows;
-  rows.push_back({"a frame of that clip, solved", timed([&] {
-                    static_cast<void>(app::evaluateOriginal(pane.session().document(), 0, 5.0));
-                  })});
+  Table table("a frame of the graph and the dope sheet, 400 tracks of 600 keys", options);
+  table.add("a frame of that clip, solved",
+            [&] { static_cast<void>(app::evaluateOriginal(pane.session().document(), 0, 5.0)); });
   pane.ui.bottomTab = ui::BottomTab::graph;
   pane.settle();
-  rows.push_back({"the graph, while it plays", timed([&] { pane.frame(true); })});
+  table.add("the graph, while it plays", [&] { pane.frame(true); });
   double start = 0.0;
-  rows.push_back({"the graph, zoomed or panned", timed([&] {
-                    start = std::fmod(start + 1.0, 200.0);
-                    pane.ui.timeline.viewStart = start;
-                    pane.ui.timeline.viewEnd = start + 300.0;
-                    pane.frame(true);
-                  })});
+  table.add("the graph, zoomed or panned", [&] {
+    start = std::fmod(start + 1.0, 200.0);
+    pane.ui.timeline.viewStart = start;
+    pane.ui.timeline.viewEnd = start + 300.0;
+    pane.frame(true);
+  });
   const app::KeySelection picked{{pane.ui.graph.rows.front(), {{150, 1U}}}};
   app::pickKeys(pane.session(), picked, false);
   pane.session().begin("Move a key");
   double value = 0.0;
-  rows.push_back({"a key dragged, without the graph", timed([&] {
-                    value = std::fmod(value + 1.0, 40.0);
-                    dragKey(pane, picked, value);
-                    static_cast<void>(pane.session().sharedMotion());
-                    pane.frame(false);
-                  })});
-  rows.push_back({"the graph, a key dragged", timed([&] {
-                    value = std::fmod(value + 1.0, 40.0);
-                    dragKey(pane, picked, value);
-                    pane.frame(true);
-                  })});
+  table.add("a key dragged, without the graph", [&] {
+    value = std::fmod(value + 1.0, 40.0);
+    dragKey(pane, picked, value);
+    static_cast<void>(pane.session().sharedMotion());
+    pane.frame(false);
+  });
+  table.add("the graph, a key dragged", [&] {
+    value = std::fmod(value + 1.0, 40.0);
+    dragKey(pane, picked, value);
+    pane.frame(true);
+  });
   pane.session().cancel();
   pane.ui.bottomTab = ui::BottomTab::dopeSheet;
   pane.frame(true);
-  rows.push_back({"the dope sheet, while it plays", timed([&] { pane.frame(true); })});
+  table.add("the dope sheet, while it plays", [&] { pane.frame(true); });
   const std::vector<app::KeyRow> all = app::keyedRows(pane.session().document(), 0);
   app::pickKeys(pane.session(), app::allKeys(pane.session().document(), 0, all), false);
-  rows.push_back({"the dope sheet, all keys picked", timed([&] { pane.frame(true); })});
+  table.add("the dope sheet, all keys picked", [&] { pane.frame(true); });
   pane.ui.bottomTab = ui::BottomTab::graph;
   pane.settle();
-  rows.push_back({"the graph, all keys picked", timed([&] { pane.frame(true); })});
-  return rows;
+  table.add("the graph, all keys picked", [&] { pane.frame(true); });
+  table.print();
 }
 
 } // namespace stretch::bench
