@@ -395,13 +395,22 @@ std::string toastsInPicture(const Shell& shell) {
   return inside;
 }
 
-/// Of the picture's height, that of the first message: "0.22"; "none" without any.
-std::string toastShare(const Shell& shell) {
+/// Of the picture's height, that of an item: "0.22"; "none" without it.
+std::string shareOfPicture(const Shell& shell, const char* id) {
   const Item* const picture = shell.items.find("viewport");
-  const Item* const first = shell.items.find("toast/0");
-  return picture == nullptr || first == nullptr
+  const Item* const item = shell.items.find(id);
+  return picture == nullptr || item == nullptr
              ? "none"
-             : fmt::format("{:.2f}", (first->max.y - first->min.y) / (picture->max.y - picture->min.y));
+             : fmt::format("{:.2f}", (item->max.y - item->min.y) / (picture->max.y - picture->min.y));
+}
+
+/// Whether a message covers the character, as it stood when the messages began to come.
+bool toastsCoverFigure(const Shell& shell) {
+  const std::optional<Rect>& figure = shell.viewport.figure;
+  return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
+           return item.id.starts_with("toast/") && item.min.x < figure->max.x && figure->min.x < item.max.x &&
+                  item.min.y < figure->max.y && figure->min.y < item.max.y;
+         });
 }
 
 /// "1280x720"
@@ -473,7 +482,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
       {"toasts-in-picture", toastsInPicture(shell)},
       {"toasts", std::to_string(shell.ui.toasts.size())},
-      {"toast.share", toastShare(shell)},
+      {"toast.share", shareOfPicture(shell, "toast/0")},
+      {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
+      {"tour.share", shareOfPicture(shell, "tour")},
       {"window", windowSize()},
       {"dialog.typed", shell.ui.fileDialog.typed},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
