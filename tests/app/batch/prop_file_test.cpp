@@ -291,6 +291,9 @@ TEST_CASE("taking the hold away takes the thing away, and undo brings both back"
   const FrameState& frame = session.frameAt(20.0);
   const Vec3 place = positionOf(frame.worlds[at(nodeNamed(session.document(), "sheets 2"))]);
   const Vec3 hand = rig::endPosition(*findLimb(session.document(), "left-arm"), frame);
+  const Vec3 at0 = session.document().addedFiles[0].place.translation;
+  CAPTURE(place.x, place.y, place.z, hand.x, hand.y, hand.z, at0.x, at0.y, at0.z, frame.worlds.size(),
+          session.document().holds.props.size(), session.document().holds.props[0].node);
   CHECK(glm::length(place - hand) < 0.1 * source.biped.height);
   session.undo();
   CHECK(sameDocument(session.document(), two));
