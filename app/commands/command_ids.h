@@ -90,6 +90,8 @@ inline constexpr const char* sequenceOriginal = "sequence.original";
 inline constexpr const char* sequenceSkinned = "sequence.skinned";
 inline constexpr const char* moduliLoad = "sequence.moduli-load";
 inline constexpr const char* moduliSave = "sequence.moduli-save";
+inline constexpr const char* skeletonTake = "sequence.skeleton-take";
+inline constexpr const char* skeletonLeave = "sequence.skeleton-leave";
 
 inline constexpr const char* palette = "help.palette";
 inline constexpr const char* keys = "help.keys";

@@ -352,6 +352,11 @@ std::size_t bytesOf(const EncodedClip& clip) {
 } // namespace
 
 EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings) {
+  return *encodeGltf(sequence, settings, {});
+}
+
+std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings,
+                                      const Proceed& proceed) {
   if (!(settings.keyTolerancePercent > 0.0)) {
     return Encoder(sequence, settings, 0.0).encode();
   }

@@ -65,6 +65,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
     return {".json"};
+  case FilePurpose::openSkeleton:
+    return {".glb", ".gltf", ".vrm"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -73,7 +75,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
-         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli;
+         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli &&
+         purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -96,6 +99,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Load moduli";
   case FilePurpose::saveModuli:
     return "Save moduli";
+  case FilePurpose::openSkeleton:
+    return "Take the bones of a file";
   case FilePurpose::saveFrames:
     break;
   }

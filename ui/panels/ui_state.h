@@ -213,7 +213,8 @@ enum class FilePurpose {
   saveFrames,
   exportSequence,
   openModuli,
-  saveModuli
+  saveModuli,
+  openSkeleton
 };
 
 /// One row of a folder's listing.

@@ -109,6 +109,7 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::exportSequence:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
+  case FilePurpose::openSkeleton:
     break;
   }
 }

@@ -462,7 +462,7 @@ std::vector<ShellCommand> editorCommands() {
     all.push_back(fromDocument(command));
   }
   append(all, toolCommands());
-  append(all, moduliCommands());
+  append(all, sequenceFileCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());
