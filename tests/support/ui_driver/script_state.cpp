@@ -449,6 +449,21 @@ std::optional<std::string> characterState(Shell& shell, std::string_view name) {
   return key ? key : sessionState(shell, name);
 }
 
+/// States of what stands over the picture: messages and the tour's card.
+std::optional<std::string> messageState(const Shell& shell, std::string_view name) {
+  const std::vector<Toast>& toasts = shell.ui.toasts;
+  const std::map<std::string_view, std::string> states{
+      {"toast", toasts.empty() ? std::string() : toasts.back().text},
+      {"toasts-in-picture", toastsInPicture(shell)},
+      {"toasts", std::to_string(toasts.size())},
+      {"toast.share", shareOfPicture(shell, "toast/0")},
+      {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
+      {"tour.share", shareOfPicture(shell, "tour")},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -483,12 +498,6 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-clash", yesNo(shell.ui.rangeClash.has_value())},
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
-      {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
-      {"toasts-in-picture", toastsInPicture(shell)},
-      {"toasts", std::to_string(shell.ui.toasts.size())},
-      {"toast.share", shareOfPicture(shell, "toast/0")},
-      {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
-      {"tour.share", shareOfPicture(shell, "tour")},
       {"window", windowSize()},
       {"dialog.typed", shell.ui.fileDialog.typed},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
@@ -507,6 +516,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second;
+  }
+  if (std::optional<std::string> message = messageState(shell, name)) {
+    return message;
   }
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);

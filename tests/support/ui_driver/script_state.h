@@ -32,8 +32,8 @@ namespace stretch::test {
 /// 0" and degrees, of the first selected one at the playhead), offset-keys (how many the selection has),
 /// auto-key, value.ID (of an attribute at the playhead), pins ("left-arm 21 to 27, left-leg 3 to 9", of the
 /// clip). toasts-in-picture (they cover nothing else), toasts-on-figure (one covers the
-/// character), tour.share (of the picture's height, that of the tour's card), menu-over-bars (the menu at the mouse covers a bar),
-/// menu-in-window.
+/// character), tour.share (of the picture's height, that of the tour's card), menu-over-bars (the menu at the
+/// mouse covers a bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.
