@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/edits/prop_file_edits.h"
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
+#include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
 
@@ -79,6 +81,7 @@ std::string autosaveText(const Document& document, const WorkPlace& place, const
       {"process", static_cast<long>(getpid())},
       {"began", beginOf(getpid())},
       {"work", workOf(document)},
+      {"added", document.addedFiles.empty() ? Json() : gltf::addedToJson(document.addedFiles)},
       {"view",
        {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -125,6 +128,13 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
   Document restored = withoutWork(document);
   if (json["work"].is_null()) {
     return restored;
+  }
+  if (json.contains("added") && json["added"].is_object()) {
+    Result<Document> with = withAddedFiles(restored, gltf::addedFromJson(json["added"]));
+    if (!with) {
+      return with.error();
+    }
+    restored = std::move(with).value();
   }
   const Status done = restoreWork(json["work"], restored);
   return done ? Result<Document>(restored) : Result<Document>(done.error());
