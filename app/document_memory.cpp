@@ -61,10 +61,27 @@ std::size_t bytesOfHolds(const rig::Holds& holds) {
          });
 }
 
+// A prop from a file of its own makes another scene.
+std::size_t bytesOfScene(const std::shared_ptr<const Scene>& scene,
+                         const std::shared_ptr<const Scene>& other) {
+  if (scene == other || scene == nullptr) {
+    return 0;
+  }
+  constexpr std::size_t bytesOfVertex = 64;
+  std::size_t bytes = 0;
+  for (const Mesh& mesh : scene->meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      bytes += primitive.positions.size() * bytesOfVertex + bytesOf(primitive.indices);
+    }
+  }
+  return bytes;
+}
+
 } // namespace
 
 std::size_t bytesBeyond(const Document& document, const Document& other) {
-  std::size_t bytes = sizeof document + bytesOfClips(document.clips, other.clips);
+  std::size_t bytes =
+      sizeof document + bytesOfClips(document.clips, other.clips) + bytesOfScene(document.scene, other.scene);
   bytes += bytesOf(document.trails, [](const rig::Trail& trail) {
     return bytesOf(trail.settings.spheres) + bytesOf(trail.controlFrames) + trail.limb.size() +
            trail.name.size() + trail.groupName.size();

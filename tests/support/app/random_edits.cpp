@@ -1,5 +1,6 @@
 #include "tests/support/app/random_edits.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -99,6 +100,9 @@ Document randomAdjustment(const Document& document, Dice& dice) {
 // Keys of the clip and of controllers, by whatever edit.
 Document randomKeys(const Document& document, Dice& dice) {
   const std::vector<KeyRow> rows = keyedRows(document, 0);
+  if (rows.empty()) {
+    return document;
+  }
   const KeyRow& row = rows[static_cast<std::size_t>(dice.below(static_cast<int>(rows.size())))];
   const double from = dice.below(20);
   const KeySelection picked = keysBetween(document, 0, {&row, 1}, from, from + dice.below(12));
@@ -230,7 +234,7 @@ Document randomEdit(const Document& document, Dice& dice) {
   case 6:
     return setLooping(document, 0, dice.below(2) == 0);
   case 7:
-    settings.startFrame = dice.below(static_cast<int>(settings.endFrame));
+    settings.startFrame = dice.below(std::max(1, static_cast<int>(settings.endFrame)));
     settings.pivot = dice.below(2) == 0 ? rig::Pivot::start : rig::Pivot::end;
     return orUnchanged(document, setTrailSettings(document, trail.id, settings));
   case 8:
