@@ -34,7 +34,9 @@ std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& rea
 }
 
 AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& body, const Limb& limb) {
-  AdjustedLimb adjusted{reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb)};
+  AdjustedLimb adjusted;
+  static_cast<ReachingLimb&>(adjusted) =
+      reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb);
   adjusted.controls = controlsOf(limb);
   adjusted.detached = detachedNodes(ground.scene, adjusted);
   adjusted.baseBind = bindRotation(body, limb.joints.front());
