@@ -241,7 +241,7 @@ class Check:
             sequences[cache.stem] = ([base, cache], lambda cache=cache: cache_frames(cache))
         for name, (words, frames) in sequences.items():
             self.error_of_data(name, words, frames(), ["--stretch", "measured"], folder)
-            self.error_of_data(name, words, frames(), ["--stretch", "measured", "--quantise", "--key-tolerance", "0.3%"], folder)
+            self.error_of_data(name, words, frames(), ["--stretch", "measured", "--key-tolerance", "0.3%"], folder)
             if "worm" not in name:  # These branch or are in several parts: limb by limb.
                 self.error_of_data(name, words, frames(), ["--stretch", "elastic", "--joints", "tree"], folder)
 
