@@ -50,8 +50,10 @@ struct Document {
   std::shared_ptr<const std::vector<Clip>> clips;
   /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
   std::shared_ptr<const std::vector<Clip>> sourceClips;
+  /// Props from files of their own, beside the source; `scene` holds them (edits/prop_file_edits.h).
+  std::vector<gltf::AddedFile> addedFiles;
   std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.
-  std::vector<std::string> warnings;        ///< Of opening the file.
+  std::vector<std::string> warnings;        ///< Of opening the file and those that were added.
   bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.

@@ -13,6 +13,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/hand_place.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
 #include "app/recipe/offset_table.h"
@@ -35,6 +36,9 @@ struct PoseArguments {
   std::string offsets;                // a table of offset keys
   std::string units = "limb_lengths"; // of the table
   bool pinsFeet = false;
+  std::string prop;
+  std::string hand = "right-arm";
+  double propFrame = 0.0;
   JsonOutput json;
 };
 
@@ -112,6 +116,7 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
   addHoldReports(document, recipe.clip, report);
+  report["added_files"] = addedFilesToJson(document);
   return report;
 }
 
@@ -170,9 +175,10 @@ Result<Recipe> recipeOf(const PoseArguments& arguments, Document& document) {
 }
 
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  if (arguments.recipe.empty() && arguments.offsets.empty() && !arguments.pinsFeet) {
+  if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() &&
+      !arguments.pinsFeet) {
     return Error{"nothing was asked for", "--recipe",
-                 "give a recipe, a table of offset keys by --offsets, or --pin-feet"};
+                 "give a recipe, a table of offset keys by --offsets, --prop or --pin-feet"};
   }
   Result<Recipe> recipe =
       arguments.recipe.empty() ? emptyRecipe(arguments, document) : recipeOf(arguments, document);
@@ -184,11 +190,21 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     }
     std::ranges::move(*table, std::back_inserter(recipe->adjustments));
   }
-  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet) {
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet &&
+      arguments.prop.empty()) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
   return recipe;
+}
+
+Result<Document> withProp(const PoseArguments& arguments, const Recipe& recipe, const Document& document) {
+  const std::vector<std::string> hands = arguments.hand == "both"
+                                             ? std::vector<std::string>{"left-arm", "right-arm"}
+                                             : std::vector<std::string>{arguments.hand};
+  Result<AddedProp> added =
+      putIntoHands(document, {arguments.prop, hands, recipe.clip, arguments.propFrame, {}});
+  return added ? Result<Document>(std::move(added->document)) : Result<Document>(added.error());
 }
 
 // The adjustments and holds, and pins where the feet stand in the adjusted clip; a recipe's own pin stands in
@@ -200,12 +216,15 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
     const Vec2 whole(0.0, std::floor(clip.endSeconds * clip.framesPerSecond + 1e-3));
     posed = placeHolds(*posed, plantedFeet(*posed, recipe.clip, whole));
   }
-  return posed ? placeHolds(*posed, recipe.holds) : posed;
+  if (posed) {
+    posed = placeHolds(*posed, recipe.holds);
+  }
+  return posed && !arguments.prop.empty() ? withProp(arguments, recipe, *posed) : posed;
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart =
-          checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe, arguments.offsets});
+  if (Status apart = checkOutput(arguments.output.file,
+                                 {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
       !apart) {
     return apart;
   }
@@ -239,11 +258,12 @@ Verb poseVerb() {
   return {
       "pose",
       "Adjusts a clip by the controllers that a recipe or a table keys and the pins, grips and props that a "
-      "recipe holds, and saves the file.",
+      "recipe holds, puts the thing of another file into a hand, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
         line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",
-                       "dummy.glb -o low.glb --offsets offsets.csv --units metres"});
+                       "dummy.glb -o low.glb --offsets offsets.csv --units metres",
+                       "dummy.glb -o armed.glb --prop bat.glb --prop-hand both"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
@@ -253,6 +273,12 @@ Verb poseVerb() {
             .oneOf({"limb_lengths", "metres"})
             .showDefault();
         line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
+        line.option("--prop", arguments->prop,
+                    "A file with a thing that is put into a hand, and added to the output");
+        line.option("--prop-hand", arguments->hand, "The arm whose hand takes it")
+            .oneOf({"left-arm", "right-arm", "both"})
+            .showDefault();
+        line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it").showDefault();
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

@@ -160,6 +160,7 @@ inline constexpr const char* holdMatch = "hold.match";
 inline constexpr const char* holdProp = "hold.prop";
 inline constexpr const char* holdLetGo = "hold.let-go";
 inline constexpr const char* holdRemove = "hold.remove";
+inline constexpr const char* propAdd = "prop.add";
 inline constexpr const char* keysGrab = "key.grab";
 inline constexpr const char* keysScale = "key.scale";
 inline constexpr const char* keysInsert = "key.insert";

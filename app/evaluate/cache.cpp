@@ -118,12 +118,12 @@ const FrameState& EvaluationCache::original(const Document& document, int clip, 
 const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,
                                                       std::size_t samplesPerFrame) {
   const EvaluationInput input = evaluationInput(document, clip);
-  const Motion& solved = trails(input);
+  const Motion& solved = held(input);
   return paths_.of({input.ground, solved, samplesPerFrame}, [&](const auto* last) {
     const bool usable =
         last != nullptr && last->key.ground == input.ground && last->key.samplesPerFrame == samplesPerFrame;
     return drawPaths(input.ground, *solved, samplesPerFrame,
-                     usable ? EarlierPaths{last->key.trails.get(), &last->value} : EarlierPaths{});
+                     usable ? EarlierPaths{last->key.held.get(), &last->value} : EarlierPaths{});
   });
 }
 

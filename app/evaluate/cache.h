@@ -105,7 +105,7 @@ private:
   };
   struct PathsKey {
     EvaluationGround ground;
-    Motion trails;
+    Motion held;
     std::size_t samplesPerFrame = 0;
     friend bool operator==(const PathsKey&, const PathsKey&) = default;
   };

@@ -50,10 +50,14 @@ std::vector<rig::Trail> originsOf(const Scene& scene, const rig::MotionState& mo
   return origins;
 }
 
-// Null where the trail, or one that moves it, is another now.
+// Null where the trail, or one that moves it, is another now, or holds act on its limb.
 const TrailPaths* stillTrue(const Scene& scene, const EarlierPaths& earlier, const rig::MotionState& motion,
                             std::size_t trail) {
   if (earlier.motion == nullptr) {
+    return nullptr;
+  }
+  const std::string& limb = motion.trails[trail].limb.id;
+  if (rig::isHeldLimb(*earlier.motion, limb) || rig::isHeldLimb(motion, limb)) {
     return nullptr;
   }
   const auto before = rig::placeOfTrail(*earlier.motion, motion.trails[trail].trail.id);

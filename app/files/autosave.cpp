@@ -5,8 +5,10 @@
 
 #include <unistd.h>
 
+#include "app/edits/prop_file_edits.h"
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
+#include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
 
 namespace stretch::app {
@@ -50,6 +52,7 @@ std::string autosaveText(const Document& document, const WorkPlace& place, const
       {"source", absoluteText(source)},
       {"process", static_cast<long>(getpid())},
       {"work", workOf(document)},
+      {"added", document.addedFiles.empty() ? Json() : gltf::addedToJson(document.addedFiles)},
       {"view",
        {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -94,6 +97,13 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
   Document restored = withoutWork(document);
   if (json["work"].is_null()) {
     return restored;
+  }
+  if (json.contains("added") && json["added"].is_object()) {
+    Result<Document> with = withAddedFiles(restored, gltf::addedFromJson(json["added"]));
+    if (!with) {
+      return with.error();
+    }
+    restored = std::move(with).value();
   }
   const Status done = restoreWork(json["work"], restored);
   return done ? Result<Document>(restored) : Result<Document>(done.error());

@@ -34,8 +34,10 @@ struct SolvedTrail {
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
-  double wantedReleaseSeconds = 0.0; ///< The release where the clip had room for it.
-  double calmReleaseSeconds = 0.0;   ///< A shorter one takes the limb back faster than it came.
+  std::vector<double> keyTimes;         ///< Of the limb's joints within the range, seconds.
+  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
+  double wantedReleaseSeconds = 0.0;    ///< The release where the clip had room for it.
+  double calmReleaseSeconds = 0.0;      ///< A shorter one takes the limb back faster than it came.
   BendNormal bend;
   double startSeconds = 0.0; ///< The range.
   double endSeconds = 0.0;

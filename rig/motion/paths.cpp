@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/frame_table.h"
 #include "rig/motion/order.h"
@@ -132,7 +134,69 @@ private:
   FrameState moved_;               // by the trails before the one that is asked for
 };
 
+// The requests about trails that the character follows, on limbs that are held.
+std::vector<PathRequest> heldRequests(const MotionState& motion, const std::vector<PathRequest>& requests) {
+  std::vector<PathRequest> held;
+  std::copy_if(requests.begin(), requests.end(), std::back_inserter(held), [&](const PathRequest& request) {
+    return motion.trails[request.trail].active && isHeldLimb(motion, motion.trails[request.trail].limb.id);
+  });
+  return held;
+}
+
+// Every trail and hold of the clip: each may move a limb that is held.
+std::vector<NodeIndex> nodesOfAll(const MotionState& motion, const std::vector<PathRequest>& requests) {
+  std::vector<std::size_t> active;
+  for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
+    if (motion.trails[trail].active) {
+      active.push_back(trail);
+    }
+  }
+  std::vector<NodeIndex> nodes = nodesOf(motion, active, requests);
+  nodes.insert(nodes.end(), motion.holds.nodes.begin(), motion.holds.nodes.end());
+  for (const std::size_t trail : active) {
+    const std::vector<NodeIndex>& joints = motion.trails[trail].limb.joints;
+    nodes.insert(nodes.end(), joints.begin(), joints.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+// Lays the path of a limb where the holds keep it at the times at which they do.
+void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
+                  const std::vector<PathRequest>& requests, std::vector<DrawnTrail>& drawn) {
+  const std::vector<PathRequest> held = heldRequests(motion, requests);
+  if (held.empty()) {
+    return;
+  }
+  FrameSource frames(scene, clip, motion.adjustments, nodesOfAll(motion, held), motion.adjustedFrames.get());
+  const Scene& skeleton = frames.skeleton();
+  for (const double frameNumber : framesOfAll(held)) {
+    const FrameState& source = frames.at(insideLoop(motion, frameNumber / motion.framesPerSecond));
+    FrameState frame = source;
+    applyTrails(skeleton, motion, source, frame);
+    for (const HeldGoal& goal : applyHolds(skeleton, motion, source, frame)) {
+      const Limb& limb = motion.holds.limbs[goal.limb].limb;
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const SolvedTrail& solved = motion.trails[requests[i].trail];
+        const auto [first, last] =
+            std::equal_range(requests[i].frames.begin(), requests[i].frames.end(), frameNumber);
+        if (solved.active && solved.limb.id == limb.id) {
+          std::fill(drawn[i].exaggerated.begin() + (first - requests[i].frames.begin()),
+                    drawn[i].exaggerated.begin() + (last - requests[i].frames.begin()),
+                    endPosition(limb, frame));
+        }
+      }
+    }
+  }
+}
+
 } // namespace
+
+bool isHeldLimb(const MotionState& motion, const std::string& limb) {
+  return std::any_of(motion.holds.limbs.begin(), motion.holds.limbs.end(),
+                     [&](const ReachingLimb& held) { return held.limb.id == limb; });
+}
 
 bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner, std::size_t outer) {
   if (inner >= outer || !motion.trails[inner].active) {
@@ -145,7 +209,9 @@ bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner
 
 std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
                                 const std::vector<PathRequest>& requests) {
-  return PathSweep(scene, clip, motion, requests).run();
+  std::vector<DrawnTrail> drawn = PathSweep(scene, clip, motion, requests).run();
+  layHeldPaths(scene, clip, motion, requests, drawn);
+  return drawn;
 }
 
 DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,

@@ -131,23 +131,26 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;
   solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
-  const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
   if (before != nullptr && samePath(before->settings, solved.settings)) {
     solved.path = before->path;
     solved.bend = before->bend;
+    solved.keyTimes = before->keyTimes;
+    solved.nextKeySeconds = before->nextKeySeconds;
   } else {
     before = nullptr;
+    const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
+    solved.keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
+    solved.nextKeySeconds = secondsToNextKey(*input.clip, solved, keyed);
     FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
                        motion.adjustedFrames.get());
-    samplePath(input, frames, solved, keyTimes);
+    samplePath(input, frames, solved);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
   solved.remap = Remap(solved.settings.remap, solved.settings.easeIn, solved.settings.easeOut);
-  setControlFrames(input, solved, keyTimes, before);
+  setControlFrames(input, solved, before);
   solved.offsets = SphereOffsets(solved.controlFrames, solved.settings.spheres);
-  setRelease(input, solved, keyed);
+  setRelease(input, solved);
   return solved;
 }
 
@@ -222,8 +225,8 @@ MotionState solveMotion(const MotionInput& input) {
   return motion;
 }
 
-void setRelease(const MotionInput& input, SolvedTrail& solved, const std::vector<NodeIndex>& nodes) {
-  const ReleaseLength length = releaseLength(input, solved, nodes);
+void setRelease(const MotionInput& input, SolvedTrail& solved) {
+  const ReleaseLength length = releaseLength(input, solved);
   solved.release = Release(length.seconds, solved.settings.overshoot);
   solved.wantedReleaseSeconds = length.wantedSeconds;
   solved.calmReleaseSeconds = length.calmSeconds;

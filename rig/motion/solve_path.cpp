@@ -68,13 +68,12 @@ std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   return nodes;
 }
 
-void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved,
-                const std::vector<double>& keyTimes) {
+void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved) {
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
   for (const double time :
-       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
+       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, solved.keyTimes)) {
     const FrameState& frame = frames.at(time);
     solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
     solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
@@ -94,15 +93,14 @@ void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solv
   }
 }
 
-void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
-                      const SolvedTrail* samePathBefore) {
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const SolvedTrail* samePathBefore) {
   constexpr double controlTolerance = 0.01; // of the limb's rest length
   if (!solved.trail.controlFrames.empty()) {
     setByHand(solved);
   } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
     solved.controlFrames = samePathBefore->controlFrames;
   } else {
-    solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
+    solved.controlFrames = chooseControlFrames(solved.path, solved.keyTimes, input.clip->framesPerSecond,
                                                controlTolerance * solved.limb.restLength);
   }
   keepPulledSpheres(solved);

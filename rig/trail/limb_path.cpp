@@ -275,12 +275,14 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& n
         std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
       continue;
     }
-    for (const float key : track->times) {
-      const auto time = static_cast<double>(key);
-      if (time >= startSeconds - sameTime && time <= endSeconds + sameTime) {
-        times.push_back(time);
-      }
-    }
+    const std::vector<float>& keys = track->times;
+    const auto first =
+        std::lower_bound(keys.begin(), keys.end(), startSeconds - sameTime,
+                         [](float key, double time) { return static_cast<double>(key) < time; });
+    const auto last =
+        std::upper_bound(first, keys.end(), endSeconds + sameTime,
+                         [](double time, float key) { return time < static_cast<double>(key); });
+    times.insert(times.end(), first, last);
   }
   mergeClose(times);
   return times;

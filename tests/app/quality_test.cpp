@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "rig/limb.h"
@@ -135,6 +136,21 @@ std::vector<std::string> warningsOf(const Document& document) {
 
 TEST_CASE("a punch that is twice as long gives no cause for a warning") {
   CHECK(warningsOf(punching(10.0, 2.0)).empty());
+}
+
+TEST_CASE("a pose that folds the arm up is told of a trail that was fine without it") {
+  const Document document = punching(10.0, 2.0);
+  REQUIRE(warningsOf(document).empty());
+  rig::Adjustment folded;
+  folded.controller = "left-hand";
+  folded.keys.resize(1);
+  const rig::Limb& arm = *findLimb(document, "left-arm");
+  const FrameState tip = evaluateOriginal(document, 0, 10.0 / 30.0);
+  const std::vector<Vec3> points = rig::limbPoints(arm, tip);
+  folded.keys[0].move = 0.95 * (points.front() - points.back());
+  const Result<Document> posed = placeAdjustments(document, {&folded, 1});
+  REQUIRE(posed);
+  CHECK_FALSE(warningsOf(*posed).empty());
 }
 
 TEST_CASE("a limb pulled out of bounds is told with its frame") {

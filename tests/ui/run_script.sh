@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Drives the real window through a script, on a screen of its own: run_script.sh DRIVEN_EDITOR SCRIPT
 # Lines of the script set it up: "#! file PATH" (from the root of the sources), "#! size 1280x720", "#! scale 2", "#! screen 1280x720",
-# "#! first start" (the tour is shown),
+# "#! first start" (the tour is shown), "#! beside PATH" (another file in the folder of the first),
 # "#! sequence NAME" (a folder of frames made by the program make-sequence, opened instead of a file),
 # "#! plays as RECIPE" (what was saved beside the file plays as the recipe makes it in batch, within 1e-5 of the picture's size),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
@@ -16,7 +16,7 @@ export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state HOME=$work LIBGL_
 setting() { sed -n "s/^#! $1 //p" "$2" | head -n 1; }
 
 run() {
-  local file size scale screen sequence first
+  local file beside size scale screen sequence first
   file=$(setting file "$1")
   size=$(setting size "$1")
   scale=$(setting scale "$1")
@@ -26,6 +26,8 @@ run() {
   if [ -n "$file" ] && [ ! -e "$work/$(basename "$file")" ]; then
     cp "$root/$file" "$work/" || return 1
   fi
+  beside=$(setting beside "$1")
+  [ -z "$beside" ] || cp "$root/$beside" "$work/" || return 1
   sequence=$(setting sequence "$1")
   if [ -n "$sequence" ]; then
     "$(dirname "$program")/make-sequence" "$work/$sequence" || return 1

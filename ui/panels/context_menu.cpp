@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands/selection.h"
+#include "app/edits/prop_file_edits.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/shown_holds.h"
@@ -44,24 +45,12 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        command::viewFrameSelection,
                                        command::viewControllers};
 
-constexpr CommandIds limbEntries{command::trailExaggerate,
-                                 command::trailToggle,
-                                 command::weightToggle,
-                                 "",
-                                 command::holdPin,
-                                 command::holdPinFeet,
-                                 command::holdMatch,
-                                 command::holdProp,
-                                 command::holdLetGo,
-                                 command::holdRemove,
-                                 "",
-                                 command::copyTrail,
-                                 command::pasteTrail,
-                                 command::mirrorTrail,
-                                 "",
-                                 command::trailDeleteAll,
-                                 command::viewFrameSelection,
-                                 command::selectNone};
+constexpr CommandIds limbEntries{
+    command::trailExaggerate, command::trailToggle,        command::weightToggle, "",
+    command::holdPin,         command::holdPinFeet,        command::holdMatch,    command::holdProp,
+    command::propAdd,         command::holdLetGo,          command::holdRemove,   "",
+    command::copyTrail,       command::pasteTrail,         command::mirrorTrail,  "",
+    command::trailDeleteAll,  command::viewFrameSelection, command::selectNone};
 
 /// After what is done with the one hold.
 constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
@@ -202,7 +191,7 @@ void holdEntries(PanelContext& context) {
              [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
   }
   if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.")) {
-    editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold->place));
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold->place));
   }
 }
 

@@ -58,6 +58,7 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:
+  case FilePurpose::openProp:
     return {".glb", ".gltf"};
   case FilePurpose::openRecipe:
   case FilePurpose::saveRecipe:
@@ -74,7 +75,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
-         purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli &&
+         purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -85,6 +87,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Save as";
   case FilePurpose::exportClean:
     return "Export clean";
+  case FilePurpose::openProp:
+    return "Add a prop";
   case FilePurpose::openRecipe:
     return "Load a recipe";
   case FilePurpose::saveRecipe:

@@ -8,6 +8,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "app/edits/hold_edits.h"
+#include "app/edits/prop_file_edits.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
 #include "ui/panels/shown_holds.h"
@@ -87,7 +88,7 @@ void deleteButton(PanelContext& context, const std::string& id, const ShownHold&
                                   .emphasis = Emphasis::quiet,
                                   .width = ImGui::GetContentRegionAvail().x});
   if (clicked) {
-    editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold.place));
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold.place));
   }
 }
 

@@ -181,7 +181,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
+             fileExportClean, "", recipeLoad, recipeSave, "", propAdd, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);

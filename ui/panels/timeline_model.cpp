@@ -221,10 +221,10 @@ TimelineBar barOf(const app::Session& session, const ShownHold& hold, const Them
   return bar;
 }
 
-// Those of one limb share a row.
-void addHolds(PanelContext& context, TimelineModel& model) {
+// Those of one limb share a row. The dope sheet has them above its many rows of keys, where they are seen.
+void addHolds(PanelContext& context, bool above, TimelineModel& model) {
   const app::Session& session = context.character();
-  std::size_t rows = model.bars.size();
+  std::size_t rows = above ? 0 : model.bars.size();
   for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
     TimelineBar bar = barOf(session, hold, context.theme.colours);
     const auto same = std::find_if(model.bars.begin(), model.bars.end(), [&](const TimelineBar& other) {
@@ -232,6 +232,25 @@ void addHolds(PanelContext& context, TimelineModel& model) {
     });
     bar.row = same != model.bars.end() ? same->row : rows++;
     model.bars.push_back(std::move(bar));
+  }
+  if (above) {
+    model.rowsAbove = rows;
+    for (TimelineBar& bar : model.bars) {
+      bar.row += bar.id > 0 ? rows : 0;
+    }
+  }
+}
+
+void addTrails(PanelContext& context, TimelineModel& model) {
+  app::Session& session = context.character();
+  const int clip = session.view().clip;
+  const double rate = app::clipOf(session.document(), clip).framesPerSecond;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == clip) {
+      model.bars.push_back(
+          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
+      model.bars.back().row = model.bars.size() - 1;
+    }
   }
 }
 
@@ -278,16 +297,9 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   const double rate = shown.framesPerSecond;
   model.loops = app::isLooping(document, clip);
   model.turn = (shown.endSeconds - shown.startSeconds) * rate;
-  for (const rig::Trail& trail : document.trails) {
-    if (trail.clip == clip) {
-      model.bars.push_back(
-          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
-    }
-  }
-  for (TimelineBar& bar : model.bars) {
-    bar.row = static_cast<std::size_t>(&bar - model.bars.data());
-  }
-  addHolds(context, model);
+  addTrails(context, model);
+  const bool isDopeSheet = detail == RowDetail::everyLimb;
+  addHolds(context, isDopeSheet, model);
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {
     model.spheres = selected->controlFrames;
   }

@@ -208,6 +208,7 @@ enum class FilePurpose {
   saveModel,
   exportClean,
   openRecipe,
+  openProp,
   saveRecipe,
   saveFrames,
   exportSequence,
@@ -289,6 +290,12 @@ struct FileChoice {
   std::filesystem::path path;
 };
 
+/// What is to become of a file that was dropped, and that a hand could hold.
+struct DropAnswer {
+  std::filesystem::path file;
+  bool asProp = false; ///< Else it is opened.
+};
+
 struct KeyChange {
   std::string commandId;
   std::string keyText; ///< As Command::keys spells it; empty: no key.
@@ -301,6 +308,7 @@ struct UiAnswers {
   std::optional<NavigationStyle> navigation;
   std::optional<KeyChange> keyChange;
   std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
+  std::optional<DropAnswer> drop;            ///< To UiState::droppedThing.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
   bool keepSettings = false; ///< The user's settings are to be written at once.
@@ -364,6 +372,8 @@ struct UiState {
   WelcomeState welcome;
   TourState tour;
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
+  /// A file that was dropped on the open character, and that a hand could hold: asked about; empty: none is.
+  std::filesystem::path droppedThing;
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.

@@ -21,9 +21,6 @@
 
 namespace stretch::ui {
 
-namespace {
-
-/// A world point in window units; nothing behind the eye.
 std::optional<ImVec2> placeOf(const ViewportState& viewport, const Vec3& world) {
   const auto point = projectToPixels(viewport.view, world);
   if (!point) {
@@ -32,6 +29,8 @@ std::optional<ImVec2> placeOf(const ViewportState& viewport, const Vec3& world) 
   return ImVec2(viewport.box.min.x + static_cast<float>(point->pixels.x / viewport.pixelsPerUnit),
                 viewport.box.min.y + static_cast<float>(point->pixels.y / viewport.pixelsPerUnit));
 }
+
+namespace {
 
 /// Text on a dark ground of its own, so that it reads over anything.
 void label(const PanelContext& context, const ImVec2& corner, const std::string& text, ImU32 colour) {

@@ -303,10 +303,11 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
   add("range-end", layout.frames.toPixel(model.range.end), layout.ruler.max.y - context.theme.px(5.0F));
   const std::vector<double>& keys = model.keyRows.empty() ? noFrames : model.keyRows.front().frames;
   if (std::binary_search(keys.begin(), keys.end(), model.playhead)) {
-    add("key", layout.frames.toPixel(model.playhead), layout.ruler.max.y + context.theme.px(11.0F));
+    add("key", layout.frames.toPixel(model.playhead),
+        timeline_detail::keyRowBox(context.theme, layout, model, 0).centre().y);
   }
   for (std::size_t row = 0; model.keysEditable && row < model.keyRows.size(); ++row) {
-    const float y = layout.ruler.max.y + context.theme.px(11.0F + 22.0F * static_cast<float>(row));
+    const float y = timeline_detail::keyRowBox(context.theme, layout, model, row).centre().y;
     const std::vector<double>& frames = model.keyRows[row].frames;
     for (std::size_t i = 0; i < std::min<std::size_t>(frames.size(), 40); ++i) {
       add("row-" + std::to_string(row) + "/" + std::to_string(i), layout.frames.toPixel(frames[i]), y);
@@ -368,7 +369,7 @@ void releaseKeyBox(const WidgetContext& context, const timeline_detail::Layout& 
   }
   const std::size_t last = model.keyRows.size() - 1;
   const std::size_t to =
-      mouse.y < layout.ruler.max.y
+      mouse.y < timeline_detail::keyRowBox(context.theme, layout, model, 0).min.y
           ? 0
           : std::min(last, timeline_detail::keyRowAt(context.theme, layout, model, mouse.y));
   const double frame = layout.frames.toValue(mouse.x);

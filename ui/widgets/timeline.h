@@ -42,6 +42,7 @@ struct TimelineModel {
   bool rangeIsDefault = false; ///< Not set by the user: drawn quieter.
   std::vector<KeyRow> keyRows;
   std::vector<TimelineBar> bars;
+  std::size_t rowsAbove = 0;   ///< Rows of bars that stand above the keys; the others stand below.
   std::vector<double> spheres; ///< Frames of the selected trail's control spheres.
   bool loops = false;          ///< After the clip's end its start comes again: a release goes on there.
   double turn = 0.0;           ///< Frames from one start to the next.

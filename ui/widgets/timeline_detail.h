@@ -53,6 +53,9 @@ void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& 
 void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& layout, const Hit& hit,
                  const ImVec2& mouse, TimelineOutcome& outcome);
 
+/// Where a row of keys is.
+[[nodiscard]] Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                             std::size_t row);
 /// The row of keys at this height; keyRows.size() for none.
 [[nodiscard]] std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
                                    float y);

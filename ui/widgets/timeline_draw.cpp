@@ -16,11 +16,6 @@ constexpr float rulerHeight = 26.0F;
 constexpr float keyRowHeight = 22.0F;
 constexpr float barRowHeight = 24.0F;
 
-Rect keyRowBox(const Theme& theme, const Layout& layout, std::size_t row) {
-  const float y = layout.ruler.max.y + theme.px(keyRowHeight) * static_cast<float>(row);
-  return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
-}
-
 std::string playheadText(const TimelineModel& model) {
   char text[24];
   const bool whole = std::abs(model.playhead - std::round(model.playhead)) < 1e-6;
@@ -148,7 +143,7 @@ void drawKeys(const WidgetContext& context, const Layout& layout, const Timeline
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t row = 0; row < model.keyRows.size(); ++row) {
     const KeyRow& keys = model.keyRows[row];
-    const Rect box = keyRowBox(theme, layout, row);
+    const Rect box = keyRowBox(theme, layout, model, row);
     if (keys.selected) {
       list->AddRectFilled({layout.labelLeft, box.min.y}, box.max, faded(theme.colours.accent, 0.10F));
     }
@@ -276,18 +271,25 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
   return layout;
 }
 
+Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model, std::size_t row) {
+  const float y = layout.ruler.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
+                  theme.px(keyRowHeight) * static_cast<float>(row);
+  return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
+}
+
 Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model, const TimelineBar& bar,
             const Span& span) {
-  const float top =
-      layout.ruler.max.y + theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
-  const float y = top + theme.px(barRowHeight) * static_cast<float>(bar.row);
+  const bool isAbove = bar.row < model.rowsAbove;
+  const float keys = theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
+  const float y =
+      layout.ruler.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
   return {{layout.frames.toPixel(span.start), y + theme.px(2.0F)},
           {layout.frames.toPixel(span.end), y + theme.px(barRowHeight - 2.0F)}};
 }
 
 std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model, float y) {
   for (std::size_t row = 0; row < model.keyRows.size(); ++row) {
-    const Rect box = keyRowBox(theme, layout, row);
+    const Rect box = keyRowBox(theme, layout, model, row);
     if (y >= box.min.y && y < box.max.y) {
       return row;
     }
@@ -336,12 +338,14 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
 float timelineLabelWidth(const Theme& theme, const TimelineModel& model) {
   constexpr float least = 112.0F;
   constexpr float most = 240.0F;
+  constexpr float mostOfHold = 130.0F; ///< Its long name is cut: the frames need the room.
   float width = 0.0F;
   for (const KeyRow& row : model.keyRows) {
     width = std::max(width, textSize(theme.fonts.label, row.label).x);
   }
   for (const TimelineBar& bar : model.bars) {
-    width = std::max(width, textSize(theme.fonts.label, bar.label).x + theme.px(14.0F));
+    const float own = textSize(theme.fonts.label, bar.label).x + theme.px(14.0F);
+    width = std::max(width, bar.id < 0 ? std::min(own, theme.px(mostOfHold)) : own);
   }
   return std::clamp(std::ceil(width) + theme.px(20.0F), theme.px(least), theme.px(most));
 }

@@ -8,6 +8,10 @@ import sys
 import time
 
 import bpy
+import numpy
+
+if not hasattr(numpy, "bool"):  # Debian's Blender 3.4 is older than its numpy
+    numpy.bool = bool
 
 file, frames, answer = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)

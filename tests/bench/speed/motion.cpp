@@ -121,12 +121,12 @@ Pair dragCosts(const app::Document& ours, const app::Document& other, int repeti
 
 Comparison dragInLongClip(const SpeedInput& input) {
   app::Document longer = withLongClip(input.document, 5000);
-  app::Document shorter = withLongClip(input.document, 101);
+  app::Document shorter = withLongClip(input.document, 201);
   addTrail(longer, 0, 0.0, 100.0);
   addTrail(shorter, 0, 0.0, 100.0);
   const Pair cost = dragCosts(longer, shorter, input.repetitions);
   return {"drag of a trail of 100 frames in a clip of 5,000",
-          "the same in a clip of 101",
+          "the same in a clip of 201",
           cost.ours,
           cost.other,
           1.1,

@@ -54,6 +54,22 @@ TEST_CASE("a knee that the clip overextends a little bends as it does where it b
   }
 }
 
+TEST_CASE("a knee bent the other way by less than an eighth of the leg is overextended, one bent farther is "
+          "bent so") {
+  const auto bentBack = [](double out) {
+    BendDirections bends(Vec3(0.0, 0.0, 1.0));
+    addBent(bends, 1.0, {0.0, 0.0, 0.5});
+    addBent(bends, 2.0, {0.0, 0.0, -out});
+    addBent(bends, 3.0, {0.0, 0.0, 0.5});
+    bends.keepClear();
+    return bends.at(2.0).z;
+  };
+  CHECK(bentBack(0.12) > 0.999); // 0.06 of the leg
+  CHECK(bentBack(0.18) > 0.999);
+  CHECK(bentBack(0.24) > 0.999);  // 0.117 of it
+  CHECK(bentBack(0.30) < -0.999); // 0.144 of it
+}
+
 TEST_CASE("a limb that is only ever overextended bends as it is told, one that bends that way as it does") {
   BendDirections over(Vec3(0.0, 0.0, 1.0));
   addBent(over, 1.0, {0.0, 0.0, -0.07});

@@ -266,6 +266,14 @@ std::optional<std::string> keyState(const Shell& shell, std::string_view name) {
          const rig::Holds& holds = session.document().holds;
          return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
        }},
+      {"added-files",
+       [&] {
+         std::vector<std::string> files;
+         for (const gltf::AddedFile& file : session.document().addedFiles) {
+           files.push_back(file.file);
+         }
+         return joined(files);
+       }},
       {"keys.first", [&] { return firstPicked(session, false); }},
       {"keys.slopes", [&] { return firstPicked(session, true); }},
       {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
@@ -390,13 +398,22 @@ std::string toastsInPicture(const Shell& shell) {
   return inside;
 }
 
-/// Of the picture's height, that of the first message: "0.22"; "none" without any.
-std::string toastShare(const Shell& shell) {
+/// Of the picture's height, that of an item: "0.22"; "none" without it.
+std::string shareOfPicture(const Shell& shell, const char* id) {
   const Item* const picture = shell.items.find("viewport");
-  const Item* const first = shell.items.find("toast/0");
-  return picture == nullptr || first == nullptr
+  const Item* const item = shell.items.find(id);
+  return picture == nullptr || item == nullptr
              ? "none"
-             : fmt::format("{:.2f}", (first->max.y - first->min.y) / (picture->max.y - picture->min.y));
+             : fmt::format("{:.2f}", (item->max.y - item->min.y) / (picture->max.y - picture->min.y));
+}
+
+/// Whether a message covers the character, as it stood when the messages began to come.
+bool toastsCoverFigure(const Shell& shell) {
+  const std::optional<Rect>& figure = shell.viewport.figure;
+  return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
+           return item.id.starts_with("toast/") && item.min.x < figure->max.x && figure->min.x < item.max.x &&
+                  item.min.y < figure->max.y && figure->min.y < item.max.y;
+         });
 }
 
 /// "1280x720"
@@ -432,6 +449,21 @@ std::optional<std::string> characterState(Shell& shell, std::string_view name) {
   return key ? key : sessionState(shell, name);
 }
 
+/// States of what stands over the picture: messages and the tour's card.
+std::optional<std::string> messageState(const Shell& shell, std::string_view name) {
+  const std::vector<Toast>& toasts = shell.ui.toasts;
+  const std::map<std::string_view, std::string> states{
+      {"toast", toasts.empty() ? std::string() : toasts.back().text},
+      {"toasts-in-picture", toastsInPicture(shell)},
+      {"toasts", std::to_string(toasts.size())},
+      {"toast.share", shareOfPicture(shell, "toast/0")},
+      {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
+      {"tour.share", shareOfPicture(shell, "tour")},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -462,13 +494,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-unsaved", yesNo(asked == Kind::unsaved)},
       {"asks-overwrite", yesNo(asked == Kind::overwrite)},
       {"offers-restore", yesNo(asked == Kind::restore)},
+      {"asks-drop", yesNo(!shell.ui.droppedThing.empty())},
       {"asks-clash", yesNo(shell.ui.rangeClash.has_value())},
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
-      {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
-      {"toasts-in-picture", toastsInPicture(shell)},
-      {"toasts", std::to_string(shell.ui.toasts.size())},
-      {"toast.share", toastShare(shell)},
       {"window", windowSize()},
       {"dialog.typed", shell.ui.fileDialog.typed},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
@@ -487,6 +516,9 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second;
+  }
+  if (std::optional<std::string> message = messageState(shell, name)) {
+    return message;
   }
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);
