@@ -8,6 +8,7 @@
 #include "rig/motion/evaluate.h"
 #include "rig/motion/floor.h"
 #include "rig/motion/part_motion.h"
+#include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
 
@@ -47,7 +48,14 @@ double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& fra
   return ankle - lowest;
 }
 
-// No part of the body, not skinned, and neither it nor what carries it has keys in the clip.
+bool isHeldIn(const Document& document, int clip, NodeIndex node) {
+  return std::ranges::any_of(document.holds.props, [&](const rig::Prop& prop) {
+    const NodeIndex held = rig::propNode(*document.scene, prop.node);
+    return prop.clip == clip && held.exists() && isAncestorOrSelf(*document.scene, held, node);
+  });
+}
+
+// No part of the body, not skinned, not held, and neither it nor what carries it has keys in the clip.
 bool isBlock(const Document& document, int clip, NodeIndex node) {
   const Scene& scene = *document.scene;
   const auto carriesIt = [&](NodeIndex other) { return isAncestorOrSelf(scene, other, node); };
@@ -55,7 +63,8 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
       carriesIt(document.biped.hips) || std::ranges::any_of(allLimbs(document), [&](const rig::Limb& limb) {
         return carriesIt(limb.joints.front());
       });
-  return !isOfBody && scene.nodes[at(node)].mesh >= 0 && scene.nodes[at(node)].skin < 0 &&
+  return !isOfBody && !isHeldIn(document, clip, node) && scene.nodes[at(node)].mesh >= 0 &&
+         scene.nodes[at(node)].skin < 0 &&
          std::ranges::none_of(clipOf(document, clip).tracks,
                               [&](const CopyOnWrite<Track>& track) { return carriesIt(track->node); });
 }

@@ -21,6 +21,11 @@ const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& groun
   });
 }
 
+const EvaluationCache::Places& EvaluationCache::places(const std::shared_ptr<const Scene>& scene) {
+  return places_.of(
+      scene, [&](const auto*) { return std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*scene)); });
+}
+
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
     EarlierWork earlier;
@@ -30,7 +35,9 @@ const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& in
     if (last != nullptr && isSameClip(last->key.ground, input.ground)) {
       earlier.sourceFrames = last->value->sourceFrames;
     }
-    if (!input.ground.adjustments.empty()) {
+    if (input.ground.adjustments.empty()) {
+      earlier.places = places(input.ground.scene);
+    } else {
       earlier.body = body(input.ground);
     }
     return std::make_shared<const rig::MotionState>(solveTrails(input, earlier));

@@ -100,6 +100,7 @@ rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& ea
   rig::MotionInput wanted = motionInput(input);
   wanted.previous = earlier.sameGround;
   wanted.body = earlier.body;
+  wanted.places = earlier.places;
   wanted.sourceFrames = earlier.sourceFrames;
   return rig::solveMotion(wanted);
 }

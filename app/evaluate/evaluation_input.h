@@ -5,6 +5,7 @@
 
 #include "app/document.h"
 #include "app/weight/weight_motion.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/paths.h"
 
@@ -52,6 +53,7 @@ struct EvaluationInput {
 struct EarlierWork {
   const rig::MotionState* sameGround = nullptr;                  ///< Solved on the same ground.
   std::shared_ptr<const rig::AdjustedBody> body = nullptr;       ///< adjustedBody of the ground.
+  std::shared_ptr<const rig::BindPlaces> places = nullptr;       ///< bindPlaces of the scene.
   std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Of a motion of the same clip.
 };
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include <fmt/core.h>
 
-#include "app/evaluate/evaluate.h"
+#include "app/evaluate/evaluation_input.h"
 #include "app/evaluate/left_behind.h"
 #include "app/evaluate/trail_look.h"
 #include "app/standing_floor.h"
@@ -26,13 +27,14 @@ rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
 
 // The same trail with other settings, solved alone.
 rig::MotionState solvedWith(const Document& document, int clip, const rig::SolvedTrail& trail,
-                            const rig::TrailSettings& settings) {
+                            const rig::TrailSettings& settings,
+                            const std::shared_ptr<const rig::BindPlaces>& places) {
   Document other = document;
   other.trails = {trail.trail};
   other.weights.clear();
   other.holds = {};
   other.trails.front().settings = settings;
-  return prepareMotion(other, clip);
+  return solveTrails(evaluationInput(other, clip), {.places = places});
 }
 
 struct Remedy {
@@ -107,7 +109,8 @@ class Trial {
 public:
   Trial(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
         const TrailLook& look, const Findings& findings)
-      : document_(document), motion_(motion), trail_(trail), look_(look), findings_(findings) {}
+      : document_(document), motion_(motion), trail_(trail), look_(look), findings_(findings),
+        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*document.scene))) {}
 
   // The largest scale, in quarters, that leaves nothing: the same one from whatever scale above it.
   [[nodiscard]] std::optional<double> smallerScale() const {
@@ -134,7 +137,7 @@ public:
 
 private:
   [[nodiscard]] bool helps(const rig::TrailSettings& settings) const {
-    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings);
+    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings, places_);
     return !other.trails.empty() && !look_.findsAny(other, findings_);
   }
 
@@ -143,6 +146,7 @@ private:
   const rig::SolvedTrail& trail_;
   const TrailLook& look_;
   const Findings& findings_; // of the trail as it is
+  std::shared_ptr<const rig::BindPlaces> places_;
 };
 
 // The smaller scale comes first, whatever else would help as well: advice that stays the same while a number

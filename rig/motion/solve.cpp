@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -45,11 +46,33 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
+// Where the scene's bind pose has what trails move: looked for at most once for all of them.
+class Places {
+public:
+  explicit Places(const MotionInput& input) : input_(input) {}
+
+  const BindPlaces& get() {
+    if (input_.body != nullptr) {
+      return input_.body->places;
+    }
+    if (input_.places != nullptr) {
+      return *input_.places;
+    }
+    std::call_once(once_, [&] { own_.emplace(bindPlaces(*input_.scene)); });
+    return *own_;
+  }
+
+private:
+  const MotionInput& input_;
+  std::once_flag once_; // trails are solved side by side
+  std::optional<BindPlaces> own_;
+};
+
 // Made before with the body, where that is there.
-LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
+LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& places) {
   const AdjustedBody* const body = input.body.get();
   if (body == nullptr) {
-    return limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
+    return limbTopology(*input.scene, limb, input.limbs, places.get());
   }
   for (const std::optional<AdjustedLimb>* const own : {&body->spine, &body->neck}) {
     if (*own && (*own)->limb == limb) {
@@ -83,13 +106,14 @@ std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, cons
   return times;
 }
 
-FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments) {
+FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments,
+                                 Places& places) {
   std::vector<NodeIndex> nodes = adjustments.nodes;
   std::vector<double> times;
   for (const Trail& trail : input.trails) {
     if (const Limb* const limb = limbOf(input, trail.limb)) {
       const std::vector<NodeIndex> read = pathNodes(input, *limb);
-      const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb));
+      const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb, places));
       const std::vector<double> own = pathTimes(input, trail, *limb);
       nodes.insert(nodes.end(), read.begin(), read.end());
       nodes.insert(nodes.end(), written.begin(), written.end());
@@ -100,8 +124,8 @@ FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustmen
 }
 
 // Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
-void setFrames(const MotionInput& input, MotionState& motion) {
-  FrameTable::Extent extent = framesToShare(input, motion.adjustments);
+void setFrames(const MotionInput& input, MotionState& motion, Places& places) {
+  FrameTable::Extent extent = framesToShare(input, motion.adjustments, places);
   if (extent.timesSeconds.size() > FrameTable::most(*input.scene)) {
     return;
   }
@@ -116,7 +140,7 @@ void setFrames(const MotionInput& input, MotionState& motion) {
 }
 
 SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
-                       const Limb& limb) {
+                       const Limb& limb, Places& places) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -125,7 +149,7 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
   solved.trail = trail;
   solved.limb = limb;
   solved.settings = usable(trail.settings, *input.clip);
-  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb);
+  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb, places);
   solved.active = trail.connected;
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;
@@ -155,7 +179,7 @@ SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, cons
 }
 
 // Each looks at the clip alone, not at what the others make of it.
-std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& motion) {
+std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& motion, Places& places) {
   std::vector<std::pair<const Trail*, const Limb*>> found;
   std::size_t isNew = 0;
   for (const Trail& trail : input.trails) {
@@ -167,7 +191,7 @@ std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& m
   }
   std::vector<SolvedTrail> solved(found.size());
   const auto solve = [&](std::size_t i) {
-    solved[i] = solveTrail(input, motion, *found[i].first, *found[i].second);
+    solved[i] = solveTrail(input, motion, *found[i].first, *found[i].second, places);
   };
   if (isNew > 1) {
     tbb::parallel_for(std::size_t{0}, found.size(), solve);
@@ -202,6 +226,7 @@ const Limb* limbOf(const MotionInput& input, const std::string& id) {
 
 MotionState solveMotion(const MotionInput& input) {
   MotionState motion;
+  Places places(input);
   motion.clip = input.clipIndex;
   motion.framesPerSecond = input.clip->framesPerSecond;
   motion.startSeconds = input.clip->startSeconds;
@@ -214,9 +239,9 @@ MotionState solveMotion(const MotionInput& input) {
             ? input.previous->adjustments
             : solveAdjustments(
                   {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
-    setFrames(input, motion);
+    setFrames(input, motion, places);
   }
-  motion.trails = solveAll(input, motion);
+  motion.trails = solveAll(input, motion, places);
   std::vector<ActingLimb> acting;
   for (const SolvedTrail& solved : motion.trails) {
     acting.push_back({&solved.limb, solved.startSeconds});

@@ -8,6 +8,7 @@
 #include "rig/controllers/adjustment.h"
 #include "rig/hold/hold.h"
 #include "rig/limb.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::rig {
@@ -25,6 +26,8 @@ struct MotionInput {
   Holds holds = {};                              ///< Of this clip. Those of missing limbs are left out.
   std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
                                                  ///< clip, hips and limbs; null: it is made where it is
+                                                 ///< needed.
+  std::shared_ptr<const BindPlaces> places = {}; ///< bindPlaces of the scene; null: found where they are
                                                  ///< needed.
   /// MotionState::sourceFrames of a motion that was solved for the same scene and clip, whatever moved it
   /// then; null: none.

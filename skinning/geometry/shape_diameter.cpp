@@ -58,41 +58,27 @@ public:
 
   [[nodiscard]] bool usable() const { return usable_; }
 
-  /// Rays of one origin that are followed together.
-  static constexpr std::size_t packet = 16;
-
-  /// Lengths of the rays to where they leave the body; negative where one hits nothing or enters another part
-  /// from outside. `count`: of `directions`, at most `packet`.
-  [[nodiscard]] std::array<double, packet> lengthsInside(const Vec3& origin, const Vec3* directions,
-                                                         std::size_t count, double start) const {
-    RTCRayHit16 query{};
-    alignas(64) std::array<int, packet> isAsked{};
-    for (std::size_t i = 0; i < count; ++i) {
-      isAsked[i] = -1;
-      query.ray.org_x[i] = static_cast<float>(origin.x);
-      query.ray.org_y[i] = static_cast<float>(origin.y);
-      query.ray.org_z[i] = static_cast<float>(origin.z);
-      query.ray.dir_x[i] = static_cast<float>(directions[i].x);
-      query.ray.dir_y[i] = static_cast<float>(directions[i].y);
-      query.ray.dir_z[i] = static_cast<float>(directions[i].z);
-      query.ray.tnear[i] = static_cast<float>(start);
-      query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      query.ray.mask[i] = 0xFFFFFFFFU;
-      query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    }
+  /// Length of the ray to where it leaves the body; negative when it hits nothing or enters another part from
+  /// outside.
+  [[nodiscard]] double lengthInside(const Vec3& origin, const Vec3& direction, double start) const {
+    RTCRayHit query{};
+    query.ray.org_x = static_cast<float>(origin.x);
+    query.ray.org_y = static_cast<float>(origin.y);
+    query.ray.org_z = static_cast<float>(origin.z);
+    query.ray.dir_x = static_cast<float>(direction.x);
+    query.ray.dir_y = static_cast<float>(direction.y);
+    query.ray.dir_z = static_cast<float>(direction.z);
+    query.ray.tnear = static_cast<float>(start);
+    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.ray.mask = 0xFFFFFFFFU;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(isAsked.data(), scene_, &context, &query);
-    std::array<double, packet> lengths{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 normal(static_cast<double>(query.hit.Ng_x[i]), static_cast<double>(query.hit.Ng_y[i]),
-                        static_cast<double>(query.hit.Ng_z[i]));
-      const bool leaves =
-          query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID && glm::dot(normal, directions[i]) > 0.0;
-      lengths[i] = leaves ? static_cast<double>(query.ray.tfar[i]) : -1.0;
-    }
-    return lengths;
+    rtcIntersect1(scene_, &context, &query);
+    const Vec3 normal(static_cast<double>(query.hit.Ng_x), static_cast<double>(query.hit.Ng_y),
+                      static_cast<double>(query.hit.Ng_z));
+    const bool leaves = query.hit.geomID != RTC_INVALID_GEOMETRY_ID && glm::dot(normal, direction) > 0.0;
+    return leaves ? static_cast<double>(query.ray.tfar) : -1.0;
   }
 
 private:
@@ -179,17 +165,10 @@ double faceDiameter(const RayScene& scene, std::span<const glm::vec3> positions,
   const Mat3 frame(side, glm::cross(inward, side), inward);
   std::vector<Length> lengths;
   lengths.reserve(cone.size());
-  std::array<Vec3, RayScene::packet> directions{};
-  for (std::size_t first = 0; first < cone.size(); first += directions.size()) {
-    const std::size_t count = std::min(directions.size(), cone.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      directions[i] = frame * cone[first + i].direction;
-    }
-    const auto found = scene.lengthsInside(centre, directions.data(), count, start);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (found[i] > 0.0) {
-        lengths.push_back({found[i], cone[first + i].weight});
-      }
+  for (const ConeRay& ray : cone) {
+    const double length = scene.lengthInside(centre, frame * ray.direction, start);
+    if (length > 0.0) {
+      lengths.push_back({length, ray.weight});
     }
   }
   return robustMean(lengths);

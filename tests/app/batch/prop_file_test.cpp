@@ -13,6 +13,7 @@
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "app/session.h"
+#include "app/standing_floor.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
 #include "rig/motion/solve_holds.h"
@@ -319,6 +320,14 @@ TEST_CASE("work that was kept aside holds the things that were added") {
   REQUIRE(saveDocument(worked, folder / "worked.glb", {}));
   REQUIRE(saveDocument(*back, folder / "back.glb", {}));
   CHECK(*readFile(folder / "worked.glb") == *readFile(folder / "back.glb"));
+}
+
+TEST_CASE("a thing in a hand is no block that a foot stands on") {
+  const TemporaryFolder folder;
+  Document document = held(openedFile(posedCharacter), sheetsIn(folder), {"right-arm"});
+  CHECK(blocksOf(document, 0).empty());
+  document.holds = {};
+  CHECK(blocksOf(document, 0).size() == 2);
 }
 
 TEST_CASE("nodes of a thing that are named like limbs are no limbs of the character") {

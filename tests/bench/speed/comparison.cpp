@@ -30,11 +30,11 @@ std::string shownRatio(const Comparison& one) {
 }
 
 void printTable(const std::vector<Comparison>& comparisons) {
-  fmt::print("{:<58}{:<44}{:>10}{:>10}{:>8}{:>8}  {}\n", "item", "beside", "ours", "other", "ratio", "goal",
+  fmt::print("{:<64}{:<38}{:>10}{:>10}{:>8}{:>8}  {}\n", "item", "beside", "ours", "other", "ratio", "goal",
              "what limits it");
   for (const Comparison& one : comparisons) {
     const std::string other = one.other > 0.0 ? fmt::format("{:.3f}", one.other) : "-";
-    fmt::print("{:<58}{:<44}{:>10.3f}{:>10}{:>8}{:>8.3g}  {}\n", one.item, one.than, one.ours, other,
+    fmt::print("{:<64}{:<38}{:>10.3f}{:>10}{:>8}{:>8.3g}  {}\n", one.item, one.than, one.ours, other,
                shownRatio(one), one.goal, one.limit);
   }
 }
