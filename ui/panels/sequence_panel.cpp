@@ -30,11 +30,13 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
   }
   const bool hasSkeleton = !settings.skeleton.empty();
   if (setting.name == "stretch") {
-    return {.offered = {true, hasLine || hasSkeleton, true}};
+    const bool hasTree = hasSkeleton || settings.joints == skinning::JointOption::tree;
+    return {.offered = {true, hasLine || hasTree, true}};
   }
   if (setting.name == "joints") {
-    const bool measured = settings.stretch == skinning::StretchOption::measured || !hasLine;
-    return {.offered = {measured, measured}};
+    const bool measured = settings.stretch == skinning::StretchOption::measured;
+    const bool byRows = settings.stretch == skinning::StretchOption::elastic;
+    return {.offered = {measured || !hasLine, measured || (!hasLine && !byRows)}};
   }
   if (setting.name == "tolerance") {
     return {.hint = "none: the bones above"};
