@@ -279,9 +279,9 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& n
     const auto first =
         std::lower_bound(keys.begin(), keys.end(), startSeconds - sameTime,
                          [](float key, double time) { return static_cast<double>(key) < time; });
-    const auto last =
-        std::upper_bound(first, keys.end(), endSeconds + sameTime,
-                         [](double time, float key) { return time < static_cast<double>(key); });
+    const auto last = std::upper_bound(first, keys.end(), endSeconds + sameTime, [](double time, float key) {
+      return time < static_cast<double>(key);
+    });
     times.insert(times.end(), first, last);
   }
   mergeClose(times);
