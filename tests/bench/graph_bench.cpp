@@ -52,7 +52,9 @@ app::Document manyKeys(app::Document document) {
   clip.name = "Many keys";
   for (int i = 0; i < tracks; ++i) {
     const NodeIndex node(static_cast<int>(scene.nodes.size()));
-    scene.nodes.push_back({.name = "Joint " + std::to_string(i), .parent = carrier});
+    Node& joint = scene.nodes.emplace_back();
+    joint.name = "Joint " + std::to_string(i);
+    joint.parent = carrier;
     scene.nodes[static_cast<std::size_t>(carrier.value)].children.push_back(node);
     clip.tracks.emplace_back(swingingTrack(node));
   }
