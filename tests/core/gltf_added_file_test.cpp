@@ -175,14 +175,18 @@ TEST_CASE("a picture that cannot be read is left out with its texture, and told"
   CHECK_FALSE(thing.source->json->contains("images"));
 }
 
-TEST_CASE("a picture outside of the file's folder comes along inside") {
+TEST_CASE("a picture beside the file comes along inside; one outside of its folder is left out") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "things");
   const gltf::Loaded inside = test::loaded(twoSheets());
   const Json image{{"uri", test::onePixelUri}};
   const gltf::Bytes picture = gltf::encodedImage(*inside.source, image).value();
   test::writeBytes(folder / "red.png", picture);
-  const gltf::Thing thing = thingOf(folder, twoSheets("../red.png"), "things/sheets.glb");
+  const gltf::Thing without = thingOf(folder, twoSheets("../red.png"), "things/outside.glb");
+  CHECK(without.warnings.size() == 1);
+  CHECK_FALSE(without.source->json->contains("images"));
+  test::writeBytes(folder / "things" / "red.png", picture);
+  const gltf::Thing thing = thingOf(folder, twoSheets("red.png"), "things/sheets.glb");
   CHECK(thing.warnings.empty());
   const Json& json = thing.source->json;
   REQUIRE(json["images"].size() == 1);

@@ -25,7 +25,6 @@ from check_corpus import read_gltf
 from check_exaggeration import LIMBS, Reader, clip_motion, numbers, run
 
 TOLERANCE = 1e-5
-KNOWN = {("mannequiny-0.3.0.glb", "Blender"): 2e-2}  # not explained yet (docs/trust.md)
 SOURCE_SLACK = 2.0  # a limb three times as long shows more of it
 TIMES = 9
 BLENDER_SCRIPT = pathlib.Path(__file__).resolve().parent / "readers" / "blender_positions.py"
@@ -134,11 +133,11 @@ class Check:
         found, known = self.distances(folder / "one.glb", gltf, buffers, texts), []
         if max(found.values()) > TOLERANCE * info["height"]:
             source = self.distances(folder / "source.glb", *with_one_clip(file, clip, folder / "source.glb"), texts)
-            known = [name for name in found if TOLERANCE * info["height"] < found[name] <= max(SOURCE_SLACK * source[name], KNOWN.get((file.name, name), 0.0) * info["height"])]
+            known = [name for name in found if TOLERANCE * info["height"] < found[name] <= SOURCE_SLACK * source[name]]
         told = ", ".join(f"{name} {distance / info['height']:.1e}" for name, distance in found.items())
         good = all(distance <= TOLERANCE * info["height"] or name in known for name, distance in found.items())
         self.failed += not good
-        as_source = f" ({', '.join(known)}: known, or as far apart in the source)" if known else ""
+        as_source = f" ({', '.join(known)}: as far apart in the source)" if known else ""
         print(f"{'' if good else 'FAIL '}{file.name}: {limb} in clip {clip} at {len(times)} keys: {told} of the height{as_source}", flush=True)
 
 
