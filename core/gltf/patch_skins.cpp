@@ -62,8 +62,10 @@ void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journa
     if (isNew) {
       numbers->second = inverseBindNumbers(source, ofSource);
     }
-    if (kept.insert({slot.skin, ofSource["joints"][place].get<int>()}).second) {
-      keepJoint(skin, place, ofSource["joints"][place], numbers->second, journal);
+    const int joint = ofSource["joints"][place].get<int>();
+    const bool losesSlot = slot.node != NodeIndex(joint); // a leaf that is used again keeps its own
+    if (losesSlot && kept.insert({slot.skin, joint}).second) {
+      keepJoint(skin, place, joint, numbers->second, journal);
     }
     store(slot.inverseBind, numbers->second.data() + place * matrixSize);
     journal.set(Pointer("/skins") / skin / "joints" / place, slot.node.value);

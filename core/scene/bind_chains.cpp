@@ -64,6 +64,16 @@ void fold(Scene& scene, const BindChain& chain) {
   scene.bindChains.push_back(chain);
 }
 
+// Joints whose slots their leaves took stand once more at the end of the list (docs/file-format.md, Bind
+// leaves).
+void dropRepeatedJoints(const Scene& scene, Skin& skin) {
+  while (!skin.joints.empty() && findBindChain(scene, skin.joints.back()) != nullptr &&
+         std::find(skin.joints.begin(), skin.joints.end() - 1, skin.joints.back()) != skin.joints.end() - 1) {
+    skin.joints.pop_back();
+    skin.inverseBind.pop_back();
+  }
+}
+
 } // namespace
 
 void foldBindLeaves(Scene& scene) {
@@ -72,6 +82,9 @@ void foldBindLeaves(Scene& scene) {
     if (chain && canFold(scene, *chain) && findBindChain(scene, chain->joint) == nullptr) {
       fold(scene, *chain);
     }
+  }
+  for (Skin& skin : scene.skins) {
+    dropRepeatedJoints(scene, skin);
   }
 }
 

@@ -175,7 +175,7 @@ TEST_CASE("a picture that cannot be read is left out with its texture, and told"
   CHECK_FALSE(thing.source->json->contains("images"));
 }
 
-TEST_CASE("a picture beside the file comes along inside; one outside of its folder is left out") {
+TEST_CASE("a picture beside the file comes along inside, one outside of its folder is left out") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "things");
   const gltf::Loaded inside = test::loaded(twoSheets());
