@@ -64,7 +64,7 @@ std::vector<Comparison> memory(const SpeedInput& input) {
     check(cost.ran, "the program answers");
     rows.push_back({fmt::format("peak memory of {}, above {:.0f} MB", name, constantMegabytes),
                     "the file's size", std::max(0.0, cost.megabytes - constantMegabytes), file, 4.0,
-                    "images are decoded"});
+                    "images, decoded"});
   }
   std::filesystem::remove(output);
   return rows;
