@@ -7,7 +7,7 @@ and Blender where it is installed (`blender` with `python3-numpy`).
 For each file the arm or leg that moves most, in the clip in which it does, three times as long, saved without the work. At keys of range and
 release that the tracks share, up to 9 of them, every corner of every triangle is within 1e-5 of the character's height of where the program itself has it. Where a
 reader is farther away, it has to be as far from the source, by its own way of reading that: Blender takes one weight of a joint that a vertex
-names twice, and keys that are nearly at one time as one.
+names twice.
 """
 
 import collections
