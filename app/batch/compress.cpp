@@ -218,6 +218,13 @@ Status checkAppend(const CompressArguments& arguments) {
     return Error{"the bones are those of the stream that is there", "--append",
                  "leave out --stream, --open-stream, --skeleton, --moduli and --curvature"};
   }
+  for (const auto& setting : sequenceSchema()) {
+    const bool counts = setting.name == "tolerance";
+    if (!arguments.append.empty() && !counts && textOf(arguments.settings, setting) != nullptr) {
+      return Error{"frames that are appended take their bones from the stream", setting.option,
+                   "leave it out, or write a new stream"};
+    }
+  }
   if (arguments.openStream && arguments.stream.empty()) {
     return Error{"there is no stream to write", "--open-stream", "give --stream FOLDER"};
   }

@@ -238,6 +238,7 @@ TEST_CASE(
   refused(run("ring", {"--append", stream}), "another mesh");
   refused(run("later", {"--append", stream, "--tolerance", "0.01%"}), "more than 0.01 %");
   refused(run("later", {"--append", stream, "--stream", (folder / "t").string()}), "leave out --stream");
+  refused(run("later", {"--append", stream, "--bones", "4"}), "--bones");
   refused(run("later", {"--append", (folder / "nowhere").string()}), "nowhere");
   Bytes cut(before.begin(), before.end() - 3);
   REQUIRE(writeFile(folder / "s" / "frames.bin", cut));
