@@ -6,6 +6,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/trail_look.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/nodes.h"
@@ -173,6 +174,22 @@ TEST_CASE("an arm that points the other way is told, and the advice that goes wi
   CHECK_THAT(*turned, Contains("set the space to root"));
   document.trails.front().settings.space = rig::TrailSpace::root;
   CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("something is found on a trail wherever it is looked for first") {
+  Document document = punching(20.0, 2.0);
+  addFlight(document);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const TrailLook look(document, 0, motion.trails.front(), LookAt::limbAndMesh);
+  const Findings found = look.findings(motion);
+  REQUIRE(found.any());
+  CHECK(look.findsAny(motion, found));
+  CHECK(look.findsAny(motion, {}));
+  Findings elsewhere;
+  elsewhere.lengths.add(found.firstFrame() - 1.0, 1.0, 1.0);
+  CHECK(look.findsAny(motion, elsewhere));
+  const rig::MotionState calm = prepareMotion(punching(20.0, 1.0), 0);
+  CHECK_FALSE(look.findsAny(calm, found));
 }
 
 TEST_CASE("the advice stays the same while the scale is changed, and it helps") {
