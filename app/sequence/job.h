@@ -16,14 +16,13 @@ template <typename Made>
 class Job {
 public:
   /// `work` tells how far it is, and ends soon with an error once it is told not to go on.
-  explicit Job(std::function<Result<Made>(const skinning::Proceed&)> work) {
-    work_ = std::async(std::launch::async, [this, work = std::move(work)] {
-      return work([this](double share) {
-        share_ = share;
-        return !cancelled_;
-      });
-    });
-  }
+  explicit Job(std::function<Result<Made>(const skinning::Proceed&)> work)
+      : work_(std::async(std::launch::async, [this, work = std::move(work)] {
+          return work([this](double share) {
+            share_ = share;
+            return !cancelled_;
+          });
+        })) {}
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
   ~Job() { ///< Waits until the thread has taken notice.
@@ -46,7 +45,7 @@ public:
 private:
   std::atomic<double> share_ = 0.0;
   std::atomic<bool> cancelled_ = false;
-  std::future<Result<Made>> work_;
+  std::future<Result<Made>> work_; // The last: its thread uses the others.
 };
 
 } // namespace stretch::app

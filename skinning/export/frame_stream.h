@@ -36,7 +36,7 @@ enum class StreamCourses {
 /// The courses that encodeGltf writes for the clip, cut into frames: with `quantise` rotations are 16-bit
 /// integers. The sequence has at least one frame.
 [[nodiscard]] FrameStream streamOf(const SkinnedSequence& sequence, bool quantise,
-                                   StreamCourses courses = StreamCourses::changing);
+                                   StreamCourses which = StreamCourses::changing);
 
 /// Appends what a frame begins with.
 void putStreamHeader(std::size_t number, std::vector<std::uint8_t>& bytes);

@@ -110,6 +110,7 @@ public:
   bool thin(const std::vector<std::vector<std::size_t>>& shared, const Proceed& proceed) {
     constexpr std::array<double, 9> shares{0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0};
     std::vector<PosedProbes::Group> groups;
+    groups.reserve(shared.size());
     for (const std::vector<std::size_t>& courses : shared) {
       groups.push_back(probes_.groupOf(moving(courses)));
     }
@@ -255,6 +256,7 @@ std::vector<std::vector<std::vector<std::size_t>>> waysToShare(const Scene& scen
     all.push_back(c);
   }
   std::vector<std::vector<std::size_t>> bones;
+  bones.reserve(ofBone.size());
   for (const auto& [node, group] : ofBone) {
     bones.push_back(group);
   }
@@ -277,7 +279,7 @@ std::optional<KeyPlan> planKeys(const gltf::Source& everyKey, std::size_t frames
   KeyThinner best = start;
   constexpr std::array<double, 3> standing{0.0, 0.4, 0.8};
   const auto ways = waysToShare(scene, courses);
-  const double trials = static_cast<double>(standing.size() * (ways.size() + 1));
+  const auto trials = static_cast<double>(standing.size() * (ways.size() + 1));
   double done = 0.0;
   const Proceed part = [&](double share) { return !proceed || proceed((done + share) / trials); };
   for (const double share : standing) {

@@ -322,6 +322,7 @@ void addPropFile(Shell& shell, const std::filesystem::path& path) {
   }
   session.edit(std::move(added->document), "Add a prop");
   std::vector<std::string> arms;
+  arms.reserve(hands.size());
   for (const std::string& hand : hands) {
     arms.push_back(app::limbTitle(session.document(), hand));
   }
