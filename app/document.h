@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,8 +51,10 @@ struct Document {
   std::shared_ptr<const std::vector<Clip>> clips;
   /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
   std::shared_ptr<const std::vector<Clip>> sourceClips;
+  /// Props from files of their own, beside the source; `scene` holds them (edits/prop_file_edits.h).
+  std::vector<gltf::AddedFile> addedFiles;
   std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.
-  std::vector<std::string> warnings;        ///< Of opening the file.
+  std::vector<std::string> warnings;        ///< Of opening the file and those that were added.
   bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
@@ -68,6 +71,9 @@ struct Document {
 
 /// Equal by value (shared parts by identity first).
 [[nodiscard]] bool sameDocument(const Document& a, const Document& b);
+
+/// Bytes that a document takes and does not share with another one, about.
+[[nodiscard]] std::size_t bytesBeyond(const Document& document, const Document& other);
 
 /// The limbs of the body, then the chains: what trails and weight may name.
 [[nodiscard]] std::vector<rig::Limb> allLimbs(const Document& document);

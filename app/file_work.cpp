@@ -147,6 +147,7 @@ void FileWork::start(FileUser& user, const Paths& paths, std::optional<fs::path>
   opening_.emplace();
   opening_->paths = paths;
   opening_->restoreFrom = std::move(restoreFrom);
+  opening_->stamp = stampOf(paths.back());
   opening_->share = std::make_shared<std::atomic<float>>(-1.0F);
   if (hasUnsavedWork(user.open())) {
     opening_->given = user.open().character()->history().current();
@@ -183,7 +184,7 @@ void FileWork::show(FileUser& user) {
   Session* const session = user.open().character();
   path_ = session != nullptr ? read.paths.back() : pathOf(user.open().sequence()->document());
   if (session != nullptr) {
-    stamp(path_);
+    stamp(path_, read.stamp);
   } else {
     stampedPath_.clear(); // Nothing is saved over a sequence: changes by others do not matter.
     stamp_.reset();
@@ -241,7 +242,7 @@ void FileWork::write(FileUser& user, const fs::path& path, Next next) {
   user.tell(Tone::success, "Saved " + path.filename().string());
   tellDisconnected(user, user.open().character()->document());
   path_ = path; // What is open now: unsaved work from here on is kept aside for it.
-  stamp(path);
+  stamp(path, stampOf(path));
   forgetKeptAside();
   user.saved(path);
   goOn(user, next);
@@ -411,9 +412,9 @@ void FileWork::close(FileUser& user) {
   forgetKeptAside();
 }
 
-void FileWork::stamp(const fs::path& path) {
+void FileWork::stamp(const fs::path& path, const std::optional<FileStamp>& stamp) {
   stampedPath_ = path;
-  stamp_ = stampOf(path);
+  stamp_ = stamp;
   changeTold_ = false;
 }
 

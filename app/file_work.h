@@ -123,6 +123,7 @@ private:
     Paths paths;
     std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up then.
     std::optional<Document> given;                    ///< Unsaved work that the user gave up for it.
+    std::optional<FileStamp> stamp;                   ///< Of the file, before it is read.
     std::shared_ptr<std::atomic<float>> share;
     std::future<Result<Opened>> work;
     std::optional<Opened> read; ///< Waits until it may be shown.
@@ -146,7 +147,7 @@ private:
   void cancel();
   void keepAside(FileUser& user, double nowSeconds);
   void forgetKeptAside();
-  void stamp(const std::filesystem::path& path);
+  void stamp(const std::filesystem::path& path, const std::optional<FileStamp>& stamp);
   [[nodiscard]] bool changedByOthers(const std::filesystem::path& path) const;
 
   Loader loader_;

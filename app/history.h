@@ -7,12 +7,19 @@
 
 namespace stretch::app {
 
-/// Snapshots of a document with labels; undo and redo move an index. Without limit: a snapshot shares what
-/// did not change. A kind of document says with `sameDocument(a, b)` when two are equal.
+/// What the steps of a history may take: hundreds of thousands of the usual ones, since a snapshot shares
+/// what did not change.
+inline constexpr std::size_t mostHistoryBytes = std::size_t{256} << 20U;
+
+/// Snapshots of a document with labels; undo and redo move an index. Where the steps take more than
+/// `mostBytes` the oldest ones go, down to the last. A kind of document says with `sameDocument(a, b)` when
+/// two are equal, and with `bytesBeyond(a, b)` what a takes that it does not share with b.
 template <typename Document>
 class History {
 public:
-  explicit History(Document start) { entries_.push_back({std::move(start), {}}); }
+  explicit History(Document start, std::size_t mostBytes = mostHistoryBytes) : mostBytes_(mostBytes) {
+    entries_.push_back({std::move(start), {}, 0});
+  }
 
   [[nodiscard]] const Document& current() const { return entries_[index_].document; }
 
@@ -25,9 +32,15 @@ public:
     if (savedIndex_ != never && savedIndex_ > index_) {
       savedIndex_ = never; // the saved state is among what is dropped
     }
-    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(index_) + 1, entries_.end());
-    entries_.push_back({std::move(document), std::move(label)});
+    while (entries_.size() > index_ + 1) {
+      bytes_ -= entries_.back().bytes;
+      entries_.pop_back();
+    }
+    const std::size_t bytes = bytesBeyond(document, current());
+    entries_.push_back({std::move(document), std::move(label), bytes});
+    bytes_ += bytes;
     ++index_;
+    forgetOldest();
     return true;
   }
 
@@ -49,7 +62,8 @@ public:
     return possible;
   }
 
-  /// What was done, the first first; entry 0 is the beginning and has no label.
+  /// What was done, the first first; entry 0 is the beginning and has no label, or what is left of steps that
+  /// went and has that of the last of them.
   [[nodiscard]] std::vector<std::string> labels() const {
     std::vector<std::string> all;
     for (const Entry& entry : entries_) {
@@ -68,12 +82,32 @@ public:
   void markSaved() { savedIndex_ = index_; }
   [[nodiscard]] bool isSaved() const { return index_ == savedIndex_; }
 
+  /// What the steps take, about.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
 private:
   struct Entry {
     Document document;
     std::string label;
+    std::size_t bytes = 0; ///< That it does not share with the one before.
   };
   static constexpr std::size_t never = static_cast<std::size_t>(-1);
+
+  // The last step stays: it can always be taken back.
+  void forgetOldest() {
+    std::size_t gone = 0;
+    while (bytes_ > mostBytes_ && gone + 2 < entries_.size()) {
+      bytes_ -= entries_[++gone].bytes;
+    }
+    entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(gone));
+    index_ -= gone;
+    if (savedIndex_ != never) {
+      savedIndex_ = savedIndex_ < gone ? never : savedIndex_ - gone;
+    }
+  }
+
+  std::size_t mostBytes_;
+  std::size_t bytes_ = 0;
   std::vector<Entry> entries_;
   std::size_t index_ = 0;
   std::size_t savedIndex_ = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -53,6 +54,7 @@ EditorStart editorStart(const std::vector<std::string_view>& words) {
 } // namespace
 
 int main(int argumentCount, char** arguments) {
+  std::signal(SIGXFSZ, SIG_IGN); // A limit on the size of files is an error of writing, and told as one.
   std::vector<Verb> verbs = stretch::app::batchVerbs();
   verbs.push_back(stretch::ui::renderVerb());
   const std::vector<std::string_view> words(arguments + std::min(argumentCount, 1),

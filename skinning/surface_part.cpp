@@ -84,14 +84,14 @@ private:
       for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
         const std::size_t joint = influences.joints[i];
         if (influences.weights[i] != 0.0F && joint < skin->joints.size()) {
-          part_.influences_.push_back({slotOf(joint, skin->joints[joint], skin->inverseBind[joint]),
-                                       static_cast<double>(influences.weights[i])});
+          part_.influences_.push_back(
+              {slotOf(joint, skin->joints[joint], skin->inverseBind[joint]), influences.weights[i]});
         }
       }
     } else {
-      part_.influences_.push_back({slotOf(slotOfJoint_.size() - 1, holder, Mat4(1.0)), 1.0});
+      part_.influences_.push_back({slotOf(slotOfJoint_.size() - 1, holder, Mat4(1.0)), 1.0F});
     }
-    part_.vertices_.push_back({morphedPosition(primitive, weights, vertex), first,
+    part_.vertices_.push_back({glm::vec3(morphedPosition(primitive, weights, vertex)), first,
                                static_cast<std::uint32_t>(part_.influences_.size()) - first});
     return static_cast<std::uint32_t>(part_.vertices_.size() - 1);
   }
@@ -138,25 +138,27 @@ SurfacePart::SurfacePart(const Scene& scene, const std::vector<bool>& follows) {
   Builder(scene, follows, *this).build();
 }
 
-void SurfacePart::positions(const FrameState& frame, std::size_t count, std::vector<Vec3>& out) const {
-  std::vector<Mat4> matrices;
+void SurfacePart::positions(const FrameState& frame, std::size_t count, std::vector<glm::vec3>& out) const {
+  std::vector<glm::mat4> matrices;
   matrices.reserve(slots_.size());
   for (const Slot& slot : slots_) {
-    matrices.push_back(meshMatrix(frame, slot.node) * slot.inverseBind);
+    matrices.emplace_back(meshMatrix(frame, slot.node) * slot.inverseBind);
   }
   out.resize(count);
   for (std::size_t vertex = 0; vertex < count; ++vertex) {
     const Vertex& one = vertices_[vertex];
-    Vec3 position(0.0);
+    const Influence* const influences = &influences_[one.firstInfluence];
+    glm::vec4 position(0.0F);
     for (std::uint32_t i = 0; i < one.influences; ++i) {
-      const Influence& influence = influences_[one.firstInfluence + i];
-      position += influence.weight * transformPoint(matrices[influence.slot], one.position);
+      const glm::mat4& matrix = matrices[influences[i].slot];
+      position += influences[i].weight * (matrix[0] * one.position.x + matrix[1] * one.position.y +
+                                          matrix[2] * one.position.z + matrix[3]);
     }
-    out[vertex] = position;
+    out[vertex] = glm::vec3(position);
   }
 }
 
-void SurfacePart::positions(const FrameState& frame, std::vector<Vec3>& out) const {
+void SurfacePart::positions(const FrameState& frame, std::vector<glm::vec3>& out) const {
   positions(frame, vertices_.size(), out);
 }
 

@@ -10,8 +10,8 @@
 namespace stretch::skinning {
 
 /// The part of a character's surface that follows some of its nodes, for looking at it on many frames: linear
-/// blend skinning as skinnedPositions, of these vertices and their neighbours alone. Morph targets stand as
-/// the file's own weights have them, not as a clip animates them.
+/// blend skinning as skinnedPositions, of these vertices and their neighbours alone, in single precision.
+/// Morph targets stand as the file's own weights have them, not as a clip animates them.
 class SurfacePart {
 public:
   /// An edge of a triangle of which `moved` follows the nodes; `other` may be a vertex that does not.
@@ -33,9 +33,9 @@ public:
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
 
   /// World positions of the first `count` vertices.
-  void positions(const FrameState& frame, std::size_t count, std::vector<Vec3>& out) const;
+  void positions(const FrameState& frame, std::size_t count, std::vector<glm::vec3>& out) const;
   /// Of all of them.
-  void positions(const FrameState& frame, std::vector<Vec3>& out) const;
+  void positions(const FrameState& frame, std::vector<glm::vec3>& out) const;
 
 private:
   struct Slot { // a joint of a skin, or the node of a rigid mesh
@@ -44,10 +44,10 @@ private:
   };
   struct Influence {
     std::uint32_t slot = 0;
-    double weight = 0.0;
+    float weight = 0.0F;
   };
   struct Vertex {
-    Vec3 position{0.0}; // in its mesh
+    glm::vec3 position{0.0F}; // in its mesh
     std::uint32_t firstInfluence = 0;
     std::uint32_t influences = 0;
   };

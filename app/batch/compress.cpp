@@ -18,6 +18,7 @@
 #include "skinning/body/given_skeleton.h"
 #include "skinning/compress/compress.h"
 #include "skinning/elastic/moduli.h"
+#include "skinning/export/append_frames.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/export/frame_stream.h"
 
@@ -34,6 +35,8 @@ struct CompressArguments {
   std::string skeleton;
   std::string table;
   std::string stream;
+  bool openStream = false;
+  std::string append;
   double framesPerSecond = 0.0;
   JsonOutput json;
 };
@@ -100,7 +103,9 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
     return Success{};
   }
   const std::filesystem::path folder(arguments.stream);
-  const skinning::FrameStream stream = skinning::streamOf(skinned, quantise);
+  const skinning::FrameStream changing = skinning::streamOf(skinned, quantise);
+  const skinning::FrameStream open = skinning::streamOf(skinned, quantise, skinning::StreamCourses::all);
+  const skinning::FrameStream& stream = arguments.openStream ? open : changing;
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
@@ -113,6 +118,8 @@ Status writeStream(const CompressArguments& arguments, const skinning::SkinnedSe
     return saved;
   }
   report["stream"] = {{"bytes_per_frame", stream.frameBytes},
+                      {"changing_bytes_per_frame", changing.frameBytes},
+                      {"open_bytes_per_frame", open.frameBytes},
                       {"base_bytes", std::filesystem::file_size(folder / "base.glb", problem)}};
   return Success{};
 }
@@ -129,9 +136,107 @@ Status checkPlaces(const CompressArguments& arguments) {
   return checkOutput({arguments.table}, read);
 }
 
+Status compressSequence(const CompressArguments& arguments, const skinning::CompressSettings& settings,
+                        const skinning::EncodeSettings& encoding, const MeshSequence& sequence) {
+  // Told to the user and nothing else: no result depends on the clock.
+  const auto start = std::chrono::steady_clock::now();
+  const Result<skinning::CompressedSequence> compressed =
+      skinning::compress(sequence, settings, terminalProgress());
+  if (!compressed) {
+    return compressed.error();
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
+  if (Status written = writeTable(arguments, sequence, *compressed); !written) {
+    return written;
+  }
+  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
+    return saved;
+  }
+  gltf::Json report = compressionJson(sequence, *compressed, encoded);
+  report["seconds"] = seconds;
+  if (Status written = writeStream(arguments, compressed->skinned, encoding.quantise, report); !written) {
+    return written;
+  }
+  if (Status told = addWrittenFile(sequence, arguments.output.path, encoded, report); !told) {
+    return told;
+  }
+  if (arguments.json) {
+    arguments.json.print(report);
+  } else {
+    printCompression(report);
+  }
+  return Success{};
+}
+
+/// The error that frames have to keep to, in percent of the diagonal, where nothing else is asked for.
+constexpr double mostErrorOfAppended = 1.0;
+
+/// Adds the frames of the sequence to a stream that is there, fitted to the bones of its base.
+Status appendToStream(const CompressArguments& arguments, const skinning::CompressSettings& settings,
+                      const skinning::EncodeSettings& encoding, const MeshSequence& sequence) {
+  const std::filesystem::path folder(arguments.append);
+  Result<Bytes> frames = readFile(folder / "frames.bin");
+  if (!frames) {
+    return frames.error();
+  }
+  const auto appended = skinning::framesForStream(folder / "base.glb", sequence, frames->size(),
+                                                  settings.tolerancePercent.value_or(mostErrorOfAppended));
+  if (!appended) {
+    return appended.error();
+  }
+  frames->insert(frames->end(), appended->bytes.begin(), appended->bytes.end());
+  const skinning::EncodedClip encoded = skinning::encodeGltf(appended->skinned, encoding);
+  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
+    return saved;
+  }
+  if (Status written = writeFile(folder / "frames.bin", *frames); !written) {
+    return written;
+  }
+  gltf::Json report{{"frames", sequence.frameCount()},
+                    {"first_number", appended->firstNumber},
+                    {"bytes_per_frame", appended->frameBytes},
+                    {"rmse_percent", appended->metrics.rmsePercent},
+                    {"largest_percent", appended->metrics.largestPercent}};
+  if (arguments.json) {
+    arguments.json.print(report);
+  } else {
+    fmt::print("{} frames appended, numbers {} to {}, {} bytes each; a client shows them with an error of "
+               "{:.4g} %, at most {:.4g} %\n",
+               sequence.frameCount(), appended->firstNumber,
+               appended->firstNumber + sequence.frameCount() - 1, appended->frameBytes,
+               appended->metrics.rmsePercent, appended->metrics.largestPercent);
+  }
+  return Success{};
+}
+
+/// Frames that are appended take everything but their motion from the base.
+Status checkAppend(const CompressArguments& arguments) {
+  const bool asksForMore = !arguments.stream.empty() || !arguments.skeleton.empty() ||
+                           !arguments.moduli.empty() || !arguments.table.empty() || arguments.openStream;
+  if (!arguments.append.empty() && asksForMore) {
+    return Error{"the bones are those of the stream that is there", "--append",
+                 "leave out --stream, --open-stream, --skeleton, --moduli and --curvature"};
+  }
+  for (const auto& setting : sequenceSchema()) {
+    const bool counts = setting.name == "tolerance";
+    if (!arguments.append.empty() && !counts && textOf(arguments.settings, setting) != nullptr) {
+      return Error{"frames that are appended take their bones from the stream", setting.option,
+                   "leave it out, or write a new stream"};
+    }
+  }
+  if (arguments.openStream && arguments.stream.empty()) {
+    return Error{"there is no stream to write", "--open-stream", "give --stream FOLDER"};
+  }
+  return Success{};
+}
+
 Status runCompress(const CompressArguments& arguments) {
   if (Status apart = checkPlaces(arguments); !apart) {
     return apart;
+  }
+  if (Status possible = checkAppend(arguments); !possible) {
+    return possible;
   }
   const Result<skinning::CompressSettings> settings = settingsOf(arguments);
   if (!settings) {
@@ -153,35 +258,8 @@ Status runCompress(const CompressArguments& arguments) {
   if (arguments.framesPerSecond > 0.0) {
     sequence->framesPerSecond = arguments.framesPerSecond;
   }
-  // Told to the user and nothing else: no result depends on the clock.
-  const auto start = std::chrono::steady_clock::now();
-  const Result<skinning::CompressedSequence> compressed =
-      skinning::compress(*sequence, *settings, terminalProgress());
-  if (!compressed) {
-    return compressed.error();
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
-  if (Status written = writeTable(arguments, *sequence, *compressed); !written) {
-    return written;
-  }
-  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
-    return saved;
-  }
-  gltf::Json report = compressionJson(*sequence, *compressed, encoded);
-  report["seconds"] = seconds;
-  if (Status written = writeStream(arguments, compressed->skinned, encoding.quantise, report); !written) {
-    return written;
-  }
-  if (Status told = addWrittenFile(*sequence, arguments.output.path, encoded, report); !told) {
-    return told;
-  }
-  if (arguments.json) {
-    arguments.json.print(report);
-  } else {
-    printCompression(report);
-  }
-  return Success{};
+  return arguments.append.empty() ? compressSequence(arguments, *settings, encoding, *sequence)
+                                  : appendToStream(arguments, *settings, encoding, *sequence);
 }
 
 } // namespace
@@ -205,6 +283,12 @@ Verb compressVerb() {
             line.option(
                 "--stream", arguments->stream,
                 "A folder to write: base.glb, and frames.bin of frames that each say all by themselves");
+            line.flag("--open-stream", arguments->openStream,
+                      "The frames of --stream say everything of every bone, so that frames of other motion "
+                      "can be appended");
+            line.option("--append", arguments->append,
+                        "A folder that --stream has written: the frames are added to it, fitted to the bones "
+                        "of its base; refused where they are off by more than --tolerance (default: 1 %)");
             addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
             addJson(line, arguments->json);
             return [arguments] { return runCompress(*arguments); };

@@ -133,6 +133,7 @@ void addPosing(const Document& document, Json& info) {
 /// The work that the file carries.
 void addWork(const Document& document, Json& info) {
   addPosing(document, info);
+  info["added_files"] = addedFilesToJson(document);
   info["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     info["trails"].push_back(trailJson(document, trail));

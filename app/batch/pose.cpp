@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -12,8 +13,10 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/hand_place.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
+#include "app/recipe/offset_table.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
@@ -30,7 +33,12 @@ struct PoseArguments {
   FileArguments input;
   OutputArguments output;
   std::string recipe;
+  std::string offsets;                // a table of offset keys
+  std::string units = "limb_lengths"; // of the table
   bool pinsFeet = false;
+  std::string prop;
+  std::string hand = "right-arm";
+  double propFrame = 0.0;
   JsonOutput json;
 };
 
@@ -108,6 +116,7 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
   addHoldReports(document, recipe.clip, report);
+  report["added_files"] = addedFilesToJson(document);
   return report;
 }
 
@@ -142,7 +151,7 @@ void printPose(const Json& report) {
   }
 }
 
-// What --pin-feet alone asks for.
+// What --pin-feet and --offsets without a recipe start from.
 Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& document) {
   const Result<int> clip = clipOfArguments(arguments.input, document);
   if (!clip) {
@@ -153,12 +162,7 @@ Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& docum
   return recipe;
 }
 
-Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
-  if (arguments.recipe.empty()) {
-    return arguments.pinsFeet
-               ? emptyRecipe(arguments, document)
-               : Result<Recipe>(Error{"nothing was asked for", "--recipe", "give a recipe, or --pin-feet"});
-  }
+Result<Recipe> recipeOf(const PoseArguments& arguments, Document& document) {
   std::optional<int> clip;
   if (!arguments.input.clip.empty()) {
     const Result<int> named = clipOfArguments(arguments.input, document);
@@ -167,12 +171,40 @@ Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
     }
     clip = *named;
   }
-  Result<Recipe> recipe = loadRecipe(arguments.recipe, document, clip);
-  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet) {
+  return loadRecipe(arguments.recipe, document, clip);
+}
+
+Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
+  if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() &&
+      !arguments.pinsFeet) {
+    return Error{"nothing was asked for", "--recipe",
+                 "give a recipe, a table of offset keys by --offsets, --prop or --pin-feet"};
+  }
+  Result<Recipe> recipe =
+      arguments.recipe.empty() ? emptyRecipe(arguments, document) : recipeOf(arguments, document);
+  if (recipe && !arguments.offsets.empty()) {
+    Result<std::vector<rig::Adjustment>> table =
+        loadOffsetTable(arguments.offsets, document, recipe->clip, arguments.units);
+    if (!table) {
+      return table.error();
+    }
+    std::ranges::move(*table, std::back_inserter(recipe->adjustments));
+  }
+  if (recipe && recipe->adjustments.empty() && recipe->holds.empty() && !arguments.pinsFeet &&
+      arguments.prop.empty()) {
     return Error{"holds no adjustments, pins, grips or props", arguments.recipe,
                  R"(give a list "adjustments", "pins", "grips" or "props", as docs/recipes.md tells)"};
   }
   return recipe;
+}
+
+Result<Document> withProp(const PoseArguments& arguments, const Recipe& recipe, const Document& document) {
+  const std::vector<std::string> hands = arguments.hand == "both"
+                                             ? std::vector<std::string>{"left-arm", "right-arm"}
+                                             : std::vector<std::string>{arguments.hand};
+  Result<AddedProp> added =
+      putIntoHands(document, {arguments.prop, hands, recipe.clip, arguments.propFrame, {}});
+  return added ? Result<Document>(std::move(added->document)) : Result<Document>(added.error());
 }
 
 // The adjustments and holds, and pins where the feet stand in the adjusted clip; a recipe's own pin stands in
@@ -184,11 +216,16 @@ Result<Document> posedBy(const PoseArguments& arguments, const Recipe& recipe, c
     const Vec2 whole(0.0, std::floor(clip.endSeconds * clip.framesPerSecond + 1e-3));
     posed = placeHolds(*posed, plantedFeet(*posed, recipe.clip, whole));
   }
-  return posed ? placeHolds(*posed, recipe.holds) : posed;
+  if (posed) {
+    posed = placeHolds(*posed, recipe.holds);
+  }
+  return posed && !arguments.prop.empty() ? withProp(arguments, recipe, *posed) : posed;
 }
 
 Status runPose(const PoseArguments& arguments) {
-  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, arguments.recipe}); !apart) {
+  if (Status apart = checkOutput(arguments.output.file,
+                                 {arguments.input.file, arguments.recipe, arguments.offsets, arguments.prop});
+      !apart) {
     return apart;
   }
   Result<Document> document = openDocument(arguments.input);
@@ -220,15 +257,28 @@ Status runPose(const PoseArguments& arguments) {
 Verb poseVerb() {
   return {
       "pose",
-      "Adjusts a clip by the controllers that a recipe keys and the pins, grips and props that it holds, and "
-      "saves the file.",
+      "Adjusts a clip by the controllers that a recipe or a table keys and the pins, grips and props that a "
+      "recipe holds, puts the thing of another file into a hand, and saves the file.",
       [](CommandLine& line) {
         const auto arguments = std::make_shared<PoseArguments>();
-        line.examples({"dummy.glb -o guard.glb --recipe low-guard.json"});
+        line.examples({"dummy.glb -o guard.glb --recipe low-guard.json",
+                       "dummy.glb -o low.glb --offsets offsets.csv --units metres",
+                       "dummy.glb -o armed.glb --prop bat.glb --prop-hand both"});
         addFileArguments(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
+        line.option("--offsets", arguments->offsets,
+                    "A table of offset keys, CSV or JSON, one key a row; beside a recipe or alone");
+        line.option("--units", arguments->units, "What the table counts moves in")
+            .oneOf({"limb_lengths", "metres"})
+            .showDefault();
         line.flag("--pin-feet", arguments->pinsFeet, "Pins each foot wherever it stands");
+        line.option("--prop", arguments->prop,
+                    "A file with a thing that is put into a hand, and added to the output");
+        line.option("--prop-hand", arguments->hand, "The arm whose hand takes it")
+            .oneOf({"left-arm", "right-arm", "both"})
+            .showDefault();
+        line.option("--prop-frame", arguments->propFrame, "Frame at which the hand takes it").showDefault();
         addClipArguments(line, arguments->input);
         addJson(line, arguments->json);
         return [arguments] { return runPose(*arguments); };

@@ -221,8 +221,11 @@ void printCompression(const Json& report) {
   printWeights(report["weights"]);
   if (report.contains("stream")) {
     const double streamed = report["stream"]["bytes_per_frame"].get<double>();
-    fmt::print("stream: {:.0f} bytes for each frame, 1 : {:.3g}; a base of {} bytes\n", streamed,
-               source / streamed, report["stream"]["base_bytes"].get<std::size_t>());
+    fmt::print("stream: {:.0f} bytes for each frame, 1 : {:.3g}; a base of {} bytes (frames of what changes "
+               "{}, open ones {} bytes)\n",
+               streamed, source / streamed, report["stream"]["base_bytes"].get<std::size_t>(),
+               report["stream"]["changing_bytes_per_frame"].get<std::size_t>(),
+               report["stream"]["open_bytes_per_frame"].get<std::size_t>());
   }
   const Json& used = report["fitted_frames"];
   fmt::print("fits use frames {} to {}, {} of {}\n", used["first"].get<std::size_t>(),

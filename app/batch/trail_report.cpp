@@ -103,6 +103,14 @@ void printExaggeration(const Json& report) {
   printWarnings(report["warnings"]);
 }
 
+gltf::Json addedFilesToJson(const Document& document) {
+  gltf::Json files = gltf::Json::array();
+  for (const gltf::AddedFile& file : document.addedFiles) {
+    files.push_back({{"file", file.file}, {"node", file.name}});
+  }
+  return files;
+}
+
 gltf::Json documentWarnings(const Document& document) {
   gltf::Json warnings = document.warnings;
   for (const std::string& warning : document.biped.warnings) {

@@ -14,6 +14,9 @@ namespace stretch::app {
 void printExaggeration(const gltf::Json& report);
 
 /// The document's warnings and those about its body, as verbs report them.
+/// The files that were added to the document, each with the node that carries its thing.
+[[nodiscard]] gltf::Json addedFilesToJson(const Document& document);
+
 [[nodiscard]] gltf::Json documentWarnings(const Document& document);
 
 /// Each of the list on standard error.

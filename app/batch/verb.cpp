@@ -1,6 +1,7 @@
 #include "app/batch/verb.h"
 
 #include <cstdio>
+#include <iostream>
 #include <new>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,15 @@ Status runWithinMemory(const std::function<Status()>& verb) {
   } catch (const std::bad_alloc&) {
     return Error{"there is not enough memory for this", "", "shorten the range, or use a smaller file"};
   }
+}
+
+// Reports go through a buffer: whether a full disk took them is known in the end.
+Status outputWritten() {
+  std::cout.flush();
+  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0
+             ? Status(Success{})
+             : Status(
+                   Error{"the report cannot be written", "standard output", "check that the disk has room"});
 }
 
 } // namespace
@@ -56,7 +66,10 @@ int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int arg
     fmt::print(stderr, "stretch-engine: {}\n", problem.what());
     return wrongArguments;
   }
-  const Status done = runWithinMemory(chosen);
+  Status done = runWithinMemory(chosen);
+  if (done) {
+    done = outputWritten();
+  }
   return done ? 0 : report(done.error());
 }
 

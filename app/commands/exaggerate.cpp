@@ -8,8 +8,8 @@
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
 #include "app/edits/trail_edits.h"
-#include "app/evaluate/standing_floor.h"
 #include "app/evaluate/way_back.h"
+#include "app/standing_floor.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -169,7 +169,7 @@ void exaggerate(rig::Trail& trail) {
 rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb, const Vec2& range) {
   rig::TrailSettings settings;
   if (isLeg(limb)) {
-    settings.stopAt = floorForLegs(session.document(), session.view().clip);
+    settings.stopAt = floorForLeg(session.document(), session.view().clip, limb, range.y);
   }
   settings.startFrame = range.x;
   settings.endFrame = range.y;

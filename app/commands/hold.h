@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/session.h"
 
@@ -19,5 +20,9 @@ struct HeldLimb {
 /// The document with a control sphere of the trail at the frame, where the session shows that trail; `frame`
 /// becomes that of the sphere which is there already.
 [[nodiscard]] Result<Document> withSphereAt(Session& session, int trailId, double& frame);
+
+/// The arms whose hands take what is added: the selected ones, else the right one, else the left one. None
+/// without arms or a clip.
+[[nodiscard]] std::vector<std::string> handsForProp(const Session& session);
 
 } // namespace stretch::app

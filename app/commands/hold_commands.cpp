@@ -8,12 +8,14 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/commands/hold.h"
 #include "app/commands/needs.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
+#include "app/edits/prop_file_edits.h"
 #include "app/evaluate/planted_feet.h"
 #include "rig/controllers/controller.h"
 #include "rig/motion/evaluate.h"
@@ -156,21 +158,23 @@ Status matchOtherHand(Session& session) {
   return finish(session, placeHolds(session.document(), wanted), "Match the other hand");
 }
 
-std::vector<std::string> targetArms(const Session& session) {
+// The arms whose hands are meant: of the selected controllers, else the selected limbs.
+std::vector<std::string> selectedArms(const Session& session) {
   std::vector<std::string> arms = heldTargets(session);
   std::erase_if(arms, [&](const std::string& id) { return isLeg(*findLimb(session.document(), id)); });
   return arms;
 }
 
 bool hasTargetArms(const Session& session) {
-  return clipNeeded().holds(session) && !targetArms(session).empty();
+  return clipNeeded().holds(session) && !selectedArms(session).empty();
 }
 
-rig::Prop propIn(const std::string& node, const std::vector<std::string>& arms, int clip, double frame) {
+rig::Prop propIn(const std::string& node, const std::vector<std::string>& arms, int clip,
+                 std::optional<double> boundFrame) {
   rig::Prop prop;
   prop.node = node;
   prop.clip = clip;
-  prop.boundFrame = frame;
+  prop.boundFrame = boundFrame;
   for (const std::string& arm : arms) {
     rig::OffsetKey held;
     held.value = 1.0;
@@ -179,10 +183,19 @@ rig::Prop propIn(const std::string& node, const std::vector<std::string>& arms, 
   return prop;
 }
 
+// What the clip itself moves is in the hands there as it should be, at each frame; what lies still is taken
+// as it stands at the playhead.
+std::optional<double> bindingOf(const Session& session, NodeIndex node) {
+  const bool isMoved =
+      std::ranges::any_of(clipOf(session.document(), session.view().clip).tracks,
+                          [&](const CopyOnWrite<Track>& track) { return track->node == node; });
+  return isMoved ? std::nullopt : std::optional(session.view().frame);
+}
+
 // The thing with a mesh that stands nearest to the hands and that they can hold.
 std::optional<rig::Prop> nearestProp(Session& session) {
   const Document& document = session.document();
-  const std::vector<std::string> arms = targetArms(session);
+  const std::vector<std::string> arms = selectedArms(session);
   const FrameState& frame = session.frameAt(session.view().frame);
   const Vec3 hand = endPosition(*findLimb(document, arms.front()), frame);
   std::optional<rig::Prop> nearest;
@@ -192,7 +205,8 @@ std::optional<rig::Prop> nearestProp(Session& session) {
     if (document.scene->nodes[i].mesh < 0 || distance >= best) {
       continue;
     }
-    rig::Prop prop = propIn("#" + std::to_string(i), arms, session.view().clip, session.view().frame);
+    rig::Prop prop =
+        propIn("#" + std::to_string(i), arms, session.view().clip, bindingOf(session, NodeIndex(i)));
     rig::Holds wanted;
     wanted.props.push_back(prop);
     if (placeHolds(document, wanted)) {
@@ -217,7 +231,7 @@ Status holdProp(Session& session) {
 // What the hand holds at the playhead; places in the list of props.
 std::vector<std::size_t> propsInHand(const Session& session) {
   std::vector<std::size_t> held;
-  const std::vector<std::string> arms = targetArms(session);
+  const std::vector<std::string> arms = selectedArms(session);
   const std::vector<rig::Prop>& props = session.document().holds.props;
   for (std::size_t i = 0; i < props.size(); ++i) {
     const bool isIn = std::ranges::any_of(props[i].hands, [&](const rig::PropHand& hand) {
@@ -247,7 +261,7 @@ void letGoAt(double frame, rig::PropHand& hand) {
 }
 
 Status letGo(Session& session) {
-  const std::vector<std::string> arms = targetArms(session);
+  const std::vector<std::string> arms = selectedArms(session);
   Result<Document> changed = session.document();
   for (const std::size_t i : propsInHand(session)) {
     rig::Prop prop = session.document().holds.props[i];
@@ -294,10 +308,20 @@ bool targetsAreHeld(const Session& session) {
 Status removeHolds(Session& session) {
   Document changed = session.document();
   changed.holds = withoutTargets(session);
-  return finish(session, std::move(changed), "Take holds away");
+  return finish(session, withoutUnheldFiles(changed), "Take holds away");
 }
 
 } // namespace
+
+std::vector<std::string> handsForProp(const Session& session) {
+  std::vector<std::string> hands = selectedArms(session);
+  for (const char* arm : {"right-arm", "left-arm"}) {
+    if (hands.empty() && findLimb(session.document(), arm) != nullptr) {
+      hands.emplace_back(arm);
+    }
+  }
+  return hasClip(session.document(), session.view().clip) ? hands : std::vector<std::string>{};
+}
 
 std::vector<DocumentCommand> holdCommands() {
   return {
@@ -315,10 +339,12 @@ std::vector<DocumentCommand> holdCommands() {
                 {"M"}, heldTargetNeeded(), matchOtherHand),
           hasGrip),
       entry(command::holdProp, "Hold the nearest prop",
-            "Puts the nearest thing into the selected hand, or into both, as it stands at the playhead.", {},
-            {hasTargetArms, "select an arm or a hand"}, holdProp),
+            "Puts the nearest thing into the selected hand, or into both: what the clip moves as it is there "
+            "at "
+            "each frame, what lies still as it stands at the playhead.",
+            {"Shift+H"}, {hasTargetArms, "select an arm or a hand"}, holdProp),
       entry(command::holdLetGo, "Let the prop go",
-            "From the playhead on the selected hand lets go what it holds; another hand keeps it.", {},
+            "From the playhead on the selected hand lets go what it holds; another hand keeps it.", {"Alt+H"},
             {hasPropInHand, "select a hand that holds something"}, letGo),
       entry(command::holdRemove, "Take holds away",
             "Takes pins, grips and props of the selected limbs out of this clip.", {},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::app {
 
@@ -104,7 +105,7 @@ std::string Keymap::toJson(bool all) const {
 }
 
 Status Keymap::readJson(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = gltf::parseAnyJson(text);
   if (!json.is_object() || !json.contains("keys") || !json["keys"].is_object()) {
     return badKeyFile("this is no file of keys", "keys");
   }

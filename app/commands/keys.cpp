@@ -13,9 +13,10 @@ void pickKeys(Session& session, const KeySelection& selection, bool add) {
   view.pickedClip = view.clip;
 }
 
-KeySelection pickedKeys(const Session& session) {
+const KeySelection& pickedKeys(const Session& session) {
+  static const KeySelection none;
   const ViewState& view = session.view();
-  return view.pickedClip == view.clip ? view.pickedKeys : KeySelection{};
+  return view.pickedClip == view.clip ? view.pickedKeys : none;
 }
 
 bool hasPickedKeys(const Session& session) {

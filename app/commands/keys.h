@@ -13,7 +13,7 @@ namespace stretch::app {
 void pickKeys(Session& session, const KeySelection& selection, bool add);
 
 /// The picked keys; none where others of another clip are.
-[[nodiscard]] KeySelection pickedKeys(const Session& session);
+[[nodiscard]] const KeySelection& pickedKeys(const Session& session);
 [[nodiscard]] bool hasPickedKeys(const Session& session);
 
 /// One undo step: "Move 3 keys of left hand" for the verb "Move".

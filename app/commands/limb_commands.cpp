@@ -4,6 +4,7 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/edits/prop_file_edits.h"
 
 namespace stretch::app {
 
@@ -71,7 +72,7 @@ Status selectAllLimbs(Session& session) {
 
 Status detectAgain(Session& session) {
   Document changed = session.document();
-  changed.biped = rig::detectBiped(*changed.scene);
+  changed.biped = bodyOfSource(changed);
   changed.limbsCorrected = false;
   return finish(session, changed, "Find the limbs again");
 }

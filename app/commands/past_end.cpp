@@ -32,7 +32,8 @@ std::vector<std::string> standingPastEnd(const Document& document, int clip) {
     add(grip.clip, "grip", limbTitle(document, grip.follower), grip.time.rangeFrames);
   }
   for (const rig::Prop& prop : document.holds.props) {
-    add(prop.clip, "prop", prop.node, prop.time ? prop.time->rangeFrames : Vec2(prop.boundFrame));
+    add(prop.clip, "prop", prop.node,
+        prop.time ? prop.time->rangeFrames : Vec2(prop.boundFrame.value_or(0.0)));
   }
   return past;
 }

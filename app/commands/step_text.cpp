@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/commands/hold_text.h"
 #include "app/commands/selection.h"
 #include "app/schema/sequence_schema.h"
 #include "app/schema/trail_schema.h"
@@ -222,7 +223,7 @@ std::string stepText(const std::string& label, const Document& before, const Doc
   addWeightChanges(before, after, changes);
   addAdjustmentChanges(before, after, changes);
   if (changes.names.empty()) {
-    return label;
+    return joinedStep(label, holdChangeText(before, after));
   }
   const bool sameValue =
       std::all_of(changes.values.begin(), changes.values.end(),

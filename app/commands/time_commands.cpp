@@ -30,6 +30,8 @@ Status stepForward(Session& session) {
   return goTo(session, std::floor(session.view().frame + sameFrameTolerance) + 1.0);
 }
 
+constexpr double farFrames = 10.0;
+
 /// Keys of the selected controllers, where they have some, else those of the selected limbs, or all.
 std::vector<double> framesToGoTo(Session& session) {
   std::vector<double> frames = offsetKeyFrames(session);
@@ -132,6 +134,16 @@ std::vector<DocumentCommand> timeCommands() {
             [](SequenceSession& session) {
               return goToFrame(session, std::floor(session.view().frame) + 1.0);
             }),
+      entry(
+          command::timeFarBack, "Ten frames back", "Goes ten frames back, or to the start.", {"Shift+,"},
+          clipNeeded(), [](Session& session) { return goTo(session, session.view().frame - farFrames); },
+          alwaysOnSequence,
+          [](SequenceSession& session) { return goToFrame(session, session.view().frame - farFrames); }),
+      entry(
+          command::timeFarForward, "Ten frames on", "Goes ten frames on, or to the end.", {"Shift+."},
+          clipNeeded(), [](Session& session) { return goTo(session, session.view().frame + farFrames); },
+          alwaysOnSequence,
+          [](SequenceSession& session) { return goToFrame(session, session.view().frame + farFrames); }),
       entry(command::timePreviousKey, "Previous key",
             "Jumps to the key before, of the selected limbs or controllers if there are any.", {"Ctrl+,"},
             clipNeeded(), [](Session& session) { return goToKey(session, false); }),

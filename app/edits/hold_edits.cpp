@@ -97,7 +97,7 @@ Status checkPlace(const Document& document, const rig::HeldPlace& place, const s
 }
 
 Status firstError(std::initializer_list<Status> all) {
-  const auto found = std::ranges::find_if(all, [](const Status& one) { return !one.ok(); });
+  const Status* const found = std::ranges::find_if(all, [](const Status& one) { return !one.ok(); });
   return found == all.end() ? Status(Success{}) : *found;
 }
 
@@ -189,9 +189,12 @@ Status checkBinding(const Document& document, const rig::Prop& prop, Entry entry
   const bool isUsable = isFinite(prop.move) && isFinite(prop.turn) &&
                         glm::length(prop.move) <= farthest * document.biped.height &&
                         glm::length(prop.turn) <= mostTurns * 2.0 * pi;
-  return isUsable ? checkFrame(document, prop.clip, prop.boundFrame, prop.node, entry)
-                  : Status(Error{"the offset at its binding is out of proportion", prop.node,
-                                 "move by at most a thousand heights of the character"});
+  if (!isUsable) {
+    return Error{"the offset at its binding is out of proportion", prop.node,
+                 "move by at most a thousand heights of the character"};
+  }
+  return prop.boundFrame ? checkFrame(document, prop.clip, *prop.boundFrame, prop.node, entry)
+                         : Status(Success{});
 }
 
 Status checkHold(const Document& document, const rig::Prop& prop, Entry entry) {

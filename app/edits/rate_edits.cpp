@@ -94,7 +94,9 @@ rig::Prop recounted(rig::Prop prop, double factor) {
   if (prop.time) {
     recountTime(*prop.time, factor);
   }
-  prop.boundFrame = recountedFrame(prop.boundFrame, factor);
+  if (prop.boundFrame) {
+    prop.boundFrame = recountedFrame(*prop.boundFrame, factor);
+  }
   for (rig::PropHand& hand : prop.hands) {
     recountKeys(hand.keys, factor);
   }

@@ -124,7 +124,9 @@ void mapProp(const TimeMap& map, rig::Prop& prop) {
   if (prop.time) {
     prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
   }
-  prop.boundFrame = map(prop.boundFrame);
+  if (prop.boundFrame) {
+    prop.boundFrame = map(*prop.boundFrame);
+  }
   for (rig::PropHand& hand : prop.hands) {
     const rig::OffsetKey last = hand.keys.back();
     mapOffsetKeys(map, hand.keys);

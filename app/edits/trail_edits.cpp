@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/edits/place_trails.h"
+#include "app/standing_floor.h"
 
 namespace stretch::app {
 
@@ -47,6 +48,24 @@ rig::TrailSettings movedToRange(rig::TrailSettings settings, double startFrame, 
   return settings;
 }
 
+double tipFrameOf(const rig::TrailSettings& settings) {
+  return settings.pivot == rig::Pivot::start ? settings.endFrame : settings.startFrame;
+}
+
+/// A leg that stops at the ground under its tip does so where the tip is put, too.
+void keepStopOnGround(const Document& document, const rig::Trail& before, rig::TrailSettings& settings) {
+  const rig::Limb* const limb = findLimb(document, before.limb);
+  const double from = tipFrameOf(before.settings);
+  const double to = tipFrameOf(settings);
+  if (limb == nullptr || !isLeg(*limb) || !settings.stopAt || settings.stopAt != before.settings.stopAt ||
+      from == to || !std::isfinite(to)) {
+    return;
+  }
+  if (settings.stopAt == floorForLeg(document, before.clip, *limb, from)) {
+    settings.stopAt = floorForLeg(document, before.clip, *limb, to);
+  }
+}
+
 } // namespace
 
 Error missingTrail(int trailId) {
@@ -87,13 +106,14 @@ Result<Document> setTrailSettings(const Document& document, int trailId, const r
   }
   rig::Trail wanted = *trail;
   wanted.settings = settings;
+  keepStopOnGround(document, *trail, wanted.settings);
   if (const Status valid = checkTrailSettings(document, wanted); !valid) {
     return valid.error();
   }
   return changeTrail(document, trailId, [&](rig::Trail& changed) {
-    changed.applied = changed.applied && changed.settings == settings;
-    moveSetSpheres(changed, settings);
-    changed.settings = settings;
+    changed.applied = changed.applied && changed.settings == wanted.settings;
+    moveSetSpheres(changed, wanted.settings);
+    changed.settings = wanted.settings;
   });
 }
 

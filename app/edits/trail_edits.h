@@ -33,8 +33,9 @@ inline constexpr int dealtColours = 5;
 /// Colours are dealt in turn, so that trails beside each other stay apart.
 [[nodiscard]] Result<CreatedTrail> createTrail(const Document& document, const NewTrail& wanted);
 
-/// Replaces everything that shapes the trail. Refused: a range without length or one that overlaps, numbers
-/// that are not finite.
+/// Replaces everything that shapes the trail. Where the trail of a leg stops at the ground under its tip and
+/// the tip moves, it stops at the ground there, unless another stop is given. Refused: a range without length
+/// or one that overlaps, numbers that are not finite.
 [[nodiscard]] Result<Document> setTrailSettings(const Document& document, int trailId,
                                                 const rig::TrailSettings& settings);
 

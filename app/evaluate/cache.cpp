@@ -5,6 +5,14 @@
 
 namespace stretch::app {
 
+namespace {
+
+bool isSameClip(const EvaluationGround& a, const EvaluationGround& b) {
+  return a.scene == b.scene && a.clips == b.clips && a.clip == b.clip;
+}
+
+} // namespace
+
 const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& ground) {
   EvaluationGround unadjusted = ground;
   unadjusted.adjustments.clear();
@@ -13,12 +21,26 @@ const EvaluationCache::Body& EvaluationCache::body(const EvaluationGround& groun
   });
 }
 
+const EvaluationCache::Places& EvaluationCache::places(const std::shared_ptr<const Scene>& scene) {
+  return places_.of(
+      scene, [&](const auto*) { return std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*scene)); });
+}
+
 const EvaluationCache::Motion& EvaluationCache::trails(const EvaluationInput& input) {
   return trails_.of({input.ground, input.trails}, [&](const auto* last) {
-    const bool sameGround = last != nullptr && last->key.ground == input.ground;
-    return std::make_shared<const rig::MotionState>(
-        solveTrails(input, sameGround ? last->value.get() : nullptr,
-                    input.ground.adjustments.empty() ? nullptr : body(input.ground)));
+    EarlierWork earlier;
+    if (last != nullptr && last->key.ground == input.ground) {
+      earlier.sameGround = last->value.get();
+    }
+    if (last != nullptr && isSameClip(last->key.ground, input.ground)) {
+      earlier.sourceFrames = last->value->sourceFrames;
+    }
+    if (input.ground.adjustments.empty()) {
+      earlier.places = places(input.ground.scene);
+    } else {
+      earlier.body = body(input.ground);
+    }
+    return std::make_shared<const rig::MotionState>(solveTrails(input, earlier));
   });
 }
 
@@ -103,12 +125,12 @@ const FrameState& EvaluationCache::original(const Document& document, int clip, 
 const std::vector<TrailPaths>& EvaluationCache::paths(const Document& document, int clip,
                                                       std::size_t samplesPerFrame) {
   const EvaluationInput input = evaluationInput(document, clip);
-  const Motion& solved = trails(input);
+  const Motion& solved = held(input);
   return paths_.of({input.ground, solved, samplesPerFrame}, [&](const auto* last) {
     const bool usable =
         last != nullptr && last->key.ground == input.ground && last->key.samplesPerFrame == samplesPerFrame;
     return drawPaths(input.ground, *solved, samplesPerFrame,
-                     usable ? EarlierPaths{last->key.trails.get(), &last->value} : EarlierPaths{});
+                     usable ? EarlierPaths{last->key.held.get(), &last->value} : EarlierPaths{});
   });
 }
 

@@ -65,6 +65,7 @@ public:
 
 private:
   using Body = std::shared_ptr<const rig::AdjustedBody>;
+  using Places = std::shared_ptr<const rig::BindPlaces>;
   using Motion = std::shared_ptr<const rig::MotionState>;
 
   struct TrailsKey {
@@ -105,7 +106,7 @@ private:
   };
   struct PathsKey {
     EvaluationGround ground;
-    Motion trails;
+    Motion held;
     std::size_t samplesPerFrame = 0;
     friend bool operator==(const PathsKey&, const PathsKey&) = default;
   };
@@ -117,6 +118,7 @@ private:
   };
 
   const Body& body(const EvaluationGround& ground);
+  const Places& places(const std::shared_ptr<const Scene>& scene);
   const Motion& trails(const EvaluationInput& input);
   /// The trails with the holds on top; the trails' own answer where there are none.
   const Motion& held(const EvaluationInput& input);
@@ -124,6 +126,7 @@ private:
   const Weighted& weighted(const Document& document, int clip);
 
   LastAnswer<EvaluationGround, Body> body_;
+  LastAnswer<std::shared_ptr<const Scene>, Places> places_;
   LastAnswer<Body, std::vector<rig::ControllerShape>> shapes_;
   LastAnswer<FrameKey, std::vector<rig::PlacedController>> controllers_;
   LastAnswer<TrailsKey, Motion> trails_;

@@ -19,7 +19,7 @@ WeightMotion weightOn(const EvaluationInput& input, const rig::MotionState& trai
 
 rig::MotionState prepareMotion(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
-  rig::MotionState motion = solveTrails(input, nullptr);
+  rig::MotionState motion = solveTrails(input, {});
   addHolds(input, motion);
   if (std::vector<rig::LimbWeight> weights = weightOn(input, motion).weights; !weights.empty()) {
     addWeight(input, std::move(weights), motion);
@@ -29,7 +29,7 @@ rig::MotionState prepareMotion(const Document& document, int clip) {
 
 std::vector<WeightReport> weightReports(const Document& document, int clip) {
   const EvaluationInput input = evaluationInput(document, clip);
-  rig::MotionState motion = solveTrails(input, nullptr);
+  rig::MotionState motion = solveTrails(input, {});
   addHolds(input, motion);
   WeightMotion made = weightOn(input, motion);
   addWeight(input, std::move(made.weights), motion);

@@ -50,10 +50,14 @@ std::vector<rig::Trail> originsOf(const Scene& scene, const rig::MotionState& mo
   return origins;
 }
 
-// Null where the trail, or one that moves it, is another now.
+// Null where the trail, or one that moves it, is another now, or holds act on its limb.
 const TrailPaths* stillTrue(const Scene& scene, const EarlierPaths& earlier, const rig::MotionState& motion,
                             std::size_t trail) {
   if (earlier.motion == nullptr) {
+    return nullptr;
+  }
+  const std::string& limb = motion.trails[trail].limb.id;
+  if (rig::isHeldLimb(*earlier.motion, limb) || rig::isHeldLimb(motion, limb)) {
     return nullptr;
   }
   const auto before = rig::placeOfTrail(*earlier.motion, motion.trails[trail].trail.id);
@@ -92,11 +96,12 @@ rig::AdjustedBody adjustedBody(const EvaluationGround& ground) {
   return rig::adjustedBody({*ground.scene, clipOf(ground), ground.hips, ground.limbs});
 }
 
-rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
-                             std::shared_ptr<const rig::AdjustedBody> body) {
+rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& earlier) {
   rig::MotionInput wanted = motionInput(input);
-  wanted.previous = previous;
-  wanted.body = std::move(body);
+  wanted.previous = earlier.sameGround;
+  wanted.body = earlier.body;
+  wanted.places = earlier.places;
+  wanted.sourceFrames = earlier.sourceFrames;
   return rig::solveMotion(wanted);
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/document.h"
 #include "app/weight/weight_motion.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/paths.h"
 
@@ -48,10 +49,16 @@ struct EvaluationInput {
 /// What adjustments of the clip are solved on; the same for every one of them.
 [[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);
 
-/// The trails alone. `previous`: solved on the same ground before; what did not change is taken over. Null:
-/// none. `body`: what adjustments are solved on; null: it is made where it is needed.
-[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const rig::MotionState* previous,
-                                           std::shared_ptr<const rig::AdjustedBody> body = nullptr);
+/// What was made before, to be taken over; all of it may be missing.
+struct EarlierWork {
+  const rig::MotionState* sameGround = nullptr;                  ///< Solved on the same ground.
+  std::shared_ptr<const rig::AdjustedBody> body = nullptr;       ///< adjustedBody of the ground.
+  std::shared_ptr<const rig::BindPlaces> places = nullptr;       ///< bindPlaces of the scene.
+  std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Of a motion of the same clip.
+};
+
+/// The trails alone.
+[[nodiscard]] rig::MotionState solveTrails(const EvaluationInput& input, const EarlierWork& earlier);
 
 /// Lets the clip's holds act on top of the trails. Answers whether there are any.
 bool addHolds(const EvaluationInput& input, rig::MotionState& motion);

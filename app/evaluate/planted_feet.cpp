@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "app/evaluate/evaluate.h"
+#include "app/standing_floor.h"
 #include "app/weight/sample_clip.h"
 #include "skinning/elastic/limb_elasticity.h"
 
@@ -26,8 +28,13 @@ std::optional<double> groundOf(const SampledClip& sampled) {
   return ground;
 }
 
-// Whether the foot stands, sample by sample: it keeps its place, and its lowest joint is near the ground.
-std::vector<bool> standsOf(const SampledClip& sampled, const SampledClip::OfLimb& leg, double legLength) {
+// How high a block under a place is, metres.
+using BlockTop = std::function<std::optional<double>(const Vec3& place)>;
+
+// Whether the foot stands, sample by sample: it keeps its place, and its lowest joint is near the ground or
+// a block.
+std::vector<bool> standsOf(const SampledClip& sampled, const SampledClip::OfLimb& leg, double legLength,
+                           const BlockTop& blockTop) {
   const Vec3 up(0.0, 1.0, 0.0);
   const double nearGround = 0.1 * legLength;
   std::vector<Vec3> ends;
@@ -42,7 +49,10 @@ std::vector<bool> standsOf(const SampledClip& sampled, const SampledClip::OfLimb
   const double ground = groundOf(sampled).value_or(0.0);
   std::vector<bool> stands;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    stands.push_back(still[i] > 0.5 && leg.lowest[i] < ground + nearGround);
+    const bool isStill = still[i] > 0.5;
+    const double under =
+        isStill ? std::max(ground, blockTop({ends[i].x, leg.lowest[i], ends[i].z}).value_or(ground)) : ground;
+    stands.push_back(isStill && leg.lowest[i] < under + nearGround);
   }
   return stands;
 }
@@ -58,8 +68,9 @@ rig::Pin pinOver(const SampledClip::OfLimb& leg, int clip, double first, double 
 }
 
 void addPins(const SampledClip& sampled, const SampledClip::OfLimb& leg, double legLength, int clip,
-             double framesPerSecond, const Vec2& frames, std::vector<rig::Pin>& pins) {
-  const std::vector<bool> stands = standsOf(sampled, leg, legLength);
+             double framesPerSecond, const Vec2& frames, const BlockTop& blockTop,
+             std::vector<rig::Pin>& pins) {
+  const std::vector<bool> stands = standsOf(sampled, leg, legLength, blockTop);
   const auto frameOfSample = [&](std::size_t i) { return sampled.seconds[i] * framesPerSecond; };
   for (std::size_t i = 0; i < stands.size(); ++i) {
     if (!stands[i]) {
@@ -99,10 +110,16 @@ rig::Holds plantedFeet(const Document& document, int clip, const Vec2& frames) {
   const EvaluationInput input = evaluationInput(adjusted, clip);
   const WeightInput weight = weightInput(input);
   const SampledClip sampled = sampleClip(weight, prepareMotion(adjusted, clip));
+  const double unit = weight.metresPerUnit();
+  const std::vector<Bounds> blocks = blocksOf(adjusted, clip);
+  const BlockTop blockTop = [&](const Vec3& place) {
+    const std::optional<double> top = blockTopUnder(blocks, place / unit);
+    return top ? std::optional(*top * unit) : std::nullopt;
+  };
   rig::Holds found;
   for (const SampledClip::OfLimb& leg : sampled.limbs) {
-    addPins(sampled, leg, leg.limb.restLength * weight.metresPerUnit(), clip,
-            clipOf(document, clip).framesPerSecond, frames, found.pins);
+    addPins(sampled, leg, leg.limb.restLength * unit, clip, clipOf(document, clip).framesPerSecond, frames,
+            blockTop, found.pins);
   }
   shareBlends(found.pins);
   return found;

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include <fmt/core.h>
 
-#include "app/evaluate/evaluate.h"
+#include "app/evaluate/evaluation_input.h"
 #include "app/evaluate/left_behind.h"
-#include "app/evaluate/standing_floor.h"
 #include "app/evaluate/trail_look.h"
+#include "app/standing_floor.h"
 
 namespace stretch::app {
 
@@ -26,13 +27,14 @@ rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
 
 // The same trail with other settings, solved alone.
 rig::MotionState solvedWith(const Document& document, int clip, const rig::SolvedTrail& trail,
-                            const rig::TrailSettings& settings) {
+                            const rig::TrailSettings& settings,
+                            const std::shared_ptr<const rig::BindPlaces>& places) {
   Document other = document;
   other.trails = {trail.trail};
   other.weights.clear();
   other.holds = {};
   other.trails.front().settings = settings;
-  return prepareMotion(other, clip);
+  return solveTrails(evaluationInput(other, clip), {.places = places});
 }
 
 struct Remedy {
@@ -106,8 +108,9 @@ private:
 class Trial {
 public:
   Trial(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
-        const TrailLook& look)
-      : document_(document), motion_(motion), trail_(trail), look_(look) {}
+        const TrailLook& look, const Findings& findings)
+      : document_(document), motion_(motion), trail_(trail), look_(look), findings_(findings),
+        places_(std::make_shared<const rig::BindPlaces>(rig::bindPlaces(*document.scene))) {}
 
   // The largest scale, in quarters, that leaves nothing: the same one from whatever scale above it.
   [[nodiscard]] std::optional<double> smallerScale() const {
@@ -123,8 +126,8 @@ public:
     return worksAt > 4 ? std::optional(quarter * worksAt) : std::nullopt;
   }
 
-  [[nodiscard]] std::string other(const Findings& findings) const {
-    for (const Remedy& remedy : Remedies(document_, motion_, trail_).against(findings)) {
+  [[nodiscard]] std::string other() const {
+    for (const Remedy& remedy : Remedies(document_, motion_, trail_).against(findings_)) {
       if (helps(remedy.settings)) {
         return remedy.advice;
       }
@@ -134,23 +137,25 @@ public:
 
 private:
   [[nodiscard]] bool helps(const rig::TrailSettings& settings) const {
-    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings);
-    return !other.trails.empty() && !look_.findings(other, true).any();
+    const rig::MotionState other = solvedWith(document_, motion_.clip, trail_, settings, places_);
+    return !other.trails.empty() && !look_.findsAny(other, findings_);
   }
 
   const Document& document_;
   const rig::MotionState& motion_;
   const rig::SolvedTrail& trail_;
   const TrailLook& look_;
+  const Findings& findings_; // of the trail as it is
+  std::shared_ptr<const rig::BindPlaces> places_;
 };
 
 // The smaller scale comes first, whatever else would help as well: advice that stays the same while a number
 // is changed.
 std::string adviceFor(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
                       const TrailLook& look, const Findings& findings) {
-  const Trial trial(document, motion, trail, look);
+  const Trial trial(document, motion, trail, look, findings);
   const std::optional<double> scale = trial.smallerScale();
-  const std::string other = trial.other(findings);
+  const std::string other = trial.other();
   const std::string smaller = scale ? fmt::format("lower the scale to {:g}", *scale) : std::string();
   if (smaller.empty() && other.empty()) {
     return "shorten the range, or pull the control spheres there";
@@ -185,7 +190,7 @@ std::vector<std::string> motionWarnings(const Document& document, const rig::Mot
     return {};
   }
   const TrailLook look(document, motion.clip, trail, what);
-  const Findings findings = look.findings(aloneIn(motion, trail.trail.id), false);
+  const Findings findings = look.findings(aloneIn(motion, trail.trail.id));
   std::vector<std::string> warnings;
   if (findings.any()) {
     warnings = lines(trail.limb, findings, adviceFor(document, motion, trail, look, findings));

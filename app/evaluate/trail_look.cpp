@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/evaluate/standing_floor.h"
+#include "app/standing_floor.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
 #include "rig/limb.h"
@@ -41,6 +41,11 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
 
 Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
   return rig::endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]);
+}
+
+float squaredDistance(const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 between = a - b;
+  return glm::dot(between, between);
 }
 
 std::vector<bool> movedBy(const Scene& scene, const rig::SolvedTrail& trail) {
@@ -88,6 +93,16 @@ double Findings::lastFrame() const {
   return last;
 }
 
+std::vector<double> Findings::worstFrames() const {
+  std::vector<double> frames;
+  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+    if (one->any()) {
+      frames.push_back(one->worstFrame);
+    }
+  }
+  return frames;
+}
+
 TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what)
     : document_(document), clip_(clip), moved_(movedBy(*document.scene, trail)),
       surface_(*document.scene,
@@ -95,10 +110,11 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
       nodes_(surface_.nodes()) {
   FrameState bind;
   bind.worlds = rig::bindPoseWorlds(*document.scene);
-  std::vector<Vec3> places;
+  std::vector<glm::vec3> places;
   surface_.positions(bind, places);
   for (const skinning::SurfacePart::Edge& edge : surface_.edges()) {
-    edgeLengths_.push_back(glm::length(places[edge.moved] - places[edge.other]));
+    edgeLengths_.push_back(
+        std::sqrt(static_cast<double>(squaredDistance(places[edge.moved], places[edge.other]))));
   }
   if (isArm(trail.limb)) {
     findHead();
@@ -160,22 +176,35 @@ public:
         glm::length(rig::endPosition(trail_.limb, after_) - rig::endPosition(trail_.limb, before_));
   }
 
-  [[nodiscard]] Findings run(bool untilFirst) {
+  [[nodiscard]] Findings all() {
     for (const double frame : framesOf(alone_, trail_)) {
-      step(frame / alone_.framesPerSecond);
-      lookAtLimb(frame);
-      lookAtPlaces(frame);
-      if (look_.surface_.movedCount() > 0) {
-        lookAtSurface(frame);
-      }
-      if (untilFirst && findings_.any()) {
-        break;
-      }
+      lookAt(frame);
     }
     return findings_;
   }
 
+  [[nodiscard]] bool any(const std::vector<double>& firstFrames) {
+    const std::vector<double> frames = framesOf(alone_, trail_);
+    const auto isFoundAt = [&](double frame) {
+      lookAt(frame);
+      return findings_.any();
+    };
+    const auto isFoundFirst = [&](double frame) {
+      return std::ranges::binary_search(frames, frame) && isFoundAt(frame);
+    };
+    return std::ranges::any_of(firstFrames, isFoundFirst) || std::ranges::any_of(frames, isFoundAt);
+  }
+
 private:
+  void lookAt(double frame) {
+    step(frame / alone_.framesPerSecond);
+    lookAtLimb(frame);
+    lookAtPlaces(frame);
+    if (look_.surface_.movedCount() > 0) {
+      lookAtSurface(frame);
+    }
+  }
+
   void step(double seconds) {
     part_.source(seconds, before_);
     after_ = before_;
@@ -239,20 +268,33 @@ private:
     look_.surface_.positions(before_, from_);
     look_.surface_.positions(after_, moved, to_);
     to_.insert(to_.end(), from_.begin() + static_cast<std::ptrdiff_t>(moved), from_.end());
-    double farthest = 0.0;
+    float farthestSquared = 0.0F;
     for (std::size_t i = 0; i < moved; ++i) {
-      farthest = std::max(farthest, glm::length(to_[i] - from_[i]));
+      farthestSquared = std::max(farthestSquared, squaredDistance(to_[i], from_[i]));
     }
+    const double farthest = std::sqrt(static_cast<double>(farthestSquared));
     if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
       findings_.vertices.add(frame, farthest, farthest);
     }
+    lookAtEdges(frame);
+  }
+
+  void lookAtEdges(double frame) {
     const double most = std::max(longestEdge, room * trail_.settings.scale);
+    const auto seenSquared = static_cast<float>(visibleLength * height() * visibleLength * height());
     double worst = 0.0;
     for (std::size_t i = 0; i < look_.edgeLengths_.size(); ++i) {
       const skinning::SurfacePart::Edge& edge = look_.surface_.edges()[i];
-      const double after = glm::length(to_[edge.moved] - to_[edge.other]);
-      const double own = std::max(look_.edgeLengths_[i], glm::length(from_[edge.moved] - from_[edge.other]));
-      if (after > most * own && after > visibleLength * height()) {
+      const float afterSquared = squaredDistance(to_[edge.moved], to_[edge.other]);
+      const auto farOff = static_cast<float>(most * look_.edgeLengths_[i]);
+      if (afterSquared <= seenSquared || afterSquared <= farOff * farOff) {
+        continue;
+      }
+      const double after = std::sqrt(static_cast<double>(afterSquared));
+      const double before =
+          std::sqrt(static_cast<double>(squaredDistance(from_[edge.moved], from_[edge.other])));
+      const double own = std::max(look_.edgeLengths_[i], before);
+      if (after > most * own) {
         worst = std::max(worst, after / std::max(own, 1e-9 * height()));
       }
     }
@@ -268,12 +310,16 @@ private:
   Findings findings_;
   FrameState before_;
   FrameState after_;
-  std::vector<Vec3> from_;
-  std::vector<Vec3> to_;
+  std::vector<glm::vec3> from_;
+  std::vector<glm::vec3> to_;
 };
 
-Findings TrailLook::findings(const rig::MotionState& alone, bool untilFirst) const {
-  return Walk(*this, alone).run(untilFirst);
+Findings TrailLook::findings(const rig::MotionState& alone) const {
+  return Walk(*this, alone).all();
+}
+
+bool TrailLook::findsAny(const rig::MotionState& alone, const Findings& likely) const {
+  return Walk(*this, alone).any(likely.worstFrames());
 }
 
 } // namespace stretch::app

@@ -38,6 +38,7 @@ struct Findings {
   [[nodiscard]] bool any() const;
   [[nodiscard]] double firstFrame() const; ///< Of all findings.
   [[nodiscard]] double lastFrame() const;
+  [[nodiscard]] std::vector<double> worstFrames() const; ///< One for each respect that something is found in.
 };
 
 /// All that looking at one trail needs beside the trail's settings: made once, and used again for every
@@ -47,9 +48,10 @@ public:
   /// What is given has to outlive it.
   TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what);
 
-  /// `alone`: a motion of the one trail, with these or other settings. `untilFirst`: only whether there is
-  /// anything.
-  [[nodiscard]] Findings findings(const rig::MotionState& alone, bool untilFirst) const;
+  /// `alone`: a motion of the one trail, with these or other settings.
+  [[nodiscard]] Findings findings(const rig::MotionState& alone) const;
+  /// Whether that motion has any; `likely`: of other settings, whose worst frames are looked at first.
+  [[nodiscard]] bool findsAny(const rig::MotionState& alone, const Findings& likely) const;
   /// Whether a node's place depends on the trail.
   [[nodiscard]] const std::vector<bool>& moved() const { return moved_; }
 

@@ -1,13 +1,20 @@
 #include "app/files/autosave.h"
 
 #include <csignal>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/edits/prop_file_edits.h"
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
+#include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::app {
 
@@ -28,20 +35,43 @@ std::string absoluteText(const fs::path& path) {
 /// The file's content; null when it is none of ours.
 Json readAutosave(const fs::path& file) {
   const Result<std::string> text = readText(file);
-  const Json json = Json::parse(text ? *text : "", nullptr, false);
+  const Json json = gltf::parseAnyJson(text ? *text : "");
   const bool ours = json.is_object() && json.contains("source") && json["source"].is_string() &&
                     json.contains("process") && json["process"].is_number_integer() && json.contains("work");
   return ours ? json : Json();
 }
 
-bool isAlive(long process) {
-  return process > 0 && process != static_cast<long>(getpid()) && kill(static_cast<pid_t>(process), 0) == 0;
+/// When a process began, in ticks since the system did (proc(5), stat, the 22nd field); 0: unknown.
+std::uint64_t beginOf(long process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  std::getline(file, line);
+  // The second field, a name in parentheses, may hold anything.
+  const std::size_t end = line.rfind(')');
+  std::istringstream fields(end == std::string::npos ? std::string() : line.substr(end + 1));
+  std::string word;
+  for (int field = 3; field < 22; ++field) {
+    fields >> word;
+  }
+  std::uint64_t ticks = 0;
+  fields >> ticks;
+  return fields ? ticks : 0;
+}
+
+/// The numbers of processes are given out again: the one that kept the work is the one that began when it
+/// did.
+bool isAlive(const Json& autosave) {
+  const auto process = autosave["process"].get<long>();
+  const bool runs =
+      process > 0 && process != static_cast<long>(getpid()) && kill(static_cast<pid_t>(process), 0) == 0;
+  const Json began = autosave.value("began", Json());
+  return runs && (!began.is_number_unsigned() || began.get<std::uint64_t>() == beginOf(process));
 }
 
 } // namespace
 
 fs::path autosavePath(const fs::path& source) {
-  return autosaveFolder() / (nameFor(source) + ".json");
+  return autosaveFolder() / fmt::format("{}-{}.json", nameFor(source), getpid());
 }
 
 std::string autosaveText(const Document& document, const WorkPlace& place, const fs::path& source) {
@@ -49,7 +79,9 @@ std::string autosaveText(const Document& document, const WorkPlace& place, const
       {"version", 1},
       {"source", absoluteText(source)},
       {"process", static_cast<long>(getpid())},
+      {"began", beginOf(getpid())},
       {"work", workOf(document)},
+      {"added", document.addedFiles.empty() ? Json() : gltf::addedToJson(document.addedFiles)},
       {"view",
        {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -70,16 +102,18 @@ std::optional<Autosave> findAutosave(const fs::path& source) {
   std::error_code problem;
   std::optional<Autosave> newest;
   fs::file_time_type newestTime{};
-  for (const fs::directory_entry& entry : fs::directory_iterator(autosaveFolder(), problem)) {
-    const Json json = entry.path().extension() == ".json" ? readAutosave(entry.path()) : Json();
-    if (json.is_null() || isAlive(json["process"].get<long>())) {
+  for (fs::directory_iterator entry(autosaveFolder(), problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const Json json = entry->path().extension() == ".json" ? readAutosave(entry->path()) : Json();
+    if (json.is_null() || isAlive(json)) {
       continue;
     }
+    std::error_code gone;
     const std::string edited = json["source"].get<std::string>();
-    const fs::file_time_type time = entry.last_write_time(problem);
-    const bool wanted = source.empty() ? fs::exists(edited, problem) : edited == absoluteText(source);
+    const fs::file_time_type time = entry->last_write_time(gone);
+    const bool wanted = source.empty() ? fs::exists(edited, gone) : edited == absoluteText(source);
     if (wanted && (!newest || time > newestTime)) {
-      newest = Autosave{entry.path(), edited};
+      newest = Autosave{entry->path(), edited};
       newestTime = time;
     }
   }
@@ -94,6 +128,13 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
   Document restored = withoutWork(document);
   if (json["work"].is_null()) {
     return restored;
+  }
+  if (json.contains("added") && json["added"].is_object()) {
+    Result<Document> with = withAddedFiles(restored, gltf::addedFromJson(json["added"]));
+    if (!with) {
+      return with.error();
+    }
+    restored = std::move(with).value();
   }
   const Status done = restoreWork(json["work"], restored);
   return done ? Result<Document>(restored) : Result<Document>(done.error());

@@ -15,7 +15,7 @@ struct Autosave {
   std::filesystem::path source; ///< What was being edited.
 };
 
-/// Where the unsaved work on a file is kept.
+/// Where this process keeps the unsaved work on a file: each window that is open on it has its own.
 [[nodiscard]] std::filesystem::path autosavePath(const std::filesystem::path& source);
 
 /// Where the artist was.

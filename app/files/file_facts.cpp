@@ -9,6 +9,7 @@
 
 #include "core/gltf/glb.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::app {
 
@@ -134,7 +135,7 @@ FileFacts factsOf(const std::filesystem::path& path) {
     return facts;
   }
   const std::string text = jsonText(path, facts.bytes, facts.problem);
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = gltf::parseAnyJson(text);
   if (json.is_object()) {
     readScene(json, facts);
   } else if (facts.problem.empty()) {

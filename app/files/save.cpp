@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/edits/prop_file_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/edits/track_edits.h"
 #include "app/evaluate/evaluate.h"
@@ -80,6 +81,7 @@ void noteRates(const Document& document, gltf::Edits& edits) {
 
 Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options) {
   gltf::Edits edits;
+  edits.addedFiles = document.addedFiles;
   const Document seen = connectedOnly(document);
   std::vector<rig::ClipStretches> stretches;
   rig::RekeyOptions rekeyOptions = keyingOptions(document);
@@ -123,10 +125,11 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
   }
   Document document;
   document.source = loaded->source;
+  document.addedFiles = std::move(loaded->added);
   document.scene = loaded->scene;
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
   document.warnings = std::move(loaded->warnings);
-  document.biped = rig::detectBiped(*document.scene);
+  document.biped = bodyOfSource(document);
   if (!loaded->savedWork.isNull()) {
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
       document.warnings.push_back("the work kept in the file could not be taken up: " +

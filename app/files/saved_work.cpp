@@ -7,6 +7,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/edits/place_trails.h"
+#include "app/edits/prop_file_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/edits/track_edits.h"
 #include "app/files/kept_tracks.h"
@@ -239,7 +240,7 @@ Status restoreHoldList(const Json& entries, const Read& read, const Put& put, Do
     hold->clip = json.at("clip").get<int>();
     rig::Holds one;
     put(one).push_back(std::move(*hold));
-    if (const Status restored = restoreHold(one, document); !restored) {
+    if (Status restored = restoreHold(one, document); !restored) {
       return restored;
     }
   }
@@ -346,7 +347,7 @@ Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
       document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document) &&
-      document.followingKeys.empty()) {
+      document.followingKeys.empty() && document.addedFiles.empty()) {
     return nullptr;
   }
   Json work;
@@ -381,7 +382,10 @@ Json workOf(const Document& document) {
   return work;
 }
 
-Document withoutWork(Document document) {
+namespace {
+
+// The files that were added stay.
+Document withoutEdits(Document document) {
   document = restoreAllTracks(document);
   document.trails.clear();
   document.adjustments.clear();
@@ -395,10 +399,18 @@ Document withoutWork(Document document) {
   countInChosenRates(document);
   document.rates.clear();
   if (document.limbsCorrected) {
-    document.biped = rig::detectBiped(*document.scene);
+    document.biped = bodyOfSource(document);
     document.limbsCorrected = false;
   }
   return document;
+}
+
+} // namespace
+
+Document withoutWork(Document document) {
+  document = withoutEdits(std::move(document));
+  Result<Document> without = withAddedFiles(document, {});
+  return without ? std::move(*without) : document;
 }
 
 Status restoreWork(const Json& work, Document& document) {
@@ -407,7 +419,7 @@ Status restoreWork(const Json& work, Document& document) {
       return Error{"this program does not know this version of the work", "extras.stretch_engine",
                    "open it with the program that wrote it"};
     }
-    Document restored = withoutWork(document);
+    Document restored = withoutEdits(document);
     restored.limbsCorrected = work.value("limbs_corrected", false);
     if (Status parts = restoreParts(work, restored); !parts) {
       return parts;

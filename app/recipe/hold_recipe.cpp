@@ -15,13 +15,31 @@ double lengthOfLimb(const Document& document, const std::string& id) {
   return limb != nullptr ? limb->restLength : 1.0;
 }
 
+// A prop that names a file has its node once the file is added (addPropFiles).
+Result<rig::Prop> propOfRecipe(Json entry, const AdjustmentUnits& units) {
+  if (!entry.is_object() || !entry.contains("file")) {
+    return propFromJson(entry, units, {});
+  }
+  if (!entry["file"].is_string() || entry.contains("node")) {
+    return Error{"is no path, or stands beside a node", "file", "give the path of a file, or a node"};
+  }
+  if (!entry.contains("bound_at")) {
+    entry["bound_at"] = 0;
+  }
+  if (entry["bound_at"] == "source") {
+    return Error{"a thing of a file of its own does not move in the clip", "bound_at", "give a frame"};
+  }
+  entry["node"] = entry["file"];
+  return propFromJson(entry, units, {"file", "place"});
+}
+
+} // namespace
+
 double lengthOfBody(const Document& document) {
   const rig::ControllerList list = controllersOf(document);
   const rig::Controller* const body = list.controller("body");
   return body != nullptr ? body->length : 1.0;
 }
-
-} // namespace
 
 Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& ground) {
   rig::Holds holds;
@@ -38,7 +56,7 @@ Result<rig::Holds> holdsFromRecipe(const Json& recipe, const RecipeGround& groun
   if (read) {
     const AdjustmentUnits units = unitsOf(lengthOfBody(ground.document), ground.inMetres);
     read = readList(recipe, "props", ground, holds.props,
-                    [&](const Json& entry) { return propFromJson(entry, units, {}); });
+                    [&](const Json& entry) { return propOfRecipe(entry, units); });
   }
   if (!read) {
     return read.error();
@@ -63,7 +81,8 @@ void addHoldsToRecipe(const Document& document, int clip, Json& recipe) {
     recipe["grips"].push_back(gripToJson(grip));
   }
   for (const rig::Prop& prop : holds.props) {
-    recipe["props"].push_back(propToJson(prop, unitsOf(lengthOfBody(document), false)));
+    Json entry = propToJson(prop, unitsOf(lengthOfBody(document), false));
+    recipe["props"].push_back(withFileOfProp(document, prop, std::move(entry)));
   }
 }
 

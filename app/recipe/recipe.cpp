@@ -15,6 +15,7 @@
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -184,7 +185,8 @@ AdjustmentUnits unitsOf(double limbLength, bool inMetres) {
   return {inMetres ? 1.0 : limbLength, degree};
 }
 
-Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip) {
+Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optional<int> wantedClip,
+                              const std::filesystem::path& folder) {
   if (!json.is_object()) {
     return Error{"is not a JSON object", "recipe", R"(give {"version": 1, "trails": [...]})"};
   }
@@ -231,6 +233,9 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   }
   document.chains = std::move(asInRecipe.chains);
   recountAllOf(recipe, rate / recipeRate);
+  if (read) {
+    read = addPropFiles(json, ground.inMetres, folder, recipe, document);
+  }
   return read ? Result<Recipe>(std::move(recipe)) : Result<Recipe>(read.error());
 }
 
@@ -239,11 +244,11 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
   if (!text) {
     return text.error();
   }
-  const Json json = Json::parse(*text, nullptr, false);
+  const Json json = gltf::parseAnyJson(*text);
   if (json.is_discarded()) {
     return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
   }
-  Result<Recipe> recipe = recipeFromJson(json, document, clip);
+  Result<Recipe> recipe = recipeFromJson(json, document, clip, path.parent_path());
   if (!recipe) {
     return Error{recipe.error().what, path.string() + ": " + recipe.error().where, recipe.error().remedy};
   }

@@ -22,8 +22,10 @@ struct Recipe {
 /// fractions of the clip into frames and offsets in lengths of the limb into world units. Ranges that are
 /// left out get the default range. An unknown key or a value of the wrong kind is an error that names it.
 /// `clip`: plays on this one instead of the clip that the recipe names.
+/// `folder`: where the files of props are looked for; they are added to the document.
 [[nodiscard]] Result<Recipe> recipeFromJson(const gltf::Json& json, Document& document,
-                                            std::optional<int> clip = {});
+                                            std::optional<int> clip = {},
+                                            const std::filesystem::path& folder = {});
 [[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
                                         std::optional<int> clip = {});
 

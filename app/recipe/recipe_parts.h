@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
+#include "app/recipe/recipe.h"
 #include "app/schema/adjustment_json.h"
 #include "core/gltf/json.h"
 #include "rig/controllers/controller.h"
@@ -51,5 +52,16 @@ template <typename Entry, typename Make>
 /// The lists "pins", "grips" and "props" of a recipe.
 [[nodiscard]] Result<rig::Holds> holdsFromRecipe(const gltf::Json& recipe, const RecipeGround& ground);
 void addHoldsToRecipe(const Document& document, int clip, gltf::Json& recipe);
+
+/// Adds the files that props of the recipe name to the document, where its adjustments have the hands, and
+/// names their nodes in the recipe that was read from it. What an earlier replay has added is taken again.
+[[nodiscard]] Status addPropFiles(const gltf::Json& json, bool inMetres, const std::filesystem::path& folder,
+                                  Recipe& recipe, Document& document);
+
+/// The entry of a prop, by the file that its node was added with, where it was.
+[[nodiscard]] gltf::Json withFileOfProp(const Document& document, const rig::Prop& prop, gltf::Json entry);
+
+/// What a recipe counts the lengths of props and of the body in.
+[[nodiscard]] double lengthOfBody(const Document& document);
 
 } // namespace stretch::app

@@ -132,10 +132,14 @@ void addTime(const rig::HoldTime& time, Json& json) {
   json["blend"] = pairToJson(time.blendFrames);
 }
 
-HoldMember relationMember(std::optional<double>& frame) {
-  return {"relation", [&frame](const Json& json) -> Status {
+Json relationToJson(const std::optional<double>& frame) {
+  return frame ? Json(*frame) : Json("source");
+}
+
+HoldMember relationMember(const std::string& key, std::optional<double>& frame) {
+  return {key, [key, &frame](const Json& json) -> Status {
             if (json != "source" && !json.is_number()) {
-              return Error{json.dump() + " is no relation", "relation",
+              return Error{json.dump() + " is no relation", key,
                            R"(give "source", as the clip has it at each frame, or one frame)"};
             }
             frame = json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
@@ -206,24 +210,24 @@ Result<rig::Pin> pinFromJson(const Json& json, const AdjustmentUnits& units,
 Json gripToJson(const rig::Grip& grip) {
   Json json{{"leader", grip.leader}, {"follower", grip.follower}};
   addTime(grip.time, json);
-  json["relation"] = grip.relationFrame ? Json(*grip.relationFrame) : Json("source");
+  json["relation"] = relationToJson(grip.relationFrame);
   json["stretch"] = grip.stretch;
   return json;
 }
 
 Result<rig::Grip> gripFromJson(const Json& json, const std::vector<std::string>& allowed) {
   rig::Grip grip;
-  const Status read = readMembers(json,
-                                  {textMember("leader", grip.leader), textMember("follower", grip.follower),
-                                   needed(pairMember("range", grip.time.rangeFrames)),
-                                   pairMember("blend", grip.time.blendFrames),
-                                   relationMember(grip.relationFrame), numberMember("stretch", grip.stretch)},
-                                  allowed);
+  const Status read = readMembers(
+      json,
+      {textMember("leader", grip.leader), textMember("follower", grip.follower),
+       needed(pairMember("range", grip.time.rangeFrames)), pairMember("blend", grip.time.blendFrames),
+       relationMember("relation", grip.relationFrame), numberMember("stretch", grip.stretch)},
+      allowed);
   return read ? Result<rig::Grip>(std::move(grip)) : Result<rig::Grip>(read.error());
 }
 
 Json propToJson(const rig::Prop& prop, const AdjustmentUnits& units) {
-  Json json{{"node", prop.node}, {"bound_at", prop.boundFrame}};
+  Json json{{"node", prop.node}, {"bound_at", relationToJson(prop.boundFrame)}};
   if (prop.time) {
     addTime(*prop.time, json);
   }
@@ -243,7 +247,7 @@ Result<rig::Prop> propFromJson(const Json& json, const AdjustmentUnits& units,
   rig::HoldTime time;
   const Status read = readMembers(
       json,
-      {textMember("node", prop.node), numberMember("bound_at", prop.boundFrame),
+      {textMember("node", prop.node), relationMember("bound_at", prop.boundFrame),
        pairMember("range", time.rangeFrames), pairMember("blend", time.blendFrames),
        vectorMember("move", units.length, prop.move), vectorMember("turn", units.angle, prop.turn),
        numberMember("stretch", prop.stretch), handsMember(prop.hands)},

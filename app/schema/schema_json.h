@@ -8,8 +8,9 @@ namespace stretch::app {
 
 // For the sources that read and write settings as objects of JSON.
 
+/// A zero is written without a sign.
 [[nodiscard]] inline gltf::Json vectorToJson(const Vec3& v) {
-  return gltf::Json::array({v.x, v.y, v.z});
+  return gltf::Json::array({v.x + 0.0, v.y + 0.0, v.z + 0.0});
 }
 
 [[nodiscard]] Result<Vec3> vectorFromJson(const gltf::Json& json, const std::string& where);

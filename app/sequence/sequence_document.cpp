@@ -6,6 +6,8 @@
 
 #include "core/gltf/edits.h"
 #include "skinning/body/body_skeleton.h"
+#include "skinning/body/given_skeleton.h"
+#include "skinning/export/read_back.h"
 #include "skinning/geometry/shape_diameter.h"
 
 namespace stretch::app {
@@ -45,9 +47,19 @@ void measureCentreLine(const MeshSequence& mesh, SequenceAnalysis& analysis) {
 
 } // namespace
 
+std::size_t bytesBeyond(const SequenceDocument& document, const SequenceDocument& other) {
+  std::size_t bytes = sizeof document;
+  if (document.result != nullptr && document.result != other.result) {
+    const skinning::SkinnedSequence& skinned = document.result->compressed.skinned;
+    bytes += skinned.bindPositions.size() * (sizeof(glm::vec3) + sizeof(skinning::Influences)) +
+             skinned.triangles.size() * sizeof(Triangle) + skinned.poses.size() * sizeof(skinning::BonePose);
+  }
+  return bytes;
+}
+
 bool sameDocument(const SequenceDocument& a, const SequenceDocument& b) {
   return a.paths == b.paths && a.mesh == b.mesh && a.analysis == b.analysis && a.settings == b.settings &&
-         a.encoding == b.encoding && a.result == b.result;
+         a.skeletonFile == b.skeletonFile && a.encoding == b.encoding && a.result == b.result;
 }
 
 const std::filesystem::path& pathOf(const SequenceDocument& document) {
@@ -137,21 +149,75 @@ Result<Compression> makeCompression(const MeshSequence& mesh, const skinning::Co
   return result;
 }
 
-std::shared_ptr<const ExportedClip> exported(const SequenceDocument& document) {
-  if (document.clip != nullptr && document.clip->result == document.result &&
-      document.clip->settings == document.encoding) {
-    return document.clip;
+Result<SequenceDocument> withSkeleton(const SequenceDocument& document, const std::filesystem::path& path) {
+  auto skeleton = skinning::readSkeleton(path);
+  if (!skeleton) {
+    Error error = skeleton.error();
+    error.where.replace(0, path.string().size(), path.filename().string());
+    return error;
   }
-  return std::make_shared<const ExportedClip>(
-      ExportedClip{document.encoding, document.result,
-                   skinning::encodeGltf(document.result->compressed.skinned, document.encoding)});
+  if (const Status fits = skinning::checkSkeleton(*skeleton, *document.mesh); !fits) {
+    return Error{fits.error().what, path.filename().string(), fits.error().remedy};
+  }
+  SequenceDocument changed = document;
+  changed.settings.skeleton = std::move(skeleton).value();
+  changed.settings.tolerancePercent.reset();
+  changed.skeletonFile = path;
+  return changed;
 }
 
-Status exportResult(const SequenceDocument& document, const std::filesystem::path& path) {
-  if (document.result == nullptr) {
-    return Error{"nothing was compressed yet", path.string(), "compress the sequence first"};
+SequenceDocument withoutSkeleton(const SequenceDocument& document) {
+  SequenceDocument changed = document;
+  changed.settings.skeleton.clear();
+  changed.skeletonFile.clear();
+  return changed;
+}
+
+bool isClipOf(const ExportedClip& clip, const SequenceDocument& document) {
+  return clip.result == document.result && clip.settings == document.encoding;
+}
+
+Result<ExportedClip> makeClip(const std::shared_ptr<const Compression>& result,
+                              const skinning::EncodeSettings& settings, const skinning::Proceed& proceed) {
+  if (result == nullptr) {
+    return Error{"nothing was compressed yet", "", "compress the sequence first"};
   }
-  return gltf::save(exported(document)->clip.source, path);
+  auto clip = skinning::encodeGltf(result->compressed.skinned, settings, proceed);
+  if (!clip) {
+    return Error{"the encoding was stopped", result->compressed.skinned.name, "start it again"};
+  }
+  return ExportedClip{settings, result, std::move(*clip)};
+}
+
+Result<WrittenClip> writeClip(const SequenceDocument& document,
+                              const std::shared_ptr<const ExportedClip>& known,
+                              const std::filesystem::path& path, const skinning::Proceed& proceed) {
+  constexpr double encoded = 0.8;
+  constexpr double saved = 0.9;
+  WrittenClip written{path, known, {}};
+  if (known == nullptr || !isClipOf(*known, document)) {
+    auto made = makeClip(document.result, document.encoding,
+                         [&](double share) { return !proceed || proceed(encoded * share); });
+    if (!made) {
+      return made.error();
+    }
+    written.clip = std::make_shared<const ExportedClip>(std::move(made).value());
+  }
+  if (proceed && !proceed(encoded)) {
+    return Error{"the export was stopped", path.string(), "start it again"};
+  }
+  if (const Status done = gltf::save(written.clip->clip.source, path); !done) {
+    return done.error();
+  }
+  if (proceed) {
+    (void)proceed(saved);
+  }
+  const auto metrics = skinning::errorOfFile(path, written.clip->clip, *document.mesh);
+  if (!metrics) {
+    return metrics.error();
+  }
+  written.metrics = *metrics;
+  return written;
 }
 
 } // namespace stretch::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,20 +40,29 @@ struct ExportedClip {
   skinning::EncodedClip clip;
 };
 
+/// A result that was written, and what a reader makes of the file.
+struct WrittenClip {
+  std::filesystem::path path;
+  std::shared_ptr<const ExportedClip> clip;
+  skinning::SequenceMetrics metrics; ///< Of the file that was read back, against the sequence.
+};
+
 /// A mesh sequence that is open: a value whose large parts are shared and never change.
 struct SequenceDocument {
   std::vector<std::filesystem::path> paths; ///< As opened: a folder or file, or a base mesh and its cache.
   std::shared_ptr<const MeshSequence> mesh;
   std::shared_ptr<const SequenceAnalysis> analysis;
-  skinning::CompressSettings settings;                 ///< For the next compression.
+  skinning::CompressSettings settings; ///< For the next compression.
+  std::filesystem::path skeletonFile;  ///< That the skeleton of the settings is from; empty without one.
   skinning::EncodeSettings encoding{.quantise = true}; ///< Of what is exported.
   std::shared_ptr<const Compression> result;           ///< Null: nothing was compressed yet.
-  std::shared_ptr<const ExportedClip> clip; ///< The result with these settings, or left from others; may be
-                                            ///< null.
 };
 
 /// Equal by value (shared parts by identity).
 [[nodiscard]] bool sameDocument(const SequenceDocument& a, const SequenceDocument& b);
+
+/// Bytes that a document takes and does not share with another one, about.
+[[nodiscard]] std::size_t bytesBeyond(const SequenceDocument& document, const SequenceDocument& other);
 
 /// The path that names the sequence: the folder, the file, or the cache.
 [[nodiscard]] const std::filesystem::path& pathOf(const SequenceDocument& document);
@@ -87,11 +97,27 @@ struct ShownBone {
                                                   const skinning::CompressSettings& settings,
                                                   const skinning::Proceed& proceed = {});
 
-/// The result as it would be exported: the document's clip where it has the one, or one that is made now. The
-/// result must exist.
-[[nodiscard]] std::shared_ptr<const ExportedClip> exported(const SequenceDocument& document);
+/// The document with the bones of a file's skin in place of own ones. A tolerance, which asks for a number of
+/// bones, goes. Errors name the file: it cannot be read, has no skin, or stands elsewhere than the mesh.
+[[nodiscard]] Result<SequenceDocument> withSkeleton(const SequenceDocument& document,
+                                                    const std::filesystem::path& path);
+/// The document with bones of its own again.
+[[nodiscard]] SequenceDocument withoutSkeleton(const SequenceDocument& document);
 
-/// Writes the result as .glb or .gltf. An error without a result.
-[[nodiscard]] Status exportResult(const SequenceDocument& document, const std::filesystem::path& path);
+/// Whether the clip is the document's result, written as the document asks for.
+[[nodiscard]] bool isClipOf(const ExportedClip& clip, const SequenceDocument& document);
+
+/// A result as it would be written. Errors: there is none, stopped by `proceed`.
+[[nodiscard]] Result<ExportedClip> makeClip(const std::shared_ptr<const Compression>& result,
+                                            const skinning::EncodeSettings& settings,
+                                            const skinning::Proceed& proceed = {});
+
+/// Writes the result as .glb or .gltf and reads it back; `known` is its clip where that was made before, or
+/// null. Errors: there is no result, stopped before anything was written, or the file cannot be written or
+/// read back.
+[[nodiscard]] Result<WrittenClip> writeClip(const SequenceDocument& document,
+                                            const std::shared_ptr<const ExportedClip>& known,
+                                            const std::filesystem::path& path,
+                                            const skinning::Proceed& proceed = {});
 
 } // namespace stretch::app

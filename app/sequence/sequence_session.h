@@ -1,36 +1,20 @@
 #pragma once
 
-#include <atomic>
-#include <future>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "app/editing.h"
+#include "app/sequence/job.h"
 #include "app/sequence/sequence_document.h"
 
 namespace stretch::app {
 
-/// A compression on a thread of its own: started when it is made, stopped when it goes.
-class CompressionJob {
-public:
-  CompressionJob(std::shared_ptr<const MeshSequence> mesh, const skinning::CompressSettings& settings);
-  CompressionJob(const CompressionJob&) = delete;
-  CompressionJob& operator=(const CompressionJob&) = delete;
-  ~CompressionJob(); ///< Waits until the thread has taken notice.
-
-  [[nodiscard]] double share() const { return share_; } ///< Done, 0..1.
-  [[nodiscard]] bool isFinished() const;
-  /// Asks it to end soon; its result is then an error.
-  void cancel() { cancelled_ = true; }
-  [[nodiscard]] bool isCancelled() const { return cancelled_; }
-  /// Once, after it finished; waits before.
-  [[nodiscard]] Result<Compression> take() { return work_.get(); }
-
-private:
-  std::atomic<double> share_ = 0.0;
-  std::atomic<bool> cancelled_ = false;
-  std::future<Result<Compression>> work_;
+/// What a compression made: the result, and how it would be written.
+struct CompressedClip {
+  std::shared_ptr<const Compression> result;
+  std::shared_ptr<const ExportedClip> clip;
 };
 
 /// What is shown of a sequence.
@@ -51,7 +35,8 @@ struct SequenceView {
   SequenceLook look = SequenceLook::material;
 };
 
-/// An open mesh sequence: the door for its edits, what is looked at, and the compression that is being made.
+/// An open mesh sequence: the door for its edits, what is looked at, and the work beside the caller: a
+/// compression, the result encoded as the document asks for, and a file that is written.
 class SequenceSession : public Editing<SequenceDocument> {
 public:
   explicit SequenceSession(SequenceDocument document) : Editing(std::move(document)) {}
@@ -61,18 +46,45 @@ public:
 
   /// Compresses with the document's settings, beside the caller; refused while a compression is being made.
   Status startCompression();
-  /// Asks it to end soon.
-  void cancelCompression();
-  [[nodiscard]] bool isCompressing() const { return job_ != nullptr; }
-  [[nodiscard]] double compressedShare() const { return job_ == nullptr ? 0.0 : job_->share(); } ///< 0..1.
-
+  [[nodiscard]] bool isCompressing() const { return compression_ != nullptr; }
+  [[nodiscard]] double compressedShare() const { return shareOf(compression_); } ///< 0..1.
   /// Takes up what a finished compression made, as an edit; not while something is dragged. Empty while
   /// there is none to take; an error when it failed, not when it was cancelled.
   [[nodiscard]] std::optional<Status> takeCompression();
 
+  /// The document's result as it would be written; null while that is not known.
+  [[nodiscard]] std::shared_ptr<const ExportedClip> clip() const;
+  /// Once per frame: has the result encoded again beside the caller after it or the encoding was changed.
+  void keepClip();
+  [[nodiscard]] bool isEncoding() const { return encoding_ != nullptr; }
+  [[nodiscard]] double encodedShare() const { return shareOf(encoding_); } ///< 0..1.
+
+  /// Writes the document's result beside the caller; refused without one and while a file is being written.
+  Status startExport(const std::filesystem::path& path);
+  [[nodiscard]] bool isExporting() const { return export_ != nullptr; }
+  [[nodiscard]] double exportedShare() const { return shareOf(export_); } ///< 0..1.
+  /// What was written, once; empty while there is nothing to tell, and when it was cancelled.
+  [[nodiscard]] std::optional<Result<WrittenClip>> takeExport();
+
+  [[nodiscard]] bool isWorking() const { return isCompressing() || isEncoding() || isExporting(); }
+  /// Asks what is being made to end soon.
+  void cancelWork();
+
 private:
+  template <typename Made>
+  static double shareOf(const std::unique_ptr<Job<Made>>& job) {
+    return job == nullptr ? 0.0 : job->share();
+  }
+  /// Whether the clip was asked for with what the document has now.
+  [[nodiscard]] bool isWanted(const ExportedClip& clip) const { return isClipOf(clip, document()); }
+
   SequenceView view_;
-  std::unique_ptr<CompressionJob> job_; ///< Null: nothing is being made.
+  std::shared_ptr<const ExportedClip> clip_; ///< The last that was encoded; may be left from other settings.
+  ExportedClip encodes_;                     ///< What `encoding_` was asked for; its clip is empty.
+  ExportedClip unwanted_; ///< What was cancelled: not encoded again by itself. Its clip is empty.
+  std::unique_ptr<Job<CompressedClip>> compression_; ///< Null: none is being made; so the others.
+  std::unique_ptr<Job<ExportedClip>> encoding_;
+  std::unique_ptr<Job<WrittenClip>> export_;
 };
 
 /// Whether there is what the look shows: the error needs a result, the thickness a surface that encloses

@@ -236,6 +236,14 @@ private:
   std::vector<fs::path> folders_;
 };
 
+// Whoever protected a file means it, although its folder would let it be replaced.
+bool isProtected(const fs::path& target) {
+  struct stat found {};
+  constexpr mode_t anyoneWrites = 0222;
+  return ::stat(target.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
+         ((found.st_mode & anyoneWrites) == 0 || (::access(target.c_str(), W_OK) != 0 && errno == EACCES));
+}
+
 struct Content {
   fs::path path;
   std::span<const std::uint8_t> bytes;
@@ -254,6 +262,10 @@ Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
     const fs::file_status before = fs::status(target, ignored);
     if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
       return Error{"is no regular file", content.path.string(), "choose another name"};
+    }
+    if (isProtected(target)) {
+      return Error{"is write-protected", content.path.string(),
+                   "take the protection away, or choose another name"};
     }
     if (Status written = replacement.write(target, content.bytes); !written) {
       return written;

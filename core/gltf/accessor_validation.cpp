@@ -7,15 +7,12 @@
 
 #include "core/gltf/accessor_layout.h"
 #include "core/gltf/fields.h"
+#include "core/gltf/import.h"
 #include "core/gltf/json.h"
 
 namespace stretch::gltf {
 
 namespace {
-
-// Values looked at to compare them with what the accessors say of them; broken files can name the same bytes
-// many times.
-constexpr std::size_t mostValuesCompared = std::size_t{1} << 28U;
 
 void validateBufferView(const Source& source, std::size_t index, Problems& problems) {
   const Json& view = element(source.json, "bufferViews", index);
@@ -270,14 +267,13 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
   }
   validateSharedViews(source.json, problems);
   const std::vector<bool> used = usedAccessors(source.json);
-  std::size_t compared = 0;
+  DecodeBudget compared(source);
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
     if (!AccessorCheck(source, i, used[i], problems).run()) {
       continue;
     }
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
-    compared += shape.count * static_cast<std::size_t>(shape.width);
-    if (compared <= mostValuesCompared) {
+    if (compared.take(shape.count * static_cast<std::size_t>(shape.width))) {
       validateValues(source, i, shape, rounded.contains(i), problems);
     }
   }

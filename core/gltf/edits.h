@@ -8,7 +8,8 @@
 
 namespace stretch::gltf {
 
-/// A node that saving appends. Its index is the number of the source's nodes plus its position in
+/// A node that saving appends. Its index is the number of nodes of the source and of the files added to it
+/// plus its position in
 /// Edits::addedNodes.
 struct AddedNode {
   std::string name;
@@ -40,6 +41,7 @@ struct ClipTracks {
 /// Everything that saving may change. Nothing is renumbered: nodes, accessors, samplers are appended,
 /// pointers moved.
 struct Edits {
+  std::vector<AddedFile> addedFiles; ///< Their nodes come behind those of the source, before addedNodes.
   std::vector<AddedNode> addedNodes;
   std::vector<SkinSlot> skinSlots;
   std::vector<ClipTracks> clips;
@@ -47,7 +49,7 @@ struct Edits {
                      ///< none (a clean file).
 
   [[nodiscard]] bool empty() const {
-    return addedNodes.empty() && skinSlots.empty() && clips.empty() && work.isNull();
+    return addedFiles.empty() && addedNodes.empty() && skinSlots.empty() && clips.empty() && work.isNull();
   }
 };
 

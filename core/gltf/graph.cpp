@@ -75,12 +75,19 @@ void validateTransforms(const Json& json, Problems& problems) {
   }
 }
 
+// Nodes are walked through once, however deep they hang.
 bool isAncestorOfAll(const std::vector<int>& parents, int ancestor, const std::vector<int>& joints) {
-  return std::all_of(joints.begin(), joints.end(), [&](int node) {
-    while (node >= 0 && node != ancestor) {
-      node = parents[static_cast<std::size_t>(node)];
+  std::vector<bool> isBelow(parents.size(), false);
+  isBelow[static_cast<std::size_t>(ancestor)] = true;
+  return std::all_of(joints.begin(), joints.end(), [&](int joint) {
+    int above = joint;
+    while (above >= 0 && !isBelow[static_cast<std::size_t>(above)]) {
+      above = parents[static_cast<std::size_t>(above)];
     }
-    return node == ancestor;
+    for (int node = joint; node != above && above >= 0; node = parents[static_cast<std::size_t>(node)]) {
+      isBelow[static_cast<std::size_t>(node)] = true;
+    }
+    return above >= 0;
   });
 }
 

@@ -17,19 +17,20 @@ namespace stretch::gltf {
 /// One clip for each animation of the file, in its order; channels that drive nothing we know are left out.
 [[nodiscard]] std::vector<Clip> importClips(const Source& source, const Scene& scene, Problems& problems);
 
-/// Values that the import may decode at most, all meshes and clips together: a small file that names the same
-/// bytes over and over must not fill the memory.
+/// Values that may be decoded at most of all meshes, or of all clips: a small file that names the same bytes
+/// over and over must not fill the memory (docs/trust.md, Limits).
 class DecodeBudget {
 public:
+  explicit DecodeBudget(const Source& source);
   /// False when the file asks for more than it may.
   [[nodiscard]] bool take(std::size_t values) {
-    constexpr std::size_t most = std::size_t{1} << 29U;
-    taken_ += values;
-    return taken_ <= most;
+    const bool isLeft = values <= left_;
+    left_ -= isLeft ? values : left_;
+    return isLeft;
   }
 
 private:
-  std::size_t taken_ = 0;
+  std::size_t left_;
 };
 
 // Parts of importScene.

@@ -252,7 +252,7 @@ private:
 } // namespace
 
 std::vector<Clip> importClips(const Source& source, const Scene& scene, Problems& problems) {
-  DecodeBudget budget;
+  DecodeBudget budget(source);
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < sizeOf(source.json, "animations"); ++i) {
     clips.push_back(ClipImport(source, scene, i, budget, problems).run(static_cast<int>(i)));

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include <fmt/core.h>
 #include <stb/stb_image.h>
@@ -19,6 +21,10 @@ namespace {
 
 constexpr std::size_t mostPixelsAnImage = std::size_t{1} << 26U;
 constexpr std::size_t mostPixelsAFile = std::size_t{1} << 28U;
+constexpr std::size_t pixelsOfSmallImage = std::size_t{1} << 24U;
+constexpr std::size_t pixelsOfSmallFile = std::size_t{1} << 26U;
+constexpr std::size_t pixelsOfOneByte = 256;
+constexpr std::size_t mostBytesAFile = std::size_t{1} << 30U; // Of all its pictures, packed as they are.
 
 std::optional<Bytes> bytesOfView(const Source& source, int bufferView) {
   const Json& view = element(source.json, "bufferViews", static_cast<std::size_t>(bufferView));
@@ -38,18 +44,38 @@ std::optional<Bytes> bytesOfUri(const Source& source, const std::string& uri) {
     return data ? std::optional(std::move(data->bytes)) : std::nullopt;
   }
   const std::optional<std::filesystem::path> relative = relativePath(uri);
-  if (!relative) {
+  if (!relative || escapesFolder(*relative)) {
     return std::nullopt;
   }
   Result<Bytes> bytes = readFile(source.path.parent_path() / *relative);
   return bytes ? std::optional(std::move(bytes.value())) : std::nullopt;
 }
 
-// A picture that waits to be decoded.
-struct Encoded {
-  Bytes bytes;
-  std::size_t pixels = 0; ///< As it says itself; 0 when it is none that can be decoded.
-};
+// The decoder takes memory for each part of a PNG as that says how long it is, whether the bytes are there or
+// not.
+bool partsFit(std::string_view png) {
+  constexpr std::size_t signature = 8;
+  constexpr std::size_t aroundPart = 12; // its length, its kind and its checksum
+  for (std::size_t start = signature; start + aroundPart <= png.size();) {
+    std::size_t length = 0;
+    for (const char byte : png.substr(start, 4)) {
+      length = length << 8U | static_cast<unsigned char>(byte);
+    }
+    if (length > png.size() - start - aroundPart) {
+      return false;
+    }
+    if (png.substr(start + 4, 4) == "IEND") {
+      return true;
+    }
+    start += aroundPart + length;
+  }
+  return true;
+}
+
+bool isPngOrJpeg(const Bytes& bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.starts_with("\xFF\xD8\xFF") || (text.starts_with("\x89PNG") && partsFit(text));
+}
 
 // Size is asked for before anything is allocated: a small file can claim to be a huge picture.
 std::size_t claimedPixels(const Bytes& bytes) {
@@ -57,30 +83,30 @@ std::size_t claimedPixels(const Bytes& bytes) {
   int height = 0;
   int channels = 0;
   const bool isPicture =
-      bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
+      isPngOrJpeg(bytes) && bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
       stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels) != 0;
   const std::size_t pixels =
       isPicture ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : webpPixels(bytes);
-  return pixels <= mostPixelsAnImage ? pixels : 0;
+  const std::size_t most = std::min(mostPixelsAnImage, pixelsOfSmallImage + pixelsOfOneByte * bytes.size());
+  return pixels <= most ? pixels : 0;
 }
 
-Image decode(const Encoded& encoded) {
+Image decode(const Bytes& bytes) {
+  if (webpPixels(bytes) > 0) {
+    return decodeWebp(bytes);
+  }
   Image image;
-  if (encoded.pixels == 0) {
-    return image;
-  }
-  if (webpPixels(encoded.bytes) > 0) {
-    return decodeWebp(encoded.bytes);
-  }
   int channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
-      stbi_load_from_memory(encoded.bytes.data(), static_cast<int>(encoded.bytes.size()), &image.width,
-                            &image.height, &channels, STBI_rgb_alpha),
+      stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height,
+                            &channels, STBI_rgb_alpha),
       stbi_image_free);
   if (decoded == nullptr) {
     return {};
   }
-  const std::span<const stbi_uc> rgba(decoded.get(), encoded.pixels * 4);
+  const std::size_t size =
+      std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::span<const stbi_uc> rgba(decoded.get(), size);
   image.rgba.assign(rgba.begin(), rgba.end());
   return image;
 }
@@ -97,23 +123,50 @@ std::vector<bool> shownImages(std::size_t count, const std::vector<Material>& ma
   return shown;
 }
 
-std::vector<Encoded> readEncoded(const Source& source, const std::vector<bool>& shown, Problems& problems) {
-  std::vector<Encoded> encoded(shown.size());
-  std::size_t pixelsLeft = mostPixelsAFile;
-  for (std::size_t i = 0; i < encoded.size(); ++i) {
-    const Json& json = element(source.json, "images", i);
-    std::optional<Bytes> bytes = shown[i] ? encodedImage(source, json) : Bytes();
+// What is shown of the images of a file. Their bytes are read one image at a time, here and when it is
+// decoded: a small file can name a large picture over and over.
+class ImageChoice {
+public:
+  ImageChoice(const Source& source, Problems& problems) : source_(source), problems_(problems) {}
+
+  /// Whether the image is to be decoded.
+  bool take(std::size_t index) {
+    const Json& json = element(source_.json, "images", index);
+    const std::optional<Bytes> bytes = encodedImage(source_, json);
     if (!bytes) {
       const std::string uri = textOr(json, "uri").substr(0, 200);
-      problems.warning(at("images", i), fmt::format("'{}' cannot be read; its texture is not shown", uri));
-      continue;
+      problems_.warning(at("images", index),
+                        fmt::format("'{}' cannot be read; its texture is not shown", uri));
+      return false;
     }
     const std::size_t pixels = claimedPixels(*bytes);
-    encoded[i] = {*std::move(bytes), pixels <= pixelsLeft ? pixels : 0};
-    pixelsLeft -= encoded[i].pixels;
+    const bool isTaken = pixels > 0 && pixels_ + pixels <= mostPixels(bytes_ + bytes->size()) &&
+                         bytes_ + bytes->size() <= mostBytesAFile;
+    pixels_ += isTaken ? pixels : 0;
+    bytes_ += bytes->size();
+    if (!isTaken && !bytes->empty()) {
+      tellUnshown(index);
+    }
+    return isTaken;
   }
-  return encoded;
-}
+
+  void tellUnshown(std::size_t index) {
+    problems_.warning(at("images", index), "is no picture that can be shown (PNG, JPEG or WebP); its "
+                                           "texture is not shown");
+  }
+
+  [[nodiscard]] bool isSpent() const { return bytes_ > mostBytesAFile; }
+
+private:
+  static std::size_t mostPixels(std::size_t bytes) {
+    return std::min(mostPixelsAFile, pixelsOfSmallFile + pixelsOfOneByte * bytes);
+  }
+
+  const Source& source_;
+  Problems& problems_;
+  std::size_t pixels_ = 0; ///< Of what was taken.
+  std::size_t bytes_ = 0;  ///< Of what was looked at.
+};
 
 } // namespace
 
@@ -126,14 +179,20 @@ std::optional<Bytes> encodedImage(const Source& source, const Json& image) {
 
 std::vector<Image> importImages(const Source& source, const std::vector<Material>& materials,
                                 Problems& problems) {
-  const std::vector<Encoded> encoded =
-      readEncoded(source, shownImages(sizeOf(source.json, "images"), materials), problems);
-  std::vector<Image> images(encoded.size());
-  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) { images[i] = decode(encoded[i]); });
+  std::vector<bool> wanted = shownImages(sizeOf(source.json, "images"), materials);
+  ImageChoice choice(source, problems);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    wanted[i] = wanted[i] && !choice.isSpent() && choice.take(i);
+  }
+  std::vector<Image> images(wanted.size());
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
+    const std::optional<Bytes> bytes =
+        wanted[i] ? encodedImage(source, element(source.json, "images", i)) : std::nullopt;
+    images[i] = bytes ? decode(*bytes) : Image();
+  });
   for (std::size_t i = 0; i < images.size(); ++i) {
-    if (images[i].rgba.empty() && !encoded[i].bytes.empty()) {
-      problems.warning(at("images", i),
-                       "is no picture that can be shown (PNG, JPEG or WebP); its texture is not shown");
+    if (wanted[i] && images[i].rgba.empty()) {
+      choice.tellUnshown(i);
     }
   }
   return images;

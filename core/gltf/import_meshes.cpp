@@ -30,7 +30,7 @@ std::optional<std::size_t> jointsFor(const Scene& scene, std::size_t mesh) {
 class MeshImport {
 public:
   MeshImport(const Source& source, const Scene& scene, Problems& problems)
-      : source_(source), scene_(scene), problems_(problems) {}
+      : source_(source), scene_(scene), problems_(problems), budget_(source) {}
 
   Mesh mesh(std::size_t index) {
     const Json& json = element(source_.json, "meshes", index);

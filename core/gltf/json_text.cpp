@@ -58,4 +58,9 @@ Result<Json> parseJson(std::string_view text) {
   }
 }
 
+Json parseAnyJson(std::string_view text) {
+  return nestingOf(text) > deepestNesting ? Json(Json::value_t::discarded)
+                                          : Json::parse(text, nullptr, false);
+}
+
 } // namespace stretch::gltf

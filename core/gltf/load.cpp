@@ -1,4 +1,5 @@
 #include "core/gltf/accessor.h"
+#include "core/gltf/added_file.h"
 #include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/load_as_it_stands.h"
@@ -21,7 +22,7 @@ void readParts(Source& source, Problems& problems) {
 }
 
 // A file of ours gives back the source that it was made from.
-Json takeSavedWork(Source& source, Problems& problems) {
+Json takeSavedWork(Source& source, std::vector<AddedFile>& added, Problems& problems) {
   if (problems.hasErrors()) {
     return nullptr;
   }
@@ -30,6 +31,7 @@ Json takeSavedWork(Source& source, Problems& problems) {
     return nullptr;
   }
   source = std::move(restored->source);
+  added = std::move(restored->added);
   validateStructure(source.json, problems);
   return std::move(restored->work);
 }
@@ -58,18 +60,29 @@ void importParts(const Source& readable, Loaded& loaded, Problems& problems) {
   loaded.scene = std::move(scene);
 }
 
+void readContent(const Source& source, Loaded& loaded, Problems& problems) {
+  const std::optional<PlainSource> plain = readableContent(source, problems);
+  if (!problems.hasErrors()) {
+    importParts(plain ? plain->source : source, loaded, problems);
+  }
+}
+
 Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Tolerance tolerance) {
   Problems problems;
   Loaded loaded;
   std::optional<Source> source = readSource(path, problems);
-  std::optional<PlainSource> plain;
   if (source) {
     readParts(*source, problems);
-    loaded.savedWork = takesWork ? takeSavedWork(*source, problems) : Json(nullptr);
-    plain = readableContent(*source, problems);
-  }
-  if (!problems.hasErrors()) {
-    importParts(plain ? plain->source : *source, loaded, problems);
+    loaded.savedWork = takesWork ? takeSavedWork(*source, loaded.added, problems) : Json(nullptr);
+    std::optional<Source> shown;
+    if (!problems.hasErrors() && !loaded.added.empty()) {
+      Result<Source> with = withAddedFiles(*source, loaded.added);
+      if (!with) {
+        return with.error();
+      }
+      shown = std::move(with).value();
+    }
+    readContent(shown ? *shown : *source, loaded, problems);
   }
   if (problems.hasErrors() || (tolerance == Tolerance::refuse && problems.hasViolations())) {
     return problems.firstError();
@@ -83,6 +96,18 @@ Result<Loaded> loadFile(const std::filesystem::path& path, bool takesWork, Toler
 
 Result<Loaded> load(const std::filesystem::path& path, Tolerance tolerance) {
   return loadFile(path, true, tolerance);
+}
+
+Result<std::shared_ptr<const Scene>> sceneWith(const Source& source, const std::vector<AddedFile>& files) {
+  const Result<Source> with = withAddedFiles(source, files);
+  if (!with) {
+    return with.error();
+  }
+  Problems problems;
+  Loaded loaded;
+  readContent(*with, loaded, problems);
+  return problems.hasErrors() ? Result<std::shared_ptr<const Scene>>(problems.firstError())
+                              : Result<std::shared_ptr<const Scene>>(loaded.scene);
 }
 
 Result<Loaded> loadAsItStands(const std::filesystem::path& path) {

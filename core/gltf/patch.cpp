@@ -1,3 +1,6 @@
+#include <optional>
+
+#include "core/gltf/added_parts.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
@@ -42,25 +45,35 @@ void growBuffer(Source& source, std::size_t index, std::size_t start, const Byte
 } // namespace
 
 Result<Source> patched(const Source& source, const Edits& edits) {
-  if (Status fit = validateEdits(source, edits); !fit) {
-    return fit.error();
-  }
   const std::size_t buffer = growingBuffer(source);
   const std::size_t start = buffer < source.buffers.size() ? aligned(source.buffers[buffer].size()) : 0;
   Journal journal(source.json);
-  AppendedData data(journal, buffer, start);
+  Bytes bytes = addFiles(edits.addedFiles, buffer, start, journal);
+  std::optional<Source> grown;
+  if (!edits.addedFiles.empty()) {
+    grown = source;
+    grown->json = journal.json();
+    growBuffer(*grown, buffer, start, bytes);
+  }
+  const Source& base = grown ? *grown : source;
+  if (Status fit = validateEdits(base, edits); !fit) {
+    return fit.error();
+  }
+  AppendedData data(journal, buffer, start + bytes.size());
   patchNodes(edits.addedNodes, journal);
   if (!edits.skinSlots.empty()) {
     Problems known; // of a file that was read
-    const std::optional<PlainSource> plain = withPlainViews(source, known);
-    patchSkins(plain ? plain->source : source, edits.skinSlots, journal, data);
+    const std::optional<PlainSource> plain = withPlainViews(base, known);
+    patchSkins(plain ? plain->source : base, edits.skinSlots, journal, data);
   }
   patchClips(edits.clips, journal, data);
-  const Bytes bytes = data.finish();
+  const Bytes ofEdits = data.finish();
+  bytes.insert(bytes.end(), ofEdits.begin(), ofEdits.end());
   Source result = source;
   result.json = journal.json();
   if (!edits.work.isNull()) {
-    Result<Json> json = withSavedWork(source, edits.work, std::move(journal));
+    Result<Json> json =
+        withSavedWork(source, edits.work, std::move(journal), addedRecord(edits.addedFiles, buffer, start));
     if (!json) {
       return json.error();
     }

@@ -1,4 +1,6 @@
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/gltf/accessor.h"
 #include "core/gltf/fields.h"
@@ -35,19 +37,38 @@ void store(const Mat4& matrix, float* numbers) {
   }
 }
 
+// The skin keeps the joints that lose their slots, behind the others, where no vertex names them: importers
+// that work out how a joint stands in the bind pose from its inverse bind matrix (Blender does) go on finding
+// it.
+void keepJoint(std::size_t skin, std::size_t slot, const Json& joint, std::vector<float>& numbers,
+               Journal& journal) {
+  const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(slot * matrixSize);
+  const std::vector<float> own(first, first + matrixSize);
+  numbers.insert(numbers.end(), own.begin(), own.end());
+  journal.append(Pointer("/skins") / skin / "joints", joint);
+}
+
 } // namespace
 
 void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
                 AppendedData& data) {
   std::map<int, std::vector<float>> matrices;
+  std::set<std::pair<int, int>> kept; // skins and joints
   for (const SkinSlot& slot : slots) {
     const auto skin = static_cast<std::size_t>(slot.skin);
+    const auto place = static_cast<std::size_t>(slot.slot);
+    const Json& ofSource = element(source.json, "skins", skin);
     const auto [numbers, isNew] = matrices.try_emplace(slot.skin);
     if (isNew) {
-      numbers->second = inverseBindNumbers(source, element(source.json, "skins", skin));
+      numbers->second = inverseBindNumbers(source, ofSource);
     }
-    store(slot.inverseBind, numbers->second.data() + static_cast<std::size_t>(slot.slot) * matrixSize);
-    journal.set(Pointer("/skins") / skin / "joints" / static_cast<std::size_t>(slot.slot), slot.node.value);
+    const int joint = ofSource["joints"][place].get<int>();
+    const bool losesSlot = slot.node != NodeIndex(joint); // a leaf that is used again keeps its own
+    if (losesSlot && kept.insert({slot.skin, joint}).second) {
+      keepJoint(skin, place, joint, numbers->second, journal);
+    }
+    store(slot.inverseBind, numbers->second.data() + place * matrixSize);
+    journal.set(Pointer("/skins") / skin / "joints" / place, slot.node.value);
   }
   for (const auto& [skin, numbers] : matrices) {
     const std::size_t accessor = data.add(AppendedData::Use::inverseBind, "MAT4", matrixSize, numbers, false);

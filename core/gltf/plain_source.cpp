@@ -19,7 +19,7 @@ std::size_t addPlainBuffer(PlainSource& plain, Bytes bytes) {
 // The same packed bytes may be named again and again: what comes out of them is bounded by the file's size.
 std::size_t bytesLeftToDecode(const PlainSource& plain) {
   constexpr std::size_t mostOfAnyFile = std::size_t{3} << 29U; // 1.5 GiB
-  constexpr std::size_t mostOfSmallFile = std::size_t{1} << 26U;
+  constexpr std::size_t mostOfSmallFile = std::size_t{1} << 22U;
   constexpr std::size_t bytesFromOne = 256;
   const std::size_t most = std::min(mostOfAnyFile, mostOfSmallFile + bytesFromOne * plain.packedBytes);
   return most - std::min(plain.decodedBytes, most);

@@ -86,6 +86,10 @@ Bytes fromFileBeside(const Source& source, const std::string& uri, const std::st
     problems.violation(where + ".uri", fmt::format("'{}' is no relative path and is not read", uri));
     return {};
   }
+  if (escapesFolder(*relative)) {
+    problems.warning(where + ".uri", fmt::format("'{}' lies outside the file's folder and is not read", uri));
+    return {};
+  }
   Result<Bytes> bytes = readFile(source.path.parent_path() / *relative);
   if (!bytes) {
     problems.warning(where + ".uri", fmt::format("'{}' cannot be read", uri));

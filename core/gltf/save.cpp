@@ -189,16 +189,24 @@ private:
     if (present && *present == bytes) {
       return Success{};
     }
-    if (escapesFolder(*relative)) {
-      return Error{fmt::format("its file '{}' lies outside the folder of the output", uri), where,
-                   "save beside the source"};
-    }
     if (present) {
       return Error{fmt::format("'{}' is already there with other content", target.string()), where,
                    "save into another folder"};
     }
     files_.push_back({target, bytes});
     return Success{};
+  }
+
+  // A reference that leaves the folder: its file is neither read nor copied, so it has to be found from here.
+  [[nodiscard]] Status keepOutside(const fs::path& relative, const std::string& uri,
+                                   const std::string& where) const {
+    std::error_code ignored;
+    const fs::path file = source_.path.parent_path() / relative;
+    if (!fs::exists(file, ignored) || fs::equivalent(file, path_.parent_path() / relative, ignored)) {
+      return Success{};
+    }
+    return Error{fmt::format("its file '{}' lies outside the folder of the output", uri), where,
+                 "save beside the source"};
   }
 
   Status copyImages() {
@@ -208,6 +216,12 @@ private:
     for (std::size_t i = 0; i < sizeOf(json_, "images"); ++i) {
       const std::string uri = textOr(element(json_, "images", i), "uri");
       const std::optional<fs::path> relative = isDataUri(uri) ? std::nullopt : relativePath(uri);
+      if (relative && escapesFolder(*relative)) {
+        if (Status kept = keepOutside(*relative, uri, at("images", i)); !kept) {
+          return kept;
+        }
+        continue;
+      }
       const Result<Bytes> bytes =
           relative ? readFile(source_.path.parent_path() / *relative) : Result<Bytes>(Error{});
       if (!bytes || isPlanned(path_.parent_path() / *relative)) {

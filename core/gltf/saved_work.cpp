@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/base/hash.h"
+#include "core/gltf/added_parts.h"
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
 #include "core/gltf/uri.h"
@@ -160,7 +161,7 @@ bool takeApart(Source& source, const Json& restore) {
 
 } // namespace
 
-Result<Json> withSavedWork(const Source& source, const Json& work, Journal journal) {
+Result<Json> withSavedWork(const Source& source, const Json& work, Journal journal, Json added) {
   const std::optional<Pointer> place = freePlace(source.json);
   if (!place) {
     return Error{"its extras are no objects, so the work finds no place in it", "extras",
@@ -174,6 +175,9 @@ Result<Json> withSavedWork(const Source& source, const Json& work, Journal journ
   journal.set(block, nullptr); // the step that removes the block is part of the block
   Json restore = {
       {"steps", journal.undo()}, {"buffers", bufferRecord(source)}, {"checksum", checksumOf(source)}};
+  if (!added.is_null()) {
+    restore["added"] = std::move(added);
+  }
   Json json = journal.json();
   json[block] = {{"version", formatVersion}, {"work", work}, {"restore", std::move(restore)}};
   return json;
@@ -189,11 +193,14 @@ std::optional<Restored> restoreSource(const Source& saved, Problems& problems) {
     return std::nullopt;
   }
   const Json* work = find(*block, "work");
-  Restored restored{saved, work == nullptr ? Json() : *work};
+  Restored restored{saved, work == nullptr ? Json() : *work, {}};
   if (!takeApart(restored.source, *find(*block, "restore"))) {
     problems.warning("extras",
                      "another program changed the file since it was saved; opened as an ordinary file");
     return std::nullopt;
+  }
+  if (const Json* const added = find(*find(*block, "restore"), "added")) {
+    restored.added = addedFromRecord(saved, *added, problems);
   }
   return restored;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/gltf/journal.h"
 #include "core/gltf/problems.h"
@@ -11,12 +12,14 @@ namespace stretch::gltf {
 /// Puts the program's own data into the extras of a patched file, with everything that gives the source back.
 /// `journal` has seen all changes but those of the buffers, which `source` still shows as they were. Answers
 /// the JSON. Error: the file's own extras leave no place.
-[[nodiscard]] Result<Json> withSavedWork(const Source& source, const Json& work, Journal journal);
+/// `added`: the record of files that were added to the source; null without them.
+[[nodiscard]] Result<Json> withSavedWork(const Source& source, const Json& work, Journal journal, Json added);
 
 /// A file of ours taken apart again.
 struct Restored {
   Source source;
   Json work;
+  std::vector<AddedFile> added;
 };
 
 /// Nothing for a file without saved work, and, with a warning, for one that another program changed since.

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/gltf/glb.h"
 #include "core/gltf/json_document.h"
+#include "core/math/transform.h"
 #include "core/scene/scene.h"
 
 namespace stretch::gltf {
@@ -26,10 +27,21 @@ struct Source {
   std::vector<GlbChunk> otherChunks;
 };
 
+/// A thing of another file that was added to a source (core/gltf/added_file.h).
+struct AddedFile {
+  std::string file; ///< Name of the file that it came from.
+  std::string name; ///< Of the node that carries it; no other node of the source has this name.
+  Transform place;  ///< Of that node.
+  std::shared_ptr<const Source> thing;
+
+  friend bool operator==(const AddedFile&, const AddedFile&) = default;
+};
+
 /// A file opened: the source and what was understood of it.
 struct Loaded {
   std::shared_ptr<const Source> source; ///< A file of ours is restored first: this is the source it was made
                                         ///< from.
+  std::vector<AddedFile> added;         ///< What a file of ours has beside its source; the scene holds it.
   std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;
   std::vector<std::string> warnings; ///< One line each: what in the file is odd and what was made of it.

@@ -8,11 +8,6 @@ namespace stretch {
 
 namespace {
 
-struct LinearParts {
-  Quat rotation;
-  Vec3 scale;
-};
-
 // The axis of a column; where the column is zero, the one that completes the other two (in their cyclic
 // order).
 Vec3 axisOf(const Vec3& column, const Vec3& next, const Vec3& afterNext) {
@@ -27,23 +22,44 @@ Vec3 axisOf(const Vec3& column, const Vec3& next, const Vec3& afterNext) {
   return glm::length(other) > 0.0 ? anyPerpendicular(glm::normalize(other)) : Vec3(1, 0, 0);
 }
 
-LinearParts split(const Mat4& matrix) {
-  const Vec3 x(matrix[0]);
-  const Vec3 y(matrix[1]);
-  const Vec3 z(matrix[2]);
-  Vec3 scale(glm::length(x), glm::length(y), glm::length(z));
+// Two of the three axes of a matrix: unit, and perpendicular to each other.
+struct Axes {
+  Vec3 x;
+  Vec3 y;
+};
+
+// The y axis freed of what it has of the x axis; any perpendicular where they are parallel.
+Axes perpendicular(const Vec3& unitX, const Vec3& axisY) {
+  const Vec3 across = axisY - unitX * glm::dot(unitX, axisY);
+  const double length = glm::length(across);
+  return {unitX, length > 1e-12 ? across / length : anyPerpendicular(unitX)};
+}
+
+Axes axesOf(const Vec3& x, const Vec3& y, const Vec3& z) {
+  const double lengthX = glm::length(x);
+  const double lengthY = glm::length(y);
+  if (lengthX > 0.0 && lengthY > 0.0) {
+    return perpendicular(x / lengthX, y / lengthY);
+  }
   const Vec3 unitX = axisOf(x, y, z);
-  Vec3 unitY = axisOf(y, z, unitX);
-  unitY -= unitX * glm::dot(unitX, unitY);
-  unitY = glm::length(unitY) > 1e-12 ? glm::normalize(unitY) : anyPerpendicular(unitX);
-  const Vec3 unitZ = glm::cross(unitX, unitY);
+  return perpendicular(unitX, axisOf(y, z, unitX));
+}
+
+struct Turned {
+  Quat rotation;
+  bool isMirrored = false;
+};
+
+Turned turnedOf(const Mat4& matrix) {
+  const Vec3 z(matrix[2]);
+  const Axes axes = axesOf(Vec3(matrix[0]), Vec3(matrix[1]), z);
+  const Vec3 unitZ = glm::cross(axes.x, axes.y);
   if (glm::dot(unitZ, z) >= 0.0) {
-    return {glm::normalize(glm::quat_cast(Mat3(unitX, unitY, unitZ))), scale};
+    return {glm::quat_cast(Mat3(axes.x, axes.y, unitZ)), false};
   }
   // A mirror: the x axis carries the minus sign, so that the other two and the rotation stay a right-handed
   // frame.
-  scale.x = -scale.x;
-  return {glm::normalize(glm::quat_cast(Mat3(-unitX, unitY, -unitZ))), scale};
+  return {glm::quat_cast(Mat3(-axes.x, axes.y, -unitZ)), true};
 }
 
 } // namespace
@@ -55,12 +71,14 @@ Mat4 toMatrix(const Transform& transform) {
 }
 
 Transform toTransform(const Mat4& matrix) {
-  const LinearParts parts = split(matrix);
-  return {Vec3(matrix[3]), parts.rotation, parts.scale};
+  const Turned turned = turnedOf(matrix);
+  Vec3 scale(glm::length(Vec3(matrix[0])), glm::length(Vec3(matrix[1])), glm::length(Vec3(matrix[2])));
+  scale.x = turned.isMirrored ? -scale.x : scale.x;
+  return {Vec3(matrix[3]), turned.rotation, scale};
 }
 
 Quat rotationOf(const Mat4& matrix) {
-  return split(matrix).rotation;
+  return turnedOf(matrix).rotation;
 }
 
 } // namespace stretch

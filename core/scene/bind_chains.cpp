@@ -64,6 +64,38 @@ void fold(Scene& scene, const BindChain& chain) {
   scene.bindChains.push_back(chain);
 }
 
+bool isNamed(const Primitive& primitive, std::size_t slot) {
+  return std::ranges::any_of(primitive.influences, [&](const VertexInfluences& vertex) {
+    for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
+      if (vertex.weights[i] != 0.0F && vertex.joints[i] == slot) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+// Whether a vertex of a mesh that the skin moves hangs on the slot.
+bool isNamed(const Scene& scene, int skin, std::size_t slot) {
+  return std::ranges::any_of(scene.nodes, [&](const Node& node) {
+    return node.skin == skin && node.mesh >= 0 &&
+           std::ranges::any_of(scene.meshes[at(node.mesh)].primitives,
+                               [&](const Primitive& primitive) { return isNamed(primitive, slot); });
+  });
+}
+
+// Joints whose slots their leaves took stand once more at the end of the list, where no vertex names them
+// (docs/file-format.md, Bind leaves).
+void dropRepeatedJoints(Scene& scene, int skinIndex) {
+  Skin& skin = scene.skins[at(skinIndex)];
+  while (!skin.joints.empty() && findBindChain(scene, skin.joints.back()) != nullptr &&
+         std::find(skin.joints.begin(), skin.joints.end() - 1, skin.joints.back()) != skin.joints.end() - 1 &&
+         !isNamed(scene, skinIndex, skin.joints.size() - 1)) {
+    skin.joints.pop_back();
+    skin.inverseBind.pop_back();
+  }
+}
+
 } // namespace
 
 void foldBindLeaves(Scene& scene) {
@@ -72,6 +104,9 @@ void foldBindLeaves(Scene& scene) {
     if (chain && canFold(scene, *chain) && findBindChain(scene, chain->joint) == nullptr) {
       fold(scene, *chain);
     }
+  }
+  for (std::size_t skin = 0; skin < scene.skins.size(); ++skin) {
+    dropRepeatedJoints(scene, static_cast<int>(skin));
   }
 }
 

@@ -49,13 +49,14 @@ bool holdsProp(const Scene& scene, NodeIndex node) {
 std::vector<std::vector<NodeIndex>> fingerChains(const Scene& scene, const Limb& arm) {
   std::vector<std::vector<NodeIndex>> chains;
   const std::set<NodeIndex> skinned = skinJoints(scene);
-  if (arm.endNode.exists()) {
-    collectChains(scene, skinned, arm.endNode, chains);
-  }
+  collectChains(scene, skinned, arm.endNode.exists() ? arm.endNode : arm.joints.back(), chains);
   std::erase_if(chains, [&](const std::vector<NodeIndex>& chain) {
     return !skinned.empty() && holdsProp(scene, chain.front());
   });
-  return chains;
+  // Joints that only twist a forearm stand alone.
+  const auto articulated = std::ranges::count_if(chains, [](const auto& chain) { return chain.size() > 1; });
+  const bool isHand = arm.endNode.exists() || (!skinned.empty() && articulated > 1);
+  return isHand ? chains : std::vector<std::vector<NodeIndex>>{};
 }
 
 std::vector<NodeIndex> fingerJoints(const Scene& scene, const Limb& arm) {

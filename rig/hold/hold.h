@@ -73,8 +73,9 @@ struct PropHand {
 struct Prop {
   std::string node; ///< Its name, or "#index".
   int clip = 0;
-  std::optional<HoldTime> time; ///< None: the whole clip.
-  double boundFrame = 0.0;      ///< Hands and prop are related as the adjusted clip has them at this frame.
+  std::optional<HoldTime> time;           ///< None: the whole clip.
+  std::optional<double> boundFrame = 0.0; ///< Hands and prop are related as the adjusted clip has them at
+                                          ///< this frame; none: as it has them at each frame.
   Vec3 move{0.0}; ///< How far the prop is brought from there before it is bound: world units and
   Vec3 turn{0.0}; ///< a rotation vector about its place, along the scene's axes.
   std::vector<PropHand> hands;

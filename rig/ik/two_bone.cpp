@@ -66,18 +66,29 @@ Vec2 jointInPlane(const Triangle& triangle, double span) {
   return {clamped, std::sqrt(std::max(0.0, triangle.first * triangle.first - clamped * clamped))};
 }
 
-// A limb that stands nearly straight and comes to bend clearly bends the way it usually does: its own small
-// bend may be a hyperextension.
+// How far the joint may stand beside the line for the usual bend to count at all: the farther, the more the
+// limb's own is against it.
+double vagueHeight(const Triangle& triangle, const Vec3& usual) {
+  constexpr double vagueOfLength = 0.06;
+  const double against = smoothstep(0.5 - 0.5 * glm::dot(triangle.bend, usual));
+  return triangle.length * (vagueOfLength + against * (overextendedOfLength - vagueOfLength));
+}
+
+// A limb that stands nearly straight or is overextended, and comes to bend clearly, bends the way it usually
+// does.
 Vec3 towardsUsual(const TwoBoneProblem& problem, const Triangle& triangle, const Vec3& carried,
                   const Quat& turn, const Vec3& line, double newHeight) {
-  const double small = straightOfLength * triangle.length;
-  const double straight = 1.0 - smoothstep(triangle.height / small);
-  const double grown = smoothstep((newHeight - triangle.height) / small);
-  const double share = straight * grown;
-  if (!(share > 0.0) || !(glm::length(problem.usualBend) > 0.0)) {
+  if (!(glm::length(problem.usualBend) > 0.0)) {
     return carried;
   }
-  const Vec3 usual = unitAcross(turn * acrossPart(problem.usualBend, triangle.line), line, 1e-9, carried);
+  const Vec3 before = unitAcross(problem.usualBend, triangle.line, 1e-9, triangle.bend);
+  const double straight = 1.0 - smoothstep(triangle.height / vagueHeight(triangle, before));
+  const double grown = smoothstep((newHeight - triangle.height) / (straightOfLength * triangle.length));
+  const double share = straight * grown;
+  if (!(share > 0.0)) {
+    return carried;
+  }
+  const Vec3 usual = unitAcross(turn * before, line, 1e-9, carried);
   return unitAcross((1.0 - share) * carried + share * usual, line, 1e-9, usual);
 }
 

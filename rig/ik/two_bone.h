@@ -10,6 +10,10 @@ namespace stretch::rig {
 /// Of a limb's length: a joint nearer than this to the line from base to end hardly tells which way it bends.
 inline constexpr double straightOfLength = 0.02;
 
+/// The same of a joint that stands on the side to which the limb does not bend. From half of it on it is
+/// taken for a limb that bends that way.
+inline constexpr double overextendedOfLength = 0.25;
+
 /// How far a limb of this length may reach for a target at `distance` (docs/controllers.md, Arms and legs):
 /// the distance itself up to a soft zone before its full length, never more than that length, with a
 /// continuous slope. A limb that stands straighter than the soft zone in its own pose (`poseReach`) keeps
@@ -23,7 +27,8 @@ struct TwoBoneProblem {
   Vec3 end{0.0};
   Vec3 target{0.0};     ///< F.
   Vec3 poleOffset{0.0}; ///< How far the pole is moved from its place; zero: the bend keeps its direction.
-  /// Which way the limb bends where the pose is too straight to tell: a unit vector across its line, or zero.
+  /// Which way the limb bends where the pose is straight or overextended: a unit vector across its line, or
+  /// zero.
   Vec3 usualBend{0.0};
   double stretchSwitch = 1.0; ///< k: 1 reaches every target, 0 leaves the bones as long as they are.
 };

@@ -25,18 +25,4 @@ void AdjustedSampler::sample(double timeSeconds, FrameState& frame) const {
   applyAdjustments(skeleton_, adjustments_, frame);
 }
 
-SharedSampler::SharedSampler(const Scene& scene, const Clip& clip, const SolvedAdjustments& adjustments,
-                             std::vector<NodeIndex> nodes)
-    : sampler_(scene, clip, adjustments, std::move(nodes)) {}
-
-const FrameState& SharedSampler::at(double timeSeconds) {
-  constexpr std::size_t mostKept = 600;
-  if (const auto known = samples_.find(timeSeconds); known != samples_.end()) {
-    return known->second;
-  }
-  FrameState& sample = samples_.size() < mostKept ? samples_[timeSeconds] : last_;
-  sampler_.sample(timeSeconds, sample);
-  return sample;
-}
-
 } // namespace stretch::rig

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "core/anim/clip.h"
@@ -26,22 +25,6 @@ private:
   const SolvedAdjustments& adjustments_;
   NodeSampler sampler_;
   Scene skeleton_;
-};
-
-/// The same for several who ask for the same times: each is sampled once, as long as there are not too many.
-class SharedSampler {
-public:
-  /// As AdjustedSampler.
-  SharedSampler(const Scene& scene, const Clip& clip, const SolvedAdjustments& adjustments,
-                std::vector<NodeIndex> nodes);
-
-  /// Stays as it is until the next call.
-  [[nodiscard]] const FrameState& at(double timeSeconds);
-
-private:
-  AdjustedSampler sampler_;
-  std::map<double, FrameState> samples_;
-  FrameState last_; // of a time that was not kept
 };
 
 } // namespace stretch::rig

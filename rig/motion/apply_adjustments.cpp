@@ -43,6 +43,15 @@ struct EndGoal {
   Quat turn{1.0, 0.0, 0.0, 0.0};
 };
 
+bool isSameTurn(const Mat4& a, const Mat4& b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+// How a node turned in the world from one matrix to another.
+Quat turnBetween(const Mat4& before, const Mat4& now) {
+  return isSameTurn(before, now) ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+}
+
 class Adjuster {
 public:
   Adjuster(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame)
@@ -50,28 +59,39 @@ public:
         done_(adjustments.joints.size(), false) {}
 
   /// `spaces`: where to note how offsets count; null: nowhere.
-  std::vector<AskedPlace> run(std::vector<ControllerSpace>* spaces = nullptr) {
+  /// `source`: what the frame is a copy of; null: not at hand.
+  std::vector<AskedPlace> run(const FrameState* source, std::vector<ControllerSpace>* spaces = nullptr) {
     spaces_ = spaces;
-    moveBody();
-    source_ = frame_;
+    const bool isCarried = moveBody();
+    if (source == nullptr || isCarried) {
+      carried_.worlds = frame_.worlds;
+      carried_.stretch = frame_.stretch;
+    }
+    source_ = source == nullptr || isCarried ? &carried_ : source;
     moveHips();
-    if (body_.spine) {
+    if (body_.spine && concerns(*body_.spine)) {
       turnJointsAbove(body_.spine->limb);
       moveSpine(*body_.spine);
     }
-    if (body_.neck) {
+    if (body_.neck && concerns(*body_.neck)) {
       turnJointsAbove(body_.neck->limb);
       moveNeck(*body_.neck);
     }
     for (const AdjustedLimb& limb : body_.limbs) {
-      turnJointsAbove(limb.limb);
-      moveLimb(limb);
+      if (concerns(limb)) {
+        turnJointsAbove(limb.limb);
+        moveLimb(limb);
+      }
     }
     turnJointsLeft();
     return std::move(asked_);
   }
 
 private:
+  // A limb that no key moves goes along with what carries it, and a note of it may still be asked for.
+  [[nodiscard]] bool concerns(const AdjustedLimb& adjusted) const {
+    return spaces_ != nullptr || adjustments_.moves(adjusted.limb.kind);
+  }
   [[nodiscard]] Offset offset(const std::string& id, double standard = 0.0) const {
     return offsetAt(adjustments_.curves, id, frame_.timeSeconds, standard);
   }
@@ -96,19 +116,20 @@ private:
 
   [[nodiscard]] CarrierChange changeOf(NodeIndex carrier) const {
     CarrierChange change;
-    if (carrier.exists() && frame_.worlds[at(carrier)] != source_.worlds[at(carrier)]) {
-      change.before = positionOf(source_.worlds[at(carrier)]);
+    if (carrier.exists() && frame_.worlds[at(carrier)] != source_->worlds[at(carrier)]) {
+      change.before = positionOf(source_->worlds[at(carrier)]);
       change.now = place(carrier);
-      change.turn = rotation(carrier) * glm::inverse(rotationOf(source_.worlds[at(carrier)]));
+      change.turn = turnBetween(source_->worlds[at(carrier)], frame_.worlds[at(carrier)]);
     }
     return change;
   }
 
-  void moveBody() {
+  // Answers whether it did.
+  bool moveBody() {
     const Offset body = offset("body");
     noteBody(body);
     if (body.move == Vec3(0.0) && body.turn == Vec3(0.0)) {
-      return;
+      return false;
     }
     const Vec3 hips = place(body_.hips);
     const CarrierChange change{
@@ -118,6 +139,7 @@ private:
       placeNode(scene_, root, change.turn, change.point(place(root)), frame_);
     }
     ask("body", change.point(hips));
+    return true;
   }
 
   void noteBody(const Offset& body) {
@@ -166,27 +188,22 @@ private:
 
   // What belongs to a limb and hangs elsewhere goes along with its base.
   void carryDetached(const AdjustedLimb& adjusted) {
-    const NodeIndex base = adjusted.limb.joints.front();
-    const NodeIndex carrier = scene_.nodes[at(base)].parent;
-    const CarrierChange change = changeOf(carrier);
-    if (!carrier.exists() || frame_.worlds[at(carrier)] == source_.worlds[at(carrier)]) {
+    if (adjusted.detached.empty()) {
       return;
     }
-    std::vector<NodeIndex> members = adjusted.limb.joints;
-    members.push_back(adjusted.limb.endNode);
-    members.insert(members.end(), adjusted.topology.companions.begin(), adjusted.topology.companions.end());
-    for (const NodeIndex node : members) {
-      if (node.exists() && !isAncestorOrSelf(scene_, carrier, node)) {
-        const Quat left = change.turn * glm::inverse(turnSoFar(node));
-        placeNode(scene_, node, left, change.point(positionOf(source_.worlds[at(node)])), frame_);
-      }
+    const NodeIndex carrier = scene_.nodes[at(adjusted.limb.joints.front())].parent;
+    if (frame_.worlds[at(carrier)] == source_->worlds[at(carrier)]) {
+      return;
+    }
+    const CarrierChange change = changeOf(carrier);
+    for (const NodeIndex node : adjusted.detached) {
+      const Quat left = change.turn * glm::inverse(turnSoFar(node));
+      placeNode(scene_, node, left, change.point(positionOf(source_->worlds[at(node)])), frame_);
     }
   }
 
   [[nodiscard]] Quat turnSoFar(NodeIndex node) const {
-    const Mat4& before = source_.worlds[at(node)];
-    const Mat4& now = frame_.worlds[at(node)];
-    return before == now ? noTurn : rotationOf(now) * glm::inverse(rotationOf(before));
+    return turnBetween(source_->worlds[at(node)], frame_.worlds[at(node)]);
   }
 
   void moveSpine(const AdjustedLimb& adjusted) {
@@ -210,9 +227,9 @@ private:
     problem.middle = axes * middle.move;
     problem.top = axes * top.move;
     problem.turn = axes * top.turn;
-    problem.stretchSwitch = attribute(limb.id + ".stretch", 1.0, 0.0, 1.0);
+    problem.stretchSwitch = attribute(adjusted.controls.stretch, 1.0, 0.0, 1.0);
     const SplineSpineShape shape = solveSplineSpine(problem);
-    DeformOptions options{attribute(limb.id + ".volume", 1.0, 0.0, 1.0), false, shape.topTurn};
+    DeformOptions options{attribute(adjusted.controls.volume, 1.0, 0.0, 1.0), false, shape.topTurn};
     deformLimb(
         scene_, limb, adjusted.topology,
         {shape.turns, shape.stretches, shape.points.front() - problem.points.front(), shape.points.back()},
@@ -225,12 +242,12 @@ private:
   [[nodiscard]] EndGoal goalOf(const AdjustedLimb& adjusted, NodeIndex carrier, const Quat& carrierBind,
                                double standardFollow) const {
     const Limb& limb = adjusted.limb;
-    const double follow = attribute(limb.id + ".follow", standardFollow, 0.0, 1.0);
+    const double follow = attribute(adjusted.controls.follow, standardFollow, 0.0, 1.0);
     const CarrierChange change = changeOf(carrier);
-    const Vec3 stays = endPosition(limb, source_);
+    const Vec3 stays = endPosition(limb, *source_);
     EndGoal goal{stays + follow * (change.point(stays) - stays),
                  follow >= 1.0 ? change.turn : glm::slerp(noTurn, change.turn, follow)};
-    const Offset own = offset(endController(limb.kind));
+    const Offset own = offset(adjusted.controls.end);
     if (own.move != Vec3(0.0) || own.turn != Vec3(0.0)) {
       const Quat axes = carriedAxes(carrier, carrierBind);
       goal.place += axes * own.move;
@@ -253,8 +270,8 @@ private:
   void reachGoal(const AdjustedLimb& adjusted, const EndGoal& goal, const Vec3& pole) {
     const Limb& limb = adjusted.limb;
     reach(scene_, adjusted,
-          {goal.place, endTurn(limb, goal), attribute(limb.id + ".stretch", 1.0, 0.0, 1.0),
-           attribute(limb.id + ".volume", 1.0, 0.0, 1.0), pole},
+          {goal.place, endTurn(limb, goal), attribute(adjusted.controls.stretch, 1.0, 0.0, 1.0),
+           attribute(adjusted.controls.volume, 1.0, 0.0, 1.0), pole},
           frame_);
   }
 
@@ -276,10 +293,10 @@ private:
     const bool leg = isLeg(limb);
     EndGoal goal = leg ? goalOf(adjusted, body_.hips, body_.hipsBind, 0.0)
                        : goalOf(adjusted, body_.chest, body_.chestBind, 1.0);
-    const double roll = leg ? attribute(endController(limb.kind) + ".roll", 0.0, -1.0, 1.0) : 0.0;
+    const double roll = leg ? attribute(adjusted.controls.roll, 0.0, -1.0, 1.0) : 0.0;
     const Quat rolled = rollFoot(adjusted, roll, goal);
-    if (adjustments_.curves.contains(endController(limb.kind))) {
-      ask(endController(limb.kind), goal.place);
+    if (adjustments_.curves.contains(adjusted.controls.end)) {
+      ask(adjusted.controls.end, goal.place);
     }
     const Vec3 pole = poleOffset(adjusted);
     noteLimb(adjusted, pole);
@@ -290,8 +307,7 @@ private:
       placeNode(scene_, adjusted.roll.toes, glm::inverse(rolled), place(adjusted.roll.toes), frame_);
     }
     if (!leg) {
-      applyCurl(scene_, adjusted.fingers, attribute(endController(limb.kind) + ".curl", 0.0, -0.2, 1.0),
-                frame_);
+      applyCurl(scene_, adjusted.fingers, attribute(adjusted.controls.curl, 0.0, -0.2, 1.0), frame_);
     }
   }
 
@@ -302,11 +318,11 @@ private:
     const LimbKind kind = adjusted.limb.kind;
     const Quat axes =
         isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind) : carriedAxes(body_.chest, body_.chestBind);
-    note(endController(kind).c_str(), axes);
+    note(adjusted.controls.end.c_str(), axes);
     if (adjusted.bendPoint > 0) {
       TwoBoneProblem problem = posedLimb(adjusted, frame_);
       problem.poleOffset = pole;
-      note(poleController(kind).c_str(), carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind),
+      note(adjusted.controls.pole.c_str(), carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind),
            polePlace(problem));
     }
   }
@@ -316,7 +332,7 @@ private:
     if (roll == 0.0 || adjusted.roll.axis == Vec3(0.0)) {
       return noTurn;
     }
-    const Mat4& before = source_.worlds[at(adjusted.limb.endNode)];
+    const Mat4& before = source_->worlds[at(adjusted.limb.endNode)];
     const Vec3 about = roll > 0.0 ? adjusted.roll.ball : adjusted.roll.heel;
     const Vec3 pivot = goal.place + goal.turn * transformVector(before, about);
     const Vec3 axis = goal.turn * (rotationOf(before) * adjusted.roll.axis);
@@ -327,7 +343,7 @@ private:
   }
 
   [[nodiscard]] Vec3 poleOffset(const AdjustedLimb& adjusted) const {
-    const Offset pole = offset(poleController(adjusted.limb.kind));
+    const Offset pole = offset(adjusted.controls.pole);
     return pole.move == Vec3(0.0) ? pole.move
                                   : carriedAxes(adjusted.limb.joints.front(), adjusted.baseBind) * pole.move;
   }
@@ -336,7 +352,8 @@ private:
   const SolvedAdjustments& adjustments_;
   const AdjustedBody& body_;
   FrameState& frame_;
-  FrameState source_; // as the body's controller carries it
+  const FrameState* source_ = nullptr; // as the body's controller carries it; its pose does not count
+  FrameState carried_;
   Quat bodyTurn_{1.0, 0.0, 0.0, 0.0};
   std::vector<bool> done_; // of the joints
   std::vector<AskedPlace> asked_;
@@ -350,13 +367,21 @@ std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustm
   if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
     return {};
   }
-  return Adjuster(scene, adjustments, frame).run();
+  return Adjuster(scene, adjustments, frame).run(nullptr);
+}
+
+std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
+                                         const FrameState& source, FrameState& frame) {
+  if (adjustments.empty() || !acts(adjustments.curves, frame.timeSeconds)) {
+    return {};
+  }
+  return Adjuster(scene, adjustments, frame).run(&source);
 }
 
 std::vector<ControllerSpace> controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments,
                                               FrameState& frame) {
   std::vector<ControllerSpace> spaces;
-  static_cast<void>(Adjuster(scene, adjustments, frame).run(&spaces));
+  static_cast<void>(Adjuster(scene, adjustments, frame).run(nullptr, &spaces));
   return spaces;
 }
 
@@ -377,7 +402,7 @@ Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& co
     return positionOf(frame.worlds[at(body.spine->limb.joints.front())]);
   }
   for (const AdjustedLimb& limb : body.limbs) {
-    if (controller == endController(limb.limb.kind)) {
+    if (controller == limb.controls.end) {
       return endPosition(limb.limb, frame);
     }
   }

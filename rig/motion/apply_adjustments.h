@@ -22,6 +22,9 @@ struct AskedPlace {
 /// offset were wanted; those that only turn are where they are.
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          FrameState& frame);
+/// The same where `frame` is a copy of `source`, which is spared another one.
+std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
+                                         const FrameState& source, FrameState& frame);
 
 /// How the offset of a controller counts in a frame, whether it has one there or not.
 struct ControllerSpace {

@@ -84,6 +84,12 @@ private:
     return std::clamp(hand.firmness.at(frame_.timeSeconds).value, 0.0, 1.0);
   }
 
+  [[nodiscard]] HeldPlace relationOf(const SolvedProp& prop, const SolvedPropHand& hand) const {
+    return hand.relation
+               ? *hand.relation
+               : seenFrom(endPlace(holds_.limbs[hand.limb].limb, source_), boundPlace(prop, source_));
+  }
+
   // Where the hands, by their shares, have the prop.
   [[nodiscard]] HeldPlace heldBy(const SolvedProp& prop) const {
     HeldPlace mixed;
@@ -91,7 +97,8 @@ private:
     for (const SolvedPropHand& hand : prop.hands) {
       const double firmness = firmnessOf(hand);
       if (firmness > 0.0) {
-        const HeldPlace own = placedOn(endPlace(holds_.limbs[hand.limb].limb, frame_), hand.relation);
+        const HeldPlace own =
+            placedOn(endPlace(holds_.limbs[hand.limb].limb, frame_), relationOf(prop, hand));
         sum += firmness;
         mixed = between(mixed, own, sum == firmness ? 1.0 : firmness / sum);
       }
@@ -113,7 +120,7 @@ private:
     const HeldPlace goal =
         between({positionOf(world), rotationOf(world)}, held, strength * std::min(1.0, firmness));
     for (const SolvedPropHand& hand : prop.hands) {
-      const HeldPlace onProp = placedOn(held, seenFrom(hand.relation, {}));
+      const HeldPlace onProp = placedOn(held, seenFrom(relationOf(prop, hand), {}));
       hold({HoldKind::prop, index, hand.limb, {}, strength * firmnessOf(hand)}, onProp, true, prop.stretch);
     }
     place(prop.node, goal);

@@ -20,7 +20,23 @@ void BendDirections::add(double timeSeconds, const Vec3& base, const Vec3& joint
   const Vec3 across = (joint - base) - line * glm::dot(joint - base, line);
   const double height = glm::length(across);
   if (height > straightOfLength * length) {
-    seen_.push_back({timeSeconds, glm::inverse(baseRotation) * (across / height)});
+    seen_.push_back({timeSeconds, glm::inverse(baseRotation) * (across / height), height / length});
+  }
+}
+
+void BendDirections::keepClear() {
+  // Of the limb's length: a joint that is nearer to the line is as much out of it sideways as in its bend.
+  constexpr double clear = 0.05;
+  Vec3 usual = clear * clear * static_cast<double>(seen_.size()) * unseen_;
+  for (const Seen& seen : seen_) {
+    usual += seen.height * seen.height * seen.direction;
+  }
+  std::erase_if(seen_, [&](const Seen& seen) {
+    return seen.height < 0.5 * overextendedOfLength && glm::dot(seen.direction, usual) < 0.0;
+  });
+  std::erase_if(seen_, [&](const Seen& seen) { return seen.height <= clear; });
+  if (const double length = glm::length(usual); seen_.empty() && length > 0.0) {
+    unseen_ = usual / length;
   }
 }
 

@@ -27,10 +27,10 @@ struct Finger {
   [[nodiscard]] Vec3 direction() const { return points.back() - points.front(); }
 };
 
-bool namesThumb(const Scene& scene, NodeIndex node) {
+bool isNamed(const Scene& scene, NodeIndex node, const char* word) {
   std::string name = scene.nodes[at(node)].name;
   std::ranges::transform(name, name.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  return name.find("thumb") != std::string::npos;
+  return name.find(word) != std::string::npos;
 }
 
 bool movesMesh(const BindPlaces& places, NodeIndex node) {
@@ -41,7 +41,7 @@ bool movesMesh(const BindPlaces& places, NodeIndex node) {
 // before.
 Finger fingerOf(const Scene& scene, std::vector<NodeIndex> chain, const BindPlaces& places) {
   Finger finger;
-  finger.isThumb = namesThumb(scene, chain.front());
+  finger.isThumb = isNamed(scene, chain.front(), "thumb");
   for (const NodeIndex node : chain) {
     finger.points.push_back(positionOf(places.worlds[at(node)]));
   }
@@ -53,9 +53,13 @@ Finger fingerOf(const Scene& scene, std::vector<NodeIndex> chain, const BindPlac
     const Bounds& mesh = places.meshes[at(chain.front())];
     finger.points.push_back(mesh.empty() ? finger.points.front() : 0.5 * (mesh.low + mesh.high));
   }
-  // The first of four or more lies in the palm.
-  if (chain.size() > fistDegrees.size()) {
-    const auto palm = static_cast<std::ptrdiff_t>(chain.size() - fistDegrees.size());
+  // The first of four or more lies in the palm, and so does one that is named after it.
+  const bool isPalmNamed = chain.size() > 1 && (isNamed(scene, chain.front(), "palm") ||
+                                                isNamed(scene, chain.front(), "metacarp"));
+  if (chain.size() > fistDegrees.size() || isPalmNamed) {
+    const auto palm =
+        std::max<std::ptrdiff_t>(isPalmNamed ? 1 : 0, static_cast<std::ptrdiff_t>(chain.size()) -
+                                                          static_cast<std::ptrdiff_t>(fistDegrees.size()));
     chain.erase(chain.begin(), chain.begin() + palm);
     finger.points.erase(finger.points.begin(), finger.points.begin() + palm);
   }
@@ -126,7 +130,8 @@ std::vector<FingerJoint> handCurl(const Scene& scene, const Limb& arm, const Bin
   if (fingers.empty()) {
     return joints;
   }
-  const Vec3 wrist = positionOf(places.worlds[at(arm.endNode)]);
+  const Vec3 wrist = arm.endNode.exists() ? positionOf(places.worlds[at(arm.endNode)])
+                                          : limbPoints(arm, places.worlds).back();
   const Vec3 palm = palmSide(fingers, wrist);
   Vec3 middle(0.0);
   for (const Finger& finger : fingers) {

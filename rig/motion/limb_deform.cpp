@@ -17,8 +17,8 @@ namespace {
 
 // A linear map of the joint's space seen from the space of a node below it.
 Mat3 inSpaceOf(const PoseWriter& writer, NodeIndex joint, NodeIndex node, const Mat3& stretch) {
-  const Mat3 toJoint = Mat3(inverseOf(writer.worldBefore(joint)) * writer.worldBefore(node));
-  return Mat3(inverseOf(Mat4(toJoint))) * stretch * toJoint;
+  const Mat3 toJoint = inverseOf(Mat3(writer.worldBefore(joint))) * Mat3(writer.worldBefore(node));
+  return inverseOf(toJoint) * stretch * toJoint;
 }
 
 // What hangs on the bone moves by K; on the path K goes through the frames of the nodes between.
@@ -75,7 +75,7 @@ void moveWithEnd(PoseWriter& writer, NodeIndex node, const Mat4& endBefore, cons
 // An end that hangs elsewhere is brought to its place, after the companions that carry it.
 void moveDetachedEnd(PoseWriter& writer, const Scene& scene, const Limb& limb, const LimbTopology& topology,
                      const Vec3& endWorld) {
-  const Mat4& endBefore = writer.worldBefore(limb.endNode);
+  const Mat4 endBefore = writer.worldBefore(limb.endNode);
   Mat4 endNow = endBefore;
   endNow[3] = Vec4(endWorld, 1.0);
   for (const NodeIndex node : topology.companions) {
@@ -115,6 +115,15 @@ bool sameTurn(const Quat& a, const Quat& b) {
   return a == b;
 }
 
+// Where a node goes that is carried by one above it, without a look at its own transforms.
+void carrySubtree(const Scene& scene, NodeIndex node, const Mat4& changeWorld, FrameState& frame) {
+  Mat4& world = frame.worlds[at(node)];
+  world = changeWorld * world;
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
+    carrySubtree(scene, child, changeWorld, frame);
+  }
+}
+
 } // namespace
 
 Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
@@ -149,8 +158,8 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
       writer.setWorldPosition(bone.joint, points.front() + shape.baseMove);
     }
     writer.refresh(bone.joint);
-    const Vec3 offset = transformVector(inverseOf(writer.worldBefore(bone.joint)), points[i + 1] - points[i]);
-    if (glm::length(offset) > 0.0) {
+    const Vec3 offset = inverseOf(Mat3(writer.worldBefore(bone.joint))) * (points[i + 1] - points[i]);
+    if (glm::length(offset) > 0.0 && shape.stretches[i] != 1.0) {
       const Mat3 stretch = boneStretch(glm::normalize(offset), shape.stretches[i], options.volume);
       stretchBone(writer, scene, bone, stretch);
     }
@@ -211,11 +220,22 @@ void moveNode(const Scene& scene, NodeIndex node, const Vec3& positionWorld, Fra
 void placeNode(const Scene& scene, NodeIndex node, const Quat& turnWorld, const Vec3& positionWorld,
                FrameState& frame) {
   PoseWriter writer(scene, frame);
-  writer.turnInWorld(node, turnWorld);
-  if (positionWorld != positionOf(writer.worldBefore(node))) {
+  if (!sameTurn(turnWorld, Quat(1.0, 0.0, 0.0, 0.0))) {
+    writer.turnInWorld(node, turnWorld);
+  }
+  const Mat4 before = writer.world(node);
+  if (positionWorld != positionOf(before)) {
     writer.setWorldPosition(node, positionWorld);
   }
-  writer.refreshSubtree(node);
+  if (glm::determinant(Mat3(before)) == 0.0) { // scaled to nothing: what it carries cannot tell how it moved
+    writer.refreshSubtree(node);
+    return;
+  }
+  writer.refresh(node);
+  const Mat4 change = writer.world(node) * glm::inverse(before);
+  for (const NodeIndex child : scene.nodes[at(node)].children) {
+    carrySubtree(scene, child, change, frame);
+  }
 }
 
 } // namespace stretch::rig

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -96,6 +97,7 @@ BendDirections bendsOf(const ReachInput& input, const Limb& limb, std::size_t be
   for (const SampledPose& pose : poses) {
     bends.add(pose.timeSeconds, pose.points.front(), pose.points[bendPoint], pose.points.back(), pose.base);
   }
+  bends.keepClear();
   return bends;
 }
 
@@ -117,8 +119,8 @@ Vec3 bendTo(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& g
   return shape.end;
 }
 
-Quat endRotation(const Limb& limb, const FrameState& frame) {
-  return limb.endNode.exists() ? rotationOf(frame.worlds[at(limb.endNode)]) : Quat(1.0, 0.0, 0.0, 0.0);
+std::optional<Mat4> endMatrix(const Limb& limb, const FrameState& frame) {
+  return limb.endNode.exists() ? std::optional(frame.worlds[at(limb.endNode)]) : std::nullopt;
 }
 
 } // namespace
@@ -183,7 +185,7 @@ void reach(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& go
   constexpr int mostTries = 24;
   constexpr double unseen = 1e-8; // of the limb
   const double near = unseen * reaching.limb.restLength;
-  const Quat wanted = goal.endTurn * endRotation(reaching.limb, frame);
+  const std::optional<Mat4> before = endMatrix(reaching.limb, frame);
   ReachGoal next = goal;
   for (int tries = 0; tries < mostTries; ++tries) {
     const Vec3 end = reaching.bendPoint > 0 ? bendTo(scene, reaching, next, frame)
@@ -193,7 +195,10 @@ void reach(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& go
       return;
     }
     next.pole = Vec3(0.0);
-    next.endTurn = wanted * glm::inverse(endRotation(reaching.limb, frame));
+    if (before) {
+      const Quat wanted = goal.endTurn * rotationOf(*before);
+      next.endTurn = wanted * glm::inverse(rotationOf(*endMatrix(reaching.limb, frame)));
+    }
   }
 }
 

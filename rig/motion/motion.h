@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@
 
 namespace stretch::rig {
 
+class FrameTable;
+
 /// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
 struct SolvedTrail {
   Trail trail;
@@ -31,8 +34,10 @@ struct SolvedTrail {
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
-  double wantedReleaseSeconds = 0.0; ///< The release where the clip had room for it.
-  double calmReleaseSeconds = 0.0;   ///< A shorter one takes the limb back faster than it came.
+  std::vector<double> keyTimes;         ///< Of the limb's joints within the range, seconds.
+  std::optional<double> nextKeySeconds; ///< secondsToNextKey.
+  double wantedReleaseSeconds = 0.0;    ///< The release where the clip had room for it.
+  double calmReleaseSeconds = 0.0;      ///< A shorter one takes the limb back faster than it came.
   BendNormal bend;
   double startSeconds = 0.0; ///< The range.
   double endSeconds = 0.0;
@@ -54,6 +59,9 @@ struct MotionState {
   bool loops = false;
   NodeIndex hips;                ///< What the space "root" is measured from.
   SolvedAdjustments adjustments; ///< Of the clip, before any trail.
+  /// The clip where its trails look at it, as it is and adjusted; null where nothing is adjusted.
+  std::shared_ptr<const FrameTable> sourceFrames;
+  std::shared_ptr<const FrameTable> adjustedFrames;
   std::vector<SolvedTrail> trails;
   SolvedHolds holds;                 ///< On top of the trails (setHolds).
   std::vector<SolvedWeight> weights; ///< From the root outwards, on top of the holds (setWeight).

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
-#include "rig/motion/adjusted_sampler.h"
+#include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
+#include "rig/motion/frame_table.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {
@@ -30,13 +32,16 @@ std::vector<std::size_t> innerTrails(const Scene& scene, const MotionState& moti
 std::vector<NodeIndex> nodesOf(const MotionState& motion, const std::vector<std::size_t>& inner,
                                const std::vector<PathRequest>& requests) {
   std::set<NodeIndex> nodes;
-  const auto add = [&](std::size_t trail) {
+  for (const std::size_t trail : inner) {
     const SolvedTrail& solved = motion.trails[trail];
     const std::vector<NodeIndex> touched = touchedNodes(solved.limb, solved.topology);
     nodes.insert(touched.begin(), touched.end());
-  };
-  std::for_each(inner.begin(), inner.end(), add);
-  std::for_each(requests.begin(), requests.end(), [&](const PathRequest& request) { add(request.trail); });
+  }
+  for (const PathRequest& request : requests) {
+    const Limb& limb = motion.trails[request.trail].limb;
+    nodes.insert(limb.joints.begin(), limb.joints.end());
+    nodes.insert(limb.endNode.exists() ? limb.endNode : limb.joints.back());
+  }
   if (motion.hips.exists()) {
     nodes.insert(motion.hips);
   }
@@ -70,8 +75,9 @@ public:
   PathSweep(const Scene& scene, const Clip& clip, const MotionState& motion,
             const std::vector<PathRequest>& requests)
       : motion_(motion), requests_(requests), inner_(innerTrails(scene, motion, requests)),
-        sampler_(scene, clip, motion.adjustments, nodesOf(motion, inner_, requests)),
-        skeleton_(sampler_.skeleton()), order_(requests.size()) {
+        frames_(scene, clip, motion.adjustments, nodesOf(motion, inner_, requests),
+                motion.adjustedFrames.get()),
+        skeleton_(frames_.skeleton()), order_(requests.size()) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       order_[i] = i;
     }
@@ -95,19 +101,22 @@ public:
 
 private:
   void visit(double frameNumber, std::vector<DrawnTrail>& drawn) {
-    sampler_.sample(insideLoop(motion_, frameNumber / motion_.framesPerSecond), frame_);
-    source_ = frame_;
+    const FrameState& source = frames_.at(insideLoop(motion_, frameNumber / motion_.framesPerSecond));
+    if (!inner_.empty()) {
+      moved_ = source;
+    }
+    const FrameState& frame = inner_.empty() ? source : moved_;
     auto next = inner_.begin();
     for (const std::size_t i : order_) {
       const PathRequest& request = requests_[i];
       for (; next != inner_.end() && *next < request.trail; ++next) {
-        applyTrail(skeleton_, motion_, *next, source_, frame_);
+        applyTrail(skeleton_, motion_, *next, source, moved_);
       }
       const auto found = std::equal_range(request.frames.begin(), request.frames.end(), frameNumber);
       if (found.first == found.second) {
         continue;
       }
-      const PathPoint point = pathPoint(skeleton_, motion_, request.trail, source_, frame_);
+      const PathPoint point = pathPoint(skeleton_, motion_, request.trail, source, frame);
       for (auto place = found.first; place != found.second; ++place) {
         const auto sample = static_cast<std::size_t>(place - request.frames.begin());
         drawn[i].original[sample] = point.original;
@@ -119,14 +128,75 @@ private:
   const MotionState& motion_;
   const std::vector<PathRequest>& requests_;
   std::vector<std::size_t> inner_;
-  AdjustedSampler sampler_;
+  FrameSource frames_;
   const Scene& skeleton_;          // the sampled nodes only
   std::vector<std::size_t> order_; // of the requests, as their trails act
-  FrameState frame_;
-  FrameState source_;
+  FrameState moved_;               // by the trails before the one that is asked for
 };
 
+// The requests about trails that the character follows, on limbs that are held.
+std::vector<PathRequest> heldRequests(const MotionState& motion, const std::vector<PathRequest>& requests) {
+  std::vector<PathRequest> held;
+  std::copy_if(requests.begin(), requests.end(), std::back_inserter(held), [&](const PathRequest& request) {
+    return motion.trails[request.trail].active && isHeldLimb(motion, motion.trails[request.trail].limb.id);
+  });
+  return held;
+}
+
+// Every trail and hold of the clip: each may move a limb that is held.
+std::vector<NodeIndex> nodesOfAll(const MotionState& motion, const std::vector<PathRequest>& requests) {
+  std::vector<std::size_t> active;
+  for (std::size_t trail = 0; trail < motion.trails.size(); ++trail) {
+    if (motion.trails[trail].active) {
+      active.push_back(trail);
+    }
+  }
+  std::vector<NodeIndex> nodes = nodesOf(motion, active, requests);
+  nodes.insert(nodes.end(), motion.holds.nodes.begin(), motion.holds.nodes.end());
+  for (const std::size_t trail : active) {
+    const std::vector<NodeIndex>& joints = motion.trails[trail].limb.joints;
+    nodes.insert(nodes.end(), joints.begin(), joints.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+// Lays the path of a limb where the holds keep it at the times at which they do.
+void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motion,
+                  const std::vector<PathRequest>& requests, std::vector<DrawnTrail>& drawn) {
+  const std::vector<PathRequest> held = heldRequests(motion, requests);
+  if (held.empty()) {
+    return;
+  }
+  FrameSource frames(scene, clip, motion.adjustments, nodesOfAll(motion, held), motion.adjustedFrames.get());
+  const Scene& skeleton = frames.skeleton();
+  for (const double frameNumber : framesOfAll(held)) {
+    const FrameState& source = frames.at(insideLoop(motion, frameNumber / motion.framesPerSecond));
+    FrameState frame = source;
+    applyTrails(skeleton, motion, source, frame);
+    for (const HeldGoal& goal : applyHolds(skeleton, motion, source, frame)) {
+      const Limb& limb = motion.holds.limbs[goal.limb].limb;
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const SolvedTrail& solved = motion.trails[requests[i].trail];
+        const auto [first, last] =
+            std::equal_range(requests[i].frames.begin(), requests[i].frames.end(), frameNumber);
+        if (solved.active && solved.limb.id == limb.id) {
+          std::fill(drawn[i].exaggerated.begin() + (first - requests[i].frames.begin()),
+                    drawn[i].exaggerated.begin() + (last - requests[i].frames.begin()),
+                    endPosition(limb, frame));
+        }
+      }
+    }
+  }
+}
+
 } // namespace
+
+bool isHeldLimb(const MotionState& motion, const std::string& limb) {
+  return std::any_of(motion.holds.limbs.begin(), motion.holds.limbs.end(),
+                     [&](const ReachingLimb& held) { return held.limb.id == limb; });
+}
 
 bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner, std::size_t outer) {
   if (inner >= outer || !motion.trails[inner].active) {
@@ -139,7 +209,9 @@ bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner
 
 std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
                                 const std::vector<PathRequest>& requests) {
-  return PathSweep(scene, clip, motion, requests).run();
+  std::vector<DrawnTrail> drawn = PathSweep(scene, clip, motion, requests).run();
+  layHeldPaths(scene, clip, motion, requests, drawn);
+  return drawn;
 }
 
 DrawnTrail pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion, std::size_t trail,

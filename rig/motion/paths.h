@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/anim/clip.h"
@@ -24,7 +25,8 @@ struct PathRequest {
   std::vector<double> frames; ///< Ascending.
 };
 
-/// One answer for each request: what they share is computed once.
+/// One answer for each request: what they share is computed once. The exaggerated path of a limb that the
+/// motion's holds keep somewhere is there, where the character follows the trail.
 [[nodiscard]] std::vector<DrawnTrail> pathsAt(const Scene& scene, const Clip& clip, const MotionState& motion,
                                               const std::vector<PathRequest>& requests);
 
@@ -36,6 +38,9 @@ struct PathRequest {
 /// the same base or on a limb that carries it.
 [[nodiscard]] bool shapesPath(const Scene& scene, const MotionState& motion, std::size_t inner,
                               std::size_t outer);
+
+/// Whether a hold of the clip keeps the limb's end somewhere, at some time.
+[[nodiscard]] bool isHeldLimb(const MotionState& motion, const std::string& limb);
 
 /// The frames at which a path is drawn: evenly `samplesPerFrame` per frame over range and release. At least
 /// one. `acrossSeam`: those of the release that a loop's next or last turn has, too, counted on past the

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <glm/matrix.hpp>
@@ -14,23 +16,28 @@ namespace stretch::rig {
   return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
 }
 
+/// The same of a linear map.
+[[nodiscard]] inline Mat3 inverseOf(const Mat3& linear) {
+  return glm::determinant(linear) != 0.0 ? glm::inverse(linear) : Mat3(1.0);
+}
+
 /// Writes local transforms of a frame while knowing the pose it started from.
 class PoseWriter {
 public:
-  PoseWriter(const Scene& scene, FrameState& frame) : scene_(scene), frame_(frame), before_(frame.worlds) {}
+  PoseWriter(const Scene& scene, FrameState& frame)
+      : scene_(scene), frame_(frame), keptAt_(scene.nodes.size(), isNotKept) {}
 
   [[nodiscard]] const Mat4& world(NodeIndex node) const { return frame_.worlds[at(node)]; }
-  [[nodiscard]] const Mat4& worldBefore(NodeIndex node) const { return before_[at(node)]; }
+  /// World matrix of the node in the pose that the frame started from.
+  [[nodiscard]] Mat4 worldBefore(NodeIndex node) const {
+    const std::size_t kept = keptAt_[at(node)];
+    return kept == isNotKept ? frame_.worlds[at(node)] : kept_[kept];
+  }
 
   /// World matrix of the node's parent as it stands, parents of it having been written before.
   [[nodiscard]] Mat4 parentWorld(NodeIndex node) const {
     const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : frame_.worlds[at(parent)];
-  }
-
-  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
-    const NodeIndex parent = scene_.nodes[at(node)].parent;
-    return !parent.exists() ? Mat4(1.0) : before_[at(parent)];
+    return parent.exists() ? world(parent) : Mat4(1.0);
   }
 
   Transform& local(NodeIndex node) {
@@ -40,6 +47,10 @@ public:
 
   /// Recomputes the node's own world matrix; its children follow when they are written or at the end.
   void refresh(NodeIndex node) {
+    if (keptAt_[at(node)] == isNotKept) {
+      keptAt_[at(node)] = kept_.size();
+      kept_.push_back(world(node));
+    }
     frame_.worlds[at(node)] = parentWorld(node) * localMatrix(scene_, frame_.pose, node);
   }
 
@@ -53,9 +64,10 @@ public:
   /// Turns the node's orientation in the world, as it was before, by `turn`, under the parent as it stands.
   /// Seen from the parents, which may be mirrored: their world rotations alone would not tell.
   void turnInWorld(NodeIndex node, const Quat& turn) {
-    const Mat4 seen = inverseOf(parentWorld(node)) * glm::mat4_cast(turn) * parentWorldBefore(node);
+    const Mat3 now = inverseOf(Mat3(parentWorld(node)));
+    const Mat3 seen = now * glm::mat3_cast(turn) * Mat3(parentWorldBefore(node));
     Transform& transform = local(node);
-    transform.rotation = glm::normalize(rotationOf(seen) * transform.rotation);
+    transform.rotation = glm::normalize(rotationOf(Mat4(seen)) * transform.rotation);
   }
 
   void setWorldPosition(NodeIndex node, const Vec3& positionWorld) {
@@ -70,9 +82,16 @@ public:
   }
 
 private:
+  [[nodiscard]] Mat4 parentWorldBefore(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return parent.exists() ? worldBefore(parent) : Mat4(1.0);
+  }
+
+  static constexpr std::size_t isNotKept = std::numeric_limits<std::size_t>::max();
   const Scene& scene_;
   FrameState& frame_;
-  std::vector<Mat4> before_;
+  std::vector<std::size_t> keptAt_; // of each node: where in kept_
+  std::vector<Mat4> kept_;          // world matrices of what was written, as they were
 };
 
 } // namespace stretch::rig

@@ -54,9 +54,20 @@ double toWholeFrame(const SolvedTrail& solved, double seconds, double framesPerS
   return std::max(0.0, std::ceil(edge - rounding) / framesPerSecond - direction * solved.tipSeconds);
 }
 
-// To the limb's next key; nothing on a densely keyed clip, or where no key follows.
-std::optional<double> toNextKey(const Clip& clip, const SolvedTrail& solved,
-                                const std::vector<NodeIndex>& nodes) {
+// On a loop until the range begins again: there the limb starts from its own path.
+double roomFor(const MotionInput& input, const SolvedTrail& solved) {
+  const Clip& clip = *input.clip;
+  const double inside = isForwards(solved) ? clip.endSeconds - solved.endSeconds
+                                           : solved.startSeconds - std::min(0.0, clip.startSeconds);
+  const double range = solved.endSeconds - solved.startSeconds;
+  const double room = input.loops ? clip.endSeconds - clip.startSeconds - range : inside;
+  return std::max(0.0, std::min(room, longestFrames / clip.framesPerSecond));
+}
+
+} // namespace
+
+std::optional<double> secondsToNextKey(const Clip& clip, const SolvedTrail& solved,
+                                       const std::vector<NodeIndex>& nodes) {
   const std::vector<double> keys = keyTimesOf(clip, nodes, clip.startSeconds, clip.endSeconds);
   if (isDenselyKeyed(keys, clip.startSeconds, clip.endSeconds, clip.framesPerSecond)) {
     return std::nullopt;
@@ -70,27 +81,14 @@ std::optional<double> toNextKey(const Clip& clip, const SolvedTrail& solved,
   return before == keys.begin() ? std::nullopt : std::optional(solved.tipSeconds - *(before - 1));
 }
 
-// On a loop until the range begins again: there the limb starts from its own path.
-double roomFor(const MotionInput& input, const SolvedTrail& solved) {
-  const Clip& clip = *input.clip;
-  const double inside = isForwards(solved) ? clip.endSeconds - solved.endSeconds
-                                           : solved.startSeconds - std::min(0.0, clip.startSeconds);
-  const double range = solved.endSeconds - solved.startSeconds;
-  const double room = input.loops ? clip.endSeconds - clip.startSeconds - range : inside;
-  return std::max(0.0, std::min(room, longestFrames / clip.framesPerSecond));
-}
-
-} // namespace
-
-ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved,
-                            const std::vector<NodeIndex>& nodes) {
+ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved) {
   const Clip& clip = *input.clip;
   ReleaseLength length;
   length.calmSeconds = calmSeconds(solved, clip.framesPerSecond);
   if (solved.settings.releaseFrames) {
     length.wantedSeconds = *solved.settings.releaseFrames / clip.framesPerSecond;
   } else {
-    const std::optional<double> nextKey = toNextKey(clip, solved, nodes);
+    const std::optional<double> nextKey = solved.nextKeySeconds;
     const double usual = nextKey.value_or((solved.endSeconds - solved.startSeconds) / 3.0);
     constexpr double hardlyFaster = 0.75; // The artist's own key is worth that much.
     const bool isLongEnough = nextKey && *nextKey >= hardlyFaster * length.calmSeconds;

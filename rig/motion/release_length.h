@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rig/motion/motion.h"
@@ -15,7 +16,11 @@ struct ReleaseLength {
 };
 
 /// `solved` with its path, tip, remap and spheres; `nodes`: the limb's joints and its end.
-[[nodiscard]] ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved,
-                                          const std::vector<NodeIndex>& nodes);
+[[nodiscard]] ReleaseLength releaseLength(const MotionInput& input, const SolvedTrail& solved);
+
+/// From the tip to the next key of the nodes on the release's way; nothing on a densely keyed clip, or where
+/// no key follows.
+[[nodiscard]] std::optional<double> secondsToNextKey(const Clip& clip, const SolvedTrail& solved,
+                                                     const std::vector<NodeIndex>& nodes);
 
 } // namespace stretch::rig

@@ -1,10 +1,14 @@
 #include "rig/motion/solve.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
+
+#include <tbb/parallel_for.h>
 
 #include "rig/body/detection.h"
 #include "rig/motion/order.h"
@@ -42,47 +46,38 @@ bool samePath(const TrailSettings& a, const TrailSettings& b) {
          a.space == b.space && (a.space != TrailSpace::view || a.viewAxes == b.viewAxes);
 }
 
-// What the paths of all trails are sampled from. Adjustments move the whole character: its trails, which
-// mostly ask for the same times, share the samples.
-class PathSampler {
+// Where the scene's bind pose has what trails move: looked for at most once for all of them.
+class Places {
 public:
-  PathSampler(const MotionInput& input, const SolvedAdjustments& adjustments)
-      : input_(input), adjustments_(adjustments) {}
+  explicit Places(const MotionInput& input) : input_(input) {}
 
-  void sample(SolvedTrail& solved, const std::vector<double>& keyTimes) {
-    if (adjustments_.empty()) {
-      SharedSampler own(*input_.scene, *input_.clip, adjustments_, pathNodes(input_, solved.limb));
-      samplePath(input_, own, solved, keyTimes);
-      return;
+  const BindPlaces& get() {
+    if (input_.body != nullptr) {
+      return input_.body->places;
     }
-    if (!shared_) {
-      shared_.emplace(*input_.scene, *input_.clip, adjustments_, nodesOfAll());
+    if (input_.places != nullptr) {
+      return *input_.places;
     }
-    samplePath(input_, *shared_, solved, keyTimes);
+    std::call_once(once_, [&] { own_.emplace(bindPlaces(*input_.scene)); });
+    return *own_;
   }
 
 private:
-  [[nodiscard]] std::vector<NodeIndex> nodesOfAll() const {
-    std::vector<NodeIndex> nodes;
-    for (const Trail& trail : input_.trails) {
-      if (const Limb* const limb = limbOf(input_, trail.limb)) {
-        const std::vector<NodeIndex> own = pathNodes(input_, *limb);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-      }
-    }
-    return nodes;
-  }
-
   const MotionInput& input_;
-  const SolvedAdjustments& adjustments_;
-  std::optional<SharedSampler> shared_;
+  std::once_flag once_; // trails are solved side by side
+  std::optional<BindPlaces> own_;
 };
 
 // Made before with the body, where that is there.
-LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
+LimbTopology topologyOf(const MotionInput& input, const Limb& limb, Places& places) {
   const AdjustedBody* const body = input.body.get();
   if (body == nullptr) {
-    return limbTopology(*input.scene, limb, input.limbs, bindPlaces(*input.scene));
+    return limbTopology(*input.scene, limb, input.limbs, places.get());
+  }
+  for (const std::optional<AdjustedLimb>* const own : {&body->spine, &body->neck}) {
+    if (*own && (*own)->limb == limb) {
+      return (*own)->topology;
+    }
   }
   const auto known = std::find_if(body->limbs.begin(), body->limbs.end(),
                                   [&](const AdjustedLimb& adjusted) { return adjusted.limb == limb; });
@@ -90,7 +85,62 @@ LimbTopology topologyOf(const MotionInput& input, const Limb& limb) {
                                     : limbTopology(*input.scene, limb, input.limbs, body->places);
 }
 
-SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Trail& trail, const Limb& limb) {
+std::vector<NodeIndex> jointsAndEnd(const Limb& limb) {
+  std::vector<NodeIndex> nodes = limb.joints;
+  if (limb.endNode.exists()) {
+    nodes.push_back(limb.endNode);
+  }
+  return nodes;
+}
+
+// Where a trail's path is looked at: its samples and halfway between them.
+std::vector<double> pathTimes(const MotionInput& input, const Trail& trail, const Limb& limb) {
+  const double fps = input.clip->framesPerSecond;
+  const TrailSettings settings = usable(trail.settings, *input.clip);
+  const double start = settings.startFrame / fps;
+  const double end = settings.endFrame / fps;
+  std::vector<double> times =
+      sampleTimes(start, end, fps, keyTimesOf(*input.clip, jointsAndEnd(limb), start, end));
+  const std::vector<double> between = timesBetween(times, fps);
+  times.insert(times.end(), between.begin(), between.end());
+  return times;
+}
+
+FrameTable::Extent framesToShare(const MotionInput& input, const SolvedAdjustments& adjustments,
+                                 Places& places) {
+  std::vector<NodeIndex> nodes = adjustments.nodes;
+  std::vector<double> times;
+  for (const Trail& trail : input.trails) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
+      const std::vector<NodeIndex> read = pathNodes(input, *limb);
+      const std::vector<NodeIndex> written = touchedNodes(*limb, topologyOf(input, *limb, places));
+      const std::vector<double> own = pathTimes(input, trail, *limb);
+      nodes.insert(nodes.end(), read.begin(), read.end());
+      nodes.insert(nodes.end(), written.begin(), written.end());
+      times.insert(times.end(), own.begin(), own.end());
+    }
+  }
+  return FrameTable::extentOf(std::move(nodes), std::move(times));
+}
+
+// Adjustments move the whole character: its trails, which mostly look at the same times, share the frames.
+void setFrames(const MotionInput& input, MotionState& motion, Places& places) {
+  FrameTable::Extent extent = framesToShare(input, motion.adjustments, places);
+  if (extent.timesSeconds.size() > FrameTable::most(*input.scene)) {
+    return;
+  }
+  const bool isKnown = input.sourceFrames != nullptr && input.sourceFrames->extent() == extent;
+  motion.sourceFrames =
+      isKnown ? input.sourceFrames
+              : std::make_shared<const FrameTable>(*input.scene, *input.clip, std::move(extent));
+  const MotionState* const previous = input.previous;
+  motion.adjustedFrames = previous != nullptr && previous->sourceFrames == motion.sourceFrames
+                              ? previous->adjustedFrames
+                              : std::make_shared<const FrameTable>(*motion.sourceFrames, motion.adjustments);
+}
+
+SolvedTrail solveTrail(const MotionInput& input, const MotionState& motion, const Trail& trail,
+                       const Limb& limb, Places& places) {
   const SolvedTrail* before = solvedBefore(input, trail);
   if (before != nullptr && before->trail == trail) {
     return *before;
@@ -99,30 +149,57 @@ SolvedTrail solveTrail(const MotionInput& input, PathSampler& sampler, const Tra
   solved.trail = trail;
   solved.limb = limb;
   solved.settings = usable(trail.settings, *input.clip);
-  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb);
+  solved.topology = before != nullptr ? before->topology : topologyOf(input, limb, places);
   solved.active = trail.connected;
   const double fps = input.clip->framesPerSecond;
   solved.startSeconds = solved.settings.startFrame / fps;
   solved.endSeconds = solved.settings.endFrame / fps;
   solved.tipSeconds = solved.settings.pivot == Pivot::start ? solved.endSeconds : solved.startSeconds;
-  std::vector<NodeIndex> keyed = limb.joints;
-  if (limb.endNode.exists()) {
-    keyed.push_back(limb.endNode);
-  }
-  const std::vector<double> keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
   if (before != nullptr && samePath(before->settings, solved.settings)) {
     solved.path = before->path;
     solved.bend = before->bend;
+    solved.keyTimes = before->keyTimes;
+    solved.nextKeySeconds = before->nextKeySeconds;
   } else {
     before = nullptr;
-    sampler.sample(solved, keyTimes);
+    const std::vector<NodeIndex> keyed = jointsAndEnd(limb);
+    solved.keyTimes = keyTimesOf(*input.clip, keyed, solved.startSeconds, solved.endSeconds);
+    solved.nextKeySeconds = secondsToNextKey(*input.clip, solved, keyed);
+    FrameSource frames(*input.scene, *input.clip, motion.adjustments, pathNodes(input, limb),
+                       motion.adjustedFrames.get());
+    samplePath(input, frames, solved);
   }
   solveTipOf(solved);
   explainTip(solved, fps);
   solved.remap = Remap(solved.settings.remap, solved.settings.easeIn, solved.settings.easeOut);
-  setControlFrames(input, solved, keyTimes, before);
+  setControlFrames(input, solved, before);
   solved.offsets = SphereOffsets(solved.controlFrames, solved.settings.spheres);
-  setRelease(input, solved, keyed);
+  setRelease(input, solved);
+  return solved;
+}
+
+// Each looks at the clip alone, not at what the others make of it.
+std::vector<SolvedTrail> solveAll(const MotionInput& input, const MotionState& motion, Places& places) {
+  std::vector<std::pair<const Trail*, const Limb*>> found;
+  std::size_t isNew = 0;
+  for (const Trail& trail : input.trails) {
+    if (const Limb* const limb = limbOf(input, trail.limb)) {
+      found.emplace_back(&trail, limb);
+      const SolvedTrail* const before = solvedBefore(input, trail);
+      isNew += before == nullptr || before->trail != trail ? 1 : 0;
+    }
+  }
+  std::vector<SolvedTrail> solved(found.size());
+  const auto solve = [&](std::size_t i) {
+    solved[i] = solveTrail(input, motion, *found[i].first, *found[i].second, places);
+  };
+  if (isNew > 1) {
+    tbb::parallel_for(std::size_t{0}, found.size(), solve);
+  } else { // a drag: not worth waking anybody
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      solve(i);
+    }
+  }
   return solved;
 }
 
@@ -149,23 +226,22 @@ const Limb* limbOf(const MotionInput& input, const std::string& id) {
 
 MotionState solveMotion(const MotionInput& input) {
   MotionState motion;
+  Places places(input);
   motion.clip = input.clipIndex;
   motion.framesPerSecond = input.clip->framesPerSecond;
   motion.startSeconds = input.clip->startSeconds;
   motion.endSeconds = input.clip->endSeconds;
   motion.hips = input.hips;
   motion.loops = input.loops;
-  motion.adjustments =
-      input.previous != nullptr
-          ? input.previous->adjustments
-          : solveAdjustments(
-                {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
-  PathSampler sampler(input, motion.adjustments);
-  for (const Trail& trail : input.trails) {
-    if (const Limb* const limb = limbOf(input, trail.limb)) {
-      motion.trails.push_back(solveTrail(input, sampler, trail, *limb));
-    }
+  if (!input.adjustments.empty()) {
+    motion.adjustments =
+        input.previous != nullptr
+            ? input.previous->adjustments
+            : solveAdjustments(
+                  {{*input.scene, *input.clip, input.hips, input.limbs}, input.adjustments, input.body});
+    setFrames(input, motion, places);
   }
+  motion.trails = solveAll(input, motion, places);
   std::vector<ActingLimb> acting;
   for (const SolvedTrail& solved : motion.trails) {
     acting.push_back({&solved.limb, solved.startSeconds});
@@ -174,8 +250,8 @@ MotionState solveMotion(const MotionInput& input) {
   return motion;
 }
 
-void setRelease(const MotionInput& input, SolvedTrail& solved, const std::vector<NodeIndex>& nodes) {
-  const ReleaseLength length = releaseLength(input, solved, nodes);
+void setRelease(const MotionInput& input, SolvedTrail& solved) {
+  const ReleaseLength length = releaseLength(input, solved);
   solved.release = Release(length.seconds, solved.settings.overshoot);
   solved.wantedReleaseSeconds = length.wantedSeconds;
   solved.calmReleaseSeconds = length.calmSeconds;

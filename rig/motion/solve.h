@@ -8,6 +8,7 @@
 #include "rig/controllers/adjustment.h"
 #include "rig/hold/hold.h"
 #include "rig/limb.h"
+#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::rig {
@@ -26,6 +27,11 @@ struct MotionInput {
   std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
                                                  ///< clip, hips and limbs; null: it is made where it is
                                                  ///< needed.
+  std::shared_ptr<const BindPlaces> places = {}; ///< bindPlaces of the scene; null: found where they are
+                                                 ///< needed.
+  /// MotionState::sourceFrames of a motion that was solved for the same scene and clip, whatever moved it
+  /// then; null: none.
+  std::shared_ptr<const FrameTable> sourceFrames = {};
   /// Solved before for the same scene, clip, hips, limbs, adjustments and loop: what did not change since is
   /// taken over.
   const MotionState* previous = nullptr;

@@ -11,8 +11,34 @@ Quat bindRotation(const AdjustedBody& body, NodeIndex node) {
   return node.exists() ? rotationOf(body.places.worlds[at(node)]) : Quat(1.0, 0.0, 0.0, 0.0);
 }
 
+LimbControls controlsOf(const Limb& limb) {
+  const std::string end = endController(limb.kind);
+  return {end,
+          poleController(limb.kind),
+          limb.id + ".follow",
+          limb.id + ".stretch",
+          limb.id + ".volume",
+          end + ".roll",
+          end + ".curl"};
+}
+
+std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& reaching) {
+  const NodeIndex carrier = scene.nodes[at(reaching.limb.joints.front())].parent;
+  std::vector<NodeIndex> nodes = reaching.limb.joints;
+  nodes.push_back(reaching.limb.endNode);
+  nodes.insert(nodes.end(), reaching.topology.companions.begin(), reaching.topology.companions.end());
+  std::erase_if(nodes, [&](NodeIndex node) {
+    return !node.exists() || !carrier.exists() || isAncestorOrSelf(scene, carrier, node);
+  });
+  return nodes;
+}
+
 AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& body, const Limb& limb) {
-  AdjustedLimb adjusted{reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb)};
+  AdjustedLimb adjusted;
+  static_cast<ReachingLimb&>(adjusted) =
+      reachingLimb({ground.scene, ground.clip, ground.limbs, body.places}, limb);
+  adjusted.controls = controlsOf(limb);
+  adjusted.detached = detachedNodes(ground.scene, adjusted);
   adjusted.baseBind = bindRotation(body, limb.joints.front());
   if (limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm) {
     adjusted.fingers = handCurl(ground.scene, limb, body.places);
@@ -90,7 +116,7 @@ std::vector<std::string> idsOfLimb(const ControllerList& list, const Limb& limb)
 bool rides(const Scene& scene, const SolvedAdjustments& solved, const AdjustedLimb& adjusted,
            NodeIndex carrier) {
   const Limb& limb = adjusted.limb;
-  return !isLeg(limb) && carrier.exists() && !solved.curves.contains(limb.id + ".follow") &&
+  return !isLeg(limb) && carrier.exists() && !solved.curves.contains(adjusted.controls.follow) &&
          isAncestorOrSelf(scene, carrier, limb.joints.front()) &&
          (!limb.endNode.exists() || isAncestorOrSelf(scene, carrier, limb.endNode));
 }
@@ -126,26 +152,36 @@ AdjustedPart partOf(const Scene& scene, const SolvedAdjustments& solved, const A
   return part;
 }
 
+bool isKeyed(const OffsetCurves& curves, const AdjustedPart& part) {
+  return std::ranges::any_of(part.ids, [&](const std::string& id) { return curves.contains(id); });
+}
+
 void addParts(const Scene& scene, SolvedAdjustments& solved) {
   const AdjustedBody& body = *solved.body;
   solved.parts.push_back({body.roots, 0.0, {"body"}});
   if (body.hips.exists()) {
     solved.parts.push_back({{body.hips}, 0.0, {"hips"}});
   }
+  std::set<NodeIndex> nodes{body.chest, body.hips};
+  const auto addLimb = [&](const AdjustedLimb& limb) {
+    const AdjustedPart& part = solved.parts.emplace_back(partOf(scene, solved, limb));
+    if (isKeyed(solved.curves, part)) {
+      solved.moved.push_back(limb.limb.kind);
+      nodes.insert(part.nodes.begin(), part.nodes.end());
+    }
+  };
   for (const std::optional<AdjustedLimb>* limb : {&body.spine, &body.neck}) {
     if (*limb) {
-      solved.parts.push_back(partOf(scene, solved, **limb));
+      addLimb(**limb);
     }
   }
-  for (const AdjustedLimb& limb : body.limbs) {
-    solved.parts.push_back(partOf(scene, solved, limb));
-  }
+  std::for_each(body.limbs.begin(), body.limbs.end(), addLimb);
   for (const AdjustedJoint& joint : solved.joints) {
     solved.parts.push_back({{joint.node}, 0.0, {joint.id}});
   }
-  std::set<NodeIndex> nodes{body.chest};
-  for (const AdjustedPart& part : solved.parts) {
-    nodes.insert(part.nodes.begin(), part.nodes.end());
+  nodes.insert(body.roots.begin(), body.roots.end());
+  for (const AdjustedJoint& joint : solved.joints) {
+    nodes.insert(joint.node);
   }
   nodes.erase(NodeIndex::none);
   solved.nodes.assign(nodes.begin(), nodes.end());

@@ -4,19 +4,43 @@
 #include <charconv>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "core/math/rotation.h"
 #include "rig/ik/spline_spine.h"
 #include "rig/motion/adjusted_sampler.h"
 #include "rig/motion/solve_steps.h"
+#include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"
 
 namespace stretch::rig {
 
 namespace {
 
-HoldSpan spanOf(const HoldTime& time, double framesPerSecond) {
+// A turn of a loop on which the hips come back to where they began; 0 where what is held at one place is left
+// behind, or nothing loops.
+double turnOf(const MotionInput& input) {
+  if (!input.loops || !input.hips.exists()) {
+    return 0.0;
+  }
+  constexpr double negligible = 0.02; // of the longest limb
+  double longest = 0.0;
+  for (const Limb& limb : input.limbs) {
+    longest = std::max(longest, limb.restLength);
+  }
+  const NodeSampler sampler(*input.scene, *input.clip, {input.hips});
+  FrameState first;
+  FrameState last;
+  sampler.sample(input.clip->startSeconds, first);
+  sampler.sample(input.clip->endSeconds, last);
+  const double travel =
+      glm::length(positionOf(last.worlds[at(input.hips)]) - positionOf(first.worlds[at(input.hips)]));
+  return travel <= negligible * longest ? input.clip->endSeconds - input.clip->startSeconds : 0.0;
+}
+
+HoldSpan spanOf(const HoldTime& time, double framesPerSecond, double turnSeconds) {
   return {time.rangeFrames.x / framesPerSecond, time.rangeFrames.y / framesPerSecond,
-          time.blendFrames.x / framesPerSecond, time.blendFrames.y / framesPerSecond};
+          time.blendFrames.x / framesPerSecond, time.blendFrames.y / framesPerSecond, turnSeconds};
 }
 
 // With a key where each fade begins.
@@ -38,7 +62,8 @@ std::vector<OffsetKey> withFades(const std::vector<OffsetKey>& keys) {
 class HoldSolver {
 public:
   HoldSolver(const MotionInput& input, const MotionState& motion)
-      : input_(input), adjustments_(motion.adjustments), places_(bindPlaces(*input.scene)) {}
+      : input_(input), adjustments_(motion.adjustments), places_(bindPlaces(*input.scene)),
+        turnSeconds_(turnOf(input)) {}
 
   SolvedHolds run() {
     for (const Pin& pin : input_.holds.pins) {
@@ -98,7 +123,8 @@ private:
       return std::nullopt;
     }
     const HeldPlace place = pin.place ? *pin.place : endPlace(*limb, adjustedAt(pin.atFrame, nodesOf(*limb)));
-    return SolvedPin{held(*limb), spanOf(pin.time, framesPerSecond()), place, pin.turns, pin.stretch};
+    return SolvedPin{held(*limb), spanOf(pin.time, framesPerSecond(), turnSeconds_), place, pin.turns,
+                     pin.stretch};
   }
 
   std::optional<SolvedGrip> solve(const Grip& grip) {
@@ -107,7 +133,8 @@ private:
     if (follower == nullptr || leader == nullptr || follower == leader) {
       return std::nullopt;
     }
-    SolvedGrip solved{held(*follower), *leader, spanOf(grip.time, framesPerSecond()), {}, grip.stretch};
+    SolvedGrip solved{
+        held(*follower), *leader, spanOf(grip.time, framesPerSecond(), turnSeconds_), {}, grip.stretch};
     addNodes(*leader);
     if (grip.relationFrame) {
       std::vector<NodeIndex> nodes = nodesOf(*leader);
@@ -119,20 +146,16 @@ private:
     return solved;
   }
 
-  // Where the prop is bound.
-  [[nodiscard]] HeldPlace boundPlace(const Prop& prop, NodeIndex node, const FrameState& state) const {
-    const Mat4& world = state.worlds[at(node)];
-    return {positionOf(world) + prop.move, rotationOfVector(prop.turn) * rotationOf(world)};
-  }
-
   std::optional<SolvedProp> solve(const Prop& prop) {
     SolvedProp solved;
     solved.node = propNode(*input_.scene, prop.node);
     if (!solved.node.exists()) {
       return std::nullopt;
     }
-    solved.span = prop.time ? spanOf(*prop.time, framesPerSecond()) : HoldSpan{};
+    solved.span = prop.time ? spanOf(*prop.time, framesPerSecond(), turnSeconds_) : HoldSpan{};
     solved.stretch = prop.stretch;
+    solved.move = prop.move;
+    solved.turn = rotationOfVector(prop.turn);
     std::vector<NodeIndex> nodes{solved.node};
     for (const PropHand& hand : prop.hands) {
       if (const Limb* const limb = limbOf(input_, hand.limb)) {
@@ -140,14 +163,17 @@ private:
         nodes.insert(nodes.end(), more.begin(), more.end());
       }
     }
-    const FrameState state = adjustedAt(prop.boundFrame, nodes);
+    const std::optional<FrameState> bound =
+        prop.boundFrame ? std::optional(adjustedAt(*prop.boundFrame, nodes)) : std::nullopt;
     for (const PropHand& hand : prop.hands) {
       const Limb* const limb = limbOf(input_, hand.limb);
       if (limb != nullptr && !isAncestorOrSelf(*input_.scene, solved.node, nodesOf(*limb).back())) {
         Adjustment firmness;
         firmness.keys = withFades(hand.keys);
-        solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()),
-                                seenFrom(endPlace(*limb, state), boundPlace(prop, solved.node, state))});
+        solved.hands.push_back({held(*limb), OffsetCurve(firmness, 0.0, framesPerSecond()), {}});
+        if (bound) {
+          solved.hands.back().relation = seenFrom(endPlace(*limb, *bound), boundPlace(solved, *bound));
+        }
       }
     }
     solved_.nodes.push_back(solved.node);
@@ -157,20 +183,34 @@ private:
   const MotionInput& input_;
   const SolvedAdjustments& adjustments_;
   BindPlaces places_;
+  double turnSeconds_ = 0.0;
   SolvedHolds solved_;
 };
 
 } // namespace
 
+bool HoldSpan::actsInTurn(int turn) const {
+  // What comes or goes without a blend jumps at the seam, as the clip does.
+  return turn == 0 || (turnSeconds > 0.0 && (turn > 0 ? blendInSeconds : blendOutSeconds) > 0.0);
+}
+
 double HoldSpan::strengthAt(double timeSeconds) const {
   // Key times are stored in single precision: a time nearer than this to a border is at it.
   const double rounding = 1e-7 * std::max(1.0, std::abs(timeSeconds));
-  const double before = startSeconds - timeSeconds;
-  const double after = timeSeconds - endSeconds;
   const auto beside = [&](double outside, double blend) {
     return outside <= rounding ? 1.0 : (blend > 0.0 ? 1.0 - smoothstep(outside / blend) : 0.0);
   };
-  return std::min(beside(before, blendInSeconds), beside(after, blendOutSeconds));
+  double strength = 0.0;
+  for (int turn = -1; turn <= 1; ++turn) {
+    if (!actsInTurn(turn)) {
+      continue;
+    }
+    const double shift = turn * turnSeconds;
+    const double before = startSeconds + shift - timeSeconds;
+    const double after = timeSeconds - endSeconds - shift;
+    strength = std::max(strength, std::min(beside(before, blendInSeconds), beside(after, blendOutSeconds)));
+  }
+  return strength;
 }
 
 HeldPlace endPlace(const Limb& limb, const FrameState& frame) {
@@ -193,6 +233,11 @@ HeldPlace between(const HeldPlace& a, const HeldPlace& b, double share) {
     return share <= 0.0 ? a : b;
   }
   return {a.position + share * (b.position - a.position), glm::slerp(a.orientation, b.orientation, share)};
+}
+
+HeldPlace boundPlace(const SolvedProp& prop, const FrameState& frame) {
+  const Mat4& world = frame.worlds[at(prop.node)];
+  return {positionOf(world) + prop.move, prop.turn * rotationOf(world)};
 }
 
 NodeIndex propNode(const Scene& scene, const std::string& name) {

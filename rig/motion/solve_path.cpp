@@ -68,14 +68,13 @@ std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb) {
   return nodes;
 }
 
-void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
-                const std::vector<double>& keyTimes) {
+void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved) {
   std::vector<Vec3> points;
   std::vector<double> times;
   solved.path.axes = axesOf(solved.settings);
   for (const double time :
-       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, keyTimes)) {
-    const FrameState& frame = sampler.at(time);
+       sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, solved.keyTimes)) {
+    const FrameState& frame = frames.at(time);
     solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
     solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
@@ -88,21 +87,20 @@ void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& s
   }
   solved.path.ratios = pathRatios(points, times, solved.settings.pivot);
   // A planted foot stands still at the keys only: between them it slides about.
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const FrameState& frame = sampler.at(0.5 * (times[i - 1] + times[i]));
+  for (const double time : timesBetween(times, input.clip->framesPerSecond)) {
+    const FrameState& frame = frames.at(time);
     solved.path.between.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
   }
 }
 
-void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
-                      const SolvedTrail* samePathBefore) {
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const SolvedTrail* samePathBefore) {
   constexpr double controlTolerance = 0.01; // of the limb's rest length
   if (!solved.trail.controlFrames.empty()) {
     setByHand(solved);
   } else if (samePathBefore != nullptr && samePathBefore->trail.controlFrames.empty()) {
     solved.controlFrames = samePathBefore->controlFrames;
   } else {
-    solved.controlFrames = chooseControlFrames(solved.path, keyTimes, input.clip->framesPerSecond,
+    solved.controlFrames = chooseControlFrames(solved.path, solved.keyTimes, input.clip->framesPerSecond,
                                                controlTolerance * solved.limb.restLength);
   }
   keepPulledSpheres(solved);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/motion/adjusted_sampler.h"
+#include "rig/motion/frame_table.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/solve.h"
 
@@ -21,9 +21,8 @@ inline constexpr double longestFrames = 100000.0;
 [[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
 
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb
-/// bends. `sampler`: of pathNodes at least. `keyTimes`: seconds, of the limb's joints within the range.
-void samplePath(const MotionInput& input, SharedSampler& sampler, SolvedTrail& solved,
-                const std::vector<double>& keyTimes);
+/// bends. `frames`: of pathNodes at least.
+void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solved);
 
 /// The tip (docs/exaggeration.md, The tip), and in words what is odd about it.
 void solveTipOf(SolvedTrail& solved);
@@ -31,11 +30,10 @@ void explainTip(SolvedTrail& solved, double framesPerSecond);
 
 /// Frames of the control spheres: the user's, those of `samePathBefore` (the same path, solved before; null:
 /// none), or chosen.
-void setControlFrames(const MotionInput& input, SolvedTrail& solved, const std::vector<double>& keyTimes,
-                      const SolvedTrail* samePathBefore);
+void setControlFrames(const MotionInput& input, SolvedTrail& solved, const SolvedTrail* samePathBefore);
 
-/// Release and window. `nodes`: the limb's joints and its end; their keys say how long a release lasts that
-/// the user left open.
-void setRelease(const MotionInput& input, SolvedTrail& solved, const std::vector<NodeIndex>& nodes);
+/// Release and window. The keys of the limb's joints and its end say how long a release lasts that the user
+/// left open.
+void setRelease(const MotionInput& input, SolvedTrail& solved);
 
 } // namespace stretch::rig

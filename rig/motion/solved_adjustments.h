@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,8 +24,21 @@ using OffsetCurves = std::map<std::string, std::vector<OffsetCurve>>;
 [[nodiscard]] Offset offsetAt(const OffsetCurves& curves, const std::string& id, double timeSeconds,
                               double standard = 0.0);
 
+/// The controllers and attributes of one limb, by their ids; empty where it has none of the kind.
+struct LimbControls {
+  std::string end;
+  std::string pole;
+  std::string follow;
+  std::string stretch;
+  std::string volume;
+  std::string roll;
+  std::string curl;
+};
+
 /// A limb that controllers may move.
 struct AdjustedLimb : ReachingLimb {
+  LimbControls controls;
+  std::vector<NodeIndex> detached;   ///< What belongs to it and hangs elsewhere than under its base's parent.
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Of an arm.
   FootRoll roll;                     ///< Of a leg.
@@ -67,9 +81,13 @@ struct SolvedAdjustments {
   std::shared_ptr<const AdjustedBody> body;
   std::vector<AdjustedJoint> joints;
   std::vector<AdjustedPart> parts;
+  std::vector<LimbKind> moved;  ///< The limbs that a key may move; all others go along as they are.
   std::vector<NodeIndex> nodes; ///< Everything that is read or moved.
 
   [[nodiscard]] bool empty() const { return curves.empty(); }
+  [[nodiscard]] bool moves(LimbKind limb) const {
+    return std::find(moved.begin(), moved.end(), limb) != moved.end();
+  }
 };
 
 } // namespace stretch::rig

@@ -19,9 +19,13 @@ struct HoldSpan {
   double endSeconds = std::numeric_limits<double>::infinity();
   double blendInSeconds = 0.0; ///< Before the start.
   double blendOutSeconds = 0.0;
+  double turnSeconds = 0.0; ///< Of a loop that comes back to where it began: the blends go on across its
+                            ///< seam. 0: none.
 
   /// 0 outside, 1 over the range, even in between.
   [[nodiscard]] double strengthAt(double timeSeconds) const;
+  /// Whether it acts on the turns of a loop before (-1) and after (1) its own (0), too.
+  [[nodiscard]] bool actsInTurn(int turn) const;
 };
 
 struct SolvedPin {
@@ -43,13 +47,15 @@ struct SolvedGrip {
 struct SolvedPropHand {
   std::size_t limb = 0;
   OffsetCurve firmness;
-  HeldPlace relation; ///< Of the prop, seen from the hand.
+  std::optional<HeldPlace> relation; ///< Of the prop, seen from the hand; none: as the source has it.
 };
 
 struct SolvedProp {
   NodeIndex node;
   HoldSpan span;
   std::vector<SolvedPropHand> hands;
+  Vec3 move{0.0}; ///< From where the source has it to where it is bound.
+  Quat turn{1.0, 0.0, 0.0, 0.0};
   double stretch = 1.0;
 };
 
@@ -67,6 +73,9 @@ struct SolvedHolds {
 
 /// Where the end of a limb is in a frame; of an estimated end, how the last joint is turned.
 [[nodiscard]] HeldPlace endPlace(const Limb& limb, const FrameState& frame);
+
+/// Where a prop is bound as a frame of the adjusted clip has it.
+[[nodiscard]] HeldPlace boundPlace(const SolvedProp& prop, const FrameState& frame);
 
 /// How `place` is seen from `from`, and back: placedOn(from, seenFrom(from, place)) is `place`.
 [[nodiscard]] HeldPlace seenFrom(const HeldPlace& from, const HeldPlace& place);

@@ -167,29 +167,32 @@ KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted
   return part;
 }
 
-bool actsInClip(const MotionState& motion, const HoldSpan& span) {
-  const double first = std::min(0.0, motion.startSeconds);
-  return span.startSeconds - span.blendInSeconds <= motion.endSeconds &&
-         span.endSeconds + span.blendOutSeconds >= first;
-}
-
 // Where a hold acts: it comes and goes by itself, or jumps where it has no blend.
-void addHold(const MotionState& motion, const HoldSpan& span, KeyedPart& part) {
-  if (!actsInClip(motion, span)) {
+void addHoldAt(const MotionState& motion, const HoldSpan& span, double shift, KeyedPart& part) {
+  const double first = std::min(0.0, motion.startSeconds);
+  const double start = span.startSeconds + shift;
+  const double end = span.endSeconds + shift;
+  if (start - span.blendInSeconds > motion.endSeconds || end + span.blendOutSeconds < first) {
     return;
   }
-  const double first = std::min(0.0, motion.startSeconds);
-  Window window =
-      windowOf(motion, span.startSeconds - span.blendInSeconds, span.endSeconds + span.blendOutSeconds);
+  Window window = windowOf(motion, start - span.blendInSeconds, end + span.blendOutSeconds);
   window.jumpsBefore = span.blendInSeconds <= 0.0 && window.startSeconds > first + sameKey;
   window.jumpsAfter = span.blendOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
-  for (const double border : {span.startSeconds, span.endSeconds}) {
+  for (const double border : {start, end}) {
     if (border > first && border < motion.endSeconds) {
       part.keySeconds.push_back(asKeyTime(border));
     }
   }
   addBorderJumps(window, part);
   part.windows.push_back(window);
+}
+
+void addHold(const MotionState& motion, const HoldSpan& span, KeyedPart& part) {
+  for (int turn = -1; turn <= 1; ++turn) {
+    if (span.actsInTurn(turn)) {
+      addHoldAt(motion, span, turn * span.turnSeconds, part);
+    }
+  }
 }
 
 void addProp(const MotionState& motion, const SolvedProp& prop, KeyedPart& part) {

@@ -242,8 +242,12 @@ std::vector<double> sampleTimes(double startSeconds, double endSeconds, double f
   for (double frame = std::ceil(startSeconds * framesPerSecond); frame <= lastFrame; frame += 1.0) {
     times.push_back(frame / framesPerSecond);
   }
+  const auto isOnFrame = [&](double time) {
+    const double frame = std::round(time * framesPerSecond) / framesPerSecond;
+    return std::abs(time - frame) < sameTime && frame > startSeconds && frame < endSeconds;
+  };
   for (const double time : keyTimes) {
-    if (time > startSeconds && time < endSeconds) {
+    if (time > startSeconds && time < endSeconds && !isOnFrame(time)) {
       times.push_back(time);
     }
   }
@@ -251,6 +255,16 @@ std::vector<double> sampleTimes(double startSeconds, double endSeconds, double f
   // Merging keeps the earlier of two close times: the range's own end must not be the one that is lost.
   times.back() = endSeconds;
   return times;
+}
+
+std::vector<double> timesBetween(const std::vector<double>& timesSeconds, double framesPerSecond) {
+  std::vector<double> between;
+  for (std::size_t i = 1; i < timesSeconds.size(); ++i) {
+    const double middle = 0.5 * (timesSeconds[i - 1] + timesSeconds[i]);
+    const double halfFrame = 0.5 * std::round(2.0 * middle * framesPerSecond) / framesPerSecond;
+    between.push_back(std::abs(middle - halfFrame) < sameTime ? halfFrame : middle);
+  }
+  return between;
 }
 
 std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& nodes, double startSeconds,
@@ -261,12 +275,14 @@ std::vector<double> keyTimesOf(const Clip& clip, const std::vector<NodeIndex>& n
         std::find(nodes.begin(), nodes.end(), track->node) == nodes.end()) {
       continue;
     }
-    for (const float key : track->times) {
-      const auto time = static_cast<double>(key);
-      if (time >= startSeconds - sameTime && time <= endSeconds + sameTime) {
-        times.push_back(time);
-      }
-    }
+    const std::vector<float>& keys = track->times;
+    const auto first =
+        std::lower_bound(keys.begin(), keys.end(), startSeconds - sameTime,
+                         [](float key, double time) { return static_cast<double>(key) < time; });
+    const auto last = std::upper_bound(first, keys.end(), endSeconds + sameTime, [](double time, float key) {
+      return time < static_cast<double>(key);
+    });
+    times.insert(times.end(), first, last);
   }
   mergeClose(times);
   return times;

@@ -63,10 +63,14 @@ struct LimbPath {
 [[nodiscard]] LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips,
                                     const FrameState& source);
 
-/// Times at which the range [start, end] is sampled: its frames, the key times in it and both ends,
-/// ascending.
+/// Times at which the range [start, end] is sampled: its frames, the key times in it that lie on none, and
+/// both ends, ascending.
 [[nodiscard]] std::vector<double> sampleTimes(double startSeconds, double endSeconds, double framesPerSecond,
                                               const std::vector<double>& keyTimes);
+
+/// Halfway from each of these times to the next; where that is half a frame, exactly there.
+[[nodiscard]] std::vector<double> timesBetween(const std::vector<double>& timesSeconds,
+                                               double framesPerSecond);
 
 /// Key times of the limb's joints (end and twist nodes of `nodes` included) within [start, end], ascending,
 /// without repeats.

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 #include <glm/geometric.hpp>
 
+#include "skinning/body/branches.h"
 #include "skinning/geometry/geodesic_distance.h"
 
 namespace stretch::skinning {
@@ -165,54 +166,6 @@ std::vector<double> vertexAreas(std::span<const glm::vec3> positions,
   return areas;
 }
 
-/// Pieces of a surface that is cut across, by union and find.
-class Pieces {
-public:
-  explicit Pieces(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-  [[nodiscard]] std::uint32_t of(std::uint32_t v) {
-    while (parents_[v] != v) {
-      parents_[v] = parents_[parents_[v]];
-      v = parents_[v];
-    }
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parents_[of(a)] = of(b); }
-
-private:
-  std::vector<std::uint32_t> parents_;
-};
-
-/// Whether slices across the body fall into several pieces, each a fair share of its slice's area, for a
-/// fifth of the length.
-bool isBranched(const std::vector<double>& along, const std::vector<double>& areas,
-                const std::vector<Triangle>& triangles) {
-  constexpr int slices = 20;
-  constexpr double fairShare = 0.1;
-  const auto sliceOf = [&](std::uint32_t v) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(along[v] * slices), 0, slices - 1));
-  };
-  Pieces pieces(along.size());
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (sliceOf(triangle[c]) == sliceOf(triangle[(c + 1) % 3])) {
-        pieces.join(triangle[c], triangle[(c + 1) % 3]);
-      }
-    }
-  }
-  std::vector<double> ofPiece(along.size(), 0.0);
-  std::vector<double> ofSlice(slices, 0.0);
-  for (std::uint32_t v = 0; v < along.size(); ++v) {
-    ofPiece[pieces.of(v)] += areas[v];
-    ofSlice[sliceOf(v)] += areas[v];
-  }
-  std::vector<int> counts(slices, 0);
-  for (std::uint32_t v = 0; v < along.size(); ++v) {
-    counts[sliceOf(v)] += ofPiece[v] > fairShare * ofSlice[sliceOf(v)] ? 1 : 0;
-  }
-  const auto several = std::count_if(counts.begin(), counts.end(), [](int count) { return count > 1; });
-  return several > slices / 5;
-}
-
 std::vector<Vec3> movedInwards(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
                                const std::vector<double>& vertexDiameters) {
   std::vector<Vec3> normals(positions.size(), Vec3(0.0));
@@ -259,7 +212,8 @@ Error branches() {
 
 /// Share of the body's length that each vertex lies at, by distance over the surface from one end.
 Result<std::vector<double>> orderAlong(std::span<const glm::vec3> positions,
-                                       const std::vector<Triangle>& triangles) {
+                                       const std::vector<Triangle>& triangles,
+                                       const std::vector<double>& vertexDiameters) {
   const GeodesicSolver solver(positions, triangles);
   const std::uint32_t anyVertex = triangles.empty() ? 0 : triangles.front()[0];
   const std::uint32_t tip = farthest(solver.distances({farthest(solver.distances({anyVertex}))}));
@@ -269,6 +223,9 @@ Result<std::vector<double>> orderAlong(std::span<const glm::vec3> positions,
   if (!(reach > 0.0) || static_cast<double>(unreached) > 0.05 * static_cast<double>(positions.size())) {
     return Error{"the mesh is in several parts, so it has no single centre line", "",
                  "use --stretch measured --weights fitted, which needs none, or give a body in one piece"};
+  }
+  if (hasLimbBeside(u, vertexDiameters, triangles)) {
+    return branches();
   }
   for (double& value : u) {
     value = std::isfinite(value) ? value / reach : 0.5;
@@ -338,7 +295,7 @@ Result<BodySkeleton> skeletonOfBody(std::span<const glm::vec3> positions,
                      " vertices",
                  "", "ask for at least one bone, and for at most a quarter of the vertices"};
   }
-  const auto order = orderAlong(positions, triangles);
+  const auto order = orderAlong(positions, triangles, vertexDiameters);
   if (!order) {
     return order.error();
   }

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "core/math/rotation.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/fit/joint_tree.h"
 #include "skinning/fit/motion_clusters.h"
+#include "skinning/metrics.h"
 #include "skinning/weights/geodesic_weights.h"
 
 namespace stretch::skinning {
@@ -76,7 +78,12 @@ void fitRow(const MeshSequence& sequence, const CompressSettings& settings, cons
             SkinnedSequence& skinned) {
   FitSettings fit = fitSettings(settings);
   if (fit.fitWeights) {
+    constexpr int rounds = 24; // More would only suit the weights to bones that are free, which these are
+                               // not.
+    constexpr double leastGain = 2e-3;
     SkinnedSequence free = skinned;
+    fit.rounds = std::min(fit.rounds, rounds);
+    fit.leastGain = std::max(fit.leastGain, leastGain);
     fit.fitStretch = true;
     fitFreeBones(sequence, free, fit, proceed);
     skinned.influences = std::move(free.influences);
@@ -137,13 +144,69 @@ Status compressBody(const MeshSequence& sequence, const BodyMotion& body, const 
   return Success{};
 }
 
-/// Without a centre line: parts that move alike, where the options allow it.
-Status compressParts(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed,
-                     const Error& reason, CompressedSequence& result) {
-  if (settings.stretch == StretchOption::elastic || settings.weights == WeightOption::geodesic) {
-    return reason;
+/// A row of bones as rigid ones.
+SkinnedSequence withRigidRow(SkinnedSequence skinned, const ChainStretch& row) {
+  for (std::size_t k = 0; k < skinned.frameCount(); ++k) {
+    for (const std::size_t bone : row.bones) {
+      skinned.pose(k, bone).scale = Vec3(1.0);
+    }
   }
-  result.warnings.push_back(reason.what + ": each part of it that moves alike has a bone");
+  return skinned;
+}
+
+/// Stretch by the rows of bones in place of rigid bones, where that lowers the error: how a row stretches is
+/// measured on bones that stretch freely, a row that is better off without stays rigid, and weights and
+/// motion are fitted to what is left.
+void stretchByRows(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed,
+                   CompressedSequence& result) {
+  const auto errorOf = [&](const SkinnedSequence& skinned) {
+    return distancesOf(sequence, skinAllFrames(skinned)).rmsePercent;
+  };
+  FitSettings fit = fitSettings(settings);
+  fit.fitStretch = true;
+  SkinnedSequence stretched = result.skinned;
+  fitFreeBones(sequence, stretched, fit, partOf(proceed, 0.0, 0.4));
+  result.chains = stretchRows(stretched, settings.body.lengthModel, result.firstFittedFrame);
+  fit.fitStretch = false;
+  FitSettings poses = fit;
+  poses.fitWeights = false;
+  fitFreeBones(sequence, stretched, poses);
+  double best = errorOf(stretched);
+  for (ChainStretch& row : result.chains) {
+    SkinnedSequence rigid = withRigidRow(stretched, row);
+    fitFreeBones(sequence, rigid, poses);
+    if (const double error = errorOf(rigid); error < best) {
+      stretched = std::move(rigid);
+      best = error;
+      row.least = row.most = 1.0;
+    }
+    if (!goesOn(proceed, 0.5)) {
+      return;
+    }
+  }
+  fitFreeBones(sequence, stretched, fit, partOf(proceed, 0.5, 1.0));
+  if (errorOf(stretched) < errorOf(result.skinned)) {
+    result.skinned = std::move(stretched);
+    return;
+  }
+  for (ChainStretch& row : result.chains) {
+    row.least = row.most = 1.0;
+  }
+}
+
+/// Axes of scales along the bones, for bones whose scales are still to come.
+void turnAxesAlongBones(SkinnedSequence& skinned) {
+  for (SkinBone& bone : skinned.bones) {
+    const Vec3 along = bone.end - bone.pivot;
+    if (glm::length(along) > 0.0) {
+      bone.axes = frameAlong(along, anyAcross(glm::normalize(along)));
+    }
+  }
+}
+
+/// Bones without a centre line: one for each part that moves alike.
+void addBonesOfParts(const MeshSequence& sequence, const CompressSettings& settings,
+                     CompressedSequence& result) {
   result.skinned = clustersOfMotion(sequence, settings.bones, settings.body.firstFittedFrame);
   const std::size_t found = result.skinned.bones.size();
   if (found < static_cast<std::size_t>(settings.bones)) {
@@ -151,15 +214,35 @@ Status compressParts(const MeshSequence& sequence, const CompressSettings& setti
                                           "both pieces keep four vertices and move apart",
                                           found, settings.bones));
   }
-  fitFreeBones(sequence, result.skinned, fitSettings(settings), proceed);
-  if (settings.joints == JointOption::tree) {
+}
+
+/// Without a centre line: parts that move alike, where the options allow it. Elastic stretch goes limb by
+/// limb then, along the rows of the tree that the parts hang in.
+Status compressParts(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed,
+                     const Error& reason, CompressedSequence& result) {
+  const bool elastic = settings.stretch == StretchOption::elastic;
+  const bool tree = settings.joints == JointOption::tree;
+  if ((elastic && !tree) || settings.weights == WeightOption::geodesic) {
+    return reason;
+  }
+  result.warnings.push_back(
+      reason.what + ": each part of it that moves alike has a bone" +
+      (elastic ? ", and every row of bones between two branchings stretches by its own curvature" : ""));
+  addBonesOfParts(sequence, settings, result);
+  FitSettings fit = fitSettings(settings);
+  fit.bonesMove = true;
+  fitFreeBones(sequence, result.skinned, fit, elastic ? partOf(proceed, 0.0, 0.6) : proceed);
+  if (tree) {
     hangTogether(result.skinned);
+  }
+  if (elastic) {
+    turnAxesAlongBones(result.skinned);
+    stretchByRows(sequence, settings, partOf(proceed, 0.6, 1.0), result);
   }
   return Success{};
 }
 
-/// Bones that were given, with their names and places. Elastic stretch is fitted to the rows of bones as they
-/// move when nothing holds them.
+/// Bones that were given, with their names and places.
 Status compressWithSkeleton(const MeshSequence& sequence, const CompressSettings& settings,
                             const Proceed& proceed, CompressedSequence& result) {
   result.skinned = withoutBones(sequence);
@@ -167,17 +250,12 @@ Status compressWithSkeleton(const MeshSequence& sequence, const CompressSettings
   if (Status weighted = addGeodesicWeights(result.skinned); !weighted) {
     return weighted;
   }
-  FitSettings fit = fitSettings(settings);
-  if (settings.stretch != StretchOption::elastic) {
-    fitFreeBones(sequence, result.skinned, fit, proceed);
-    return Success{};
+  const bool elastic = settings.stretch == StretchOption::elastic;
+  fitFreeBones(sequence, result.skinned, fitSettings(settings),
+               elastic ? partOf(proceed, 0.0, 0.6) : proceed);
+  if (elastic) {
+    stretchByRows(sequence, settings, partOf(proceed, 0.6, 1.0), result);
   }
-  fit.fitStretch = true;
-  fitFreeBones(sequence, result.skinned, fit, partOf(proceed, 0.0, 0.9));
-  result.chains = stretchRows(result.skinned, settings.body.lengthModel, result.firstFittedFrame);
-  fit.fitStretch = false;
-  fit.fitWeights = false;
-  fitFreeBones(sequence, result.skinned, fit, partOf(proceed, 0.9, 1.0));
   return Success{};
 }
 

@@ -66,7 +66,7 @@ struct CompressedSequence {
                                                 ///< all.
   std::optional<BodyStretch> model;  ///< The fitted physics; for every body without branches, whatever the
                                      ///< option.
-  std::vector<ChainStretch> chains;  ///< Of a given skeleton with elastic stretch: its rows of bones.
+  std::vector<ChainStretch> chains;  ///< Elastic stretch of a tree of bones: its rows.
   std::vector<double> segmentWidths; ///< Mean shape diameter along the body; empty without a skeleton.
   std::size_t firstFittedFrame = 0;  ///< Frames from this one on were used in fits.
   WeightChoice weights;
@@ -78,9 +78,9 @@ inline constexpr int mostBonesOfTolerance = 128;
 
 /// The first frame becomes the bind pose. Bones hang together in a row for `none` and `elastic`, so that
 /// their places need not be stored; `measured` moves them freely. A body that branches, or is in several
-/// parts, can only be `measured` (or `none`, as rigid parts) with weights that are not geodesic: its bones
-/// are clusters of motion. A given skeleton has its own places for the bones, on any body; elastic stretch
-/// goes row by row of its bones (stretchRows). Errors: fewer than
+/// parts, has clusters of motion as bones and needs weights that are not geodesic. A given skeleton has its
+/// own places for the bones, on any body. Elastic stretch of either goes row by row of the tree of bones
+/// (stretchRows), so parts have to hang together for it. Errors: fewer than
 /// one bone, too many, no frames, no thickness, a skeleton that stands elsewhere, stopped by `proceed`.
 [[nodiscard]] Result<CompressedSequence>
 compress(const MeshSequence& sequence, const CompressSettings& settings, const Proceed& proceed = {});

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 
 namespace stretch::skinning {
 namespace {
@@ -56,7 +57,7 @@ double SegmentModuli::at(std::size_t segment, double fallback) const {
 }
 
 Result<SegmentModuli> parseModuli(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = gltf::parseAnyJson(text);
   if (!json.is_object()) {
     return problem("the moduli are no JSON object", "moduli");
   }

@@ -1,6 +1,8 @@
 #include "skinning/export/clip_writer.h"
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace stretch::skinning {
 namespace {
@@ -33,38 +35,56 @@ ClipWriter::ClipWriter(gltf::Json& json, GltfBuffers& buffers, const std::string
     : json_(json), buffers_(buffers), encoding_(encoding) {
   json_["animations"] = gltf::Json::array(
       {{{"name", name}, {"channels", gltf::Json::array()}, {"samplers", gltf::Json::array()}}});
-  if (encoding.keyBound > 0.0) { // The keys that are left would tell another rate.
+  if (!encoding.keys.empty()) { // The keys that are left would tell another rate.
     json_["animations"][0]["extras"]["stretch_engine"] = {{"frames_per_second", encoding.framesPerSecond}};
   }
 }
 
 void ClipWriter::setProperty(std::size_t node, const char* path, const Course& course, std::size_t width,
-                             double tolerance, double reach) {
-  const double bound = reach > 0.0 ? encoding_.keyBound / reach : 0.0;
-  json_["nodes"][node][path] =
-      std::vector<float>(course.begin(), course.begin() + static_cast<std::ptrdiff_t>(width));
-  if (!isConstant(course, width, tolerance) && !(bound > 0.0 && staysWithin(course, width, bound))) {
-    const std::size_t sampler = samplerFor(course, width, tolerance, bound);
-    json_["animations"][0]["channels"].push_back(
-        {{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
+                             double tolerance) {
+  const auto valueAt = [&](std::size_t frame) {
+    const auto first = course.begin() + static_cast<std::ptrdiff_t>(frame * width);
+    return std::vector<float>(first, first + static_cast<std::ptrdiff_t>(width));
+  };
+  json_["nodes"][node][path] = valueAt(0);
+  if (isConstant(course, width, tolerance)) {
+    return;
   }
+  const StoredCourse& stored = storedFor(course, width, tolerance);
+  if (stored.keys.size() == 1) {
+    json_["nodes"][node][path] = valueAt(stored.keys.front());
+    return;
+  }
+  json_["animations"][0]["channels"].push_back(
+      {{"sampler", stored.sampler}, {"target", {{"node", node}, {"path", path}}}});
 }
 
-std::size_t ClipWriter::samplerFor(const Course& course, std::size_t width, double tolerance, double bound) {
-  for (std::size_t s = 0; s < stored_.size(); ++s) {
-    if (stored_[s].width == width && stored_[s].bound <= bound &&
-        areAlike(stored_[s].course, course, tolerance)) {
-      return s;
+const ClipWriter::StoredCourse& ClipWriter::storedFor(const Course& course, std::size_t width,
+                                                      double tolerance) {
+  for (const StoredCourse& stored : stored_) {
+    if (stored.width == width && areAlike(stored.course, course, tolerance)) {
+      return stored;
     }
   }
-  const std::vector<std::size_t> keys = keysWithin(course, width, bound);
-  const std::size_t input = timesOf(keys);
-  const std::size_t output = valuesOf(course, width, keys);
-  json_["animations"][0]["samplers"].push_back(
-      {{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
-  stored_.push_back({course, width, bound});
-  keys_ += keys.size();
-  return stored_.size() - 1;
+  StoredCourse made{course, width, std::vector<std::size_t>(course.size() / width), 0};
+  std::iota(made.keys.begin(), made.keys.end(), std::size_t{0});
+  if (!encoding_.keys.empty()) {
+    made.keys = encoding_.keys.at(stored_.size());
+  }
+  gltf::Json& samplers = json_["animations"][0]["samplers"];
+  made.sampler = samplers.size();
+  if (made.keys.size() > 1) {
+    const std::size_t input = timesOf(made.keys);
+    const std::size_t output = valuesOf(course, width, made.keys);
+    samplers.push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
+    keys_ += made.keys.size();
+  }
+  stored_.push_back(std::move(made));
+  return stored_.back();
+}
+
+std::size_t ClipWriter::samplers() const {
+  return json_.contains("animations") ? json_["animations"][0]["samplers"].size() : 0;
 }
 
 std::size_t ClipWriter::timesOf(const std::vector<std::size_t>& keys) {

@@ -8,12 +8,15 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/check.h"
+#include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/meshopt_encoding.h"
 #include "skinning/export/clip_writer.h"
 #include "skinning/export/gltf_buffers.h"
-#include "skinning/export/key_bound.h"
+#include "skinning/export/key_plan.h"
 #include "skinning/export/mesh_writer.h"
+#include "skinning/export/read_back.h"
 #include "skinning/fit/joint_tree.h"
 
 namespace stretch::skinning {
@@ -57,17 +60,14 @@ struct ScalePlan {
 
 class Encoder {
 public:
-  /// `keyBound`: see ClipEncoding.
-  Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings, double keyBound)
+  /// `keys`: see ClipEncoding.
+  Encoder(const SkinnedSequence& sequence, const EncodeSettings& settings, KeyPlan keys = {})
       : sequence_(sequence), settings_(settings), buffers_(json_), frames_(sequence.frameCount()),
         lengthTolerance_(settings.tolerance * boxDiagonal(sequence.bindPositions)),
         clip_(json_, buffers_, sequence.clipName.empty() ? sequence.name : sequence.clipName,
-              {sequence.framesPerSecond, settings.quantise, keyBound}) {
+              {sequence.framesPerSecond, settings.quantise, std::move(keys)}) {
     if (settings.quantiseMesh) {
       grid_ = gridAround(sequence.bindPositions);
-    }
-    if (keyBound > 0.0) {
-      reaches_ = reachesOf(sequence);
     }
   }
 
@@ -200,8 +200,8 @@ private:
       const int parent = parentOf(b);
       joints[b] = addNode(nameOfBone(sequence_, b),
                           parent < 0 ? armature_ : joints[static_cast<std::size_t>(parent)]);
-      clip_.setProperty(joints[b], "translation", placeCourse(b), 3, lengthTolerance_, 1.0);
-      clip_.setProperty(joints[b], "rotation", rotationCourse(b), 4, settings_.tolerance, reach(b).turned);
+      clip_.setProperty(joints[b], "translation", placeCourse(b), 3, lengthTolerance_);
+      clip_.setProperty(joints[b], "rotation", rotationCourse(b), 4, settings_.tolerance);
       bound_[b] = scales.any ? addStretch(b, joints[b], scales) : joints[b];
     }
   }
@@ -231,15 +231,14 @@ private:
     const bool ownAxes = areAlike(axes, identityCourse(), settings_.tolerance);
     if (ownAxes && !scales.common) {
       const std::size_t leaf = needsLeaf(bone) ? addNode("stretch_" + number, joint) : joint;
-      clip_.setProperty(leaf, "scale", scaleCourse(bone), 3, settings_.tolerance, reach(bone).scaled);
+      clip_.setProperty(leaf, "scale", scaleCourse(bone), 3, settings_.tolerance);
       return leaf;
     }
     const std::size_t stretch = addNode("stretch_" + number, joint);
     if (!ownAxes) {
-      clip_.setProperty(stretch, "rotation", axes, 4, settings_.tolerance, reach(bone).scaled);
+      clip_.setProperty(stretch, "rotation", axes, 4, settings_.tolerance);
     }
-    clip_.setProperty(stretch, "scale", scaleCourse(scales.common ? 0 : bone), 3, settings_.tolerance,
-                      scales.common ? largestReach() : reach(bone).scaled);
+    clip_.setProperty(stretch, "scale", scaleCourse(scales.common ? 0 : bone), 3, settings_.tolerance);
     if (ownAxes && scales.allFactorsOne) {
       return stretch;
     }
@@ -252,7 +251,7 @@ private:
       return leaf;
     }
     const std::size_t back = scales.common ? addNode("back_" + number, leaf) : leaf;
-    clip_.setProperty(back, "rotation", axesCourse(bone, true), 4, settings_.tolerance, reach(bone).scaled);
+    clip_.setProperty(back, "rotation", axesCourse(bone, true), 4, settings_.tolerance);
     return back;
   }
 
@@ -313,18 +312,6 @@ private:
     return result;
   }
 
-  /// What a change of a bone's properties by 1 moves at most, by bone; ones where nobody asks.
-  [[nodiscard]] BoneReach reach(std::size_t bone) const {
-    return reaches_.empty() ? BoneReach{1.0, 1.0} : reaches_[bone];
-  }
-  [[nodiscard]] double largestReach() const {
-    double largest = 0.0;
-    for (const BoneReach& reach : reaches_) {
-      largest = std::max(largest, reach.scaled);
-    }
-    return reaches_.empty() ? 1.0 : largest;
-  }
-
   const SkinnedSequence& sequence_;
   const EncodeSettings& settings_;
   Json json_;
@@ -333,7 +320,6 @@ private:
   double lengthTolerance_;
   ClipWriter clip_;
   std::optional<MeshGrid> grid_;
-  std::vector<BoneReach> reaches_; ///< Empty: every frame is a key.
   std::vector<std::uint32_t> places_;
   std::size_t armature_ = 0;          ///< Node that holds the bones, behind those of the meshes.
   std::vector<Quat> storedRotations_; ///< Of joints in the mesh's space as they will be read back: frame
@@ -349,22 +335,96 @@ std::size_t bytesOf(const EncodedClip& clip) {
   return clip.source.buffers[0].size() + clip.bytesOfJson;
 }
 
+/// Fewer keys, and how far they move a vertex of any frame.
+struct FewerKeys {
+  KeyPlan plan;
+  double largestPercent = 0.0;
+};
+
+MeshSequence framesOf(const gltf::Source& source, const SkinnedSequence& sequence) {
+  gltf::Problems problems;
+  const Scene scene = gltf::importScene(source, problems);
+  const std::vector<Clip> clips = gltf::importClips(source, scene, problems);
+  check(!problems.hasErrors(), "what this program writes, it can read");
+  return framesShown(scene, clips, sequence.frameCount(), sequence.framesPerSecond);
+}
+
+/// Vertices that are moved farther than `tolerance` in some frame, the farthest first, not too many.
+std::vector<std::size_t> movedTooFar(const MeshSequence& whole, const MeshSequence& reduced,
+                                     double tolerance) {
+  constexpr std::size_t most = 64;
+  std::vector<std::pair<double, std::size_t>> moved;
+  for (std::size_t v = 0; v < whole.vertexCount; ++v) {
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < whole.frameCount(); ++k) {
+      farthest = std::max(farthest, glm::distance(Vec3(whole.frame(k)[v]), Vec3(reduced.frame(k)[v])));
+    }
+    if (farthest > tolerance) {
+      moved.emplace_back(-farthest, v);
+    }
+  }
+  std::ranges::sort(moved);
+  std::vector<std::size_t> vertices;
+  for (std::size_t i = 0; i < std::min(most, moved.size()); ++i) {
+    vertices.push_back(moved[i].second);
+  }
+  return vertices;
+}
+
+/// Keys are planned by some vertices and then measured by all of them; where these are moved too far, the
+/// plan is made again with those as well, and with a closer bound. Nothing when it was stopped.
+std::optional<FewerKeys> fewerKeys(const SkinnedSequence& sequence, const EncodeSettings& settings,
+                                   const Proceed& proceed) {
+  constexpr int trials = 6;
+  EncodeSettings plain;
+  plain.quantise = settings.quantise;
+  plain.tolerance = settings.tolerance;
+  SkinnedSequence bare = sequence;
+  bare.surface = nullptr;
+  const gltf::Source every = Encoder(bare, plain).encode().source;
+  const MeshSequence whole = framesOf(every, bare);
+  const double length = 0.01 * settings.keyTolerancePercent * boxDiagonal(bare.bindPositions);
+  std::vector<std::size_t> also;
+  double bound = 0.985 * length;
+  for (int trial = 0; trial < trials; ++trial) {
+    const Proceed part = [&](double share) { return !proceed || proceed((trial + share) / trials); };
+    auto plan = planKeys(every, bare.frameCount(), bound, also, part);
+    if (!plan) {
+      return std::nullopt;
+    }
+    const MeshSequence reduced = framesOf(Encoder(bare, plain, *plan).encode().source, bare);
+    const double largest = distancesOf(whole, reduced).largestPercent;
+    if (largest <= settings.keyTolerancePercent) {
+      return FewerKeys{std::move(*plan), largest};
+    }
+    bound *= 0.97 * settings.keyTolerancePercent / largest;
+    const std::vector<std::size_t> moved = movedTooFar(whole, reduced, 0.9 * length);
+    also.insert(also.end(), moved.begin(), moved.end());
+  }
+  return FewerKeys{};
+}
+
 } // namespace
 
 EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings) {
+  return *encodeGltf(sequence, settings, {});
+}
+
+std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings,
+                                      const Proceed& proceed) {
+  EncodedClip every = Encoder(sequence, settings).encode();
   if (!(settings.keyTolerancePercent > 0.0)) {
-    return Encoder(sequence, settings, 0.0).encode();
+    return every;
   }
-  const auto encoded = [&](const SkinnedSequence& bare, double bound) {
-    EncodeSettings plain;
-    plain.quantise = settings.quantise;
-    plain.tolerance = settings.tolerance;
-    return Encoder(bare, plain, bound).encode().source;
-  };
-  const KeyBound keys = findKeyBound(sequence, settings.keyTolerancePercent, encoded);
-  EncodedClip every = Encoder(sequence, settings, 0.0).encode();
-  EncodedClip clip = Encoder(sequence, settings, keys.bound).encode();
-  clip.keyErrorPercent = keys.largestPercent;
+  std::optional<FewerKeys> fewer = fewerKeys(sequence, settings, proceed);
+  if (!fewer) {
+    return std::nullopt;
+  }
+  if (fewer->plan.empty()) {
+    return every;
+  }
+  EncodedClip clip = Encoder(sequence, settings, std::move(fewer->plan)).encode();
+  clip.keyErrorPercent = fewer->largestPercent;
   return bytesOf(clip) < bytesOf(every) ? clip : every;
 }
 

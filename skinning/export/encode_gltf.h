@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/gltf/source.h"
+#include "skinning/fit/alternate.h"
 #include "skinning/skinned_sequence.h"
 
 namespace stretch::skinning {
@@ -48,6 +50,10 @@ struct EncodedClip {
 /// inherits it. A scale that is a common course in time multiplied by a constant for each bone is stored as
 /// just that.
 [[nodiscard]] EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings = {});
+
+/// The same, which leaving out keys makes long; nothing when it was stopped.
+[[nodiscard]] std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence,
+                                                    const EncodeSettings& settings, const Proceed& proceed);
 
 /// Bytes of a frame as positions of all vertices, single precision.
 [[nodiscard]] std::size_t sourceBytesPerFrame(const MeshSequence& sequence);

@@ -1,7 +1,10 @@
 #include "skinning/export/frame_stream.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/base/check.h"
@@ -18,8 +21,8 @@ struct StreamCourse {
   std::string path; ///< "rotation", "translation" or "scale".
   Json nodes;
   int componentType = 0;
-  std::size_t valueBytes = 0;                ///< Of one frame.
-  std::span<const std::uint8_t> values = {}; ///< Of all frames.
+  std::size_t valueBytes = 0;            ///< Of one frame.
+  std::vector<std::uint8_t> values = {}; ///< Of all frames.
 };
 
 std::span<const std::uint8_t> bytesOfView(const gltf::Source& source, const Json& view) {
@@ -33,7 +36,8 @@ StreamCourse courseOf(const gltf::Source& source, const Json& sampler, std::size
   StreamCourse course;
   course.nodes = Json::array();
   course.componentType = accessor["componentType"].get<int>();
-  course.values = bytesOfView(source, json["bufferViews"][accessor["bufferView"].get<std::size_t>()]);
+  const auto values = bytesOfView(source, json["bufferViews"][accessor["bufferView"].get<std::size_t>()]);
+  course.values.assign(values.begin(), values.end());
   check(accessor["count"].get<std::size_t>() == frames, "a value for each frame");
   course.valueBytes = course.values.size() / frames;
   return course;
@@ -139,23 +143,94 @@ Json describe(const std::vector<StreamCourse>& courses, std::size_t frameBytes, 
 }
 
 void putFrame(const std::vector<StreamCourse>& courses, std::size_t frame, std::vector<std::uint8_t>& bytes) {
-  bytes.insert(bytes.end(), {std::uint8_t{'S'}, std::uint8_t{'F'}, streamVersion, std::uint8_t{0}});
-  for (int shift = 0; shift < 32; shift += 8) {
-    bytes.push_back(static_cast<std::uint8_t>((frame >> static_cast<unsigned>(shift)) & 0xFFU));
-  }
+  putStreamHeader(frame, bytes);
   for (const StreamCourse& course : courses) {
-    const auto value = course.values.subspan(frame * course.valueBytes, course.valueBytes);
+    const auto value = std::span(course.values).subspan(frame * course.valueBytes, course.valueBytes);
     bytes.insert(bytes.end(), value.begin(), value.end());
   }
 }
 
+/// A course of its own for each node that takes it.
+std::vector<StreamCourse> apart(const std::vector<StreamCourse>& courses) {
+  std::vector<StreamCourse> single;
+  for (const StreamCourse& course : courses) {
+    for (const Json& node : course.nodes) {
+      single.push_back(course);
+      single.back().nodes = Json::array({node});
+    }
+  }
+  return single;
+}
+
+bool hasCourse(const std::vector<StreamCourse>& courses, const Json& node, const std::string& path) {
+  return std::ranges::any_of(courses, [&](const StreamCourse& course) {
+    return course.path == path && std::ranges::find(course.nodes, node) != course.nodes.end();
+  });
+}
+
+/// What a node has in every frame, as a course.
+StreamCourse heldCourse(const Json& node, std::size_t index, const std::string& path, std::size_t frames,
+                        bool isShort) {
+  constexpr int floats = 5126;
+  constexpr int shorts = 5122;
+  StreamCourse course;
+  course.path = path;
+  course.nodes = Json::array({index});
+  course.componentType = isShort ? shorts : floats;
+  std::vector<std::uint8_t> value;
+  const auto append = [&value](const auto& number) {
+    const auto* const raw = reinterpret_cast<const std::uint8_t*>(&number);
+    value.insert(value.end(), raw, raw + sizeof(number));
+  };
+  for (const Json& told : node[path]) {
+    const auto number = told.get<float>();
+    if (isShort) {
+      append(static_cast<std::int16_t>(std::lround(number * 32767.0F)));
+    } else {
+      append(number);
+    }
+  }
+  course.valueBytes = value.size();
+  for (std::size_t k = 0; k < frames; ++k) {
+    course.values.insert(course.values.end(), value.begin(), value.end());
+  }
+  return course;
+}
+
+/// Every property of every bone that the document tells, whether it changes or not.
+std::vector<StreamCourse> allCourses(const gltf::Source& source, const std::vector<StreamCourse>& changing,
+                                     std::size_t frames, bool quantise) {
+  std::vector<StreamCourse> courses = apart(changing);
+  const Json& nodes = (*source.json)["nodes"];
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const bool holdsConstant = nodes[n].value("name", "").starts_with("bind_"); // A factor of its own.
+    for (const char* const path : {"translation", "rotation", "scale"}) {
+      if (nodes[n].contains(path) && !holdsConstant && !hasCourse(courses, Json(n), path)) {
+        const bool isRotation = std::string_view(path) == "rotation";
+        courses.push_back(heldCourse(nodes[n], n, path, frames, isRotation && quantise));
+      }
+    }
+  }
+  return courses;
+}
+
 } // namespace
 
-FrameStream streamOf(const SkinnedSequence& sequence, bool quantise) {
+void putStreamHeader(std::size_t number, std::vector<std::uint8_t>& bytes) {
+  bytes.insert(bytes.end(), {std::uint8_t{'S'}, std::uint8_t{'F'}, streamVersion, std::uint8_t{0}});
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes.push_back(static_cast<std::uint8_t>((number >> static_cast<unsigned>(shift)) & 0xFFU));
+  }
+}
+
+FrameStream streamOf(const SkinnedSequence& sequence, bool quantise, StreamCourses which) {
   EncodeSettings settings;
   settings.quantise = quantise;
   const gltf::Source clip = encodeGltf(sequence, settings).source;
-  const std::vector<StreamCourse> courses = coursesOf(clip, sequence.frameCount());
+  std::vector<StreamCourse> courses = coursesOf(clip, sequence.frameCount());
+  if (which == StreamCourses::all) {
+    courses = allCourses(clip, courses, sequence.frameCount(), quantise);
+  }
   FrameStream stream;
   stream.frameBytes = streamHeaderBytes;
   for (const StreamCourse& course : courses) {

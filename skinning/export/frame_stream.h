@@ -26,8 +26,19 @@ struct FrameStream {
 inline constexpr std::uint8_t streamVersion = 1;
 inline constexpr std::size_t streamHeaderBytes = 8;
 
+/// What the frames of a stream say.
+enum class StreamCourses {
+  changing, ///< What changes in the sequence, shared where bones share it; all else is in the base.
+  all,      ///< Rotation and place of every bone, and its scale where any bone stretches: frames of other
+            ///< motion can say what they need.
+};
+
 /// The courses that encodeGltf writes for the clip, cut into frames: with `quantise` rotations are 16-bit
 /// integers. The sequence has at least one frame.
-[[nodiscard]] FrameStream streamOf(const SkinnedSequence& sequence, bool quantise);
+[[nodiscard]] FrameStream streamOf(const SkinnedSequence& sequence, bool quantise,
+                                   StreamCourses which = StreamCourses::changing);
+
+/// Appends what a frame begins with.
+void putStreamHeader(std::size_t number, std::vector<std::uint8_t>& bytes);
 
 } // namespace stretch::skinning

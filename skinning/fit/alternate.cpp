@@ -1,10 +1,12 @@
 #include "skinning/fit/alternate.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <glm/geometric.hpp>
 
+#include "skinning/fit/free_fit.h"
 #include "skinning/fit/sequence_state.h"
 #include "skinning/fit/solve_bones.h"
 #include "skinning/fit/solve_chain.h"
@@ -16,27 +18,6 @@ using fit::FitState;
 using fit::MeshFrame;
 using fit::toEigen;
 using fit::toQuat;
-
-/// Rounds of `bones` and weights until the error settles.
-template <typename FitBones>
-void alternate(FitState& state, const FitSettings& settings, const Proceed& proceed, FitBones&& bones) {
-  bones();
-  double before = fit::rootMeanSquare(state);
-  int idle = 0;
-  constexpr double exact = 1e-7; // Of the diagonal: what single precision tells apart.
-  for (int round = 0; round < settings.rounds && idle < 2 && before > exact; ++round) {
-    if (settings.fitWeights) {
-      fit::solveWeights(state, std::max(settings.candidates, 2 * settings.influences), settings.influences);
-    }
-    bones();
-    const double error = fit::rootMeanSquare(state);
-    idle = error > before * (1.0 - settings.leastGain) ? idle + 1 : 0;
-    before = error;
-    if (proceed && !proceed(static_cast<double>(round + 1) / settings.rounds)) {
-      return;
-    }
-  }
-}
 
 fit::Chain makeChain(const SkinnedSequence& skinned, const MeshFrame& frame) {
   fit::Chain chain;
@@ -67,21 +48,46 @@ void writeChainedPoses(const FitState& state, const fit::Chain& chain, const Mes
 
 } // namespace
 
+namespace {
+
+/// A share of what is told of the whole.
+Proceed shareOf(const Proceed& proceed, double from, double to) {
+  return [&proceed, from, to](double share) { return !proceed || proceed(from + (to - from) * share); };
+}
+
+/// Rounds; then bones that are placed badly elsewhere, and rounds again.
+void settleAndMove(fit::FreeFit& free, const Proceed& proceed) {
+  const FitSettings& settings = free.settings();
+  if (!settings.bonesMove) {
+    free.settle(settings.rounds, settings.leastGain, proceed);
+    return;
+  }
+  constexpr double roughly = 5e-3;
+  if (free.settle(settings.rounds, roughly, shareOf(proceed, 0.0, 0.3)) &&
+      fit::moveBones(free, shareOf(proceed, 0.3, 0.7))) {
+    free.settle(settings.rounds, settings.leastGain, shareOf(proceed, 0.7, 1.0));
+  }
+}
+
+} // namespace
+
 void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const FitSettings& settings,
                   const Proceed& proceed) {
-  constexpr int sweeps = 3;
   constexpr int sweepsForPosesAlone = 12;
   const MeshFrame frame = fit::frameOf(skinned.bindPositions);
-  const auto stretch = settings.fitStretch ? fit::StretchFit::free : fit::StretchFit::fixed;
   const std::size_t first = std::min(settings.firstWeightFrame, sequence.frameCount() - 1);
   if (settings.fitWeights) {
-    FitState state = fit::makeState(sequence, skinned, frame, first);
-    state.largestScale = settings.largestScale;
-    auto scales = fit::scalesOf(skinned, first, state.matrices.size());
-    alternate(state, settings, proceed, [&] { fit::fitBones(state, scales, stretch, sweeps); });
-    skinned.influences = state.influences;
+    FitState start = fit::makeState(sequence, skinned, frame, first);
+    start.largestScale = settings.largestScale;
+    auto scales = fit::scalesOf(skinned, first, start.matrices.size());
+    fit::FreeFit free(std::move(start), std::move(scales), settings);
+    settleAndMove(free, proceed);
+    skinned.influences = free.state().influences;
+    for (std::size_t b = 0; b < skinned.bones.size() && settings.bonesMove; ++b) {
+      skinned.bones[b].axes = toQuat(free.state().axes[b]);
+    }
     if (first == 0) {
-      fit::writeFreePoses(state, scales, frame, skinned);
+      fit::writeFreePoses(free.state(), free.scales(), frame, skinned);
       fit::alignHemispheres(skinned);
       return;
     }
@@ -89,7 +95,8 @@ void fitFreeBones(const MeshSequence& sequence, SkinnedSequence& skinned, const 
   FitState state = fit::makeState(sequence, skinned, frame, 0);
   state.largestScale = settings.largestScale;
   auto scales = fit::scalesOf(skinned, 0, state.matrices.size());
-  fit::fitBones(state, scales, stretch, sweepsForPosesAlone);
+  fit::fitBones(state, scales, settings.fitStretch ? fit::StretchFit::free : fit::StretchFit::fixed,
+                sweepsForPosesAlone);
   fit::writeFreePoses(state, scales, frame, skinned);
   fit::alignHemispheres(skinned);
 }

@@ -13,13 +13,15 @@ using Proceed = std::function<bool(double)>;
 
 /// How the fit goes about it; the defaults suit bodies of some thousand vertices and a hundred frames.
 struct FitSettings {
-  int rounds = 24;            ///< Of weights and bones in turn, at most.
-  double leastGain = 2e-3;    ///< Stops early when a round lowers the error by less than this share.
-  int candidates = 8;         ///< Bones that are tried for a vertex; at least twice as many as it may have.
-  int influences = 4;         ///< Bones that a vertex may hang on, at most Influences::capacity.
-  bool fitWeights = true;     ///< False keeps the influences as they are.
-  bool fitStretch = true;     ///< Free bones only: fit scale factors along each bone's axes; false keeps them
-                              ///< rigid.
+  int rounds = 80;         ///< Of weights and bones in turn, at most.
+  double leastGain = 5e-4; ///< Stops early when a round lowers the error by less than this share.
+  int candidates = 8;      ///< Bones that are tried for a vertex; at least twice as many as it may have.
+  int influences = 4;      ///< Bones that a vertex may hang on, at most Influences::capacity.
+  bool fitWeights = true;  ///< False keeps the influences as they are.
+  bool bonesMove = false;  ///< Bones have neither a place nor a direction that must stay: those that others
+                           ///< can stand in for are used elsewhere, and axes turn to where bones stretch.
+  bool fitStretch = true;  ///< Free bones only: fit scale factors along each bone's axes; false keeps them
+                           ///< rigid.
   double largestScale = 10.0; ///< Free bones are scaled by no more along any axis, and by no less than 1 over
                               ///< it; at least 1.
   std::size_t firstWeightFrame = 0; ///< Frames before it do not count for the weights.

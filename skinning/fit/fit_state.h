@@ -37,13 +37,23 @@ struct FitState {
   [[nodiscard]] std::size_t vertexCount() const { return bind.size(); }
 };
 
-/// The weights on a simplex (w >= 0, sum 1, at most `most` of them not 0) that minimise w^T G w, G symmetric
-/// and positive semi-definite; a ridge of 1e-9 of its trace settles ties. The few rounds of dropping the
-/// least weight are a heuristic for which of them stay, the values of those that stay are exact.
-[[nodiscard]] Eigen::VectorXd simplexLeastSquares(const Eigen::MatrixXd& original, int most);
+/// Where the search for a vertex's weights begins.
+enum class WeightSearch {
+  everywhere, ///< With all candidates, and with the bones that it hangs on: the better of both.
+  own,        ///< With the bones that it hangs on, and no others: a fifth of the time.
+};
 
-/// Fits every vertex's influences to its trajectory, bones and bind pose given: least squares over the
-/// frames, at most `most` of the `candidateCount` bones that alone follow the vertex best.
-void solveWeights(FitState& state, int candidateCount, int most);
+/// Fits every vertex's influences to its trajectory, bones and bind pose given: least squares over the frames
+/// (not negative, sum 1), at most `most` of the `candidateCount` bones that alone follow the vertex best and
+/// of those that it hangs on. No vertex is followed worse than before.
+void solveWeights(FitState& state, int candidateCount, int most,
+                  WeightSearch from = WeightSearch::everywhere);
+
+/// For each bone, how much larger the squared error over vertices and frames would be if the others had to
+/// follow its vertices, as they move now; told by some thousand vertices.
+[[nodiscard]] std::vector<double> lossesWithout(const FitState& state, int candidateCount, int most);
+
+/// Squared distance of every vertex to where its bones put it, over all frames.
+[[nodiscard]] std::vector<double> vertexErrors(const FitState& state);
 
 } // namespace stretch::skinning::fit

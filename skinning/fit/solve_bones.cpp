@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <tbb/parallel_for.h>
@@ -13,15 +15,6 @@ namespace {
 
 Eigen::Vector4d homogeneous(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z(), 1.0};
-}
-
-Eigen::Vector3d observedAt(const FitState& state, std::size_t vertex, std::size_t frame) {
-  const auto frames = static_cast<Eigen::Index>(state.frameCount);
-  const auto column = static_cast<Eigen::Index>(vertex);
-  const auto row = static_cast<Eigen::Index>(frame);
-  return Eigen::Vector3f(state.observed(row, column), state.observed(frames + row, column),
-                         state.observed(2 * frames + row, column))
-      .cast<double>();
 }
 
 /// The rotation nearest to a matrix: U V^T of its singular value decomposition, never a mirror.
@@ -130,6 +123,52 @@ std::vector<BoneMatrix> ObservedMoments::at(std::size_t frame) const {
   return moments;
 }
 
+namespace {
+
+/// What one bone is pulled to, the others held.
+BoneMatrix pullOf(const FitState& state, const BindMoments& bind, const std::vector<BoneMatrix>& observed,
+                  std::size_t frame, std::size_t bone) {
+  BoneMatrix pull = observed[bone];
+  for (const BindMoments::Neighbour& neighbour : bind.neighbours(bone)) {
+    pull -= state.matrix(frame, neighbour.bone) * neighbour.product;
+  }
+  return pull;
+}
+
+/// The stretch of the best affine map of a bone in one frame, symmetric; along directions in which its
+/// vertices hardly reach it stays as it is.
+Eigen::Matrix3d stretchWanted(const Eigen::Matrix4d& gram, const BoneMatrix& pull, const BoneMatrix& now) {
+  const double mass = gram(3, 3);
+  if (!(mass > 1e-9)) {
+    return Eigen::Matrix3d::Identity();
+  }
+  const Eigen::Vector3d centre = gram.block<3, 1>(0, 3) / mass;
+  const Eigen::Matrix3d spread = gram.block<3, 3>(0, 0) - mass * centre * centre.transpose();
+  const Eigen::Matrix3d ridge = (1e-3 * spread.trace() + 1e-300) * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d moment = pull.leftCols<3>() - pull.col(3) * centre.transpose();
+  const Eigen::Matrix3d affine =
+      (spread + ridge).ldlt().solve((moment + ridge * now.leftCols<3>()).transpose()).transpose();
+  const Eigen::Matrix3d stretch = nearestRotation(affine).transpose() * affine;
+  return 0.5 * (stretch + stretch.transpose());
+}
+
+/// The axes, right-handed, along which stretches of many frames differ most from none.
+Eigen::Matrix3d axesOf(const std::vector<Eigen::Matrix3d>& stretches) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Matrix3d& stretch : stretches) {
+    const Eigen::Matrix3d change = stretch - Eigen::Matrix3d::Identity();
+    sum += change * change;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0.0) {
+    axes.col(0) = -axes.col(0);
+  }
+  return axes;
+}
+
+} // namespace
+
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps) {
   const BindMoments bind(state);
   const ObservedMoments moments(state);
@@ -137,33 +176,40 @@ void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit 
     const std::vector<BoneMatrix> observed = moments.at(frame);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (std::size_t b = 0; b < state.boneCount; ++b) {
-        BoneMatrix pull = observed[b];
-        for (const BindMoments::Neighbour& neighbour : bind.neighbours(b)) {
-          pull -= state.matrix(frame, neighbour.bone) * neighbour.product;
-        }
-        fitBone(bind.own(b), pull, state.axes[b], stretch, state.largestScale, state.matrix(frame, b),
-                scales[frame * state.boneCount + b]);
+        fitBone(bind.own(b), pullOf(state, bind, observed, frame, b), state.axes[b], stretch,
+                state.largestScale, state.matrix(frame, b), scales[frame * state.boneCount + b]);
       }
     }
   });
 }
 
-double rootMeanSquare(const FitState& state) {
-  std::vector<double> sums(state.vertexCount(), 0.0);
-  tbb::parallel_for(std::size_t{0}, state.vertexCount(), [&](std::size_t v) {
-    const Influences& influences = state.influences[v];
-    for (std::size_t frame = 0; frame < state.frameCount; ++frame) {
-      Eigen::Vector3d deviation = -observedAt(state, v, frame);
-      for (std::size_t i = 0; i < Influences::capacity; ++i) {
-        if (influences.weights[i] != 0.0F) {
-          deviation += static_cast<double>(influences.weights[i]) * state.matrix(frame, influences.bones[i]) *
-                       homogeneous(state.bind[v]);
-        }
-      }
-      sums[v] += deviation.squaredNorm();
+void turnAxes(FitState& state, std::vector<Eigen::Vector3d>& scales) {
+  const BindMoments bind(state);
+  const ObservedMoments moments(state);
+  std::vector<std::vector<Eigen::Matrix3d>> stretches(state.boneCount,
+                                                      std::vector<Eigen::Matrix3d>(state.frameCount));
+  tbb::parallel_for(std::size_t{0}, state.frameCount, [&](std::size_t frame) {
+    const std::vector<BoneMatrix> observed = moments.at(frame);
+    for (std::size_t b = 0; b < state.boneCount; ++b) {
+      stretches[b][frame] =
+          stretchWanted(bind.own(b), pullOf(state, bind, observed, frame, b), state.matrix(frame, b));
     }
   });
-  const double total = std::accumulate(sums.begin(), sums.end(), 0.0);
+  for (std::size_t b = 0; b < state.boneCount; ++b) {
+    const Eigen::Matrix3d axes = axesOf(stretches[b]);
+    state.axes[b] = axes;
+    for (std::size_t k = 0; k < state.frameCount; ++k) {
+      scales[k * state.boneCount + b] = (axes.transpose() * stretches[b][k] * axes)
+                                            .diagonal()
+                                            .cwiseMax(1.0 / state.largestScale)
+                                            .cwiseMin(state.largestScale);
+    }
+  }
+}
+
+double rootMeanSquare(const FitState& state) {
+  const std::vector<double> errors = vertexErrors(state);
+  const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
   return std::sqrt(total / static_cast<double>(state.frameCount * state.vertexCount()));
 }
 

@@ -50,6 +50,10 @@ enum class StretchFit {
 /// stretch is free.
 void fitBones(FitState& state, std::vector<Eigen::Vector3d>& scales, StretchFit stretch, int sweeps);
 
+/// Turns the axes of every bone to where its best affine maps stretch it over the frames, and sets the scales
+/// along them; the matrices follow with the next fitBones. For bones whose direction nothing else says.
+void turnAxes(FitState& state, std::vector<Eigen::Vector3d>& scales);
+
 /// Root of the mean squared distance over all vertices and frames, in the units of the state (box diagonals).
 [[nodiscard]] double rootMeanSquare(const FitState& state);
 

@@ -24,6 +24,19 @@ const Clip* findClip(const std::vector<Clip>& clips, const std::string& name) {
   return found == clips.end() ? nullptr : &*found;
 }
 
+constexpr std::size_t nameOfFrame = 4; // A frame's name takes as much as so many positions.
+
+// A clip of two keys can last for years: what it is played to is bounded by the size of its file.
+std::size_t mostPositions(const gltf::Source& source) {
+  constexpr std::size_t ofAnyFile = 400'000'000; // Some 5 GB.
+  constexpr std::size_t ofOneByte = 64;
+  std::size_t most = std::size_t{1} << 25U;
+  for (const gltf::Bytes& buffer : source.buffers) {
+    most = std::min(ofAnyFile, most + ofOneByte * buffer.size());
+  }
+  return most;
+}
+
 } // namespace
 
 Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const std::string& clipName,
@@ -59,8 +72,8 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
     return Error{"the file shows no mesh", path.string(), "give a file with an animated mesh"};
   }
   sequence.surface = std::make_shared<const gltf::MeshSurface>(std::move(surface));
-  constexpr std::size_t mostPositions = 400'000'000; // Some 5 GB.
-  if (sequence.vertexCount > mostPositions / static_cast<std::size_t>(last - first)) {
+  if (sequence.vertexCount + nameOfFrame >
+      mostPositions(*loaded->source) / static_cast<std::size_t>(last - first)) {
     return Error{fmt::format("{} vertices in {} frames are too many", sequence.vertexCount, last - first),
                  path.string(), "give a shorter clip"};
   }

@@ -16,6 +16,9 @@
 
 namespace stretch::skinning {
 
+/// Largest magnitude of a number that readers of meshes take: it leaves room for squares in single precision.
+inline constexpr double largestCoordinate = 1e15;
+
 /// Positions and triangles of one mesh file; polygons are cut into fans. Everything is checked: indices are
 /// in range, numbers are finite, there is at least one triangle.
 struct MeshFile {

@@ -8,9 +8,6 @@
 namespace stretch::skinning {
 namespace {
 
-/// Largest magnitude that still leaves room for squares in single precision.
-constexpr double largestCoordinate = 1e15;
-
 Result<glm::vec3> parsePosition(std::string_view words, const std::string& place) {
   glm::vec3 position(0.0F);
   for (glm::length_t axis = 0; axis < 3; ++axis) {

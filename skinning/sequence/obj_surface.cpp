@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -31,17 +33,21 @@ template <typename Vector>
 Vector numbersOfLine(std::string_view words) {
   Vector numbers(0.0F);
   for (glm::length_t i = 0; i < Vector::length(); ++i) {
-    numbers[i] = static_cast<float>(parseNumber(nextWord(words)).value_or(0.0));
+    const double number = parseNumber(nextWord(words)).value_or(0.0);
+    numbers[i] = std::abs(number) <= largestCoordinate ? static_cast<float>(number) : 0.0F;
   }
   return numbers;
 }
 
-/// An index from 1, or negative from the end; -1 for none and for what the file does not hold.
+/// An index from 1, or negative from the end of what came before; -1 for none. What it names may come later.
 long long indexOf(std::string_view text, std::size_t count) {
   const auto index = parseNumber<long long>(text);
-  const auto size = static_cast<long long>(count);
-  const long long place = !index || *index == 0 ? -1 : *index < 0 ? size + *index : *index - 1;
-  return place < size ? std::max(place, -1LL) : -1;
+  const bool isNone = !index || *index == 0 || *index < -static_cast<long long>(count);
+  return isNone ? -1 : *index < 0 ? static_cast<long long>(count) + *index : *index - 1;
+}
+
+void dropMissing(long long& place, std::size_t count) {
+  place = place < static_cast<long long>(count) ? place : -1;
 }
 
 /// Reads the lines of an OBJ that parseObj leaves aside.
@@ -52,6 +58,11 @@ public:
     while (nextLine(text, line)) {
       readLine(nextWord(line), line);
     }
+    for (ObjCorner& corner : corners_) {
+      dropMissing(corner.position, positions_);
+      dropMissing(corner.texCoord, texCoords_.size());
+      dropMissing(corner.normal, normals_.size());
+    }
   }
 
   [[nodiscard]] bool isPlain() const { return texCoords_.empty() && normals_.empty() && names_.empty(); }
@@ -60,7 +71,9 @@ public:
 
   /// The surface without its materials; nothing when the faces are not those of the mesh.
   [[nodiscard]] std::optional<MeshSurface> surface(const MeshFile& mesh) const {
-    if (corners_.size() != 3 * mesh.triangles.size()) {
+    const bool isWhole =
+        std::ranges::all_of(corners_, [](const ObjCorner& corner) { return corner.position >= 0; });
+    if (corners_.size() != 3 * mesh.triangles.size() || positions_ != mesh.positions.size() || !isWhole) {
       return std::nullopt;
     }
     const std::vector<ObjCorner> vertices = verticesOf(mesh.positions.size());
@@ -99,12 +112,11 @@ private:
   }
 
   int materialOf(const std::string& name) {
-    const auto found = std::ranges::find(names_, name);
-    const auto index = static_cast<int>(found - names_.begin());
-    if (found == names_.end()) {
+    const auto [known, isNew] = numbers_.try_emplace(name, static_cast<int>(names_.size()));
+    if (isNew) {
       names_.push_back(name);
     }
-    return index;
+    return known->second;
   }
 
   void readFace(std::string_view words) {
@@ -193,6 +205,7 @@ private:
   std::vector<ObjCorner> corners_;
   std::vector<gltf::SurfacePart> parts_;
   std::vector<std::string> names_;
+  std::map<std::string, int> numbers_; ///< Of the names, their places.
   std::vector<std::string> libraries_;
   std::string name_;
   int material_ = -1;

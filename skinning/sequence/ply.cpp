@@ -206,7 +206,6 @@ std::optional<std::vector<double>> readProperty(NumberReader& reader, const Prop
 }
 
 bool addVertex(const Element& element, const std::vector<std::vector<double>>& row, MeshFile& mesh) {
-  constexpr double largestCoordinate = 1e15;
   glm::vec3 position(0.0F);
   int found = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -267,7 +266,7 @@ void addLook(const Element& element, const std::vector<std::vector<double>>& row
              const VertexColumns& columns, MeshFile& mesh) {
   const auto number = [&](const std::optional<std::size_t>& column) {
     const double value = row[*column][0];
-    return std::isfinite(value) ? static_cast<float>(value) : 0.0F;
+    return std::abs(value) <= largestCoordinate ? static_cast<float>(value) : 0.0F;
   };
   if (columns.normal[0] && columns.normal[1] && columns.normal[2]) {
     const glm::vec3 normal(number(columns.normal[0]), number(columns.normal[1]), number(columns.normal[2]));

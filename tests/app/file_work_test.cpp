@@ -4,11 +4,15 @@
 #include <cstdlib>
 #include <fstream>
 #include <future>
+#include <memory>
 #include <thread>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "app/edits/trail_edits.h"
+#include "core/base/file.h"
+#include "core/gltf/json.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -22,11 +26,13 @@ using Kind = FileQuestion::Kind;
 /// A user without a window, with a folder for files and settings.
 class Desk : public FileUser {
 public:
-  Desk() {
-    setenv("XDG_STATE_HOME", (folder.path() / "state").c_str(), 1);
+  Desk() : folder(std::make_shared<const test::TemporaryFolder>()) {
+    setenv("XDG_STATE_HOME", (folder->path() / "state").c_str(), 1);
     fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", file("a.glb"));
     fs::copy_file(STRETCH_SOURCE_DIR "/assets/dummy.glb", file("b.glb"));
   }
+  /// Another user at the same files.
+  explicit Desk(std::shared_ptr<const test::TemporaryFolder> shared) : folder(std::move(shared)) {}
 
   OpenDocument& open() override { return document; }
   void tell(Tone tone, const std::string& text) override { told.emplace_back(tone, text); }
@@ -35,7 +41,7 @@ public:
   void saved(const fs::path& path) override { happened += "saved:" + path.filename().string() + " "; }
   void quit() override { happened += "quit "; }
 
-  [[nodiscard]] fs::path file(const std::string& name) const { return folder.path() / name; }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder->path() / name; }
   /// What happened since the last time.
   std::string news() { return std::exchange(happened, {}); }
   [[nodiscard]] Tone lastTone() const { return told.empty() ? Tone::info : told.back().first; }
@@ -58,7 +64,7 @@ public:
   }
   [[nodiscard]] bool isEdited() const { return !document.character()->document().loopingClips.empty(); }
 
-  const test::TemporaryFolder folder;
+  std::shared_ptr<const test::TemporaryFolder> folder;
   OpenDocument document;
   std::vector<std::pair<Tone, std::string>> told;
   std::string happened;
@@ -182,6 +188,64 @@ TEST_CASE("What another program changed is overwritten only when the user says s
     work.saveAs(desk, desk.file("other.glb"));
     CHECK(desk.news() == "saved:other.glb ");
   }
+}
+
+TEST_CASE("Of two windows on one file the second to save is told that the first one did") {
+  Desk first;
+  Desk second(first.folder);
+  FileWork firstWork;
+  FileWork secondWork;
+  first.openNow(firstWork, "a.glb");
+  first.edit();
+  firstWork.saveAs(first, first.file("shared.glb"));
+  second.openNow(secondWork, "shared.glb");
+  second.edit();
+  first.document.character()->view().frame = 3.0;
+  first.edit();
+  first.edit();
+  firstWork.save(first);
+  CHECK(first.news() == "opened saved:shared.glb saved:shared.glb ");
+  secondWork.returned(second);
+  CHECK(second.lastTone() == Tone::warning);
+  secondWork.save(second);
+  CHECK(secondWork.question().kind == Kind::overwrite);
+  CHECK(second.news() == "opened ");
+}
+
+TEST_CASE("A file that another program changes while it is read is not overwritten unasked") {
+  Desk desk;
+  FileWork work([&](const FileWork::Paths& paths, const skinning::Progress& progress) {
+    Result<Opened> read = openAny(paths, progress);
+    std::ofstream(paths.front(), std::ios::app) << "more";
+    return read;
+  });
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.saveAs(desk, desk.file("mine.glb"));
+  desk.openNow(work, "mine.glb");
+  desk.news();
+  desk.edit();
+  REQUIRE_FALSE(desk.document.character()->savePath().empty());
+  work.save(desk);
+  CHECK(work.question().kind == Kind::overwrite);
+  CHECK(desk.news().empty());
+}
+
+TEST_CASE("Work of a process that is gone is offered, even where another one has its number now") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  desk.edit();
+  work.update(desk, 10.0);
+  const fs::path file = autosavePath(desk.file("a.glb"));
+  gltf::Json kept = gltf::Json::parse(*readText(file));
+  kept["process"] = static_cast<long>(getppid());
+  kept["began"] = 1U;
+  REQUIRE(writeText(file, kept.dump()));
+  CHECK(findAutosave(desk.file("a.glb")));
+  kept.erase("began"); // Of a version that did not say: it may be alive.
+  REQUIRE(writeText(file, kept.dump()));
+  CHECK_FALSE(findAutosave(desk.file("a.glb")));
 }
 
 TEST_CASE("Work that comes while another file is read is asked for as well") {

@@ -73,3 +73,43 @@ TEST_CASE("A document is saved where it was marked, and nowhere once that state 
   history.undo();
   CHECK_FALSE(history.isSaved());
 }
+
+TEST_CASE("Steps that take more than they may go, the oldest first, and the last can always be taken back") {
+  const Document start = test::boxer();
+  const std::size_t ofStep = bytesBeyond(looping(start, true), start);
+  History<Document> history(start, 10 * ofStep + ofStep / 2);
+  history.markSaved();
+  for (int i = 0; i < 100; ++i) {
+    REQUIRE(history.push(looping(start, i % 2 == 0), "Loop " + std::to_string(i)));
+  }
+  CHECK(history.bytes() <= 10 * ofStep + ofStep / 2);
+  CHECK_FALSE(history.isSaved()); // The saved state went.
+  int undone = 0;
+  while (history.undo()) {
+    ++undone;
+  }
+  CHECK(undone >= 9);
+  CHECK(undone <= 12);
+  while (history.redo()) {
+  }
+  CHECK(history.undoLabel() == "Loop 99");
+
+  History<Document> small(start, 0);
+  REQUIRE(small.push(looping(start, true), "Loop"));
+  REQUIRE(small.undo());
+  CHECK(sameDocument(small.current(), start));
+  CHECK(small.isSaved());
+}
+
+TEST_CASE("A step of keys counts the tracks that it makes, and not those that it shares") {
+  const Document start = test::boxer();
+  Document edited = start;
+  auto clips = *start.clips;
+  clips[0].tracks[0].edit([](Track& track) { track.values[0] += 0.25F; });
+  edited.clips = std::make_shared<const std::vector<Clip>>(clips);
+  const Track& track = *clips[0].tracks[0];
+  const std::size_t ofKeys = 4 * (track.times.size() + track.values.size());
+  const std::size_t alone = bytesBeyond(start, start);
+  CHECK(bytesBeyond(edited, start) >= alone + ofKeys);
+  CHECK(bytesBeyond(edited, edited) == alone);
+}

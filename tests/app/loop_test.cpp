@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/commands/exaggerate.h"
 #include "app/commands/ranges.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/way_back.h"
@@ -132,4 +134,31 @@ TEST_CASE("The strokes of a limb are gone through, round and round, by trails th
   CHECK(nextStroke(session, *moved, false) == std::optional(Vec2(0.0, 10.0)));
   session.edit(made->document, "Exaggerate");
   CHECK_FALSE(nextStroke(session, *made, true)); // That trail may have been worked on.
+}
+
+TEST_CASE(
+    "On a loop that stays where it is the blend of a hold goes on across the seam, on others it does not") {
+  rig::Pin pin;
+  pin.limb = "left-arm";
+  pin.time = {{0.0, 3.0}, {4.0, 0.0}};
+  pin.atFrame = 3.0;
+  rig::Holds wanted;
+  wanted.pins.push_back(pin);
+  const Result<Document> held = placeHolds(shadowBoxer(), wanted);
+  REQUIRE(held);
+  const double last = clipOf(*held, 0).endSeconds;
+  const auto strength = [&](const Document& document, double framesBefore) {
+    const rig::MotionState motion = prepareMotion(document, 0);
+    return motion.holds.pins.front()->span.strengthAt(last - framesBefore / motion.framesPerSecond);
+  };
+  CHECK(strength(*held, 1.0) == 0.0);
+  const Document looped = setLooping(*held, 0, true);
+  CHECK(strength(looped, 0.0) == 1.0);
+  CHECK(strength(looped, 2.0) == Approx(0.5));
+  CHECK(strength(looped, 4.5) == 0.0);
+  const auto endAt = [&](double seconds) {
+    return rig::endPosition(*findLimb(looped, "left-arm"),
+                            evaluate(looped, prepareMotion(looped, 0), seconds));
+  };
+  CHECK(glm::length(endAt(last) - endAt(0.0)) < 1e-9);
 }

@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 #include <glm/matrix.hpp>
 
+#include "app/edits/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/trail_look.h"
 #include "rig/limb.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/nodes.h"
@@ -137,6 +139,21 @@ TEST_CASE("a punch that is twice as long gives no cause for a warning") {
   CHECK(warningsOf(punching(10.0, 2.0)).empty());
 }
 
+TEST_CASE("a pose that folds the arm up is told of a trail that was fine without it") {
+  const Document document = punching(10.0, 2.0);
+  REQUIRE(warningsOf(document).empty());
+  rig::Adjustment folded;
+  folded.controller = "left-hand";
+  folded.keys.resize(1);
+  const rig::Limb& arm = *findLimb(document, "left-arm");
+  const FrameState tip = evaluateOriginal(document, 0, 10.0 / 30.0);
+  const std::vector<Vec3> points = rig::limbPoints(arm, tip);
+  folded.keys[0].move = 0.95 * (points.front() - points.back());
+  const Result<Document> posed = placeAdjustments(document, {&folded, 1});
+  REQUIRE(posed);
+  CHECK_FALSE(warningsOf(*posed).empty());
+}
+
 TEST_CASE("a limb pulled out of bounds is told with its frame") {
   Document document = punching(10.0, 2.0);
   document.trails.front().settings.spheres = {{5.0, Vec3(3.0, 0.0, 0.0)}};
@@ -157,6 +174,22 @@ TEST_CASE("an arm that points the other way is told, and the advice that goes wi
   CHECK_THAT(*turned, Contains("set the space to root"));
   document.trails.front().settings.space = rig::TrailSpace::root;
   CHECK(warningsOf(document).empty());
+}
+
+TEST_CASE("something is found on a trail wherever it is looked for first") {
+  Document document = punching(20.0, 2.0);
+  addFlight(document);
+  const rig::MotionState motion = prepareMotion(document, 0);
+  const TrailLook look(document, 0, motion.trails.front(), LookAt::limbAndMesh);
+  const Findings found = look.findings(motion);
+  REQUIRE(found.any());
+  CHECK(look.findsAny(motion, found));
+  CHECK(look.findsAny(motion, {}));
+  Findings elsewhere;
+  elsewhere.lengths.add(found.firstFrame() - 1.0, 1.0, 1.0);
+  CHECK(look.findsAny(motion, elsewhere));
+  const rig::MotionState calm = prepareMotion(punching(20.0, 1.0), 0);
+  CHECK_FALSE(look.findsAny(calm, found));
 }
 
 TEST_CASE("the advice stays the same while the scale is changed, and it helps") {

@@ -1,5 +1,5 @@
-// bench [--repeat N] [FILE...]: what the program's own work costs, as ratios within one run. Without a file:
-// the bundled character. Every file gets a trail on its first limb, over the first clip.
+// bench [--repeat N] [--only TEXT] [FILE...]: what the program's own work costs, as ratios within one run.
+// Without a file: the bundled character. Every file gets a trail on its first limb, over the first clip.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -16,6 +16,7 @@
 #include "app/files/save.h"
 #include "core/base/check.h"
 #include "core/scene/scene.h"
+#include "tests/bench/graph_bench.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {
@@ -102,58 +103,65 @@ void refresh(const app::Document& document, double frame) {
   static_cast<void>(app::evaluate(document, motion, frame / app::clipOf(document, 0).framesPerSecond));
 }
 
-std::vector<Row> motionRows(const app::Document& document, int repetitions) {
+void measureSphereDrag(const app::Document& moving, const rig::SolvedTrail& trail, double frame,
+                       const std::string& trails, Table& table) {
+  Drag drag(moving, trail.trail.id, frame);
+  table.add("a sphere dragged, " + trails + ": " + trail.limb.id, [&] { drag.step(); });
+}
+
+void measureTrails(const app::Document& document, std::size_t limbs, Table& table) {
   const Clip& clip = app::clipOf(document, 0);
   const double middleSeconds = 0.5 * (clip.startSeconds + clip.endSeconds);
   const double middleFrame = middleSeconds * clip.framesPerSecond;
-  const auto timed = [&](const std::function<void()>& work) { return measure(repetitions, work); };
-  std::vector<Row> rows;
-  rows.push_back({"a frame of the clip as it is",
-                  timed([&] { static_cast<void>(app::evaluateOriginal(document, 0, middleSeconds)); })});
+  const app::Document moving = withTrails(document, limbs);
+  const rig::MotionState motion = app::prepareMotion(moving, 0);
+  const std::string trails =
+      fmt::format("{} trail{}", motion.trails.size(), motion.trails.size() == 1 ? "" : "s");
+  table.add("a frame with " + trails,
+            [&] { static_cast<void>(app::evaluate(moving, motion, middleSeconds)); });
+  table.add(trails + " solved and drawn anew", [&] { refresh(moving, middleFrame); });
+  // What acts first may move all others.
+  measureSphereDrag(moving, motion.trails.front(), middleFrame, trails, table);
+  if (motion.trails.size() > 1) {
+    measureSphereDrag(moving, motion.trails.back(), middleFrame, trails, table);
+  }
+  if (document.biped.hips.exists()) {
+    PoseDrag drag(moving, middleFrame);
+    table.add("the hips dragged, " + trails, [&] { drag.step(); });
+  }
+}
+
+void measureMotion(const app::Document& document, const Options& options) {
+  Table table("motion", options);
+  const Clip& clip = app::clipOf(document, 0);
+  const double middleSeconds = 0.5 * (clip.startSeconds + clip.endSeconds);
+  table.add("a frame of the clip as it is",
+            [&] { static_cast<void>(app::evaluateOriginal(document, 0, middleSeconds)); });
   constexpr std::size_t armsAndLegs = 4;
   for (const std::size_t limbs : {std::size_t{1}, armsAndLegs, document.biped.limbs.size()}) {
-    const app::Document moving = withTrails(document, limbs);
-    const rig::MotionState motion = app::prepareMotion(moving, 0);
-    const std::string trails =
-        fmt::format("{} trail{}", motion.trails.size(), motion.trails.size() == 1 ? "" : "s");
-    rows.push_back({"a frame with " + trails,
-                    timed([&] { static_cast<void>(app::evaluate(moving, motion, middleSeconds)); })});
-    rows.push_back({trails + " solved and drawn anew", timed([&] { refresh(moving, middleFrame); })});
-    const auto dragRow = [&](const rig::SolvedTrail& trail) {
-      Drag drag(moving, trail.trail.id, middleFrame);
-      rows.push_back({"a sphere dragged, " + trails + ": " + trail.limb.id, timed([&] { drag.step(); })});
-    };
-    // What acts first may move all others.
-    dragRow(motion.trails.front());
-    if (motion.trails.size() > 1) {
-      dragRow(motion.trails.back());
-    }
-    if (document.biped.hips.exists()) {
-      PoseDrag drag(moving, middleFrame);
-      rows.push_back({"the hips dragged, " + trails, timed([&] { drag.step(); })});
-    }
+    measureTrails(document, limbs, table);
   }
-  return rows;
+  table.print();
 }
 
-std::vector<Row> fileRows(const std::filesystem::path& path, const app::Document& document, int repetitions) {
+void measureFile(const std::filesystem::path& path, const app::Document& document, const Options& options) {
   const std::filesystem::path output = std::filesystem::temp_directory_path() / "stretch-engine-bench.glb";
-  std::vector<Row> rows;
-  rows.push_back({"open", measure(repetitions, [&] { static_cast<void>(app::openDocument(path)); })});
-  rows.push_back({"save without an edit",
-                  measure(repetitions, [&] { static_cast<void>(app::saveDocument(document, output, {})); })});
+  const int repetitions = std::max(options.repetitions / 10, 3);
+  Table table("file", options);
+  table.add("open", repetitions, [&] { static_cast<void>(app::openDocument(path)); });
+  table.add("save without an edit", repetitions,
+            [&] { static_cast<void>(app::saveDocument(document, output, {})); });
   if (!document.clips->empty() && !document.biped.limbs.empty()) {
     app::Document moving = withTrails(document, 1);
-    rig::Trail& trail = moving.trails.front();
-    trail.applied = true;
-    rows.push_back({"save with one trail applied",
-                    measure(repetitions, [&] { static_cast<void>(app::saveDocument(moving, output, {})); })});
+    moving.trails.front().applied = true;
+    table.add("save with one trail applied", repetitions,
+              [&] { static_cast<void>(app::saveDocument(moving, output, {})); });
   }
   std::filesystem::remove(output);
-  return rows;
+  table.print();
 }
 
-bool benchFile(const std::filesystem::path& path, int repetitions) {
+bool benchFile(const std::filesystem::path& path, const Options& options) {
   const Result<app::Document> document = app::openDocument(path);
   if (!document) {
     fmt::print(stderr, "bench: {}\n", document.error().line());
@@ -168,9 +176,10 @@ bool benchFile(const std::filesystem::path& path, int repetitions) {
     fmt::print("; first clip: {} frames, {} tracks", frameCount(clip), clip.tracks.size());
   }
   fmt::print("\n");
-  printTable("file", fileRows(path, *document, std::max(repetitions / 10, 3)));
+  measureFile(path, *document, options);
   if (moves) {
-    printTable("motion", motionRows(*document, repetitions));
+    measureMotion(*document, options);
+    measureGraph(*document, options);
   }
   return true;
 }
@@ -182,17 +191,18 @@ bool benchFile(const std::filesystem::path& path, int repetitions) {
 int main(int argumentCount, char** arguments) {
   CLI::App program{"What the program's own work costs, as ratios within one run."};
   std::vector<std::string> files;
-  int repetitions = 50;
+  stretch::bench::Options options;
   program.add_option("FILE", files, "Characters; default: the bundled one");
-  program.add_option("--repeat", repetitions, "Repetitions of each measurement")
+  program.add_option("--repeat", options.repetitions, "Repetitions of each measurement")
       ->check(CLI::Range(1, 100000));
+  program.add_option("--only", options.only, "Only the rows whose text holds this");
   CLI11_PARSE(program, argumentCount, arguments);
   if (files.empty()) {
     files.emplace_back(STRETCH_SOURCE_DIR "/assets/dummy.glb");
   }
   bool allRead = true;
   for (const std::string& file : files) {
-    allRead = stretch::bench::benchFile(file, repetitions) && allRead;
+    allRead = stretch::bench::benchFile(file, options) && allRead;
   }
   return allRead ? 0 : 1;
 }

@@ -53,10 +53,23 @@ Timing measure(int repetitions, const std::function<void()>& work) {
   return {median(std::move(cpu)), median(std::move(wall))};
 }
 
-void printTable(const std::string& title, const std::vector<Row>& rows) {
-  fmt::print("{}\n  {:<44}{:>12}{:>12}{:>10}\n", title, "", "CPU ms", "wall ms", "ratio");
-  const double unit = rows.empty() ? 0.0 : rows.front().timing.cpuMilliseconds;
-  for (const Row& row : rows) {
+void Table::add(const std::string& what, const std::function<void()>& work) {
+  add(what, options_.repetitions, work);
+}
+
+void Table::add(const std::string& what, int repetitions, const std::function<void()>& work) {
+  if (what.find(options_.only) != std::string::npos) {
+    rows_.push_back({what, measure(repetitions, work)});
+  }
+}
+
+void Table::print() const {
+  if (rows_.empty()) {
+    return;
+  }
+  fmt::print("{}\n  {:<44}{:>12}{:>12}{:>10}\n", title_, "", "CPU ms", "wall ms", "ratio");
+  const double unit = rows_.front().timing.cpuMilliseconds;
+  for (const Row& row : rows_) {
     const double ratio = unit > 0.0 ? row.timing.cpuMilliseconds / unit : 0.0;
     fmt::print("  {:<44}{:>12.3f}{:>12.3f}{:>10.2f}\n", row.what, row.timing.cpuMilliseconds,
                row.timing.wallMilliseconds, ratio);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "core/gltf/json.h"
 #include "core/gltf/report.h"
 #include "tests/support/core/compressed_files.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/damaged_json.h"
 
 using namespace stretch;
 
@@ -23,28 +25,9 @@ gltf::Bytes mutated(gltf::Bytes bytes, std::mt19937& random) {
   return bytes;
 }
 
-// Numbers in the JSON become others that are just as good JSON: indices, counts and offsets out of range.
-gltf::Bytes withOtherNumber(const test::GlbBuilder& glb, std::mt19937& random) {
-  test::GlbBuilder changed = glb;
-  const gltf::Json flat = changed.json.flatten();
-  auto entry = flat.begin();
-  std::advance(entry, static_cast<std::ptrdiff_t>(random() % flat.size()));
-  const gltf::Json values = {-1,
-                             0,
-                             1,
-                             7,
-                             255,
-                             65536,
-                             4294967295U,
-                             9007199254740991U,
-                             0.5,
-                             1e300,
-                             "text",
-                             nullptr,
-                             gltf::Json::array(),
-                             gltf::Json::object()};
-  changed.json[gltf::Json::json_pointer(entry.key())] = values[random() % values.size()];
-  return changed.bytes();
+gltf::Bytes withOtherNumber(test::GlbBuilder glb, std::mt19937& random) {
+  glb.json = test::withOtherValue(std::move(glb.json), random);
+  return glb.bytes();
 }
 
 // Bytes from `start` on are overwritten, one by one or as runs, or missing at the end.

@@ -34,9 +34,9 @@ LAYERS = [
 
 # A library, the includes that belong to it, and the files that may have them.
 LIBRARIES = [
-    ("OpenGL", r"(epoxy|GL|EGL|GLES\d?)/", r"ui/(render|shell)/|tests/(support/)?ui(_driver)?/"),
-    ("GLFW", r"GLFW/", r"ui/shell/|tests/support/ui_driver/"),
-    ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|viewport|shell)/|tests/(support/)?ui(_driver)?/"),
+    ("OpenGL", r"(epoxy|GL|EGL|GLES\d?)/", r"ui/(render|shell)/|tests/(support/)?ui(_driver)?/|tests/bench/speed/minimal_gl\.cpp"),
+    ("GLFW", r"GLFW/", r"ui/shell/|tests/support/ui_driver/|tests/bench/speed/minimal_gl\.cpp"),
+    ("Dear ImGui", r"im(gui|stb|plot)[^/]*\.h$|misc/|backends/", r"ui/(widgets|panels|viewport|shell)/|tests/(support/)?ui(_driver)?/|tests/bench/"),
     ("font libraries", r"(fontconfig/|ft2build\.h$|freetype)", r"ui/(render|widgets|shell)/.*\.cpp$"),
     ("OpenMesh, Embree and Eigen", r"(OpenMesh|embree\d?|Eigen)/", r"(tests/(support/)?)?skinning/"),
     ("tinygltf and stb", r"(tiny_gltf|stb_|stb/)", r"(core/gltf/.*\.cpp|ui/render/.*\.cpp|tests/.*\.cpp)$"),

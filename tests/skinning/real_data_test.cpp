@@ -140,6 +140,16 @@ TEST_CASE("a hundred frames of a bone that bends: measured stretch halves the er
   CHECK(compressed(*sequence, 30, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.168);
 }
 
+TEST_CASE("a wolf is followed at half the error of rigid bones", "[data]") {
+  if (dataFolder().empty()) {
+    return;
+  }
+  const auto wolf = readSequence({dataFolder() / "mesh-sequence" / "wolf"});
+  REQUIRE(wolf);
+  CHECK(compressed(*wolf, 10, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.402);
+  CHECK(compressed(*wolf, 20, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.141);
+}
+
 TEST_CASE("frames without leading zeros and morph-target clips are read as sequences", "[data]") {
   if (dataFolder().empty()) {
     return;

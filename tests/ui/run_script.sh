@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Drives the real window through a script, on a screen of its own: run_script.sh DRIVEN_EDITOR SCRIPT
 # Lines of the script set it up: "#! file PATH" (from the root of the sources), "#! size 1280x720", "#! scale 2", "#! screen 1280x720",
-# "#! first start" (the tour is shown),
+# "#! first start" (the tour is shown), "#! beside PATH" (another file in the folder of the first),
 # "#! sequence NAME" (a folder of frames made by the program make-sequence, opened instead of a file),
+# "#! plays as RECIPE" (what was saved beside the file plays as the recipe makes it in batch, within 1e-5 of the picture's size),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
 set -u
 program=$(realpath "$1")
@@ -15,7 +16,7 @@ export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state HOME=$work LIBGL_
 setting() { sed -n "s/^#! $1 //p" "$2" | head -n 1; }
 
 run() {
-  local file size scale screen sequence first
+  local file beside size scale screen sequence first
   file=$(setting file "$1")
   size=$(setting size "$1")
   scale=$(setting scale "$1")
@@ -25,6 +26,8 @@ run() {
   if [ -n "$file" ] && [ ! -e "$work/$(basename "$file")" ]; then
     cp "$root/$file" "$work/" || return 1
   fi
+  beside=$(setting beside "$1")
+  [ -z "$beside" ] || cp "$root/$beside" "$work/" || return 1
   sequence=$(setting sequence "$1")
   if [ -n "$sequence" ]; then
     "$(dirname "$program")/make-sequence" "$work/$sequence" || return 1
@@ -34,12 +37,28 @@ run() {
     "$root/tests/ui/on_screen.sh" "${screen:-2560x1440}" timeout 300 "$program" "$1" ${file:+"$work/$(basename "$file")"})
 }
 
+# What the window saved against what batch makes of the same file.
+compare() {
+  local recipe file engine largest
+  recipe=$(setting 'plays as' "$1")
+  [ -n "$recipe" ] || return 0
+  file=$(setting file "$1")
+  engine=$(dirname "$program")/../stretch-engine
+  "$engine" exaggerate "$root/$file" -o "$work/batch.glb" --clean --recipe "$root/$recipe" >"$work/batch.txt" || return 1
+  largest=$("$engine" compare "$work/batch.glb" "$work/$(basename "$file" .glb)-stretched.glb" --json |
+    sed -n 's/.*"largest_percent": \([^,]*\),*/\1/p')
+  echo "against $recipe in batch: at most $largest % apart"
+  awk -v largest="${largest:-1}" 'BEGIN { exit !(largest + 0 <= 1e-3) }'
+}
+
 status=0
+first=$script
 while [ -n "$script" ] && [ $status -eq 0 ]; do
   run "$script" || status=$?
   next=$(setting then "$script")
   script=${next:+$(dirname "$script")/$next}
 done
+[ $status -ne 0 ] || compare "$first" || status=$?
 if [ $status -ne 0 ] && [ -e "$work/monkey.script" ]; then
   echo "What the monkey did, as a script that does it again:" >&2
   cat "$work/monkey.script" >&2

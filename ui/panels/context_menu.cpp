@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "app/commands/selection.h"
+#include "app/edits/prop_file_edits.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/shown_holds.h"
+#include "ui/panels/timeline_model.h"
 #include "ui/panels/trail_colours.h"
 
 namespace stretch::ui {
@@ -42,11 +45,19 @@ constexpr CommandIds controllerEntries{command::controllerMove,
                                        command::viewFrameSelection,
                                        command::viewControllers};
 
+constexpr CommandIds limbEntries{
+    command::trailExaggerate, command::trailToggle,        command::weightToggle, "",
+    command::holdPin,         command::holdPinFeet,        command::holdMatch,    command::holdProp,
+    command::propAdd,         command::holdLetGo,          command::holdRemove,   "",
+    command::copyTrail,       command::pasteTrail,         command::mirrorTrail,  "",
+    command::trailDeleteAll,  command::viewFrameSelection, command::selectNone};
+
+/// After what is done with the one hold.
+constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
+                                  "", command::rangeStart, command::rangeEnd,    command::rangeDefault};
+
 CommandIds entriesOf(MenuTarget target) {
   using namespace command;
-  static constexpr CommandIds limb{
-      trailExaggerate, trailToggle, weightToggle, "", holdPin,        holdMatch,          holdRemove, "",
-      copyTrail,       pasteTrail,  mirrorTrail,  "", trailDeleteAll, viewFrameSelection, selectNone};
   static constexpr CommandIds trail{trailExaggerate,
                                     trailConnect,
                                     trailApply,
@@ -86,11 +97,12 @@ CommandIds entriesOf(MenuTarget target) {
       viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
       viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
       viewNavigation};
-  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limb},
+  static constexpr MenuEntries menus[] = {{MenuTarget::limb, limbEntries},
                                           {MenuTarget::trail, trail},
                                           {MenuTarget::group, group},
                                           {MenuTarget::sphere, sphere},
                                           {MenuTarget::controller, controllerEntries},
+                                          {MenuTarget::hold, holdEntryIds},
                                           {MenuTarget::key, key},
                                           {MenuTarget::range, range},
                                           {MenuTarget::time, time}};
@@ -138,6 +150,51 @@ std::string controllersText(const app::Session& session) {
                               : std::to_string(selected.size()) + " controllers";
 }
 
+/// The hold that the menu is about; none after it was taken away.
+std::optional<ShownHold> menuHold(const PanelContext& context) {
+  const app::Session& session = context.character();
+  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+    if (barOfHold(hold.place) == context.ui.menuHold) {
+      return hold;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string holdText(const PanelContext& context) {
+  const std::optional<ShownHold> hold = menuHold(context);
+  return hold ? hold->title + ", " + shortNumber(hold->time.rangeFrames.x, 1) + " to " +
+                    shortNumber(hold->time.rangeFrames.y, 1)
+              : "Hold";
+}
+
+/// An entry that is no command.
+bool plainEntry(PanelContext& context, const std::string& id, const char* text, const std::string& help) {
+  const bool chosen = ImGui::MenuItem(text);
+  context.items.add(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  tooltip(widgetsOf(context), {text, help, {}});
+  return chosen;
+}
+
+/// What is done with one hold: the working range becomes its range, it is taken away.
+void holdEntries(PanelContext& context) {
+  const std::optional<ShownHold> hold = menuHold(context);
+  if (!hold) {
+    return;
+  }
+  const Span working = shownRange(context.character());
+  if (plainEntry(context, "context/hold-range", "Hold over the working range",
+                 "It holds from frame " + shortNumber(working.start, 1) + " to " +
+                     shortNumber(working.end, 1) + ".")) {
+    const Vec2 range(working.start, working.end);
+    editHold(context, {true, true}, "Change the range of a hold", hold->place,
+             [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
+  }
+  if (plainEntry(context, "context/hold-remove", "Take it away", hold->title + ": no longer held.")) {
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold->place));
+  }
+}
+
 /// What the menu is about.
 std::string titleOf(const PanelContext& context, MenuTarget target) {
   if (target == MenuTarget::viewport) {
@@ -157,6 +214,8 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
     return spheresText(view);
   case MenuTarget::controller:
     return controllersText(session);
+  case MenuTarget::hold:
+    return holdText(context);
   case MenuTarget::key:
     return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
   case MenuTarget::range:
@@ -186,6 +245,9 @@ void entries(PanelContext& context) {
   ImGui::PopFont();
   if (isOfTime(target)) {
     goToEntry(context);
+  }
+  if (target == MenuTarget::hold) {
+    holdEntries(context);
   }
   for (const char* id : entriesOf(target)) {
     if (id[0] == '\0') {

@@ -323,17 +323,20 @@ void tweenRow(PanelContext& context) {
 }
 
 void buttonRow(PanelContext& context) {
-  const float width = columnWidth(4);
+  const bool fits = columnWidth(4) >= context.theme.px(56.0F);
+  const std::size_t columns = fits ? 4 : 2;
+  const float width = columnWidth(static_cast<int>(columns));
   const std::array<CommandButton, 4> buttons{
       {{.command = command::poseMirror, .text = "Mirror", .width = width},
        {.command = command::poseReset, .text = "Reset", .width = width},
        {.command = command::poseCopy, .text = "Copy", .width = width},
        {.command = command::posePaste, .text = "Paste", .width = width}}};
-  for (const CommandButton& one : buttons) {
-    commandButton(context, one);
-    ImGui::SameLine();
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    if (i % columns != 0) {
+      ImGui::SameLine();
+    }
+    commandButton(context, buttons[i]);
   }
-  ImGui::NewLine();
 }
 
 void autoKeyRow(PanelContext& context) {

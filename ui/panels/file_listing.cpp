@@ -58,12 +58,15 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:
+  case FilePurpose::openProp:
     return {".glb", ".gltf"};
   case FilePurpose::openRecipe:
   case FilePurpose::saveRecipe:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
     return {".json"};
+  case FilePurpose::openSkeleton:
+    return {".glb", ".gltf", ".vrm"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -72,7 +75,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
-         purpose != FilePurpose::openModuli;
+         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli &&
+         purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -83,6 +87,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Save as";
   case FilePurpose::exportClean:
     return "Export clean";
+  case FilePurpose::openProp:
+    return "Add a prop";
   case FilePurpose::openRecipe:
     return "Load a recipe";
   case FilePurpose::saveRecipe:
@@ -93,6 +99,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Load moduli";
   case FilePurpose::saveModuli:
     return "Save moduli";
+  case FilePurpose::openSkeleton:
+    return "Take the bones of a file";
   case FilePurpose::saveFrames:
     break;
   }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -92,8 +94,8 @@ GraphRowKey keyOfRow(PanelContext& context, const app::KeyRow& row, bool withRes
   return key;
 }
 
-void addPoints(std::vector<Curve>& curves, std::vector<Vec2> Curve::*target,
-               const std::vector<double>& frames, const std::vector<app::KeyValues>& values) {
+void addPoints(std::span<Curve> curves, std::vector<Vec2> Curve::*target, const std::vector<double>& frames,
+               const std::vector<app::KeyValues>& values) {
   for (Curve& curve : curves) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       (curve.*target).emplace_back(frames[i], values[i][curve.component]);
@@ -133,22 +135,23 @@ std::vector<app::KeyValues> sourceValues(const app::Document& document, int clip
   return app::sampleRow(source, clip, row, counted, near);
 }
 
-void addKeys(const app::KeyedRow& read, std::vector<Curve>& curves) {
-  for (Curve& curve : curves) {
-    const std::size_t c = curve.component;
-    for (std::size_t i = 0; i < read.keys.size(); ++i) {
-      const app::RowKey& key = read.keys[i];
-      curve.keys.push_back({Vec2(key.frame, key.values[c]), Vec2(key.inSlopes[c], key.outSlopes[c]),
-                            static_cast<int>(i), false});
-    }
+void setKeys(const app::KeyedRow& read, Curve& curve) {
+  const std::size_t c = curve.component;
+  curve.keys.clear();
+  curve.keys.reserve(read.keys.size());
+  for (std::size_t i = 0; i < read.keys.size(); ++i) {
+    const app::RowKey& key = read.keys[i];
+    curve.keys.push_back({Vec2(key.frame, key.values[c]), Vec2(key.inSlopes[c], key.outSlopes[c]),
+                          static_cast<int>(i), false});
   }
+  curve.picked = 0;
 }
 
 /// Colours and names of the curves of a row, without points.
 std::vector<Curve> bareCurves(const PanelContext& context, const app::KeyRow& row, std::size_t place,
                               std::size_t components) {
   std::vector<Curve> curves;
-  for (const std::size_t component : shownComponents(row, components, context.ui.graph.channels)) {
+  for (const std::size_t component : shownComponents(row, components, context.ui.graph.offsetChannels)) {
     Curve curve;
     curve.label = components == 1 ? "Value" : std::string(1, "XYZ"[component % 3]);
     curve.colour = components == 1 ? trailColour(0, context.theme.kind)
@@ -161,29 +164,40 @@ std::vector<Curve> bareCurves(const PanelContext& context, const app::KeyRow& ro
   return curves;
 }
 
-std::vector<Curve> curvesOfRow(PanelContext& context, std::size_t place, const app::KeyRow& row,
-                               const GraphRowKey& key, const std::vector<double>& frames) {
+/// The values that the angles at a frame are followed from.
+app::KeyValues valuesBefore(std::span<const Curve> curves, double frame) {
+  app::KeyValues values{};
+  for (const Curve& curve : curves) {
+    const auto after = std::upper_bound(curve.keys.begin(), curve.keys.end(), frame,
+                                        [](double at, const CurveKey& key) { return at < key.at.x; });
+    values[curve.component] = after == curve.keys.begin() ? 0.0 : (after - 1)->at.y;
+  }
+  return values;
+}
+
+/// The points of a row's curves over the frames.
+void setPoints(PanelContext& context, const app::KeyRow& row, const GraphRowKey& key,
+               const std::vector<double>& frames, std::span<Curve> curves) {
   app::Session& session = context.character();
   const app::Document& document = session.document();
   const int clip = session.view().clip;
-  const app::KeyedRow read = app::readRow(document, clip, row);
-  std::vector<Curve> curves = bareCurves(context, row, place, read.components);
-  if (frames.empty()) {
-    return curves;
+  for (Curve& curve : curves) {
+    curve.points.clear();
+    curve.before.clear();
+    curve.source.clear();
   }
-  const auto after = std::upper_bound(read.keys.begin(), read.keys.end(), frames.front(),
-                                      [](double frame, const app::RowKey& one) { return frame < one.frame; });
-  const app::KeyValues near = after == read.keys.begin() ? app::KeyValues{} : (after - 1)->values;
-  const std::vector<app::KeyValues> own = app::sampleRow(document, clip, row, frames, near);
-  addPoints(curves, key.motion ? &Curve::before : &Curve::points, frames, own);
+  if (frames.empty()) {
+    return;
+  }
+  const app::KeyValues near = valuesBefore(curves, frames.front());
+  addPoints(curves, key.motion ? &Curve::before : &Curve::points, frames,
+            app::sampleRow(document, clip, row, frames, near));
   if (key.motion) {
     addPoints(curves, &Curve::points, frames, resultValues(session, row, frames, near));
   }
   if (key.source) {
     addPoints(curves, &Curve::source, frames, sourceValues(document, clip, row, frames, near));
   }
-  addKeys(read, curves);
-  return curves;
 }
 
 /// The limb's length, straight from its base to its end.
@@ -211,32 +225,35 @@ std::vector<Curve> lengthCurve(PanelContext& context, const rig::Limb& limb,
   return {curve};
 }
 
-/// Puts the new curves of a row in the place of its old ones.
-void replaceRow(std::vector<Curve>& curves, std::size_t place, std::vector<Curve> made) {
-  const auto isOfRow = [&](const Curve& curve) { return curve.row == place; };
-  const auto first = std::find_if(curves.begin(), curves.end(), isOfRow);
-  const auto last = std::find_if_not(first, curves.end(), isOfRow);
-  const auto there = curves.erase(first, last);
-  curves.insert(there, std::make_move_iterator(made.begin()), std::make_move_iterator(made.end()));
+/// The curves of a row.
+std::span<Curve> curvesOfRow(std::vector<Curve>& curves, std::size_t place) {
+  const auto isBefore = [](const Curve& curve, std::size_t row) { return curve.row < row; };
+  const auto first = std::lower_bound(curves.begin(), curves.end(), place, isBefore);
+  const auto last = std::lower_bound(first, curves.end(), place + 1, isBefore);
+  return {first, last};
 }
 
 void markPicked(GraphState& graph, const app::KeySelection& picked, const std::vector<app::KeyRow>& rows) {
   if (graph.shownPicks == picked) {
     return;
   }
+  std::map<app::KeyRow, const app::PickedRow*> pickedRows;
+  for (const app::PickedRow& row : picked) {
+    pickedRows.emplace(row.row, &row);
+  }
   for (Curve& curve : graph.curves) {
-    for (CurveKey& key : curve.keys) {
-      key.picked = false;
+    for (std::size_t i = 0; i < curve.keys.size() && curve.picked > 0; ++i) {
+      curve.keys[i].picked = false;
     }
     curve.picked = 0;
-    const auto found = std::find_if(picked.begin(), picked.end(), [&](const app::PickedRow& row) {
-      return curve.row < rows.size() && row.row == rows[curve.row];
-    });
-    for (const app::PickedKey& key : found == picked.end() ? std::vector<app::PickedKey>{} : found->keys) {
-      if (at(key.key) < curve.keys.size()) {
-        const bool picked = (key.components >> curve.component & 1U) != 0;
-        curve.keys[at(key.key)].picked = picked;
-        curve.picked += picked ? 1 : 0;
+    const auto found = curve.row < rows.size() ? pickedRows.find(rows[curve.row]) : pickedRows.end();
+    if (found == pickedRows.end()) {
+      continue;
+    }
+    for (const app::PickedKey& key : found->second->keys) {
+      if (at(key.key) < curve.keys.size() && (key.components >> curve.component & 1U) != 0) {
+        curve.keys[at(key.key)].picked = true;
+        ++curve.picked;
       }
     }
   }
@@ -302,8 +319,13 @@ std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
   return subjects;
 }
 
+GraphChannels graphChannels(const PanelContext& context, const GraphSubject& subject) {
+  const GraphState& graph = context.ui.graph;
+  return subject.controller.empty() ? graph.channels : graph.offsetChannels;
+}
+
 std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubject& subject) {
-  const GraphChannels channels = context.ui.graph.channels;
+  const GraphChannels channels = graphChannels(context, subject);
   if (!subject.controller.empty()) {
     return {{NodeIndex::none, Channel::translation, subject.controller}};
   }
@@ -330,29 +352,66 @@ std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubje
 
 namespace {
 
-/// Makes the curves of the rows that are others than before; of all where `isNew`.
-void updateRows(PanelContext& context, bool isOne, bool isNew, const std::vector<double>& samples) {
+/// Curves of all rows, without points and keys.
+void startRows(PanelContext& context, std::vector<app::KeyRow> rows) {
   GraphState& graph = context.ui.graph;
+  const app::Session& session = context.character();
+  graph.curves.clear();
+  graph.rows = std::move(rows);
+  graph.madeRows.assign(graph.rows.size(), {});
+  graph.madeFrames.assign(graph.rows.size(), {0.0, -1.0});
   for (std::size_t place = 0; place < graph.rows.size(); ++place) {
-    GraphRowKey made = keyOfRow(context, graph.rows[place], isOne);
-    if (!isNew && made == graph.madeRows[place]) {
-      continue;
-    }
-    std::vector<Curve> curves = curvesOfRow(context, place, graph.rows[place], made, samples);
-    if (isNew) {
-      std::move(curves.begin(), curves.end(), std::back_inserter(graph.curves));
-    } else {
-      replaceRow(graph.curves, place, std::move(curves));
-    }
-    graph.madeRows[place] = std::move(made);
+    const app::KeyRow& row = graph.rows[place];
+    const std::size_t components =
+        row.isOffset()
+            ? app::readRow(session.document(), session.view().clip, row, app::RowDetail::times).components
+            : 3;
+    std::vector<Curve> curves = bareCurves(context, row, place, components);
+    std::move(curves.begin(), curves.end(), std::back_inserter(graph.curves));
   }
-  graph.shownPicks.reset();
 }
 
-/// Whether only the motion, or keys of rows that both have, are others.
+/// Makes the rows anew whose keys or frames are others. What is much waits for the next frames of the window,
+/// and shows what it was until then.
+void updateRows(PanelContext& context, bool isOne, const Span& frames, const std::vector<double>& samples) {
+  constexpr std::size_t mostAtOnce = 8000; // Keys that are read and points that are sampled.
+  GraphState& graph = context.ui.graph;
+  app::Session& session = context.character();
+  std::size_t done = 0;
+  graph.complete = true;
+  for (std::size_t place = 0; place < graph.rows.size(); ++place) {
+    GraphRowKey made = keyOfRow(context, graph.rows[place], isOne);
+    const bool sameKeys = made == graph.madeRows[place] && graph.madeFrames[place].end >= 0.0;
+    const bool sameFrames =
+        graph.madeFrames[place].start == frames.start && graph.madeFrames[place].end == frames.end;
+    if (sameKeys && sameFrames) {
+      continue;
+    }
+    if (done > mostAtOnce) {
+      graph.complete = false;
+      return;
+    }
+    const std::span<Curve> curves = curvesOfRow(graph.curves, place);
+    if (!sameKeys) {
+      const app::KeyedRow read = app::readRow(session.document(), session.view().clip, graph.rows[place]);
+      std::for_each(curves.begin(), curves.end(), [&](Curve& curve) { setKeys(read, curve); });
+      graph.shownPicks.reset();
+      done += read.keys.size();
+    }
+    setPoints(context, graph.rows[place], made, samples, curves);
+    std::for_each(curves.begin(), curves.end(), [&](Curve& curve) { curve.seen = curve.seen && sameFrames; });
+    done += samples.size();
+    graph.madeRows[place] = std::move(made);
+    graph.madeFrames[place] = frames;
+  }
+}
+
+/// Whether only frames, the motion, or keys of rows that both have, are others.
 bool hasSameRows(const GraphKey& a, GraphKey b) {
   b.clips = a.clips;
   b.motion = a.motion;
+  b.firstFrame = a.firstFrame;
+  b.lastFrame = a.lastFrame;
   return a == b;
 }
 
@@ -368,14 +427,13 @@ void updateCurves(PanelContext& context, const GraphSubject& subject, const Grap
       sampleFrames({key.firstFrame, key.lastFrame}, shown.endSeconds * shown.framesPerSecond,
                    std::clamp(share, fewestSamples, mostSamples));
   if (isNew) {
-    graph.curves.clear();
-    graph.rows = std::move(rows);
-    graph.madeRows.assign(graph.rows.size(), {});
+    startRows(context, std::move(rows));
+    graph.shownPicks.reset();
   }
   if (limb != nullptr) {
     graph.curves = lengthCurve(context, *limb, samples);
   }
-  updateRows(context, subject.isOne, isNew, samples);
+  updateRows(context, subject.isOne, {key.firstFrame, key.lastFrame}, samples);
   graph.madeFrom = key;
 }
 
@@ -385,18 +443,19 @@ const std::vector<Curve>& graphCurves(PanelContext& context, const GraphSubject&
                                       const Span& frames) {
   GraphState& graph = context.ui.graph;
   app::Session& session = context.character();
-  const bool isLength = graph.channels == GraphChannels::stretch && subject.controller.empty();
+  const GraphChannels channels = graphChannels(context, subject);
+  const bool isLength = channels == GraphChannels::stretch && subject.controller.empty();
   const GraphKey key{session.document().clips,
                      session.sharedMotion(),
                      subject.nodes,
                      subject.controller,
-                     graph.channels,
+                     channels,
                      isLength ? subject.limb : std::string(),
                      frames.start,
                      frames.end,
                      session.view().clip,
                      static_cast<int>(context.theme.kind)};
-  if (!graph.madeFrom || !(*graph.madeFrom == key)) {
+  if (!graph.madeFrom || !(*graph.madeFrom == key) || !graph.complete) {
     updateCurves(context, subject, key);
   }
   markPicked(graph, app::pickedKeys(session), graph.rows);
@@ -408,7 +467,7 @@ const char* graphUnit(const PanelContext& context, const GraphSubject& subject) 
   if (subject.controller.find('.') != std::string::npos) {
     return "";
   }
-  switch (context.ui.graph.channels) {
+  switch (graphChannels(context, subject)) {
   case GraphChannels::rotation:
     return "\xC2\xB0";
   case GraphChannels::translation:

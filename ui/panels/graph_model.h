@@ -24,6 +24,9 @@ struct GraphSubject {
 /// all joints of the selected limbs, and every one that is animated. Empty where nothing is selected.
 [[nodiscard]] std::vector<GraphSubject> graphSubjects(const PanelContext& context);
 
+/// What of the subject is drawn.
+[[nodiscard]] GraphChannels graphChannels(const PanelContext& context, const GraphSubject& subject);
+
 /// The rows of keys that the graph shows of a subject.
 [[nodiscard]] std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubject& subject);
 

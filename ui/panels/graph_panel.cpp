@@ -24,15 +24,25 @@ const GraphSubject& chosenSubject(PanelContext& context, const std::vector<Graph
   return subjects[static_cast<std::size_t>(graph.joint)];
 }
 
+/// How much room the toolbar has. Where it is little, the channels are a list; where it is very little, what
+/// the menu Keys and keys of the keyboard have too is left out while keys are picked.
+bool isNarrow(const PanelContext& context) {
+  return ImGui::GetWindowContentRegionMax().x < context.theme.px(1100.0F);
+}
+bool isVeryNarrow(const PanelContext& context) {
+  return ImGui::GetWindowContentRegionMax().x < context.theme.px(820.0F);
+}
+
 void subjectChooser(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   GraphState& graph = context.ui.graph;
   std::vector<Choice> choices;
+  choices.reserve(subjects.size());
   for (const GraphSubject& subject : subjects) {
     choices.push_back({subject.title});
   }
   const int chosen = dropdown(widgetsOf(context), "graph/joint", choices, graph.joint,
                               {"Joint or controller", "What of the selection the curves are drawn of.", {}},
-                              context.theme.px(150.0F));
+                              context.theme.px(isNarrow(context) ? 108.0F : 150.0F));
   if (chosen >= 0) {
     graph.joint = chosen;
     graph.fitPending = true;
@@ -51,12 +61,18 @@ void channelChooser(PanelContext& context, const GraphSubject& subject) {
         {}}},
       {"Scale", {"Scale", "Local scale of the joint.", {}}, isJoint},
       {"Length", {"Length", "Length of the limb, straight from its base to its end.", {}}, isJoint}};
-  ImGui::BeginChild("graph/channels", {context.theme.px(320.0F), context.theme.rowHeight()});
-  const int chosen =
-      segmented(widgetsOf(context), "graph/channel", choices, static_cast<int>(graph.channels));
-  ImGui::EndChild();
+  const int channels = static_cast<int>(graphChannels(context, subject));
+  const Help help{"Channel", "What of the joint or the controller is drawn.", {}};
+  int chosen = -1;
+  if (isNarrow(context)) {
+    chosen = dropdown(widgetsOf(context), "graph/channel", choices, channels, help, context.theme.px(104.0F));
+  } else {
+    ImGui::BeginChild("graph/channels", {context.theme.px(320.0F), context.theme.rowHeight()});
+    chosen = segmented(widgetsOf(context), "graph/channel", choices, channels);
+    ImGui::EndChild();
+  }
   if (chosen >= 0) {
-    graph.channels = static_cast<GraphChannels>(chosen);
+    (isJoint ? graph.channels : graph.offsetChannels) = static_cast<GraphChannels>(chosen);
     graph.fitPending = true;
   }
 }
@@ -75,17 +91,18 @@ void toolbar(PanelContext& context, const std::vector<GraphSubject>& subjects, c
   fit.help = {"Fit the curves",
               "Shows every value in the visible frames. A double click in the graph does the same.",
               keyOf(context, command::viewFrameAll)};
-  if (button(widgets, fit)) {
-    graph.fitPending = true;
+  const bool leftOut = isVeryNarrow(context) && app::hasPickedKeys(context.character());
+  if (!leftOut) {
+    graph.fitPending = button(widgets, fit) || graph.fitPending;
+    ImGui::SameLine();
   }
-  ImGui::SameLine();
   const std::size_t legend = isValue || graph.curves.size() < 3 ? 1 : 3;
   if (const int clicked = curveLegend(widgets, "graph/curve", graph.curves, legend); clicked >= 0) {
     const auto index = static_cast<std::size_t>(clicked);
     graph.hidden[index] = !graph.hidden[index];
   }
   ImGui::SameLine();
-  drawKeyBar(context);
+  drawKeyBar(context, leftOut);
 }
 
 void applyView(PanelContext& context, const CurveViewOutcome& outcome) {
@@ -97,6 +114,7 @@ void applyView(PanelContext& context, const CurveViewOutcome& outcome) {
   if (outcome.valuesChanged) {
     graph.valueMin = outcome.values.start;
     graph.valueMax = outcome.values.end;
+    std::for_each(graph.curves.begin(), graph.curves.end(), [](Curve& curve) { curve.seen = false; });
   }
   if (outcome.playheadMoved) {
     const double last = app::lastFrame(context.character().document(), context.character().view().clip);
@@ -157,6 +175,9 @@ void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
   const int clip = session.view().clip;
+  if (!outcome.keysDragged && !outcome.tangent && !outcome.gestureEnded) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -198,7 +219,8 @@ void fit(PanelContext& context) {
   }
   graph.valueMin = values.start;
   graph.valueMax = values.end;
-  graph.fitPending = graph.fitPicked = false;
+  graph.fitPending = !graph.complete; // Until all curves are known.
+  graph.fitPicked = graph.fitPicked && graph.fitPending;
 }
 
 void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
@@ -209,6 +231,9 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   model.frames = visibleFrames(context);
   static_cast<void>(graphCurves(context, subject, model.frames));
   session.view().keyRows = graph.rows;
+  if (!session.isDragging() && lostFromSight(graph.curves, {graph.valueMin, graph.valueMax})) {
+    graph.fitPending = true;
+  }
   if (graph.fitPending) {
     fit(context);
   }
@@ -220,7 +245,7 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   model.unit = graphUnit(context, subject);
   model.editable = !graph.rows.empty();
   model.snap = context.ui.timeline.snapToFrames;
-  const float height = std::max(context.theme.px(80.0F), ImGui::GetContentRegionAvail().y);
+  const float height = std::max(context.theme.px(60.0F), ImGui::GetContentRegionAvail().y);
   const CurveViewOutcome outcome = curveView(widgetsOf(context), "graph", model, graph.gesture, height);
   context.ui.keyPane = {outcome.hovered && model.editable,
                         true,

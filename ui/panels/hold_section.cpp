@@ -8,9 +8,10 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/frames.h"
 #include "app/edits/hold_edits.h"
-#include "rig/motion/solve_holds.h"
+#include "app/edits/prop_file_edits.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/setting_rows.h"
+#include "ui/panels/shown_holds.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 #include "ui/widgets/slider.h"
@@ -18,90 +19,6 @@
 namespace stretch::ui {
 
 namespace {
-
-using app::HoldPlace;
-using HoldChange = std::function<void(rig::HoldTime&, double& stretch)>;
-
-/// One hold as its rows show it.
-struct ShownHold {
-  HoldPlace place;
-  std::string title;
-  rig::HoldTime time;
-  double stretch = 1.0;
-};
-
-/// Range and stretch of a hold, whatever it is.
-void changeTime(const app::Document& document, const HoldPlace& place, const HoldChange& change,
-                rig::Holds& value) {
-  switch (place.kind) {
-  case rig::HoldKind::pin:
-    value.pins.push_back(document.holds.pins[place.index]);
-    change(value.pins.back().time, value.pins.back().stretch);
-    break;
-  case rig::HoldKind::grip:
-    value.grips.push_back(document.holds.grips[place.index]);
-    change(value.grips.back().time, value.grips.back().stretch);
-    break;
-  case rig::HoldKind::prop: {
-    value.props.push_back(document.holds.props[place.index]);
-    rig::Prop& prop = value.props.back();
-    rig::HoldTime time = prop.time.value_or(rig::HoldTime{{0.0, app::lastFrame(document, prop.clip)}, {}});
-    const rig::HoldTime before = time;
-    change(time, prop.stretch);
-    prop.time = prop.time || time != before ? std::optional(time) : std::nullopt;
-    break;
-  }
-  }
-}
-
-void editHold(PanelContext& context, const EditPhase& phase, const std::string& label, const HoldPlace& place,
-              const HoldChange& change) {
-  editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
-    rig::Holds value;
-    changeTime(start, place, change, value);
-    return app::changeHold(start, place, value);
-  });
-}
-
-std::string propTitle(const app::Document& document, const rig::Prop& prop) {
-  std::string hands;
-  for (const rig::PropHand& hand : prop.hands) {
-    hands += (hands.empty() ? "" : " and ") + limbHeading(document, hand.limb);
-  }
-  const NodeIndex node = rig::propNode(*document.scene, prop.node);
-  return fmt::format("{} in {}", node.exists() ? nodeName(*document.scene, node) : prop.node, hands);
-}
-
-std::vector<ShownHold> shownHolds(const app::Document& document, int clip) {
-  std::vector<ShownHold> shown;
-  const rig::Holds& holds = document.holds;
-  for (std::size_t i = 0; i < holds.pins.size(); ++i) {
-    const rig::Pin& pin = holds.pins[i];
-    if (pin.clip == clip) {
-      shown.push_back(
-          {{rig::HoldKind::pin, i}, limbHeading(document, pin.limb) + " pinned", pin.time, pin.stretch});
-    }
-  }
-  for (std::size_t i = 0; i < holds.grips.size(); ++i) {
-    const rig::Grip& grip = holds.grips[i];
-    if (grip.clip == clip) {
-      shown.push_back(
-          {{rig::HoldKind::grip, i},
-           limbHeading(document, grip.follower) + " follows " + limbHeading(document, grip.leader),
-           grip.time,
-           grip.stretch});
-    }
-  }
-  for (std::size_t i = 0; i < holds.props.size(); ++i) {
-    const rig::Prop& prop = holds.props[i];
-    if (prop.clip == clip) {
-      const rig::HoldTime whole{{0.0, app::lastFrame(document, clip)}, {}};
-      shown.push_back(
-          {{rig::HoldKind::prop, i}, propTitle(document, prop), prop.time.value_or(whole), prop.stretch});
-    }
-  }
-  return shown;
-}
 
 /// Two numbers of frames beside each other: a range, or the blends beside it.
 struct FramePair {
@@ -171,7 +88,7 @@ void deleteButton(PanelContext& context, const std::string& id, const ShownHold&
                                   .emphasis = Emphasis::quiet,
                                   .width = ImGui::GetContentRegionAvail().x});
   if (clicked) {
-    editOnce(context, "Take a hold away", app::removeHold(context.character().document(), hold.place));
+    editOnce(context, "Take a hold away", app::takeHoldAway(context.character().document(), hold.place));
   }
 }
 

@@ -47,6 +47,9 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
                 const PickedChange& change) {
   app::Session& session = context.character();
   GraphState& graph = context.ui.graph;
+  if (!phase.changed && !phase.ended) {
+    return;
+  }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);
   }
@@ -65,9 +68,10 @@ void editPicked(PanelContext& context, const EditPhase& phase, const std::string
   }
 }
 
-void keyNumbers(PanelContext& context) {
+void keyNumbers(PanelContext& context, bool isNarrow) {
+  const float width = context.theme.px(isNarrow ? 74.0F : 92.0F);
   app::Session& session = context.character();
-  const app::KeySelection picked = app::pickedKeys(session);
+  const app::KeySelection& picked = app::pickedKeys(session);
   const FirstKey first = firstKey(session, picked);
   const int clip = session.view().clip;
   const double last = app::lastFrame(session.document(), clip);
@@ -80,10 +84,10 @@ void keyNumbers(PanelContext& context) {
               .step = 1.0,
               .fineStep = 0.1,
               .decimals = frameDecimals(frame),
-              .prefix = "Frame ",
+              .prefix = isNarrow ? "" : "Frame ",
               .hardMaximum = 1e5,
               .showsFill = false,
-              .width = context.theme.px(92.0F),
+              .width = width,
               .help = {"Frame of the key", "Of several, the first: all move with it.", {}}},
              frame);
   editPicked(context, inTime, "Move", [&](const app::Document& start, const app::KeySelection& held) {
@@ -103,7 +107,7 @@ void keyNumbers(PanelContext& context) {
               .hardMinimum = -1e6,
               .hardMaximum = 1e6,
               .showsFill = false,
-              .width = context.theme.px(92.0F),
+              .width = width,
               .help = {"Value of the key", "What is typed goes to every picked value.", {}}},
              value);
   editPicked(context, inValue, "Set", [&](const app::Document& start, const app::KeySelection& held) {
@@ -124,7 +128,7 @@ void tangentChooser(PanelContext& context) {
   }
   const int chosen = dropdown(widgetsOf(context), "keys/tangents", choices, -1,
                               {"Tangents", "How the curve passes the picked keys.", {}},
-                              context.theme.px(116.0F), "Tangents");
+                              context.theme.px(112.0F), "Tangents");
   if (chosen >= 0) {
     request(context, kinds[static_cast<std::size_t>(chosen)].second);
   }
@@ -132,18 +136,21 @@ void tangentChooser(PanelContext& context) {
 
 } // namespace
 
-void drawKeyBar(PanelContext& context) {
-  const bool picked = app::hasPickedKeys(context.character());
-  commandButton(
-      context,
-      {.command = command::keysRetime, .icon = icon::clock, .text = "Retime", .emphasis = Emphasis::quiet});
-  if (!picked) {
+void drawKeyBar(PanelContext& context, bool keysAlone) {
+  if (!keysAlone) {
+    commandButton(
+        context,
+        {.command = command::keysRetime, .icon = icon::clock, .text = "Retime", .emphasis = Emphasis::quiet});
+  }
+  if (!app::hasPickedKeys(context.character())) {
     return;
   }
-  ImGui::SameLine();
+  if (!keysAlone) {
+    ImGui::SameLine();
+  }
   tangentChooser(context);
   ImGui::SameLine();
-  keyNumbers(context);
+  keyNumbers(context, keysAlone);
 }
 
 namespace {
@@ -221,8 +228,10 @@ void lookAhead(PanelContext& context) {
   if (!made) {
     return;
   }
-  state.ends = fmt::format("The clip ends at frame {}; now at {}.", shortNumber(app::lastFrame(*made, clip)),
-                           shortNumber(app::lastFrame(document, clip)));
+  const std::string now = shortNumber(app::lastFrame(document, clip));
+  const std::string then = shortNumber(app::lastFrame(*made, clip));
+  state.ends = now == then ? fmt::format("The clip ends at frame {}, as now.", now)
+                           : fmt::format("The clip will end at frame {}; now it ends at {}.", then, now);
   if (app::lastFrame(*made, clip) < app::lastFrame(document, clip)) {
     state.past = app::standingPastEnd(*made, clip);
   }

@@ -4,6 +4,7 @@
 #include "app/commands/selection.h"
 #include "app/document.h"
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/pose_edits.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/controller_panel.h"
 #include "ui/panels/panel_support.h"
@@ -75,11 +76,16 @@ std::vector<DiagramController> diagramControllers(const PanelContext& context) {
   if (!hasViewedClip(context)) {
     return controllers;
   }
-  for (const rig::Controller& controller : app::controllersOf(document).controllers) {
+  const rig::ControllerList list = app::controllersOf(document);
+  for (const rig::Controller& controller : list.controllers) {
+    std::vector<std::string> ids{controller.id}; // With what it holds: a fist is a key of the hand.
+    for (const rig::Attribute& attribute : app::attributesHeldBy(list, controller)) {
+      ids.push_back(attribute.id);
+    }
     const bool selected = app::isControllerSelected(session, controller.id);
     controllers.push_back({controller.id,
                            selected,
-                           keyMarkOf(session, {&controller.id, 1}),
+                           keyMarkOf(session, ids),
                            {capitalised(app::controllerTitle(document, controller.id)),
                             "A controller: click selects it, Shift+click adds it.",
                             {}}});

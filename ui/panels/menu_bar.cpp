@@ -181,7 +181,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", recipeLoad, recipeSave, "", fileQuit}},
+             fileExportClean, "", recipeLoad, recipeSave, "", propAdd, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
@@ -214,10 +214,10 @@ void drawMenuBar(PanelContext& context) {
            false);
   drawKeysMenu(context);
   drawMenu(context,
-           {"Time", {timePlay,   timeBack,   timeForward,  timePreviousKey, timeNextKey, timeStart,
-                     timeEnd,    "",         rangeStart,   rangeEnd,        "",          timeEveryFrame,
-                     timeOnTwos, "",         clipPrevious, clipNext,        clipRate24,  clipRate25,
-                     clipRate30, clipRateOwn}},
+           {"Time", {timePlay,    timeBack,       timeForward, timeFarBack, timeFarForward, timePreviousKey,
+                     timeNextKey, timeStart,      timeEnd,     "",          rangeStart,     rangeEnd,
+                     "",          timeEveryFrame, timeOnTwos,  "",          clipPrevious,   clipNext,
+                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}},
            false);
   drawMenu(context,
            {"View",

@@ -52,7 +52,9 @@ void drawTour(PanelContext& context, const Rect& picture);
 
 /// What was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no bar,
 /// ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
-/// takes news away; while a dialog is open only what went wrong is shown, over everything.
-void drawToasts(PanelContext& context, const Rect& picture, ImDrawList& under);
+/// takes news away; while a dialog is open only what went wrong is shown, over everything. `figure`: where
+/// the character stands; they keep beside it where there is room.
+void drawToasts(PanelContext& context, const Rect& picture, const std::optional<Rect>& figure,
+                ImDrawList& under);
 
 } // namespace stretch::ui

@@ -1,3 +1,5 @@
+#include "app/commands/hold.h"
+#include "app/commands/selection.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
 #include "ui/widgets/icons.h"
@@ -118,6 +120,39 @@ void drawClash(PanelContext& context) {
   endDialog();
 }
 
+/// "the left arm and right arm": whose hands take what is added.
+std::string takingArms(const app::Session& session) {
+  std::vector<std::string> arms;
+  for (const std::string& hand : app::handsForProp(session)) {
+    arms.push_back(app::limbTitle(session.document(), hand));
+  }
+  return "the " + app::listed(arms);
+}
+
+/// A file that a hand could hold was dropped on the open character: held, or opened in its place?
+void drawDropQuestion(PanelContext& context) {
+  UiState& ui = context.ui;
+  bool open = !ui.droppedThing.empty() && context.open.character() != nullptr;
+  if (!beginDialog(context, {.id = "drop", .icon = icon::cube, .title = "Hold or open?", .width = 460.0F},
+                   open)) {
+    return;
+  }
+  paragraph(ui.droppedThing.filename().string() + " can be held by " + takingArms(*context.open.character()) +
+            " and saved with the character, or opened in the character's place.");
+  const int clicked = orEnter(
+      dialogButtons(context, "drop",
+                    {{.id = "", .text = "Open"}, {.id = "", .text = "Cancel"}, {.id = "", .text = "Hold"}}),
+      2);
+  if (clicked == 0 || clicked == 2) {
+    ui.answers.drop = DropAnswer{ui.droppedThing, clicked == 2};
+  }
+  if (!open || clicked >= 0) {
+    ui.droppedThing.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  endDialog();
+}
+
 /// A large button with a title and what it means; true when it was clicked.
 bool card(PanelContext& context, const std::string& id, const std::string& title,
           const std::vector<std::string>& lines, float width) {
@@ -203,6 +238,7 @@ void drawQuestions(PanelContext& context) {
   drawAsked(context, overwriteDialog(file));
   drawAsked(context, restoreDialog(file));
   drawClash(context);
+  drawDropQuestion(context);
   drawNavigationQuestion(context);
   drawAbout(context);
 }

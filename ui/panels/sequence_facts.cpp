@@ -29,7 +29,7 @@ void facts(PanelContext& context) {
   if (!context.sequence().document().analysis->problem.empty()) {
     notice(widgets, NoticeKind::info,
            capitalised(context.sequence().document().analysis->problem) +
-               ": it can be measured with fitted weights, but has no elastic model.");
+               ": its bones are parts that move alike; elastic stretch goes limb by limb.");
   }
 }
 

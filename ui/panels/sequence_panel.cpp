@@ -18,7 +18,7 @@ namespace stretch::ui {
 
 namespace {
 
-/// What the sequence allows: a body without a centre line has no elastic model.
+/// What the sequence allows: a body without a centre line has no row of bones.
 RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, double mostBones) {
   const bool hasLine = !context.sequence().document().analysis->joints.empty();
   const skinning::CompressSettings& settings = context.sequence().document().settings;
@@ -28,18 +28,57 @@ RowExtras extrasOf(PanelContext& context, const app::SettingFacts& setting, doub
   if (setting.name == "skip") {
     return {.maximum = std::max(1.0, app::lastFrame(context.sequence()))};
   }
+  const bool hasSkeleton = !settings.skeleton.empty();
   if (setting.name == "stretch") {
-    return {.offered = {true, hasLine, true}};
+    const bool hasTree = hasSkeleton || settings.joints == skinning::JointOption::tree;
+    return {.offered = {true, hasLine || hasTree, true}};
   }
   if (setting.name == "joints") {
-    const bool measured = settings.stretch == skinning::StretchOption::measured || !hasLine;
-    return {.offered = {measured, measured}};
+    const bool measured = settings.stretch == skinning::StretchOption::measured;
+    const bool byRows = settings.stretch == skinning::StretchOption::elastic;
+    return {.offered = {measured || !hasLine, measured || (!hasLine && !byRows)}};
   }
   if (setting.name == "tolerance") {
     return {.hint = "none: the bones above"};
   }
-  return {.offered =
-              setting.name == "weights" ? std::vector<bool>{true, hasLine, true} : std::vector<bool>{}};
+  return {.offered = setting.name == "weights" ? std::vector<bool>{true, hasLine || hasSkeleton, true}
+                                               : std::vector<bool>{}};
+}
+
+/// The bones of a file in place of own ones.
+void skeletonRow(PanelContext& context) {
+  const Theme& theme = context.theme;
+  const app::SequenceDocument& document = context.sequence().document();
+  const std::size_t bones = document.settings.skeleton.size();
+  const std::string file = document.skeletonFile.filename().string();
+  labelledRow(
+      widgetsOf(context), "Skeleton",
+      {"Skeleton", "Bones of a file's skin in place of own ones: their names, parents and places.", {}});
+  const float removeWidth = bones == 0 ? 0.0F : theme.px(34.0F);
+  const std::string text = fmt::format("{}, {} {}", file, bones, bones == 1 ? "bone" : "bones");
+  commandButton(context, {.command = command::skeletonTake,
+                          .text = bones == 0 ? "From a file" : text.c_str(),
+                          .width = ImGui::GetContentRegionAvail().x - removeWidth});
+  if (bones > 0) {
+    ImGui::SameLine(0.0F, theme.px(4.0F));
+    commandButton(context, {.command = command::skeletonLeave,
+                            .icon = icon::close,
+                            .text = " ",
+                            .emphasis = Emphasis::quiet,
+                            .width = theme.px(30.0F),
+                            .fallback = "x"});
+  }
+}
+
+/// Whether a setting says something: a skeleton has its own bones, a length model needs a line or rows.
+bool applies(const app::SequenceDocument& document, const app::SettingFacts& setting) {
+  const bool hasSkeleton = !document.settings.skeleton.empty();
+  if (setting.name == "length") {
+    return hasSkeleton || !document.analysis->joints.empty();
+  }
+  const bool asksForBones =
+      setting.name == "bones" || setting.name == "tolerance" || setting.name == "joints";
+  return !hasSkeleton || !asksForBones;
 }
 
 void optionRows(PanelContext& context) {
@@ -53,30 +92,29 @@ void optionRows(PanelContext& context) {
       changed.settings.bones = std::min(changed.settings.bones, static_cast<int>(mostBones));
     });
   };
+  skeletonRow(context);
   for (const app::Setting<CompressSettings>& setting : app::sequenceSchema()) {
-    const bool applies = setting.name != "length" || !document.analysis->joints.empty();
-    if (setting.row.section == "options" && applies) {
+    if (setting.row.section == "options" && applies(document, setting)) {
       settingRow(context, "sequence/", setting, document.settings, edit,
                  extrasOf(context, setting, static_cast<double>(mostBones)));
     }
   }
 }
 
-void progressRow(PanelContext& context) {
+/// How far some work is, and a way to stop it.
+void progressRow(PanelContext& context, const char* id, const char* what, double share) {
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const float cancelWidth = theme.px(84.0F);
-  const Control place =
-      takePlace(widgets, "sequence/progress",
-                {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
-  const double share = context.sequence().compressedShare();
+  const Control place = takePlace(
+      widgets, id, {ImGui::GetContentRegionAvail().x - cancelWidth - theme.unit(), theme.rowHeight()}, false);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(place.box.min, place.box.max, theme.colours.sunken, theme.corner());
   list->AddRectFilled(place.box.min,
                       {place.box.min.x + static_cast<float>(share) * place.box.width(), place.box.max.y},
                       theme.colours.accentQuiet, theme.corner());
   drawText(widgets, theme.fonts.label, place.box, theme.colours.text,
-           fmt::format("Compressing {:.0f} %", 100.0 * share), 0.5F);
+           fmt::format("{} {:.0f} %", what, 100.0 * share), 0.5F);
   ImGui::SameLine();
   commandButton(context, {.command = command::sequenceCancel, .text = "Cancel", .width = cancelWidth});
 }
@@ -84,7 +122,7 @@ void progressRow(PanelContext& context) {
 void compressRow(PanelContext& context) {
   verticalSpace(widgetsOf(context), 4.0F);
   if (context.sequence().isCompressing()) {
-    progressRow(context);
+    progressRow(context, "sequence/progress", "Compressing", context.sequence().compressedShare());
     return;
   }
   const bool next =
@@ -98,10 +136,19 @@ void compressRow(PanelContext& context) {
 
 void sizeRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const app::SequenceDocument document = context.sequence().document(); // a copy: rows edit it
-  const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*document.mesh));
-  const std::shared_ptr<const app::ExportedClip> exported = app::exported(document);
-  const double bytes = exported->clip.bytesPerFrame;
+  const app::SequenceSession& session = context.sequence();
+  const auto source = static_cast<double>(skinning::sourceBytesPerFrame(*session.document().mesh));
+  const std::shared_ptr<const app::ExportedClip> clip = session.clip();
+  if (clip == nullptr) {
+    const std::string state = session.isEncoding()
+                                  ? fmt::format("encoding {:.0f} %", 100.0 * session.encodedShare())
+                                  : "not encoded";
+    const Help help{"Not known yet", "The result is encoded beside the window, at the latest by Export.", {}};
+    valueRow(widgets, "Frame", state, help);
+    valueRow(widgets, "Once", state, help);
+    return;
+  }
+  const double bytes = clip->clip.bytesPerFrame;
   valueRow(widgets, "Frame",
            bytes > 0.0 ? fmt::format("{:.4g} bytes, 1 : {:.3g}", bytes, source / bytes) : "nothing moves",
            {"Bytes per frame",
@@ -109,24 +156,21 @@ void sizeRows(PanelContext& context) {
                         "positions.",
                         source),
             {}});
-  const std::size_t once = exported->clip.bytesOnce + exported->clip.bytesOfJson;
+  const std::size_t once = clip->clip.bytesOnce + clip->clip.bytesOfJson;
   valueRow(widgets, "Once", fmt::format("{:.4g} kB", static_cast<double>(once) / 1000.0),
            {"Bytes once",
             fmt::format("Mesh, weights, images and {} bytes of JSON, whatever the number of frames.",
-                        exported->clip.bytesOfJson),
+                        clip->clip.bytesOfJson),
             {}});
 }
 
-/// How the clip is written; it is made again at once.
+/// How the clip is written; it is encoded again beside the window.
 void encodingRows(PanelContext& context) {
   using skinning::EncodeSettings;
   const EncodeSettings encoding = context.sequence().document().encoding; // a copy: rows edit it
   const auto edit = [&](const EditPhase& phase, const std::string& label,
                         const std::function<void(EncodeSettings&)>& change) {
-    editSequence(context, phase, label, [&](app::SequenceDocument& changed) {
-      change(changed.encoding);
-      changed.clip = app::exported(changed);
-    });
+    editSequence(context, phase, label, [&](app::SequenceDocument& changed) { change(changed.encoding); });
   };
   for (const app::Setting<EncodeSettings>& setting : app::clipSchema()) {
     settingRow(context, "sequence/", setting, encoding, edit);
@@ -164,6 +208,24 @@ void weightsRow(PanelContext& context) {
             {}});
 }
 
+void exportRow(PanelContext& context) {
+  const app::SequenceSession& session = context.sequence();
+  if (session.isExporting()) {
+    progressRow(context, "sequence/export-progress", "Exporting", session.exportedShare());
+    return;
+  }
+  const bool isLong = session.document().encoding.keyTolerancePercent > 0.0; // All else is done at once.
+  if (session.isEncoding() && isLong) {
+    progressRow(context, "sequence/encode-progress", "Encoding", session.encodedShare());
+  }
+  commandButton(context,
+                {.command = command::fileExportClean,
+                 .icon = icon::save,
+                 .text = "Export",
+                 .emphasis = app::isOutdated(session.document()) ? Emphasis::normal : Emphasis::primary,
+                 .width = ImGui::GetContentRegionAvail().x});
+}
+
 void resultSection(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   const app::SequenceDocument document = context.sequence().document();
@@ -181,11 +243,7 @@ void resultSection(PanelContext& context) {
     notice(widgets, NoticeKind::warning, capitalised(warning) + ".");
   }
   verticalSpace(widgets, 4.0F);
-  commandButton(context, {.command = command::fileExportClean,
-                          .icon = icon::save,
-                          .text = "Export",
-                          .emphasis = app::isOutdated(document) ? Emphasis::normal : Emphasis::primary,
-                          .width = ImGui::GetContentRegionAvail().x});
+  exportRow(context);
 }
 
 } // namespace

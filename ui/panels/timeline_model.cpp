@@ -13,6 +13,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/shown_holds.h"
 
 namespace stretch::ui {
 
@@ -30,11 +31,22 @@ KeyedRows rowsOfLimb(const KeyedRows& all, const rig::Limb& limb) {
   return rows;
 }
 
+/// In order, each once, to a thousandth of a frame.
+void sortFrames(std::vector<double>& frames) {
+  for (double& frame : frames) {
+    frame = std::round(frame * 1000.0) / 1000.0;
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+}
+
 /// Gathers rows for the timeline and the dope sheet.
 class RowGatherer {
 public:
-  RowGatherer(app::Session& session, KeyRowsState& state)
-      : session_(session), document_(session.document()),
+  /// `own`: the keys that can be edited; else those of the clip as it is shown, with the keys of applied
+  /// trails and poses.
+  RowGatherer(app::Session& session, KeyRowsState& state, bool own)
+      : own_(own), session_(session), document_(session.document()),
         all_(app::keyedRows(document_, session.view().clip)), state_(state) {
     state_.rows.clear();
     state_.keyed.clear();
@@ -48,7 +60,9 @@ public:
         keyed.insert(keyed.end(), some.begin(), some.end());
       }
     }
-    add({label, app::shownKeyFrames(session_, limbs), selected}, limbs.empty() ? all_ : keyed);
+    keyed = limbs.empty() ? all_ : std::move(keyed);
+    std::vector<double> frames = own_ ? framesOf(keyed) : app::shownKeyFrames(session_, limbs);
+    add({label, std::move(frames), selected}, std::move(keyed));
   }
 
   void addController(const std::string& id, bool selected) {
@@ -68,11 +82,22 @@ public:
   }
 
 private:
+  [[nodiscard]] std::vector<double> framesOf(const KeyedRows& keyed) const {
+    std::vector<double> frames;
+    for (const app::KeyRow& row : keyed) {
+      const std::vector<double> some = app::keyFramesOf(document_, session_.view().clip, row);
+      frames.insert(frames.end(), some.begin(), some.end());
+    }
+    sortFrames(frames);
+    return frames;
+  }
+
   void add(KeyRow row, KeyedRows keyed) {
     state_.rows.push_back(std::move(row));
     state_.keyed.push_back(std::move(keyed));
   }
 
+  bool own_;
   app::Session& session_;
   const app::Document& document_;
   KeyedRows all_;
@@ -87,7 +112,7 @@ bool isPosed(const app::Session& session, const std::string& id) {
 void gatherSelection(app::Session& session, KeyRowsState& state) {
   const app::Document& document = session.document();
   const std::vector<std::string>& limbs = session.view().selectedLimbs;
-  RowGatherer gatherer(session, state);
+  RowGatherer gatherer(session, state, false);
   const std::string label = limbs.empty()       ? "All keys"
                             : limbs.size() == 1 ? limbHeading(document, limbs.front())
                                                 : std::to_string(limbs.size()) + " limbs";
@@ -102,7 +127,7 @@ void gatherSelection(app::Session& session, KeyRowsState& state) {
 
 void gatherEveryLimb(app::Session& session, KeyRowsState& state) {
   const app::Document& document = session.document();
-  RowGatherer gatherer(session, state);
+  RowGatherer gatherer(session, state, true);
   gatherer.addClip("All keys", {}, false);
   for (const rig::Limb& limb : app::allLimbs(document)) {
     gatherer.addClip(limbHeading(document, limb.id), {limb.id}, app::isSelected(session, limb.id));
@@ -114,7 +139,11 @@ void gatherEveryLimb(app::Session& session, KeyRowsState& state) {
 
 /// Frames of the picked keys in each row.
 void markPickedFrames(const app::Session& session, KeyRowsState& state) {
-  const app::KeySelection picked = app::pickedKeys(session);
+  const app::KeySelection& picked = app::pickedKeys(session);
+  if (state.shownPicks == picked) {
+    return;
+  }
+  state.shownPicks = picked;
   std::map<app::KeyRow, std::vector<double>> frames;
   for (const app::PickedRow& row : picked) {
     const std::vector<double> all = app::keyFramesOf(session.document(), session.view().clip, row.row);
@@ -131,11 +160,7 @@ void markPickedFrames(const app::Session& session, KeyRowsState& state) {
         marked.insert(marked.end(), found->second.begin(), found->second.end());
       }
     }
-    for (double& frame : marked) {
-      frame = std::round(frame * 1000.0) / 1000.0;
-    }
-    std::sort(marked.begin(), marked.end());
-    marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+    sortFrames(marked);
   }
 }
 
@@ -152,6 +177,7 @@ const std::vector<KeyRow>& keyRows(PanelContext& context, RowDetail detail) {
   if (state.motion != motion || state.clips != session.document().clips || state.selected != selected ||
       state.everyLimb != every) {
     (every ? gatherEveryLimb : gatherSelection)(session, state);
+    state.shownPicks.reset();
     state.motion = motion;
     state.clips = session.document().clips;
     state.selected = std::move(selected);
@@ -179,6 +205,53 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   bar.active = trail.connected && !trail.applied;
   bar.applied = trail.applied;
   return bar;
+}
+
+TimelineBar barOf(const app::Session& session, const ShownHold& hold, const ThemeColours& colours) {
+  TimelineBar bar;
+  bar.id = barOfHold(hold.place);
+  bar.start = hold.time.rangeFrames.x;
+  bar.end = hold.time.rangeFrames.y;
+  bar.windowStart = rig::touchedFrames(hold.time).x;
+  bar.windowEnd = rig::touchedFrames(hold.time).y;
+  bar.colour = mixed(colours.quietText, colours.text, 0.35F);
+  bar.label = hold.title;
+  bar.selected = app::isSelected(session, hold.limb);
+  bar.active = true;
+  return bar;
+}
+
+// Those of one limb share a row. The dope sheet has them above its many rows of keys, where they are seen.
+void addHolds(PanelContext& context, bool above, TimelineModel& model) {
+  const app::Session& session = context.character();
+  std::size_t rows = above ? 0 : model.bars.size();
+  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+    TimelineBar bar = barOf(session, hold, context.theme.colours);
+    const auto same = std::find_if(model.bars.begin(), model.bars.end(), [&](const TimelineBar& other) {
+      return other.id < 0 && other.label == bar.label;
+    });
+    bar.row = same != model.bars.end() ? same->row : rows++;
+    model.bars.push_back(std::move(bar));
+  }
+  if (above) {
+    model.rowsAbove = rows;
+    for (TimelineBar& bar : model.bars) {
+      bar.row += bar.id > 0 ? rows : 0;
+    }
+  }
+}
+
+void addTrails(PanelContext& context, TimelineModel& model) {
+  app::Session& session = context.character();
+  const int clip = session.view().clip;
+  const double rate = app::clipOf(session.document(), clip).framesPerSecond;
+  for (const rig::Trail& trail : session.document().trails) {
+    if (trail.clip == clip) {
+      model.bars.push_back(
+          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
+      model.bars.back().row = model.bars.size() - 1;
+    }
+  }
 }
 
 } // namespace
@@ -224,12 +297,9 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   const double rate = shown.framesPerSecond;
   model.loops = app::isLooping(document, clip);
   model.turn = (shown.endSeconds - shown.startSeconds) * rate;
-  for (const rig::Trail& trail : document.trails) {
-    if (trail.clip == clip) {
-      model.bars.push_back(
-          barOf(session, trail, app::solvedTrail(session, trail.id), rate, context.theme.kind));
-    }
-  }
+  addTrails(context, model);
+  const bool isDopeSheet = detail == RowDetail::everyLimb;
+  addHolds(context, isDopeSheet, model);
   if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {
     model.spheres = selected->controlFrames;
   }

@@ -10,6 +10,7 @@
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/shown_holds.h"
 #include "ui/panels/timeline_model.h"
 #include "ui/panels/transport.h"
 #include "ui/widgets/icons.h"
@@ -73,10 +74,35 @@ std::vector<int> editedWith(const app::Session& session, int id) {
   return edited;
 }
 
+/// The hand or foot that a hold is about is selected, so that its keys act on it.
+void selectHeld(app::Session& session, const app::HoldPlace& place) {
+  for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
+    if (hold.place == place) {
+      app::selectLimb(session, hold.limb, false);
+    }
+  }
+}
+
+void selectBar(app::Session& session, int bar) {
+  if (const std::optional<app::HoldPlace> hold = holdOfBar(bar)) {
+    selectHeld(session, *hold);
+  } else if (bar != 0) {
+    app::selectTrail(session, bar);
+  }
+}
+
+void dragHold(PanelContext& context, const app::HoldPlace& place, const TimelineOutcome& outcome) {
+  const Vec2 range(outcome.barSpan.start, outcome.barSpan.end);
+  editHold(context, {outcome.barChanged, outcome.gestureEnded}, "Change the range of a hold", place,
+           [&](rig::HoldTime& time, double&) { time.rangeFrames = range; });
+}
+
 void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
-  if (outcome.clickedBar != 0) {
-    app::selectTrail(session, outcome.clickedBar);
+  selectBar(session, outcome.clickedBar);
+  if (const std::optional<app::HoldPlace> hold = holdOfBar(outcome.editedBar)) {
+    dragHold(context, *hold, outcome);
+    return;
   }
   const EditPhase phase{outcome.barChanged || outcome.releaseChanged, outcome.gestureEnded};
   const std::vector<int> edited = editedWith(session, outcome.editedBar);
@@ -101,8 +127,9 @@ void applyView(PanelContext& context, const TimelineOutcome& outcome) {
 void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.menuBar != 0) {
-    app::selectTrail(session, outcome.menuBar);
-    askForMenu(context.ui, MenuTarget::trail,
+    selectBar(session, outcome.menuBar);
+    context.ui.menuHold = outcome.menuBar;
+    askForMenu(context.ui, outcome.menuBar < 0 ? MenuTarget::hold : MenuTarget::trail,
                MenuPlace{ImGui::GetIO().MousePos.x, outcome.menuRow.min.y, outcome.menuRow.max.y});
   } else if (outcome.menuAsked) {
     context.ui.menuFrame = outcome.menuFrame;
@@ -110,7 +137,7 @@ void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
                            : outcome.menuOnKey ? MenuTarget::key
                                                : MenuTarget::time);
   }
-  if (outcome.doubleClickedBar != 0) {
+  if (outcome.doubleClickedBar > 0) {
     app::selectTrail(session, outcome.doubleClickedBar);
     request(context, command::trailRename);
   }
@@ -154,6 +181,9 @@ void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
     app::pickKeys(session, keysIn(context, *outcome.keysPicked), outcome.keysPicked->add);
   } else if (outcome.clickedBesideKeys) {
     app::pickKeys(session, {}, false);
+  }
+  if (!outcome.keysDragged && !outcome.gestureEnded) {
+    return;
   }
   if (!session.isDragging()) {
     graph.heldKeys = app::pickedKeys(session);

@@ -67,8 +67,20 @@ struct ToastPlace {
   bool isCut = false; ///< The last line holds more than is drawn of it.
 };
 
-/// In the middle of the picture's width, with its upper edge at `top`.
-ToastPlace placeToast(const ToastStyle& style, const Rect& picture, const Toast& message, float top) {
+/// Beside the character, on the wider side, where a message has room there; else all of the picture.
+Rect roomFor(const Theme& theme, const Rect& picture, const std::optional<Rect>& figure) {
+  constexpr float upperShare = 0.25F; // of the picture, where messages stand
+  if (!figure || figure->min.y > picture.min.y + upperShare * picture.height()) {
+    return picture;
+  }
+  const Rect left{picture.min, {std::min(figure->min.x, picture.max.x), picture.max.y}};
+  const Rect right{{std::max(figure->max.x, picture.min.x), picture.min.y}, picture.max};
+  const Rect& wider = left.width() > right.width() ? left : right;
+  return wider.width() < theme.px(220.0F) ? picture : wider;
+}
+
+/// In the middle of the room's width, with its upper edge at `top`.
+ToastPlace placeToast(const ToastStyle& style, const Rect& room, const Toast& message, float top) {
   ToastPlace place;
   place.lines = wrapped(style.font, message.text, style.widest);
   place.isCut = place.lines.size() > style.mostLines;
@@ -81,7 +93,7 @@ ToastPlace placeToast(const ToastStyle& style, const Rect& picture, const Toast&
   }
   const float width = textWidth + style.iconColumn + 2.0F * style.padding.x;
   const float height = static_cast<float>(place.lines.size()) * style.font->FontSize + 2.0F * style.padding.y;
-  const ImVec2 corner(std::floor(picture.centre().x - 0.5F * width), std::floor(top));
+  const ImVec2 corner(std::floor(room.centre().x - 0.5F * width), std::floor(top));
   place.box = {corner, {corner.x + width, corner.y + height}};
   return place;
 }
@@ -133,14 +145,18 @@ bool readsWhole(PanelContext& context, const Toast& message, const ToastPlace& p
 
 } // namespace
 
-void drawToasts(PanelContext& context, const Rect& picture, ImDrawList& under) {
+void drawToasts(PanelContext& context, const Rect& picture, const std::optional<Rect>& figure,
+                ImDrawList& under) {
   const Theme& theme = context.theme;
   const bool isDialogOpen = ImGui::GetTopMostPopupModal() != nullptr;
   const bool isAnyOpen = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (isAnyOpen && !isDialogOpen) {
     hideNews(context.ui);
   }
-  const ToastStyle style = toastStyle(theme, picture);
+  const Rect room = roomFor(theme, picture, figure);
+  ToastStyle style = toastStyle(theme, picture);
+  style.widest =
+      std::min(style.widest, room.width() - style.iconColumn - 2.0F * (style.padding.x + theme.unit()));
   ImDrawList& list = isDialogOpen ? *ImGui::GetForegroundDrawList() : under;
   float top = picture.min.y + theme.unit();
   int count = 0;
@@ -149,7 +165,7 @@ void drawToasts(PanelContext& context, const Rect& picture, ImDrawList& under) {
     if (isDialogOpen && isNews) {
       continue; // Told when the dialog is closed.
     }
-    const ToastPlace place = placeToast(style, picture, message, top);
+    const ToastPlace place = placeToast(style, room, message, top);
     if (count > 0 && place.box.max.y > picture.centre().y) {
       break; // Told when there is room.
     }

@@ -32,6 +32,30 @@ void tourContent(PanelContext& context, const TourCard& card) {
                           .width = buttonWidth});
 }
 
+/// The step in one row, where the picture is too small for more; the mouse on it shows its text.
+void tourRow(PanelContext& context, const TourCard& card) {
+  const WidgetContext widgets = widgetsOf(context);
+  const Theme& theme = context.theme;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = theme.px(24.0F);
+  const float buttonWidth = theme.px(60.0F);
+  const Control place = takePlace(widgets, "tour/step",
+                                  {ImGui::GetContentRegionAvail().x - buttonWidth - theme.unit(), height});
+  tooltip(widgets, {card.title, card.text, {}});
+  const float key =
+      card.key.empty() ? 0.0F : keyCap(widgets, {corner.x, corner.y + theme.px(3.0F)}, card.key);
+  const Rect row{{corner.x + key + (key > 0.0F ? theme.unit() : 0.0F), corner.y}, place.box.max};
+  const std::string count = fmt::format("{} of {}", card.step + 1, card.steps);
+  const float countWidth = textSize(theme.fonts.label, count).x + theme.unit();
+  drawText(widgets, theme.fonts.strong, {row.min, {row.max.x - countWidth, row.max.y}}, theme.colours.text,
+           card.title);
+  drawText(widgets, theme.fonts.label, row, theme.colours.quietText, count, 1.0F);
+  ImGui::SameLine(0.0F, theme.unit());
+  commandButton(
+      context,
+      {.command = command::tourEnd, .text = "End", .emphasis = Emphasis::quiet, .width = buttonWidth});
+}
+
 } // namespace
 
 void drawTour(PanelContext& context, const Rect& picture) {
@@ -39,7 +63,8 @@ void drawTour(PanelContext& context, const Rect& picture) {
     return;
   }
   const Theme& theme = context.theme;
-  const float margin = theme.px(12.0F);
+  const bool isSmall = picture.height() < theme.px(300.0F);
+  const float margin = theme.px(isSmall ? 6.0F : 12.0F);
   const float width = std::min(theme.px(300.0F), picture.width() - 2.0F * margin);
   if (width < theme.px(140.0F)) {
     return;
@@ -57,7 +82,7 @@ void drawTour(PanelContext& context, const Rect& picture) {
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     context.items.add("tour", corner, {corner.x + size.x, corner.y + size.y});
-    tourContent(context, *context.status.tour);
+    isSmall ? tourRow(context, *context.status.tour) : tourContent(context, *context.status.tour);
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -63,7 +63,7 @@ struct TimelineState {
 };
 
 /// What a menu at the mouse is about.
-enum class MenuTarget { nothing, limb, trail, group, sphere, controller, key, range, time, viewport };
+enum class MenuTarget { nothing, limb, trail, group, sphere, controller, hold, key, range, time, viewport };
 
 /// A trail, or a group of trails, that is given a name.
 struct RenameState {
@@ -85,7 +85,7 @@ struct HistoryState {
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
-/// What the curves of one row were made from.
+/// What the curves and keys of one row were made from, but for the frames.
 struct GraphRowKey {
   std::optional<CopyOnWrite<Track>> track = {}; ///< Of the clip, and as the source has it.
   std::optional<CopyOnWrite<Track>> source = {};
@@ -112,7 +112,8 @@ struct GraphKey {
 };
 
 struct GraphState {
-  GraphChannels channels = GraphChannels::rotation;
+  GraphChannels channels = GraphChannels::rotation;          ///< Of joints,
+  GraphChannels offsetChannels = GraphChannels::translation; ///< of controllers.
   int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
   bool fitPicked = false; ///< The pending fit is about the picked keys.
@@ -124,6 +125,8 @@ struct GraphState {
   std::optional<GraphKey> madeFrom;
   std::vector<app::KeyRow> rows;     ///< Whose curves they are,
   std::vector<GraphRowKey> madeRows; ///< each made from one of these; curves of a row follow each other.
+  std::vector<Span> madeFrames;      ///< The frames that the points of each row are over.
+  bool complete = true;              ///< No row waits for a later frame of the window.
   std::optional<app::KeySelection> shownPicks; ///< As the curves mark them.
   CurveGesture gesture;
   app::KeySelection heldKeys; ///< Picked when a drag of keys began.
@@ -162,6 +165,7 @@ struct KeyRowsState {
   bool everyLimb = false;
   std::vector<KeyRow> rows = {};
   std::vector<std::vector<app::KeyRow>> keyed = {}; ///< What each of the rows stands for.
+  std::optional<app::KeySelection> shownPicks = {}; ///< As the rows mark them.
 };
 
 /// What an animator would stumble over in the selected trail, as last looked for.
@@ -204,11 +208,13 @@ enum class FilePurpose {
   saveModel,
   exportClean,
   openRecipe,
+  openProp,
   saveRecipe,
   saveFrames,
   exportSequence,
   openModuli,
-  saveModuli
+  saveModuli,
+  openSkeleton
 };
 
 /// One row of a folder's listing.
@@ -284,6 +290,12 @@ struct FileChoice {
   std::filesystem::path path;
 };
 
+/// What is to become of a file that was dropped, and that a hand could hold.
+struct DropAnswer {
+  std::filesystem::path file;
+  bool asProp = false; ///< Else it is opened.
+};
+
 struct KeyChange {
   std::string commandId;
   std::string keyText; ///< As Command::keys spells it; empty: no key.
@@ -296,6 +308,7 @@ struct UiAnswers {
   std::optional<NavigationStyle> navigation;
   std::optional<KeyChange> keyChange;
   std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
+  std::optional<DropAnswer> drop;            ///< To UiState::droppedThing.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
   bool keepSettings = false; ///< The user's settings are to be written at once.
@@ -344,6 +357,7 @@ struct UiState {
   KeysOverviewState keys;
   MenuTarget menuAsked = MenuTarget::nothing;  ///< To be opened in this frame.
   MenuTarget menuTarget = MenuTarget::nothing; ///< Of the menu that was opened last.
+  int menuHold = 0;                            ///< TimelineBar::id of the hold that the menu is about.
   double menuFrame = 0.0;                      ///< Where it was opened in the timeline.
   std::optional<MenuPlace> menuPlace;          ///< Else at the mouse.
   RenameState rename;
@@ -358,6 +372,8 @@ struct UiState {
   WelcomeState welcome;
   TourState tour;
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
+  /// A file that was dropped on the open character, and that a hand could hold: asked about; empty: none is.
+  std::filesystem::path droppedThing;
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.

@@ -49,8 +49,18 @@ Marker markAt(const Vec3& place, MarkerShape shape, float radiusPoints) {
   return mark;
 }
 
-void addMarks(const ControllerPicture& controller, const LineLook& look, const ControllerStyle& style,
-              Overlay& overlay) {
+// As large as its neighbours allow; the one that is meant is as large as all are where there is room.
+float fittedRing(const View& view, const ControllerPicture& controller, const ControllerStyle& style) {
+  if (!controller.ringRoom || controller.selected || controller.hovered) {
+    return style.ringPoints;
+  }
+  const double pixels = *controller.ringRoom / unitsPerPixel(view, *controller.ring);
+  const auto room = static_cast<float>(pixels / view.viewport.pixelsPerPoint);
+  return std::clamp(room, style.leastRingPoints, style.ringPoints);
+}
+
+void addMarks(const View& view, const ControllerPicture& controller, const LineLook& look,
+              const ControllerStyle& style, Overlay& overlay) {
   const float growth = look.widthPoints / style.widthPoints;
   if (controller.knob) {
     Marker knob = markAt(*controller.knob, MarkerShape::sphere, style.knobPoints * std::min(growth, 1.3F));
@@ -60,7 +70,7 @@ void addMarks(const ControllerPicture& controller, const LineLook& look, const C
     overlay.markers.push_back(knob);
   }
   if (controller.ring) {
-    Marker ring = markAt(*controller.ring, MarkerShape::ring, style.ringPoints);
+    Marker ring = markAt(*controller.ring, MarkerShape::ring, fittedRing(view, controller, style));
     ring.fill = glm::vec4(0.0F);
     ring.edge = look.color;
     ring.edgePoints = look.widthPoints;
@@ -80,14 +90,15 @@ ControllerStyle controllerStyle(const Palette& palette) {
   return style;
 }
 
-Overlay drawControllers(std::span<const ControllerPicture> controllers, const ControllerStyle& style) {
+Overlay drawControllers(const View& view, std::span<const ControllerPicture> controllers,
+                        const ControllerStyle& style) {
   Overlay overlay;
   for (const bool picked : {false, true}) {
     for (const ControllerPicture& controller : controllers) {
       if ((controller.selected || controller.hovered) == picked) {
         const LineLook look = lookOf(controller, style);
         addLines(controller, look, overlay);
-        addMarks(controller, look, style, overlay);
+        addMarks(view, controller, look, style, overlay);
       }
     }
   }

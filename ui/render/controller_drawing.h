@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "ui/render/camera.h"
 #include "ui/render/overlay.h"
 #include "ui/render/palette.h"
 
@@ -16,7 +17,8 @@ enum class BodySide { centre, left, right };
 struct ControllerPicture {
   std::vector<std::vector<Vec3>> lines; ///< World; each a run of points.
   std::optional<Vec3> knob;             ///< A pole: a ball at the end of its line.
-  std::optional<Vec3> ring;             ///< On a joint: a ring of constant size on the screen.
+  std::optional<Vec3> ring;       ///< On a joint: a ring of the same size at any zoom, where it has room.
+  std::optional<double> ringRoom; ///< World: how far the ring may reach; none: as far as it likes.
   BodySide side = BodySide::centre;
   bool selected = false;
   bool hovered = false;
@@ -30,13 +32,14 @@ struct ControllerStyle {
   float widthPoints = 1.5F; ///< At any zoom.
   float knobPoints = 5.0F;  ///< Radius.
   float ringPoints = 7.0F;
+  float leastRingPoints = 2.5F;
 };
 
 [[nodiscard]] ControllerStyle controllerStyle(const Palette& palette);
 
 /// Thin lines with an edge of opposite lightness, weaker where the body hides them; what is under the mouse
 /// or selected is thicker, brighter and drawn last.
-[[nodiscard]] Overlay drawControllers(std::span<const ControllerPicture> controllers,
+[[nodiscard]] Overlay drawControllers(const View& view, std::span<const ControllerPicture> controllers,
                                       const ControllerStyle& style);
 
 } // namespace stretch::ui

@@ -13,7 +13,7 @@ Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& co
     overlay.add(
         drawSkeleton(scene, content.frame, skeletonStyle(content.style.palette), content.style.highlight));
   }
-  overlay.add(drawControllers(content.controllers, controllerStyle(content.style.palette)));
+  overlay.add(drawControllers(view, content.controllers, controllerStyle(content.style.palette)));
   for (const StyledTrail& trail : content.trails) {
     overlay.add(drawTrail(view, trail.path, trail.style));
   }

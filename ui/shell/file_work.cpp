@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include "app/bundled_files.h"
+#include "app/commands/hold.h"
+#include "app/commands/selection.h"
 #include "app/edits/place_trails.h"
+#include "app/evaluate/hand_place.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
+#include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
 #include "ui/panels/file_listing.h"
 #include "ui/shell/sequence_work.h"
@@ -94,6 +98,9 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::openRecipe:
     loadRecipeFile(shell, choice.path);
     break;
+  case FilePurpose::openProp:
+    addPropFile(shell, choice.path);
+    break;
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
     break;
@@ -102,6 +109,7 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::exportSequence:
   case FilePurpose::openModuli:
   case FilePurpose::saveModuli:
+  case FilePurpose::openSkeleton:
     break;
   }
 }
@@ -135,6 +143,10 @@ void takeAnswers(Shell& shell) {
     WindowUser user(shell);
     shell.files.answer(user, *std::exchange(answers.question, std::nullopt));
   }
+  if (answers.drop) {
+    const DropAnswer answer = *std::exchange(answers.drop, std::nullopt);
+    answerFile(shell, {answer.asProp ? FilePurpose::openProp : FilePurpose::openModel, answer.file});
+  }
   if (answers.file) {
     answerFile(shell, *std::exchange(answers.file, std::nullopt));
   }
@@ -147,6 +159,21 @@ std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
     return drops;
   }
   return {drops.front()};
+}
+
+/// A file that was dropped: one that a hand of the open character could hold is asked about, another is
+/// opened.
+void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
+  const bool isAsked =
+      shell.files.question().kind != app::FileQuestion::Kind::none || shell.files.isOpening();
+  const app::Session* const character = shell.open.character();
+  const std::vector<fs::path> paths = droppedPaths(drops);
+  if (!isAsked && character != nullptr && paths.size() == 1 && !app::handsForProp(*character).empty() &&
+      gltf::looksLikeThing(paths.front())) {
+    shell.ui.droppedThing = paths.front();
+  } else {
+    openFile(shell, paths);
+  }
 }
 
 /// Of the name and name-2, name-3 and so on the first that nothing in the folder has.
@@ -238,7 +265,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   updateSequence(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
-    openFile(shell, droppedPaths(input.drops));
+    takeDrop(shell, input.drops);
   }
   if (input.closeAsked) {
     askToQuit(shell);
@@ -281,6 +308,27 @@ void saveRecipeFile(Shell& shell, const std::filesystem::path& path) {
   tellProblem(shell, done);
   if (done) {
     tell(shell, ToastKind::success, "Saved the recipe " + path.filename().string());
+  }
+}
+
+void addPropFile(Shell& shell, const std::filesystem::path& path) {
+  app::Session& session = *shell.open.character();
+  const std::vector<std::string> hands = app::handsForProp(session);
+  Result<app::AddedProp> added =
+      app::putIntoHands(session.document(), {path, hands, session.view().clip, session.view().frame, {}});
+  if (!added) {
+    tell(shell, ToastKind::error, added.error().line());
+    return;
+  }
+  session.edit(std::move(added->document), "Add a prop");
+  std::vector<std::string> arms;
+  arms.reserve(hands.size());
+  for (const std::string& hand : hands) {
+    arms.push_back(app::limbTitle(session.document(), hand));
+  }
+  tell(shell, ToastKind::success, fmt::format("{} is held by the {}", added->node, app::listed(arms)));
+  for (const std::string& warning : added->warnings) {
+    tell(shell, ToastKind::warning, warning);
   }
 }
 

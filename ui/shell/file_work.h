@@ -42,5 +42,7 @@ void closeFile(Shell& shell);
 void saveRecipeFile(Shell& shell, const std::filesystem::path& path);
 /// Replays a recipe on this character, as one undo step.
 void loadRecipeFile(Shell& shell, const std::filesystem::path& path);
+/// Puts the thing of a file into the selected hands.
+void addPropFile(Shell& shell, const std::filesystem::path& path);
 
 } // namespace stretch::ui

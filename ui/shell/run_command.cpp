@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include "app/commands/applied.h"
 #include "app/commands/command_ids.h"
+#include "app/commands/frames.h"
+#include "app/commands/past_end.h"
 #include "app/commands/selection.h"
 #include "app/commands/step_text.h"
 #include "ui/panels/panel_support.h"
@@ -110,6 +113,40 @@ void tellUndone(Shell& shell, std::string_view commandId, const std::string& lab
   tell(shell, ToastKind::info, std::string(commandId == command::undo ? undone : redone) + label);
 }
 
+/// What a command that holds something did, and over which frames; empty for other commands.
+std::string heldText(const Shell& shell, std::string_view commandId) {
+  constexpr std::array<std::string_view, 6> holding{command::holdPin,   command::holdPinFeet,
+                                                    command::holdMatch, command::holdProp,
+                                                    command::holdLetGo, command::holdRemove};
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && std::find(holding.begin(), holding.end(), commandId) != holding.end()
+             ? undoneText(shell, command::undo)
+             : std::string();
+}
+
+/// Where the viewed clip ends, seconds; 0 without one.
+double endOfClip(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session == nullptr || !app::hasClip(session->document(), session->view().clip)
+             ? 0.0
+             : app::clipOf(session->document(), session->view().clip).endSeconds;
+}
+
+/// A clip whose last keys were deleted ends earlier, and what stands past that end has no effect.
+void tellShorterClip(Shell& shell, std::string_view commandId, double endBefore) {
+  if (commandId != command::keysDelete || endOfClip(shell) >= endBefore) {
+    return;
+  }
+  const app::Session& session = *shell.open.character();
+  const int clip = session.view().clip;
+  const double rate = app::clipOf(session.document(), clip).framesPerSecond;
+  const std::vector<std::string> past = app::standingPastEnd(session.document(), clip);
+  tell(shell, past.empty() ? ToastKind::info : ToastKind::warning,
+       fmt::format("The clip ends at frame {} now, not at {}{}", shortNumber(endOfClip(shell) * rate, 1),
+                   shortNumber(endBefore * rate, 1),
+                   past.empty() ? std::string() : ". Past that end: " + app::listed(past)));
+}
+
 /// The trails that a command is going to apply; none for any other command.
 std::vector<int> trailsToApply(const Shell& shell, std::string_view commandId) {
   const app::Session* const session = shell.open.character();
@@ -155,10 +192,15 @@ void runCommand(Shell& shell, std::string_view commandId) {
   }
   const std::string undone = undoneText(shell, commandId);
   const std::vector<int> applied = trailsToApply(shell, commandId);
+  const double endBefore = endOfClip(shell);
   const Status done = command->run(shell);
   tellProblem(shell, done);
+  tellShorterClip(shell, commandId, endBefore);
   if (done && !undone.empty()) {
     tellUndone(shell, commandId, undone);
+  }
+  if (const std::string held = heldText(shell, commandId); done && !held.empty()) {
+    tell(shell, ToastKind::info, held);
   }
   if (done && !applied.empty()) {
     tell(shell, ToastKind::success, "Applied: " + app::appliedText(*shell.open.character(), applied));
@@ -193,7 +235,7 @@ bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
          ui.rename.open || ui.retime.open || ui.history.open || ui.jointPick.open ||
-         ui.navigationChoiceOpen || ui.rangeClash.has_value() ||
+         ui.navigationChoiceOpen || ui.rangeClash.has_value() || !ui.droppedThing.empty() ||
          shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 

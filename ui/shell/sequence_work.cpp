@@ -21,12 +21,23 @@ Status ask(Shell& shell, FilePurpose purpose) {
   return Success{};
 }
 
-void exportTo(Shell& shell, const std::filesystem::path& path) {
-  const Status done = app::exportResult(shell.open.sequence()->document(), path);
-  if (done) {
-    tell(shell, ToastKind::success, "Exported " + path.filename().string());
+void takeSkeleton(Shell& shell, const std::filesystem::path& path) {
+  app::SequenceSession& session = *shell.open.sequence();
+  Result<app::SequenceDocument> changed = app::withSkeleton(session.document(), path);
+  if (!changed) {
+    tell(shell, ToastKind::error, changed.error().line());
+    return;
   }
-  tellProblem(shell, done);
+  session.edit(std::move(changed).value(), "Take the bones of " + path.filename().string());
+}
+
+/// What the file shows when it is read back, not what was meant to be in it.
+std::string exportText(const app::WrittenClip& written) {
+  const skinning::EncodedClip& clip = written.clip->clip;
+  const std::size_t bytes = clip.source.buffers.front().size() + clip.bytesOfJson;
+  return fmt::format("Exported {}: {:.4g} kB, read back it is off by {:.3g} %, at most {:.3g} %",
+                     written.path.filename().string(), static_cast<double>(bytes) / 1000.0,
+                     written.metrics.rmsePercent, written.metrics.largestPercent);
 }
 
 void loadModuli(Shell& shell, const std::filesystem::path& path) {
@@ -58,13 +69,13 @@ void saveModuli(Shell& shell, const std::filesystem::path& path) {
   tellProblem(shell, done);
 }
 
-std::string resultText(const app::SequenceDocument& document) {
+std::string resultText(const app::SequenceSession& session) {
   return fmt::format("Compressed: RMSE {:.3g} %, {:.4g} bytes per frame",
-                     document.result->compressed.metrics.rmsePercent,
-                     app::exported(document)->clip.bytesPerFrame);
+                     session.document().result->compressed.metrics.rmsePercent,
+                     session.clip() == nullptr ? 0.0 : session.clip()->clip.bytesPerFrame);
 }
 
-app::Command<Shell> moduliCommand(const char* id, const char* label, const char* help, FilePurpose purpose) {
+app::Command<Shell> fileCommand(const char* id, const char* label, const char* help, FilePurpose purpose) {
   app::Command<Shell> made;
   made.id = id;
   made.label = label;
@@ -89,33 +100,46 @@ void showSequence(Shell& shell) {
 
 void updateSequence(Shell& shell) {
   app::SequenceSession* const session = shell.open.sequence();
-  if (session == nullptr || !session->isCompressing()) {
+  if (session == nullptr) {
     return;
   }
   const std::optional<Status> done = session->takeCompression();
   if (done && *done) {
-    tell(shell, ToastKind::success, resultText(session->document()));
+    tell(shell, ToastKind::success, resultText(*session));
   } else if (done) {
     tellProblem(shell, *done);
   }
+  const std::optional<Result<app::WrittenClip>> written = session->takeExport();
+  if (written && *written) {
+    tell(shell, ToastKind::success, exportText(**written));
+  } else if (written) {
+    tellProblem(shell, written->error());
+  }
+  session->keepClip();
 }
 
 void answerSequenceFile(Shell& shell, const FileChoice& choice) {
   if (choice.purpose == FilePurpose::exportSequence) {
-    exportTo(shell, choice.path);
+    tellProblem(shell, shell.open.sequence()->startExport(choice.path));
   } else if (choice.purpose == FilePurpose::openModuli) {
     loadModuli(shell, choice.path);
   } else if (choice.purpose == FilePurpose::saveModuli) {
     saveModuli(shell, choice.path);
+  } else if (choice.purpose == FilePurpose::openSkeleton) {
+    takeSkeleton(shell, choice.path);
   }
 }
 
-std::vector<app::Command<Shell>> moduliCommands() {
-  return {moduliCommand(command::moduliLoad, "Load moduli", "Reads Young's moduli by segment from JSON.",
-                        FilePurpose::openModuli),
-          moduliCommand(command::moduliSave, "Save moduli",
-                        "Writes Young's moduli by segment as JSON, as `compress --moduli` reads them.",
-                        FilePurpose::saveModuli)};
+std::vector<app::Command<Shell>> sequenceFileCommands() {
+  return {fileCommand(command::skeletonTake, "Take the bones of a file",
+                      "Takes the names, parents and places of the bones of a .glb's skin; their motion and "
+                      "the weights are fitted. They have to stand where the first frame does, in its units.",
+                      FilePurpose::openSkeleton),
+          fileCommand(command::moduliLoad, "Load moduli", "Reads Young's moduli by segment from JSON.",
+                      FilePurpose::openModuli),
+          fileCommand(command::moduliSave, "Save moduli",
+                      "Writes Young's moduli by segment as JSON, as `compress --moduli` reads them.",
+                      FilePurpose::saveModuli)};
 }
 
 } // namespace stretch::ui

@@ -9,13 +9,13 @@ namespace stretch::ui {
 /// Turns the view to a sequence that was opened.
 void showSequence(Shell& shell);
 
-/// Once per frame: takes up a compression that is done.
+/// Once per frame: takes up what was made beside the window, and has the result encoded as it is asked for.
 void updateSequence(Shell& shell);
 
-/// What a dialog answered while a sequence is open: where to export to, moduli to read or write.
+/// What a dialog answered while a sequence is open: where to export to, moduli or a skeleton.
 void answerSequenceFile(Shell& shell, const FileChoice& choice);
 
-/// Reading and writing the moduli of segments.
-[[nodiscard]] std::vector<app::Command<Shell>> moduliCommands();
+/// What asks for a file: moduli of segments to read or write, a skeleton to take.
+[[nodiscard]] std::vector<app::Command<Shell>> sequenceFileCommands();
 
 } // namespace stretch::ui

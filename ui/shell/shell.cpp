@@ -6,6 +6,25 @@
 
 namespace stretch::ui {
 
+namespace {
+
+/// What is being made of a sequence beside the window.
+void describeWork(const app::SequenceSession& session, EditorStatus& status) {
+  const std::string& name = session.document().mesh->name;
+  if (session.isCompressing()) {
+    status.busyText = "Compressing " + name;
+    status.busyFraction = static_cast<float>(session.compressedShare());
+  } else if (session.isExporting()) {
+    status.busyText = "Exporting " + name;
+    status.busyFraction = static_cast<float>(session.exportedShare());
+  } else {
+    status.busyText = "Encoding " + name;
+    status.busyFraction = static_cast<float>(session.encodedShare());
+  }
+}
+
+} // namespace
+
 EditorStatus statusOf(const Shell& shell) {
   EditorStatus status;
   status.question = shell.files.question();
@@ -18,9 +37,8 @@ EditorStatus statusOf(const Shell& shell) {
   if (shell.files.isOpening()) {
     status.busyText = "Opening " + shell.files.openingName();
     status.busyFraction = shell.files.openingShare();
-  } else if (sequence != nullptr && sequence->isCompressing()) {
-    status.busyText = "Compressing " + sequence->document().mesh->name;
-    status.busyFraction = static_cast<float>(sequence->compressedShare());
+  } else if (sequence != nullptr && sequence->isWorking()) {
+    describeWork(*sequence, status);
   }
   return status;
 }

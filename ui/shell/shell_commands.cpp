@@ -9,6 +9,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/frames.h"
+#include "app/commands/hold.h"
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
@@ -285,6 +286,11 @@ void append(std::vector<ShellCommand>& all, std::vector<ShellCommand> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+bool canTakeProp(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && !app::handsForProp(*session).empty();
+}
+
 auto askingFor(FilePurpose purpose) {
   return doing([purpose](Shell& shell) { askForFile(shell, purpose); });
 }
@@ -321,6 +327,10 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::recipeLoad, "Replay a recipe",
             "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
             askingFor(FilePurpose::openRecipe)),
+      entry(command::propAdd, "Add a prop",
+            "Puts the thing of another file into the selected hand, or into both, at the playhead: into the "
+            "right one where none is selected. It is saved with the character.",
+            {}, {canTakeProp, "open a character with arms and a clip"}, askingFor(FilePurpose::openProp)),
       entry(command::fileQuit, "Quit", "Leaves the program; asks first when there is unsaved work.",
             {"Ctrl+Q"}, nothingNeeded, doing([](Shell& shell) { askToQuit(shell); })),
   };
@@ -452,7 +462,7 @@ std::vector<ShellCommand> editorCommands() {
     all.push_back(fromDocument(command));
   }
   append(all, toolCommands());
-  append(all, moduliCommands());
+  append(all, sequenceFileCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());

@@ -9,6 +9,7 @@
 #include "app/schema/schema_json.h"
 #include "app/schema/schema_rows.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_text.h"
 #include "ui/panels/view_schema.h"
 
 namespace stretch::ui {
@@ -121,7 +122,7 @@ std::string settingsText(const UiState& ui, const PaneSizes& panes, const Window
 }
 
 void readSettings(const std::string& text, UiState& ui, PaneSizes& panes, WindowMemory& window) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = gltf::parseAnyJson(text);
   if (!json.is_object()) {
     return;
   }
@@ -157,7 +158,7 @@ std::string viewText(const app::ViewState& view, const Camera& camera) {
 }
 
 void readView(const std::string& text, const app::Document& document, app::ViewState& view, Camera& camera) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = gltf::parseAnyJson(text);
   if (!json.is_object()) {
     return;
   }

@@ -51,6 +51,18 @@ std::optional<double> pixelsTo(const View& view, const std::optional<Vec3>& plac
   return seen ? std::optional(glm::distance(seen->pixels, mousePixels)) : std::nullopt;
 }
 
+// Half the way to the nearest other ring, for each picture that has one.
+void giveRings(std::vector<ControllerPicture>& pictures) {
+  for (ControllerPicture& picture : pictures) {
+    for (const ControllerPicture& other : pictures) {
+      if (&other != &picture && picture.ring && other.ring) {
+        const double half = 0.5 * glm::distance(*picture.ring, *other.ring);
+        picture.ringRoom = std::min(half, picture.ringRoom.value_or(half));
+      }
+    }
+  }
+}
+
 } // namespace
 
 bool showsControllers(const app::Session& session, const ViewportOverlays& overlays) {
@@ -125,6 +137,7 @@ std::vector<ControllerPicture> controllerPictures(const std::vector<ShownControl
     pictures.back().selected = std::ranges::find(selected, controller.placed.id) != selected.end();
     pictures.back().hovered = controller.placed.id == hovered;
   }
+  giveRings(pictures);
   return pictures;
 }
 

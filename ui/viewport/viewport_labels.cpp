@@ -9,6 +9,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "rig/limb.h"
+#include "rig/motion/motion.h"
 #include "rig/trail/exaggeration.h"
 #include "ui/panels/panel_support.h"
 #include "ui/render/skeleton_drawing.h"
@@ -20,9 +21,6 @@
 
 namespace stretch::ui {
 
-namespace {
-
-/// A world point in window units; nothing behind the eye.
 std::optional<ImVec2> placeOf(const ViewportState& viewport, const Vec3& world) {
   const auto point = projectToPixels(viewport.view, world);
   if (!point) {
@@ -31,6 +29,8 @@ std::optional<ImVec2> placeOf(const ViewportState& viewport, const Vec3& world) 
   return ImVec2(viewport.box.min.x + static_cast<float>(point->pixels.x / viewport.pixelsPerUnit),
                 viewport.box.min.y + static_cast<float>(point->pixels.y / viewport.pixelsPerUnit));
 }
+
+namespace {
 
 /// Text on a dark ground of its own, so that it reads over anything.
 void label(const PanelContext& context, const ImVec2& corner, const std::string& text, ImU32 colour) {
@@ -199,6 +199,44 @@ void drawControllerName(ViewportContext& context) {
         context.theme.colours.text);
 }
 
+/// A pin where a hand or foot is held: its point at the place, weaker while it comes and goes.
+void drawPin(ViewportContext& context, const std::string& limb, const Vec3& world, double strength) {
+  const auto point = placeOf(context.viewport, world);
+  if (!point) {
+    return;
+  }
+  const Theme& theme = context.theme;
+  const auto weight = static_cast<float>(0.35 + 0.65 * strength);
+  const ImVec2 head{point->x + theme.px(7.0F), point->y - theme.px(15.0F)};
+  const ImU32 edge = faded(theme.colours.background, 0.85F * weight);
+  const ImU32 colour = faded(theme.colours.text, weight);
+  ImDrawList* const draw = ImGui::GetWindowDrawList();
+  draw->AddLine(*point, head, edge, theme.px(4.0F));
+  draw->AddLine(*point, head, colour, theme.px(1.75F));
+  draw->AddCircleFilled(head, theme.px(6.0F), edge);
+  draw->AddCircleFilled(head, theme.px(4.5F), faded(theme.colours.accent, weight));
+  draw->AddCircleFilled(*point, theme.px(2.5F), colour);
+  const float reach = theme.px(6.0F);
+  context.items.add("viewport/pin/" + limb, {head.x - reach, head.y - reach},
+                    {head.x + reach, head.y + reach});
+}
+
+/// The pins that hold at the playhead.
+void drawPins(ViewportContext& context) {
+  app::Session& session = *context.open.character();
+  if (session.view().clip < 0 || session.view().showOriginal) {
+    return;
+  }
+  const rig::SolvedHolds& holds = session.motion().holds;
+  const double seconds = session.view().frame / session.motion().framesPerSecond;
+  for (const std::optional<rig::SolvedPin>& pin : holds.pins) {
+    const double strength = pin ? pin->span.strengthAt(seconds) : 0.0;
+    if (strength > 0.0) {
+      drawPin(context, holds.limbs[pin->limb].limb.id, pin->place.position, strength);
+    }
+  }
+}
+
 void drawJointNames(ViewportContext& context, const FrameState& frame) {
   if (!context.ui.overlays.jointNames) {
     return;
@@ -343,6 +381,7 @@ void drawViewportLabels(ViewportContext& context, const FrameState& frame) {
   recordSpheres(context);
   recordHandles(context);
   recordControllers(context);
+  drawPins(context);
   drawJointNames(context, frame);
   drawFrameNumbers(context);
   drawHoverLabel(context);

@@ -174,6 +174,42 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
   drawScene(context, gpu, picture);
 }
 
+/// Where the character stands in the picture, window units: its limbs with some flesh around them.
+std::optional<Rect> figureIn(const ViewportContext& context) {
+  constexpr float fleshShare = 0.06F; // of the figure's height
+  app::Session* const session = context.open.character();
+  std::optional<Rect> figure;
+  const auto add = [&](const Vec3& world) {
+    if (const auto place = placeOf(context.viewport, world)) {
+      const Rect before = figure.value_or(Rect{*place, *place});
+      figure = Rect{{std::min(before.min.x, place->x), std::min(before.min.y, place->y)},
+                    {std::max(before.max.x, place->x), std::max(before.max.y, place->y)}};
+    }
+  };
+  if (session != nullptr) {
+    for (const BoneSegment& bone :
+         limbBones(session->document(), session->frameAt(session->view().frame)).bones) {
+      add(bone.fromWorld);
+      add(bone.toWorld);
+    }
+  }
+  if (figure) {
+    const float flesh = fleshShare * figure->height();
+    figure = Rect{{figure->min.x - flesh, figure->min.y - 2.0F * flesh},
+                  {figure->max.x + flesh, figure->max.y + flesh}};
+  }
+  return figure;
+}
+
+/// Messages stay beside the character as it stood when the first of them came: they do not hop while it
+/// plays.
+void showMessages(ViewportContext& context) {
+  if (context.ui.toasts.empty()) {
+    context.viewport.figure = figureIn(context);
+  }
+  drawToasts(context, context.viewport.box, context.viewport.figure, *ImGui::GetWindowDrawList());
+}
+
 } // namespace
 
 void drawPicture(ViewportContext& context, ViewportGpu& gpu, DrawnPicture& drawn,
@@ -224,7 +260,7 @@ void drawViewportPane(ViewportContext& context, ViewportGpu& gpu, const Rect& re
                                  ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("viewport-pane", nullptr, flags)) {
     drawPictureArea(context, gpu);
-    drawToasts(context, context.viewport.box, *ImGui::GetWindowDrawList());
+    showMessages(context);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);

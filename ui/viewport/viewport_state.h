@@ -59,6 +59,7 @@ struct ViewportState {
   std::string hoveredLimb;
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
   LimbHover limbs;
+  std::optional<Rect> figure;     ///< Where the character stood when the messages on show began to come.
   std::optional<double> tipFrame; ///< Whose pose stands as a ghost (tipGhostFrame).
   TipWatch tipWatch;
 };

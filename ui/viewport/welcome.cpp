@@ -66,9 +66,8 @@ CardPlan planCard(const Theme& theme, float width, bool upright) {
   const float textHeight = theme.px(58.0F);
   if (!upright) {
     const Rect picture{{pad, pad}, {pad + std::floor(pictureRatio * textHeight), pad + textHeight}};
-    return {{width, textHeight + 2.0F * pad},
-            picture,
-            {{picture.max.x + pad, pad}, {width - pad, pad + textHeight}}};
+    const float tall = theme.px(76.0F); // A name on two rows.
+    return {{width, tall + 2.0F * pad}, picture, {{picture.max.x + pad, pad}, {width - pad, pad + tall}}};
   }
   const float inner = width - 2.0F * pad;
   const float end = pad + std::floor(inner / pictureRatio);
@@ -91,13 +90,21 @@ void drawClipPicture(const Theme& theme, const GlTexture& picture, const Rect& b
                         theme.corner());
 }
 
-/// The name of a clip and its line, on two rows.
+/// The name of a clip and its line, on up to two rows each, as many as have room.
 void drawClipText(const WidgetContext& widgets, const app::BundledClip& clip, const Rect& box) {
   const Theme& theme = widgets.theme;
-  float y = box.min.y + theme.px(22.0F);
-  drawText(widgets, theme.fonts.strong, {box.min, {box.max.x, y}}, theme.colours.text, clip.name);
+  ImFont* const strong = theme.fonts.strong != nullptr ? theme.fonts.strong : ImGui::GetFont();
   ImFont* const label = theme.fonts.label != nullptr ? theme.fonts.label : ImGui::GetFont();
-  for (const std::string_view text : wrapped(label, clip.line, box.width(), 2)) {
+  const std::vector<std::string_view> name = wrapped(strong, clip.name, box.width(), 2);
+  float y = box.min.y;
+  for (const std::string_view text : name) {
+    const float height = theme.px(name.size() > 1 ? 19.0F : 22.0F);
+    drawText(widgets, theme.fonts.strong, {{box.min.x, y}, {box.max.x, y + height}}, theme.colours.text,
+             text);
+    y += height;
+  }
+  const std::size_t rows = box.max.y - y < theme.px(34.0F) ? 1 : 2;
+  for (const std::string_view text : wrapped(label, clip.line, box.width(), rows)) {
     drawText(widgets, theme.fonts.label, {{box.min.x, y}, {box.max.x, y + theme.px(18.0F)}},
              theme.colours.quietText, text);
     y += theme.px(18.0F);

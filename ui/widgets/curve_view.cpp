@@ -100,6 +100,7 @@ std::span<const CurveKey> visibleKeys(const Plot& plot, const Curve& curve) {
 /// What is worth drawing of many curves: with thousands of keys in sight none says anything.
 struct Detail {
   bool keys = true;
+  bool pickedKeys = true; ///< Else their curves are drawn as keys would be.
   bool thin = false;
 };
 
@@ -107,12 +108,15 @@ Detail detailOf(const Plot& plot, const CurveViewModel& model) {
   constexpr std::size_t mostKeys = 8000;
   constexpr std::size_t mostPoints = 20000;
   std::size_t keys = 0;
+  std::size_t picked = 0;
   std::size_t points = 0;
   for (const Curve& curve : model.curves) {
-    keys += curve.hidden ? 0 : visibleKeys(plot, curve).size();
+    const std::size_t visible = curve.hidden ? 0 : visibleKeys(plot, curve).size();
+    keys += visible;
+    picked += std::min(visible, curve.picked);
     points += curve.hidden ? 0 : curve.points.size();
   }
-  return {keys <= mostKeys, points > mostPoints};
+  return {keys <= mostKeys, picked <= mostKeys, points > mostPoints};
 }
 
 void drawMark(ImDrawList& list, const ImVec2& at, float radius, bool isOffset, ImU32 colour) {
@@ -126,12 +130,12 @@ void drawMark(ImDrawList& list, const ImVec2& at, float radius, bool isOffset, I
 void drawKeys(const Theme& theme, const Plot& plot, const Curve& curve, const Detail& detail) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   float lastX = -1e9F;
-  if (!detail.keys && curve.picked == 0) {
+  if (!detail.keys && (curve.picked == 0 || !detail.pickedKeys)) {
     return;
   }
   for (const CurveKey& key : visibleKeys(plot, curve)) {
     const ImVec2 at = plot.at(key.at);
-    if (key.picked) {
+    if (key.picked && detail.pickedKeys) {
       drawMark(*list, at, theme.px(6.0F), curve.offsetKeys, theme.colours.background);
       drawMark(*list, at, theme.px(5.0F), curve.offsetKeys, theme.colours.text);
     } else if (detail.keys && at.x - lastX >= theme.px(4.0F)) {
@@ -153,9 +157,9 @@ void drawCurve(const Theme& theme, const Plot& plot, const Curve& curve, const D
                       theme.px(4.0F), theme.px(4.0F));
   }
   const std::vector<ImVec2> line = screenLine(plot, curve.points);
-  list->AddPolyline(line.data(), static_cast<int>(line.size()),
-                    detail.thin ? faded(curve.colour, 0.6F) : curve.colour, ImDrawFlags_None,
-                    detail.thin ? 1.0F : theme.px(1.75F));
+  const ImU32 colour = curve.picked > 0 && !detail.pickedKeys ? theme.colours.text : curve.colour;
+  list->AddPolyline(line.data(), static_cast<int>(line.size()), detail.thin ? faded(colour, 0.6F) : colour,
+                    ImDrawFlags_None, detail.thin ? 1.0F : theme.px(1.75F));
 }
 
 constexpr float handleLength = 44.0F; ///< Design pixels.
@@ -354,6 +358,7 @@ void recordKeys(const WidgetContext& context, const std::string& id, const Plot&
       const std::string name = "-key/" + row + curve.label + "/" + std::to_string(key.key);
       add(name, plot.at(key.at));
       if (key.picked) {
+        add(name + "/in", handleTip(context.theme, plot, key, false));
         add(name + "/out", handleTip(context.theme, plot, key, true));
       }
     }
@@ -436,8 +441,23 @@ Span fittedValues(const std::vector<Curve>& curves) {
   if (low > high) {
     return {-1.0, 1.0};
   }
-  const double margin = std::max((high - low) * 0.12, std::max(std::abs(high) * 1e-3, 1e-3));
+  constexpr double level = 0.1; // What a curve that does not move is shown within.
+  const bool isLevel = high - low < 1e-6 * std::max(1.0, std::abs(high));
+  const double margin = isLevel ? level * std::max(1.0, std::abs(high)) : (high - low) * 0.12;
   return {low - margin, high + margin};
+}
+
+bool lostFromSight(std::vector<Curve>& curves, const Span& values) {
+  bool lost = false;
+  for (Curve& curve : curves) {
+    const bool inSight =
+        !curve.hidden && std::any_of(curve.points.begin(), curve.points.end(), [&](const Vec2& point) {
+          return point.y >= values.start && point.y <= values.end;
+        });
+    lost = lost || (curve.seen && !inSight && !curve.hidden);
+    curve.seen = inSight;
+  }
+  return lost;
 }
 
 std::optional<CurveFit> fittedPicks(std::span<const Curve> curves) {

@@ -28,6 +28,7 @@ struct Curve {
   std::vector<Vec2> source = {}; ///< As it was before its keys were edited: a ghost; empty for none.
   std::vector<CurveKey> keys = {};
   bool hidden = false;
+  bool seen = false;         ///< Since the view was set a part of it was in sight.
   std::size_t picked = 0;    ///< How many of the keys are.
   bool offsetKeys = false;   ///< Keys of a controller, drawn as circles; else the clip's own, as diamonds.
   std::size_t row = 0;       ///< Whose curve it is: the caller's number,
@@ -92,6 +93,8 @@ struct CurveViewOutcome {
 
 /// The values that all visible curves cover, with a margin; never without width.
 [[nodiscard]] Span fittedValues(const std::vector<Curve>& curves);
+/// Whether an edit took a visible curve that was seen out of sight; remembers what is seen.
+[[nodiscard]] bool lostFromSight(std::vector<Curve>& curves, const Span& values);
 /// The frames and values of the picked keys, with a margin; nothing without one.
 struct CurveFit {
   Span frames;

@@ -15,16 +15,18 @@ constexpr float grabWidth = 6.0F; ///< Either side of an edge, design pixels.
 
 Hit barHit(const Theme& theme, const Layout& layout, const TimelineModel& model, const ImVec2& mouse) {
   const float reach = theme.px(grabWidth);
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    const TimelineBar& bar = model.bars[row];
-    const Rect box = barBox(theme, layout, model, row, {bar.start, bar.end});
-    const Rect window = barBox(theme, layout, model, row, shownWindow(model, bar));
+  for (const TimelineBar& bar : model.bars) {
+    const Rect box = barBox(theme, layout, model, bar, {bar.start, bar.end});
+    const Rect window = barBox(theme, layout, model, bar, shownWindow(model, bar));
     if (mouse.y < box.min.y || mouse.y >= box.max.y) {
       continue;
     }
     const Span span{bar.start, bar.end};
-    const bool releaseAfter = bar.windowEnd > bar.end && std::abs(window.max.x - box.max.x) > reach;
-    const bool releaseBefore = bar.windowStart < bar.start && std::abs(box.min.x - window.min.x) > reach;
+    const bool isTrail = bar.id > 0;
+    const bool releaseAfter =
+        isTrail && bar.windowEnd > bar.end && std::abs(window.max.x - box.max.x) > reach;
+    const bool releaseBefore =
+        isTrail && bar.windowStart < bar.start && std::abs(box.min.x - window.min.x) > reach;
     if (std::abs(mouse.x - box.min.x) <= reach) {
       return {TimelinePart::barStart, bar.id, span};
     }
@@ -222,9 +224,8 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   }
   outcome.menuAsked = true;
   outcome.menuBar = hit.bar;
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    outcome.menuRow =
-        model.bars[row].id == hit.bar ? barBox(theme, layout, model, row, {0.0, 0.0}) : outcome.menuRow;
+  for (const TimelineBar& bar : model.bars) {
+    outcome.menuRow = bar.id == hit.bar ? barBox(theme, layout, model, bar, {0.0, 0.0}) : outcome.menuRow;
   }
   outcome.menuFrame = snapped(model, layout.frames.toValue(mouse.x));
   if (hit.part == TimelinePart::rangeStart || hit.part == TimelinePart::rangeEnd) {
@@ -244,7 +245,23 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
   }
 }
 
-Help helpFor(TimelinePart part) {
+namespace {
+
+Help helpForHold(TimelinePart part) {
+  return part == TimelinePart::barStart ? Help{"Start of the hold", "Drag it to change when it holds.", {}}
+         : part == TimelinePart::barEnd
+             ? Help{"End of the hold", "Drag it to change when it holds.", {}}
+             : Help{"Pin, grip or prop",
+                    "Click selects what it holds, dragging moves its range, a right click opens its menu.",
+                    {}};
+}
+
+} // namespace
+
+Help helpFor(TimelinePart part, int bar) {
+  if (bar < 0) {
+    return helpForHold(part);
+  }
   switch (part) {
   case TimelinePart::rangeStart:
     return {"Start of the working range", "Drag it. New trails take this range.", {}};
@@ -286,26 +303,26 @@ void recordItems(const WidgetContext& context, const std::string& id, const time
   add("range-end", layout.frames.toPixel(model.range.end), layout.ruler.max.y - context.theme.px(5.0F));
   const std::vector<double>& keys = model.keyRows.empty() ? noFrames : model.keyRows.front().frames;
   if (std::binary_search(keys.begin(), keys.end(), model.playhead)) {
-    add("key", layout.frames.toPixel(model.playhead), layout.ruler.max.y + context.theme.px(11.0F));
+    add("key", layout.frames.toPixel(model.playhead),
+        timeline_detail::keyRowBox(context.theme, layout, model, 0).centre().y);
   }
   for (std::size_t row = 0; model.keysEditable && row < model.keyRows.size(); ++row) {
-    const float y = layout.ruler.max.y + context.theme.px(11.0F + 22.0F * static_cast<float>(row));
+    const float y = timeline_detail::keyRowBox(context.theme, layout, model, row).centre().y;
     const std::vector<double>& frames = model.keyRows[row].frames;
     for (std::size_t i = 0; i < std::min<std::size_t>(frames.size(), 40); ++i) {
       add("row-" + std::to_string(row) + "/" + std::to_string(i), layout.frames.toPixel(frames[i]), y);
     }
   }
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    const TimelineBar& bar = model.bars[row];
-    const Rect box = timeline_detail::barBox(context.theme, layout, model, row, {bar.start, bar.end});
-    const std::string name = "trail-" + std::to_string(bar.id);
+  for (const TimelineBar& bar : model.bars) {
+    const Rect box = timeline_detail::barBox(context.theme, layout, model, bar, {bar.start, bar.end});
+    const std::string name = (bar.id > 0 ? "trail-" : "hold-") + std::to_string(std::abs(bar.id));
     add(name + "/start", box.min.x, box.centre().y);
     add(name + "/end", box.max.x, box.centre().y);
     add(name + "/body", box.centre().x, box.centre().y);
     context.items.add(id + "/" + name + "/name", {layout.labelLeft, box.min.y},
                       {layout.track.min.x, box.max.y});
     const Span window = timeline_detail::shownWindow(model, bar);
-    if (bar.windowEnd > bar.end || bar.windowStart < bar.start) {
+    if (bar.id > 0 && (bar.windowEnd > bar.end || bar.windowStart < bar.start)) {
       add(name + "/release", layout.frames.toPixel(bar.windowEnd > bar.end ? window.end : window.start),
           box.centre().y);
     }
@@ -352,7 +369,7 @@ void releaseKeyBox(const WidgetContext& context, const timeline_detail::Layout& 
   }
   const std::size_t last = model.keyRows.size() - 1;
   const std::size_t to =
-      mouse.y < layout.ruler.max.y
+      mouse.y < timeline_detail::keyRowBox(context.theme, layout, model, 0).min.y
           ? 0
           : std::min(last, timeline_detail::keyRowAt(context.theme, layout, model, mouse.y));
   const double frame = layout.frames.toValue(mouse.x);
@@ -409,7 +426,7 @@ TimelineOutcome timeline(const WidgetContext& context, const std::string& id, co
   }
   if (!control.held) {
     const std::string name = timeline_detail::cutLabelAt(theme, layout, model, mouse);
-    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part) : Help{.title = name});
+    tooltip(context, name.empty() ? timeline_detail::helpFor(hit.part, hit.bar) : Help{.title = name});
   }
   return outcome;
 }

@@ -10,9 +10,9 @@
 
 namespace stretch::ui {
 
-/// A trail's time: its range, and the release in which the limb comes back.
+/// A trail's time: its range, and the release in which the limb comes back; or a hold's with its blends.
 struct TimelineBar {
-  int id = 0; ///< > 0
+  int id = 0; ///< Of a trail above 0, of a hold below.
   double start = 0.0;
   double end = 0.0;
   double windowStart = 0.0; ///< Range and release together.
@@ -22,6 +22,7 @@ struct TimelineBar {
   bool selected = false;
   bool active = false;  ///< The character follows it, and the artist is not done with it.
   bool applied = false; ///< The artist is done with it.
+  std::size_t row = 0;  ///< Of the bars; those of one row have one label.
 };
 
 /// A row of keys, for the dope sheet.
@@ -41,6 +42,7 @@ struct TimelineModel {
   bool rangeIsDefault = false; ///< Not set by the user: drawn quieter.
   std::vector<KeyRow> keyRows;
   std::vector<TimelineBar> bars;
+  std::size_t rowsAbove = 0;   ///< Rows of bars that stand above the keys; the others stand below.
   std::vector<double> spheres; ///< Frames of the selected trail's control spheres.
   bool loops = false;          ///< After the clip's end its start comes again: a release goes on there.
   double turn = 0.0;           ///< Frames from one start to the next.

@@ -18,9 +18,9 @@ struct Layout {
 
 [[nodiscard]] Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
                               float labelWidth);
-/// Where a span of the bar in this row is.
+/// Where a span of a bar is.
 [[nodiscard]] Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
-                          std::size_t row, const Span& span);
+                          const TimelineBar& bar, const Span& span);
 
 /// Where the ends of range and release together stand: on a loop one past the seam stands at the clip's other
 /// end.
@@ -53,6 +53,9 @@ void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& 
 void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& layout, const Hit& hit,
                  const ImVec2& mouse, TimelineOutcome& outcome);
 
+/// Where a row of keys is.
+[[nodiscard]] Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
+                             std::size_t row);
 /// The row of keys at this height; keyRows.size() for none.
 [[nodiscard]] std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
                                    float y);
@@ -61,6 +64,7 @@ void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& l
 [[nodiscard]] std::string cutLabelAt(const Theme& theme, const Layout& layout, const TimelineModel& model,
                                      const ImVec2& mouse);
 
-[[nodiscard]] Help helpFor(TimelinePart part);
+/// `bar`: TimelineBar::id of what the part belongs to; 0: none.
+[[nodiscard]] Help helpFor(TimelinePart part, int bar);
 
 } // namespace stretch::ui::timeline_detail

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/widgets/icons.h"
 #include "ui/widgets/shapes.h"
 #include "ui/widgets/timeline_detail.h"
 
@@ -14,11 +15,6 @@ namespace {
 constexpr float rulerHeight = 26.0F;
 constexpr float keyRowHeight = 22.0F;
 constexpr float barRowHeight = 24.0F;
-
-Rect keyRowBox(const Theme& theme, const Layout& layout, std::size_t row) {
-  const float y = layout.ruler.max.y + theme.px(keyRowHeight) * static_cast<float>(row);
-  return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
-}
 
 std::string playheadText(const TimelineModel& model) {
   char text[24];
@@ -147,7 +143,7 @@ void drawKeys(const WidgetContext& context, const Layout& layout, const Timeline
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (std::size_t row = 0; row < model.keyRows.size(); ++row) {
     const KeyRow& keys = model.keyRows[row];
-    const Rect box = keyRowBox(theme, layout, row);
+    const Rect box = keyRowBox(theme, layout, model, row);
     if (keys.selected) {
       list->AddRectFilled({layout.labelLeft, box.min.y}, box.max, faded(theme.colours.accent, 0.10F));
     }
@@ -199,11 +195,28 @@ void drawCheck(const Theme& theme, const Rect& box, ImU32 colour) {
   }
 }
 
-void drawBar(const WidgetContext& context, const Layout& layout, const TimelineModel& model,
-             std::size_t row) {
+void drawBarLabel(const WidgetContext& context, const Layout& layout, const TimelineBar& bar,
+                  const Rect& box) {
   const Theme& theme = context.theme;
-  const TimelineBar& bar = model.bars[row];
-  const Rect box = barBox(theme, layout, model, row, {bar.start, bar.end});
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Rect label{{layout.labelLeft + theme.unit(), box.min.y},
+                   {layout.track.min.x - theme.unit(), box.max.y}};
+  if (bar.id > 0) {
+    list->AddCircleFilled({label.min.x + theme.px(4.0F), label.centre().y}, theme.px(4.0F), bar.colour);
+  } else {
+    drawText(context, theme.fonts.label,
+             {{label.min.x, label.min.y}, {label.min.x + theme.px(12.0F), label.max.y}}, bar.colour,
+             icon::pin);
+  }
+  drawText(context, theme.fonts.label, {{label.min.x + theme.px(14.0F), label.min.y}, label.max},
+           bar.selected ? theme.colours.text : theme.colours.quietText, bar.label);
+}
+
+void drawBar(const WidgetContext& context, const Layout& layout, const TimelineModel& model,
+             std::size_t place) {
+  const Theme& theme = context.theme;
+  const TimelineBar& bar = model.bars[place];
+  const Rect box = barBox(theme, layout, model, bar, {bar.start, bar.end});
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float strength = bar.active ? 0.55F : 0.28F;
   const ImU32 fill = mixed(theme.colours.sunken, bar.colour, strength);
@@ -220,11 +233,12 @@ void drawBar(const WidgetContext& context, const Layout& layout, const TimelineM
     drawCheck(theme, box, theme.colours.text);
   }
   list->PopClipRect();
-  const Rect label{{layout.labelLeft + theme.unit(), box.min.y},
-                   {layout.track.min.x - theme.unit(), box.max.y}};
-  list->AddCircleFilled({label.min.x + theme.px(4.0F), label.centre().y}, theme.px(4.0F), bar.colour);
-  drawText(context, theme.fonts.label, {{label.min.x + theme.px(14.0F), label.min.y}, label.max},
-           bar.selected ? theme.colours.text : theme.colours.quietText, bar.label);
+  const bool isLabelled =
+      std::any_of(model.bars.begin(), model.bars.begin() + static_cast<std::ptrdiff_t>(place),
+                  [&](const TimelineBar& other) { return other.row == bar.row; });
+  if (!isLabelled) {
+    drawBarLabel(context, layout, bar, box);
+  }
 }
 
 void drawPlayhead(const WidgetContext& context, const Layout& layout, const TimelineModel& model) {
@@ -257,18 +271,25 @@ Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
   return layout;
 }
 
-Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model, std::size_t row,
+Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model, std::size_t row) {
+  const float y = layout.ruler.max.y + theme.px(barRowHeight) * static_cast<float>(model.rowsAbove) +
+                  theme.px(keyRowHeight) * static_cast<float>(row);
+  return {{layout.track.min.x, y}, {layout.track.max.x, y + theme.px(keyRowHeight)}};
+}
+
+Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model, const TimelineBar& bar,
             const Span& span) {
-  const float top =
-      layout.ruler.max.y + theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
-  const float y = top + theme.px(barRowHeight) * static_cast<float>(row);
+  const bool isAbove = bar.row < model.rowsAbove;
+  const float keys = theme.px(keyRowHeight) * static_cast<float>(model.keyRows.size()) + theme.px(4.0F);
+  const float y =
+      layout.ruler.max.y + (isAbove ? 0.0F : keys) + theme.px(barRowHeight) * static_cast<float>(bar.row);
   return {{layout.frames.toPixel(span.start), y + theme.px(2.0F)},
           {layout.frames.toPixel(span.end), y + theme.px(barRowHeight - 2.0F)}};
 }
 
 std::size_t keyRowAt(const Theme& theme, const Layout& layout, const TimelineModel& model, float y) {
   for (std::size_t row = 0; row < model.keyRows.size(); ++row) {
-    const Rect box = keyRowBox(theme, layout, row);
+    const Rect box = keyRowBox(theme, layout, model, row);
     if (y >= box.min.y && y < box.max.y) {
       return row;
     }
@@ -286,10 +307,10 @@ std::string cutLabelAt(const Theme& theme, const Layout& layout, const TimelineM
   if (const std::size_t row = keyRowAt(theme, layout, model, mouse.y); row < model.keyRows.size()) {
     label = model.keyRows[row].label;
   }
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    const Rect box = barBox(theme, layout, model, row, {model.bars[row].start, model.bars[row].end});
+  for (const TimelineBar& bar : model.bars) {
+    const Rect box = barBox(theme, layout, model, bar, {bar.start, bar.end});
     if (mouse.y >= box.min.y && mouse.y < box.max.y) {
-      label = model.bars[row].label;
+      label = bar.label;
       indent = theme.px(14.0F);
     }
   }
@@ -305,8 +326,8 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
   drawSeam(context, layout, model);
   drawRange(context, layout, model);
   drawKeys(context, layout, model);
-  for (std::size_t row = 0; row < model.bars.size(); ++row) {
-    drawBar(context, layout, model, row);
+  for (std::size_t place = 0; place < model.bars.size(); ++place) {
+    drawBar(context, layout, model, place);
   }
   drawPlayhead(context, layout, model);
   list->PopClipRect();
@@ -317,20 +338,26 @@ void draw(const WidgetContext& context, const Layout& layout, const TimelineMode
 float timelineLabelWidth(const Theme& theme, const TimelineModel& model) {
   constexpr float least = 112.0F;
   constexpr float most = 240.0F;
+  constexpr float mostOfHold = 130.0F; ///< Its long name is cut: the frames need the room.
   float width = 0.0F;
   for (const KeyRow& row : model.keyRows) {
     width = std::max(width, textSize(theme.fonts.label, row.label).x);
   }
   for (const TimelineBar& bar : model.bars) {
-    width = std::max(width, textSize(theme.fonts.label, bar.label).x + theme.px(14.0F));
+    const float own = textSize(theme.fonts.label, bar.label).x + theme.px(14.0F);
+    width = std::max(width, bar.id < 0 ? std::min(own, theme.px(mostOfHold)) : own);
   }
   return std::clamp(std::ceil(width) + theme.px(20.0F), theme.px(least), theme.px(most));
 }
 
 float timelineHeight(const Theme& theme, const TimelineModel& model) {
   using namespace timeline_detail;
+  std::size_t rows = 0;
+  for (const TimelineBar& bar : model.bars) {
+    rows = std::max(rows, bar.row + 1);
+  }
   return theme.px(rulerHeight + keyRowHeight * static_cast<float>(model.keyRows.size()) +
-                  barRowHeight * static_cast<float>(model.bars.size()) + 12.0F);
+                  barRowHeight * static_cast<float>(rows) + 12.0F);
 }
 
 } // namespace stretch::ui

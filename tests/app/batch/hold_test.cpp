@@ -13,6 +13,7 @@
 #include "core/base/file.h"
 #include "core/gltf/edits.h"
 #include "rig/motion/solved_holds.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
 
 using namespace stretch;
@@ -136,6 +137,32 @@ TEST_CASE("the second hand keeps its relation to the first, whatever a trail mak
     CHECK(glm::length(seenFromHand(file, "left-arm", "right-arm", frame) -
                       seenFromHand(source, "left-arm", "right-arm", frame)) <
           heldShare * source.biped.height);
+  }
+}
+
+TEST_CASE("an arm that a trail has stretched is no longer than it has to be where it is pinned") {
+  const Document source = openedFile(posedCharacter);
+  Document document = test::withNewTrail(source, {.startFrame = 21.0, .endFrame = 27.0, .scale = 3.0});
+  const auto armLength = [](const Document& of, double frame) {
+    const rig::MotionState motion = prepareMotion(of, 0);
+    const FrameState state = evaluate(of, motion, frame / clipOf(of, 0).framesPerSecond);
+    const std::vector<Vec3> points = rig::limbPoints(*findLimb(of, "left-arm"), state);
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      length += glm::length(points[i] - points[i - 1]);
+    }
+    return length;
+  };
+  REQUIRE(armLength(document, 27.0) > 2.0 * armLength(source, 27.0));
+  rig::Holds holds;
+  holds.pins.resize(1);
+  holds.pins[0].limb = "left-arm";
+  holds.pins[0].atFrame = 21.0;
+  holds.pins[0].time.rangeFrames = {21.0, 30.0};
+  const Result<Document> held = placeHolds(document, holds);
+  REQUIRE(held);
+  for (const double frame : halfFrames(22, 29)) {
+    CHECK(armLength(*held, frame) < 1.1 * armLength(source, frame));
   }
 }
 
@@ -304,6 +331,19 @@ TEST_CASE("info lists what is held and what is offset") {
   CHECK(info["pins"][0]["range"] == Json::array({5.0, 20.0}));
   CHECK(info["adjustments"][0]["controller"] == "hips");
   CHECK(info["props"].empty());
+}
+
+TEST_CASE("info writes a zero without a sign") {
+  const test::TemporaryFolder folder;
+  Json recipe = heldRecipe("pins", {{"limb", "left-leg"}, {"range", {5, 20}}, {"place", {-0.0, 0.5, -0.0}}});
+  recipe["adjustments"] =
+      Json::array({{{"controller", "hips"}, {"keys", {{{"frame", 12}, {"move", {-0.0, 0.0, -0.0}}}}}}});
+  const Posed posed = pose(folder, recipe);
+  REQUIRE(posed.answer.exitCode == 0);
+  const std::string info = test::runVerb({"info", posed.path, "--json-line"}).output;
+  CHECK(Json::parse(info)["pins"][0]["place"] == Json::array({0.0, 0.5, 0.0}));
+  CHECK(info.find("-0.0,") == std::string::npos);
+  CHECK(info.find("-0.0]") == std::string::npos);
 }
 
 TEST_CASE("pose pins feet where they stand, with a recipe or without") {

@@ -1,12 +1,14 @@
 // A stream read by nothing but its description, docs/stream.md.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include <glm/geometric.hpp>
 
 #include "core/anim/sampling.h"
+#include "core/base/file.h"
 #include "core/gltf/json.h"
 #include "core/gltf/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
@@ -14,6 +16,7 @@
 #include "tests/support/core/glb_builder.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/obj_frames.h"
+#include "tests/support/skinning/shapes.h"
 
 using namespace stretch;
 using namespace stretch::test;
@@ -142,4 +145,104 @@ TEST_CASE("a stream needs a folder that can be made") {
                "--stream", (file / "s").string()});
   CHECK(answer.exitCode == 1);
   CHECK_THAT(answer.told, Catch::Contains("taken"));
+}
+
+namespace {
+
+/// Frames of a sequence as a sequence of their own.
+MeshSequence framesOf(const MeshSequence& sequence, std::size_t first, std::size_t count) {
+  MeshSequence part = sequence;
+  const auto at = [&](std::size_t frame) {
+    return sequence.positions.begin() + static_cast<std::ptrdiff_t>(frame * sequence.vertexCount);
+  };
+  part.positions.assign(at(first), at(first + count));
+  return part;
+}
+
+} // namespace
+
+TEST_CASE("frames of a longer simulation are appended to a stream, and any of them is shown by itself") {
+  const TemporaryFolder folder;
+  const MeshSequence tube = shorteningTube(12, 2.0, 0.06, 0.1);
+  writeObjFrames(framesOf(tube, 0, 8), folder / "begun", "tube");
+  writeObjFrames(framesOf(tube, 8, 4), folder / "later", "tube");
+  const std::string stretch = GENERATE("none", "elastic", "measured");
+  const bool quantised = GENERATE(false, true);
+  std::vector<std::string> words{"compress",  (folder / "begun").string(),
+                                 "-o",        (folder / "begun.glb").string(),
+                                 "--stream",  (folder / "s").string(),
+                                 "--stretch", stretch,
+                                 "--bones",   "8",
+                                 "--json",    "--open-stream"};
+  if (quantised) {
+    words.emplace_back("--quantise");
+  }
+  const VerbAnswer made = runVerb(words);
+  INFO(made.told);
+  REQUIRE(made.exitCode == 0);
+  const Json told = Json::parse(made.output)["stream"];
+  CHECK(told["bytes_per_frame"] == told["open_bytes_per_frame"]);
+  CHECK(told["changing_bytes_per_frame"] <= told["open_bytes_per_frame"]);
+  const Bytes base = readBytes(folder / "s" / "base.glb");
+  const Bytes before = readBytes(folder / "s" / "frames.bin");
+  const VerbAnswer appended =
+      runVerb({"compress", (folder / "later").string(), "-o", (folder / "later.glb").string(), "--append",
+               (folder / "s").string(), "--tolerance", "4%", "--json"});
+  INFO(appended.told);
+  REQUIRE(appended.exitCode == 0);
+  const Json report = Json::parse(appended.output);
+  CHECK(report["first_number"] == 8);
+  CHECK(readBytes(folder / "s" / "base.glb") == base);
+  const Bytes frames = readBytes(folder / "s" / "frames.bin");
+  REQUIRE(frames.size() == before.size() / 8 * 12);
+  CHECK(std::equal(before.begin(), before.end(), frames.begin()));
+  const StreamClient client(folder / "s" / "base.glb");
+  const double diagonal = boxDiagonal(tube.frame(8));
+  double largest = 0.0;
+  for (const std::size_t k : {11, 8, 10, 9}) {
+    const auto bytes = std::span(frames).subspan(k * client.frameBytes(), client.frameBytes());
+    CHECK(bytes[4] == k);
+    const std::vector<Vec3> shown = client.show(bytes);
+    const auto source = tube.frame(k);
+    REQUIRE(shown.size() == source.size());
+    largest = std::max(largest, farthest(shown, {source.begin(), source.end()}));
+  }
+  CHECK(100.0 * largest / diagonal == Approx(report["largest_percent"].get<double>()).margin(1e-3));
+  if (stretch != "none") {
+    CHECK(report["rmse_percent"] < 1.0);
+  }
+}
+
+TEST_CASE(
+    "a stream takes no frames of another mesh, none that its bones do not follow, and none behind a cut") {
+  const TemporaryFolder folder;
+  const MeshSequence tube = shorteningTube(8, 2.0, 0.06, 0.1);
+  writeObjFrames(framesOf(tube, 0, 2), folder / "begun", "tube");
+  writeObjFrames(framesOf(tube, 5, 3), folder / "later", "tube");
+  writeObjFrames(still(torus(2.0, 0.5, 24, 12)), folder / "ring", "ring");
+  const auto run = [&](const std::string& sequence, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"compress", (folder / sequence).string(), "-o",
+                                   (folder / (sequence + ".glb")).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return runVerb(words);
+  };
+  const std::string stream = (folder / "s").string();
+  REQUIRE(run("begun", {"--stream", stream, "--bones", "2", "--stretch", "none"}).exitCode == 0);
+  const Bytes before = readBytes(folder / "s" / "frames.bin");
+  const auto refused = [&](const VerbAnswer& answer, const char* why) {
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains(why));
+    CHECK(std::count(answer.told.begin(), answer.told.end(), '\n') == 1);
+    CHECK(readBytes(folder / "s" / "frames.bin") == before);
+  };
+  refused(run("ring", {"--append", stream}), "another mesh");
+  refused(run("later", {"--append", stream, "--tolerance", "0.01%"}), "more than 0.01 %");
+  refused(run("later", {"--append", stream, "--stream", (folder / "t").string()}), "leave out --stream");
+  refused(run("later", {"--append", stream, "--bones", "4"}), "--bones");
+  refused(run("later", {"--append", (folder / "nowhere").string()}), "nowhere");
+  Bytes cut(before.begin(), before.end() - 3);
+  REQUIRE(writeFile(folder / "s" / "frames.bin", cut));
+  const VerbAnswer answer = run("later", {"--append", stream, "--tolerance", "50%"});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains("no whole number of frames"));
 }

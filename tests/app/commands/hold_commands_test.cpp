@@ -6,10 +6,12 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
+#include "app/commands/step_text.h"
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/hold_edits.h"
 #include "app/evaluate/planted_feet.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"
 
 using namespace stretch;
@@ -54,6 +56,47 @@ TEST_CASE("A hand is pinned where it is seen at the playhead, over the working r
   }
   session.undo();
   CHECK(session.document().holds.empty());
+}
+
+TEST_CASE("A hand that a trail has moved is pinned where the trail has it") {
+  Session session(test::withNewTrail(test::boxer(), {}));
+  session.view().rangeStart = 2.0;
+  session.view().rangeEnd = 12.0;
+  session.view().frame = 8.0;
+  selectLimb(session, "left-arm", false);
+  const Vec3 held = seenEnd(session, "left-arm", 8.0);
+  const Vec3 unmoved = rig::endPosition(*findLimb(session.document(), "left-arm"), session.originalAt(8.0));
+  REQUIRE(glm::length(held - unmoved) > 0.1);
+  REQUIRE(runHold(session, command::holdPin).empty());
+  const Vec2 range = session.document().holds.pins.front().time.rangeFrames;
+  REQUIRE(range.y - range.x > 5.0);
+  for (double frame = range.x; frame <= range.y; frame += 1.0) {
+    CHECK(glm::length(seenEnd(session, "left-arm", frame) - held) < 1e-9);
+  }
+}
+
+TEST_CASE("What was pinned is told with its frames, and what it took the place of") {
+  Session session(test::boxer());
+  const auto told = [&] {
+    const History<Document>& history = session.history();
+    return stepText(history.undoLabel(), history.at(history.position() - 1), history.at(history.position()));
+  };
+  selectLimb(session, "left-arm", false);
+  session.view().rangeStart = 2.0;
+  session.view().rangeEnd = 6.0;
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(told() == "Pin \xE2\x80\x93 left arm 2 to 6");
+  session.view().rangeStart = 9.0;
+  session.view().rangeEnd = 12.0;
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(told() == "Pin \xE2\x80\x93 left arm 9 to 12");
+  CHECK(session.document().holds.pins.size() == 2);
+  session.view().rangeStart = 5.0;
+  session.view().rangeEnd = 10.0;
+  REQUIRE(runHold(session, command::holdPin).empty());
+  CHECK(told() == "Pin \xE2\x80\x93 left arm 5 to 10 in the place of 2 to 6 and 9 to 12");
+  REQUIRE(runHold(session, command::holdRemove).empty());
+  CHECK(told() == "Take holds away \xE2\x80\x93 left arm 5 to 10");
 }
 
 TEST_CASE("M lets the other hand follow, and lets it go again") {

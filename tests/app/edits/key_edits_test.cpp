@@ -171,7 +171,13 @@ TEST_CASE("An inserted key leaves the motion as it is", "[keys]") {
   CHECK(farthestTurn(start, inserted) < 1e-3);
   const Document curved =
       documentOf(setKeyKind(start, 0, allKeys(start, 0, rows), rig::KeyInterpolation::automatic));
-  CHECK(farthestTurn(curved, documentOf(insertKeys(curved, 0, rows, 7.0))) < 5e-3);
+  const Document between = documentOf(insertKeys(curved, 0, rows, 7.0));
+  CHECK(farthestTurn(curved, between) < 5e-3);
+  const auto lastNumbers = [](const Document& document, std::size_t count) {
+    const std::vector<float>& values = trackAt(document).values;
+    return std::vector<float>(values.end() - static_cast<std::ptrdiff_t>(count), values.end());
+  };
+  CHECK(lastNumbers(between, 24) == lastNumbers(curved, 24)); // The auto keys beside it keep their slopes.
 }
 
 TEST_CASE("A joint without keys gets its first one where it rests", "[keys]") {

@@ -152,7 +152,8 @@ TEST_CASE("What stands past the end of a shortened clip comes back with the file
   adjustment.keys = {{.frame = 54.0, .move = Vec3(0.1, 0.0, 0.0)}};
   start = valueOrFail(placeAdjustments(start, {&adjustment, 1}));
   rig::Holds pin;
-  pin.pins.push_back({.limb = "right-leg", .time = {{52.0, 57.0}, {2.0, 2.0}}, .atFrame = 53.0});
+  pin.pins.push_back(
+      {.limb = "right-leg", .time = {{52.0, 57.0}, {2.0, 2.0}}, .atFrame = 53.0, .place = std::nullopt});
   start = valueOrFail(placeHolds(start, pin));
   Document cut = start;
   for (const KeyRow& row : keyedRows(start, 0)) {

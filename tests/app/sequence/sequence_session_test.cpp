@@ -60,19 +60,53 @@ private:
   test::TemporaryFolder folder_;
 };
 
-/// Ten minutes are enough for a build that looks for races, on a machine that has other work.
-Status waitForCompression(app::SequenceSession& session) {
+/// Asks again and again, as a window does once per frame, until `take` answers something or `goesOn` does
+/// not. Ten minutes are enough for a build that looks for races, on a machine that has other work.
+template <typename Take, typename GoesOn>
+auto waitFor(const Take& take, const GoesOn& goesOn) -> decltype(take()) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
-  while (session.isCompressing() && std::chrono::steady_clock::now() < end) {
-    if (std::optional<Status> done = session.takeCompression()) {
-      return *done;
+  while (goesOn() && std::chrono::steady_clock::now() < end) {
+    if (auto taken = take()) {
+      return taken;
     }
-    // As a window does that draws how far it is.
-    REQUIRE(session.compressedShare() >= 0.0);
-    REQUIRE(session.compressedShare() <= 1.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  return Success{};
+  return std::nullopt;
+}
+
+bool isShare(double share) {
+  return share >= 0.0 && share <= 1.0;
+}
+
+Status waitForCompression(app::SequenceSession& session) {
+  const auto done = waitFor([&] { return session.takeCompression(); },
+                            [&] {
+                              REQUIRE(isShare(session.compressedShare()));
+                              return session.isCompressing();
+                            });
+  return done.value_or(Success{});
+}
+
+std::optional<Result<app::WrittenClip>> waitForExport(app::SequenceSession& session) {
+  return waitFor([&] { return session.takeExport(); },
+                 [&] {
+                   REQUIRE(isShare(session.exportedShare()));
+                   return session.isExporting();
+                 });
+}
+
+/// The result as it would be written, encoded beside the caller.
+std::shared_ptr<const app::ExportedClip> waitForClip(app::SequenceSession& session) {
+  session.keepClip();
+  const auto known = [&]() -> std::optional<bool> {
+    session.keepClip();
+    return session.clip() != nullptr ? std::optional(true) : std::nullopt;
+  };
+  (void)waitFor(known, [&] {
+    REQUIRE(isShare(session.encodedShare()));
+    return true;
+  });
+  return session.clip();
 }
 
 } // namespace
@@ -130,7 +164,7 @@ TEST_CASE("a compression beside the caller ends with a result that can be export
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   const test::TemporaryFolder folder;
-  CHECK_FALSE(app::exportResult(session.document(), folder / "early.glb"));
+  CHECK_FALSE(session.startExport(folder / "early.glb"));
   REQUIRE(session.startCompression());
   CHECK_FALSE(session.startCompression());
   REQUIRE(waitForCompression(session));
@@ -138,10 +172,16 @@ TEST_CASE("a compression beside the caller ends with a result that can be export
   CHECK_FALSE(app::isOutdated(session.document()));
   CHECK(app::bonesAt(session.document(), 3).size() == 8);
   tube.edit([](app::SequenceDocument& changed) { changed.encoding.quantise = false; });
-  const double plain = app::exported(session.document())->clip.bytesPerFrame;
+  const double plain = waitForClip(session)->clip.bytesPerFrame;
   tube.edit([](app::SequenceDocument& changed) { changed.encoding.quantise = true; });
-  CHECK(app::exported(session.document())->clip.bytesPerFrame < plain);
-  REQUIRE(app::exportResult(session.document(), folder / "tube.glb"));
+  CHECK(waitForClip(session)->clip.bytesPerFrame < plain);
+  REQUIRE(session.startExport(folder / "tube.glb"));
+  CHECK_FALSE(session.startExport(folder / "another.glb"));
+  const auto written = waitForExport(session);
+  REQUIRE(written);
+  REQUIRE(*written);
+  CHECK((*written)->metrics.rmsePercent ==
+        Approx(session.document().result->compressed.metrics.rmsePercent).margin(1e-3));
   CHECK(app::openDocument(folder / "tube.glb"));
   tube.edit([](app::SequenceDocument& changed) { changed.settings.bones = 9; });
   CHECK(app::isOutdated(session.document()));
@@ -216,10 +256,83 @@ TEST_CASE("a cancelled compression leaves the result before it") {
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   REQUIRE(session.startCompression());
-  session.cancelCompression();
+  session.cancelWork();
   REQUIRE(waitForCompression(session));
   CHECK_FALSE(session.isCompressing());
   CHECK(session.document().result == nullptr);
+}
+
+TEST_CASE("a result is encoded beside the caller whenever its encoding changes, unless that was cancelled") {
+  OpenedTube tube;
+  app::SequenceSession& session = *tube.session;
+  session.keepClip();
+  CHECK_FALSE(session.isEncoding());
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  REQUIRE(session.clip() != nullptr);
+  session.keepClip();
+  CHECK_FALSE(session.isEncoding());
+  tube.edit([](app::SequenceDocument& changed) { changed.encoding.keyTolerancePercent = 0.5; });
+  CHECK(session.clip() == nullptr);
+  session.keepClip();
+  REQUIRE(session.isEncoding());
+  session.cancelWork();
+  (void)waitFor(
+      [&]() -> std::optional<bool> {
+        session.keepClip();
+        return session.isEncoding() ? std::nullopt : std::optional(true);
+      },
+      [] { return true; });
+  CHECK(session.clip() == nullptr);
+  tube.edit([](app::SequenceDocument& changed) { changed.encoding.keyTolerancePercent = 0.4; });
+  REQUIRE(waitForClip(session) != nullptr);
+  CHECK(session.clip()->settings.keyTolerancePercent == 0.4);
+}
+
+TEST_CASE("an export that cannot be written or was cancelled leaves no file, and the first says why") {
+  OpenedTube tube;
+  app::SequenceSession& session = *tube.session;
+  const test::TemporaryFolder folder;
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  REQUIRE(session.startExport(folder / "nowhere" / "tube.glb"));
+  const auto failed = waitForExport(session);
+  REQUIRE(failed);
+  REQUIRE_FALSE(*failed);
+  CHECK_THAT(failed->error().line(), Catch::Contains("nowhere"));
+  tube.edit([](app::SequenceDocument& changed) { changed.encoding.keyTolerancePercent = 0.5; });
+  REQUIRE(session.startExport(folder / "tube.glb"));
+  session.cancelWork();
+  CHECK_FALSE(waitForExport(session));
+  CHECK_FALSE(session.isExporting());
+  CHECK_FALSE(std::filesystem::exists(folder / "tube.glb"));
+}
+
+TEST_CASE("the bones of a file take the place of own ones and leave again, another body's are refused") {
+  OpenedTube tube;
+  app::SequenceSession& session = *tube.session;
+  const test::TemporaryFolder folder;
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  REQUIRE(session.startExport(folder / "tube.glb"));
+  REQUIRE(waitForExport(session));
+  tube.edit([](app::SequenceDocument& changed) { changed.settings.tolerancePercent = 0.2; });
+  const auto changed = app::withSkeleton(session.document(), folder / "tube.glb");
+  REQUIRE(changed);
+  CHECK(changed->settings.skeleton.size() == 8);
+  CHECK_FALSE(changed->settings.tolerancePercent);
+  session.edit(*changed, "Take the bones");
+  CHECK(app::isOutdated(session.document()));
+  REQUIRE(session.startCompression());
+  REQUIRE(waitForCompression(session));
+  const auto& bones = session.document().result->compressed.skinned.bones;
+  CHECK(bones.front().name == changed->settings.skeleton.front().name);
+  CHECK(app::withoutSkeleton(*changed).settings.skeleton.empty());
+  const auto refused =
+      app::withSkeleton(session.document(), std::filesystem::path(STRETCH_SOURCE_DIR "/assets/dummy.glb"));
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().line(), Catch::StartsWith("dummy.glb: "));
+  CHECK_FALSE(app::withSkeleton(session.document(), folder / "missing.glb"));
 }
 
 TEST_CASE("a compression that cannot be done says why") {

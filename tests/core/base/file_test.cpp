@@ -149,6 +149,16 @@ TEST_CASE("A replaced file keeps its permissions") {
   CHECK(fs::status(folder / "a.glb").permissions() == own);
 }
 
+TEST_CASE("A file that is write-protected is not replaced") {
+  const TemporaryFolder folder;
+  fs::permissions(folder.write("a.glb", "old"), fs::perms::owner_read);
+  const Status refused = writeFile(folder / "a.glb", Bytes{1});
+  REQUIRE_FALSE(refused);
+  CHECK_THAT(refused.error().line(), Catch::Contains("write-protected"));
+  CHECK(textOf(folder / "a.glb") == "old");
+  CHECK(entriesOf(folder) == 1);
+}
+
 TEST_CASE("A symbolic link stays and leads to the new content") {
   const TemporaryFolder folder;
   fs::create_directories(folder / "real");

@@ -117,13 +117,14 @@ function found(index, list, wanted) {
   return index;
 }
 
-/// Positions of nodes ("#INDEX" or names) and of every step-th vertex (0: none) at times of a clip (null: at rest).
-export function measure(model, { times, nodes = [], step = 0, clip = null }) {
+/// Positions of nodes ("#INDEX" or names), or with `matrices` their world matrices (16 numbers, column by column), and positions of every
+/// step-th vertex (0: none), at times of a clip (null: at rest).
+export function measure(model, { times, nodes = [], step = 0, clip = null, matrices = false }) {
   const clipIndex = clip === null ? -1 : found(indexOf(model.clipNames, clip), model.clips, clip);
   const indices = nodes.map((wanted) => found(indexOf(model.names, wanted), model.nodes, wanted));
   const result = { times, nodes: {}, vertices: {} };
   play(model, clipIndex < 0 ? null : model.clips[clipIndex], times, () => {
-    for (const index of indices) (result.nodes[`#${index} ${model.names[index]}`] ??= []).push(nodePosition(model.nodes[index]));
+    for (const index of indices) (result.nodes[`#${index} ${model.names[index]}`] ??= []).push(matrices ? model.nodes[index].matrixWorld.toArray() : nodePosition(model.nodes[index]));
     for (const { mesh, primitive, node, object } of step > 0 ? model.meshes : []) {
       (result.vertices[`#${node} ${mesh}/${primitive}`] ??= []).push(vertexPositions(object, step));
     }

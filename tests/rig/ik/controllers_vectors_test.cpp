@@ -142,6 +142,20 @@ TEST_CASE("a straight leg that is pressed down bends its knee the usual way") {
   CHECK(glm::length(solveTwoBone(leg).joint - leg.joint) < 1e-3);
 }
 
+TEST_CASE(
+    "an overextended leg that is pressed down bends its knee the usual way, one that bends back goes on") {
+  TwoBoneProblem leg = standingLeg();
+  leg.usualBend = {0.0, 0.0, 1.0};
+  leg.target.y = 0.3;
+  leg.joint.z = -0.03;
+  CHECK(solveTwoBone(leg).joint.z > 0.1);
+  leg.joint.z = -0.4;
+  CHECK(solveTwoBone(leg).joint.z < -0.1);
+  leg.joint.z = -0.03;
+  leg.target = leg.end;
+  CHECK(solveTwoBone(leg).joint == leg.joint);
+}
+
 TEST_CASE("a limb without length is told, and stays finite") {
   TwoBoneProblem leg = standingLeg();
   leg.joint = leg.base;

@@ -1,6 +1,7 @@
 #include "rig/motion/apply_adjustments.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <catch2/catch.hpp>
@@ -266,6 +267,29 @@ TEST_CASE("a curl of one makes a fist, by the fingers' joints alone") {
   }
   CHECK(nearer > 0.01);
   CHECK(glm::length(placeOf(moving, frame, "hand.r") - placeOf(moving, source, "hand.r")) <= 0.0);
+}
+
+TEST_CASE(
+    "fingers that hang on the forearm of an arm without a hand are found, joints that twist it are not") {
+  MovingBiped moving = punchingBiped();
+  Limb arm = moving.limb("right-arm");
+  const NodeIndex hand = arm.endNode;
+  arm.joints.push_back(hand);
+  arm.endNode = NodeIndex::none;
+  const std::array<NodeIndex, 4> joints{
+      NodeIndex(moving.scene.nodes.size()), NodeIndex(moving.scene.nodes.size() + 1),
+      NodeIndex(moving.scene.nodes.size() + 2), NodeIndex(moving.scene.nodes.size() + 3)};
+  moving.scene.nodes.resize(moving.scene.nodes.size() + 4);
+  moving.scene.nodes[at(hand)].children = {joints[0], joints[2]};
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+    moving.scene.skins.front().joints.push_back(joints[i]);
+    moving.scene.skins.front().inverseBind.emplace_back(1.0);
+    moving.scene.nodes[at(joints[i])].parent = i % 2 == 0 ? hand : joints[i - 1];
+  }
+  CHECK(fingerJoints(moving.scene, arm).empty());
+  moving.scene.nodes[at(joints[0])].children = {joints[1]};
+  moving.scene.nodes[at(joints[2])].children = {joints[3]};
+  CHECK(fingerJoints(moving.scene, arm).size() == 4);
 }
 
 TEST_CASE("a sword that hangs on a joint of the hand is no finger") {

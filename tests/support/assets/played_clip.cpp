@@ -55,7 +55,7 @@ PlayedClip::PlayedClip(const std::string& name) {
 }
 
 int PlayedClip::lastFrame() const {
-  return frameCount(clip()) - 1;
+  return static_cast<int>(frameCount(clip())) - 1;
 }
 
 std::vector<Mat4> PlayedClip::worlds(double frame) const {

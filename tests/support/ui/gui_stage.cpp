@@ -125,7 +125,7 @@ float GuiStage::showPanel(void (*panel)(ui::PanelContext&), float height) {
 void GuiStage::showDialogs() {
   show([&](ui::PanelContext& context) {
     ui::drawDialogs(context);
-    ui::drawToasts(context, {{0.0F, 0.0F}, {width_, height_}}, *ImGui::GetForegroundDrawList());
+    ui::drawToasts(context, {{0.0F, 0.0F}, {width_, height_}}, {}, *ImGui::GetForegroundDrawList());
   });
 }
 

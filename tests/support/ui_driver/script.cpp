@@ -284,6 +284,9 @@ void Script::begin(const Step& step, Shell& shell) {
     actions_.push_back({Action::Kind::wait, 0.0F, 0.0F, static_cast<int>(shareOf(step.words, 0)), 0});
   } else if (verb == "command") {
     requestCommand(joined(step.words, 0), shell);
+  } else if (verb == "tally") {
+    fmt::print("{} keys, {} clicks, {} drags, {:.1f} s\n", tally_.keys, tally_.clicks, tally_.drags,
+               tally_.since > 0.0 ? clockSeconds() - tally_.since : 0.0);
   } else if (verb == "until") {
     until_ = step;
     untilSeconds_ = clockSeconds() + untilSeconds;
@@ -306,7 +309,30 @@ void Script::begin(const Step& step, Shell& shell) {
   }
 }
 
+void Script::count(const Action& action) {
+  switch (action.kind) {
+  case Action::Kind::keyDown:
+  case Action::Kind::keyTap:
+  case Action::Kind::character:
+    ++tally_.keys;
+    break;
+  case Action::Kind::moveTo:
+    movedSincePress_ = true;
+    break;
+  case Action::Kind::press:
+    movedSincePress_ = false;
+    break;
+  case Action::Kind::releaseButton:
+    ++(movedSincePress_ ? tally_.drags : tally_.clicks);
+    break;
+  default:
+    return;
+  }
+  tally_.since = tally_.since > 0.0 ? tally_.since : clockSeconds();
+}
+
 void Script::act(const Action& action, Window& window) {
+  count(action);
   InputQueue& input = window.input();
   switch (action.kind) {
   case Action::Kind::moveTo:

@@ -35,6 +35,7 @@ namespace stretch::test {
 ///   touch FILE                  as another program would change it
 ///   calm                        Escape, until nothing is open and no tool runs; fails when that does not
 ///   undo-all, redo-all          fails unless the file is as it was opened, and then as it was before
+///   tally                       prints how many keys, clicks and drags the hand took so far, and the seconds
 ///   monkey SEED STEPS           that many steps at random (monkey.h), kept in the file monkey.script
 ///   quit                        ends the program without questions
 ///   abandon                     ends it as a crash would: nothing is closed
@@ -80,6 +81,14 @@ private:
     int mods = 0;
   };
 
+  /// What the hand did so far. A key with its modifiers counts once, as does each letter that is typed.
+  struct Tally {
+    int keys = 0;
+    int clicks = 0;
+    int drags = 0;
+    double since = 0.0; ///< Of the clock: when the hand began; 0 before.
+  };
+
   /// Nothing for an empty line.
   [[nodiscard]] static std::optional<Step> stepOf(const std::string& line, int number);
   void fail(const std::string& why);
@@ -93,6 +102,7 @@ private:
   std::optional<Step> nextStep(ui::Shell& shell);
   void requestCommand(const std::string& id, ui::Shell& shell);
   void act(const Action& action, ui::Window& window);
+  void count(const Action& action);
   void moveTo(float x, float y);
   std::optional<ImVec2> placeOf(const ui::Shell& shell, const std::string& id, float x, float y);
 
@@ -107,6 +117,8 @@ private:
   bool over_ = false;
   bool abandoned_ = false;
   ui::DrivenMouse mouse_;
+  Tally tally_;
+  bool movedSincePress_ = false;
   std::string failure_;
   std::optional<Monkey> monkey_;
   DocumentWatch watch_;

@@ -13,10 +13,12 @@
 #include <imgui_internal.h>
 
 #include "app/commands/frames.h"
+#include "app/commands/keys.h"
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
 #include "app/commands/spheres.h"
 #include "app/edits/group_edits.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/key_edits.h"
 #include "app/edits/offset_edits.h"
 #include "app/edits/track_edits.h"
@@ -207,6 +209,16 @@ std::string tangentCount(const app::Session& session) {
                                 [](const rig::SphereOffset& sphere) { return sphere.tangent.has_value(); }));
 }
 
+/// "left-arm 21 to 27, left-leg 3 to 9".
+std::string pinsText(const app::Document& document, int clip) {
+  std::string text;
+  for (const rig::Pin& pin : app::holdsOfClip(document.holds, clip).pins) {
+    text += (text.empty() ? "" : ", ") + pin.limb + " " + number(pin.time.rangeFrames.x) + " to " +
+            number(pin.time.rangeFrames.y);
+  }
+  return text;
+}
+
 /// Three numbers of what the first selected controller is offset by at the playhead.
 std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::*vector, double unit) {
   if (!app::hasControllers(session)) {
@@ -215,6 +227,64 @@ std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::
   const app::ControllerOffset offset = app::shownOffset(session, session.view().selectedControllers.front());
   const Vec3 shown = unit * (offset.*vector);
   return joined({number(shown.x), number(shown.y), number(shown.z)});
+}
+
+std::size_t followingCount(const app::Document& document) {
+  std::size_t count = 0;
+  for (const app::FollowingKeys& following : document.followingKeys) {
+    count += following.keys.size();
+  }
+  return count;
+}
+
+/// Frame and first picked value of the first picked key, or its slopes before and after.
+std::string firstPicked(const app::Session& session, bool slopes) {
+  const app::KeySelection picked = app::pickedKeys(session);
+  if (picked.empty()) {
+    return "none";
+  }
+  const app::PickedKey& first = picked.front().keys.front();
+  const app::KeyedRow row = app::readRow(session.document(), session.view().clip, picked.front().row);
+  const app::RowKey& key = row.keys[at(first.key)];
+  std::size_t component = 0;
+  while (component + 1 < row.components && (first.components >> component & 1U) == 0) {
+    ++component;
+  }
+  return slopes ? joined({number(key.inSlopes[component]), number(key.outSlopes[component])})
+                : joined({number(key.frame), number(key.values[component])});
+}
+
+/// States of graph, dope sheet and what they edit.
+std::optional<std::string> keyState(const Shell& shell, std::string_view name) {
+  const app::Session& session = *shell.open.character();
+  const app::ViewState& view = session.view();
+  const std::map<std::string_view, std::function<std::string()>> states{
+      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
+      {"keys.auto", [&] { return std::to_string(followingCount(session.document())); }},
+      {"holds",
+       [&] {
+         const rig::Holds& holds = session.document().holds;
+         return std::to_string(holds.pins.size() + holds.grips.size() + holds.props.size());
+       }},
+      {"added-files",
+       [&] {
+         std::vector<std::string> files;
+         for (const gltf::AddedFile& file : session.document().addedFiles) {
+           files.push_back(file.file);
+         }
+         return joined(files);
+       }},
+      {"keys.first", [&] { return firstPicked(session, false); }},
+      {"keys.slopes", [&] { return firstPicked(session, true); }},
+      {"keys.rows", [&] { return std::to_string(view.pickedKeys.size()); }},
+      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
+      {"graph.curves",
+       [&] { return std::to_string(std::ranges::count(shell.ui.graph.curves, false, &Curve::hidden)); }},
+      {"retime", [&] { return yesNo(shell.ui.retime.open); }},
+      {"retime.past", [&] { return std::to_string(shell.ui.retime.past.size()); }},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second());
 }
 
 std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
@@ -229,6 +299,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
+      {"pins", [&] { return pinsText(session.document(), view.clip); }},
       {"moved", [&] { return offsetText(session, &app::ControllerOffset::move, 1.0); }},
       {"turned", [&] { return offsetText(session, &app::ControllerOffset::turn, 180.0 / pi); }},
       {"offset-keys", [&] { return std::to_string(app::offsetKeyFrames(session).size()); }},
@@ -239,8 +310,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"undo", [&] { return session.history().undoLabel(); }},
       {"redo", [&] { return session.history().redoLabel(); }},
       {"original", [&] { return yesNo(view.showOriginal); }},
-      {"keys.picked", [&] { return std::to_string(app::keyCount(view.pickedKeys)); }},
-      {"keys.edited", [&] { return std::to_string(editedTrackCount(session.document(), view.clip)); }},
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
@@ -292,6 +361,9 @@ std::optional<std::string> sequenceState(const app::SequenceSession& session, st
       {"sequence.skinned", yesNo(session.view().showSkinned)},
       {"sequence.look", nameOf(session.view().look)},
       {"sequence.skip", std::to_string(document.settings.body.firstFittedFrame)},
+      {"sequence.skeleton",
+       document.skeletonFile.empty() ? "none" : document.skeletonFile.filename().string()},
+      {"sequence.encoded", yesNo(session.clip() != nullptr)},
       {"sequence.moduli", std::to_string(document.settings.body.moduli.ranges.size())},
       {"frame", number(session.view().frame)},
       {"last-frame", number(app::lastFrame(session))},
@@ -326,13 +398,22 @@ std::string toastsInPicture(const Shell& shell) {
   return inside;
 }
 
-/// Of the picture's height, that of the first message: "0.22"; "none" without any.
-std::string toastShare(const Shell& shell) {
+/// Of the picture's height, that of an item: "0.22"; "none" without it.
+std::string shareOfPicture(const Shell& shell, const char* id) {
   const Item* const picture = shell.items.find("viewport");
-  const Item* const first = shell.items.find("toast/0");
-  return picture == nullptr || first == nullptr
+  const Item* const item = shell.items.find(id);
+  return picture == nullptr || item == nullptr
              ? "none"
-             : fmt::format("{:.2f}", (first->max.y - first->min.y) / (picture->max.y - picture->min.y));
+             : fmt::format("{:.2f}", (item->max.y - item->min.y) / (picture->max.y - picture->min.y));
+}
+
+/// Whether a message covers the character, as it stood when the messages began to come.
+bool toastsCoverFigure(const Shell& shell) {
+  const std::optional<Rect>& figure = shell.viewport.figure;
+  return figure && std::ranges::any_of(shell.items.items, [&](const Item& item) {
+           return item.id.starts_with("toast/") && item.min.x < figure->max.x && figure->min.x < item.max.x &&
+                  item.min.y < figure->max.y && figure->min.y < item.max.y;
+         });
 }
 
 /// "1280x720"
@@ -363,6 +444,26 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  const std::optional<std::string> key = keyState(shell, name);
+  return key ? key : sessionState(shell, name);
+}
+
+/// States of what stands over the picture: messages and the tour's card.
+std::optional<std::string> messageState(const Shell& shell, std::string_view name) {
+  const std::vector<Toast>& toasts = shell.ui.toasts;
+  const std::map<std::string_view, std::string> states{
+      {"toast", toasts.empty() ? std::string() : toasts.back().text},
+      {"toasts-in-picture", toastsInPicture(shell)},
+      {"toasts", std::to_string(toasts.size())},
+      {"toast.share", shareOfPicture(shell, "toast/0")},
+      {"toasts-on-figure", yesNo(toastsCoverFigure(shell))},
+      {"tour.share", shareOfPicture(shell, "tour")},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 } // namespace
 
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
@@ -375,6 +476,7 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"welcome", number(shell.open.isEmpty() ? shell.ui.welcome.highlighted + 1 : 0)},
       {"busy", yesNo(shell.files.isOpening())},
       {"compressing", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isCompressing())},
+      {"exporting", yesNo(shell.open.sequence() != nullptr && shell.open.sequence()->isExporting())},
       {"modal", statusOf(shell).modalText},
       {"playing", yesNo(shell.ui.timeline.playing)},
       {"ghosts", yesNo(shell.ui.overlays.ghosts)},
@@ -392,13 +494,10 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"asks-unsaved", yesNo(asked == Kind::unsaved)},
       {"asks-overwrite", yesNo(asked == Kind::overwrite)},
       {"offers-restore", yesNo(asked == Kind::restore)},
+      {"asks-drop", yesNo(!shell.ui.droppedThing.empty())},
       {"asks-clash", yesNo(shell.ui.rangeClash.has_value())},
       {"view.start", number(shell.ui.timeline.viewStart)},
       {"view.fitted", yesNo(shell.ui.timeline.viewEnd < shell.ui.timeline.viewStart)},
-      {"toast", shell.ui.toasts.empty() ? std::string() : shell.ui.toasts.back().text},
-      {"toasts-in-picture", toastsInPicture(shell)},
-      {"toasts", std::to_string(shell.ui.toasts.size())},
-      {"toast.share", toastShare(shell)},
       {"window", windowSize()},
       {"dialog.typed", shell.ui.fileDialog.typed},
       {"menu-over-bars", yesNo(menuCoversBar(shell))},
@@ -418,10 +517,13 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   if (const auto found = states.find(name); found != states.end()) {
     return found->second;
   }
+  if (std::optional<std::string> message = messageState(shell, name)) {
+    return message;
+  }
   if (shell.open.sequence() != nullptr) {
     return sequenceState(*shell.open.sequence(), name);
   }
-  return shell.open.character() == nullptr ? std::nullopt : sessionState(shell, name);
+  return shell.open.character() == nullptr ? std::nullopt : characterState(shell, name);
 }
 
 bool sameState(const std::string& a, const std::string& b) {

@@ -23,12 +23,17 @@ namespace stretch::test {
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.
 /// tour (its step, from 1; 0: it does not run), welcome (its highlighted entry, from 1; 0: a file is open).
-/// keys.picked (in graph and dope sheet), keys.edited (tracks of the viewed clip that are not the source's),
-/// Of poses: controllers (that are selected), adjusted (ids in the clip), moved and turned ("0 -0.1 0" and
-/// degrees, of the first selected one at the playhead), offset-keys (how many the selection has), auto-key,
-/// value.ID (of an attribute at the playhead).
-/// toasts-in-picture (they cover nothing else), menu-over-bars (the menu at the mouse covers a
-/// bar), menu-in-window.
+/// keys.picked (in graph and dope sheet), keys.rows (in how many rows), keys.first (frame and value of the
+/// first of them), keys.slopes (before and after it), keys.auto (whose
+/// tangents follow their neighbours), holds (pins, grips and props), added-files (whose things the character
+/// holds), asks-drop (what a dropped file is for), keys.edited (tracks of the viewed clip that are not the
+/// source's), graph.curves (that are seen), retime (its dialog is open), retime.past (what will stand past
+/// the end). Of poses: controllers (that are selected), adjusted (ids in the clip), moved and turned ("0 -0.1
+/// 0" and degrees, of the first selected one at the playhead), offset-keys (how many the selection has),
+/// auto-key, value.ID (of an attribute at the playhead), pins ("left-arm 21 to 27, left-leg 3 to 9", of the
+/// clip). toasts-in-picture (they cover nothing else), toasts-on-figure (one covers the
+/// character), tour.share (of the picture's height, that of the tour's card), menu-over-bars (the menu at the
+/// mouse covers a bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.

@@ -118,6 +118,16 @@ TEST_CASE("the four stages stand beside each other, a row for each frame, and di
     }
     cells.push_back(picture.rgba);
   }
+  const auto rows = ui::drawStages(ui::contentOf(*document), {3.0, 3.0}, options);
+  REQUIRE(rows);
+  for (std::size_t stage = 0; stage < 4; ++stage) {
+    Image first = ui::filled(96, 64, {0.0F, 0.0F, 0.0F});
+    Image second = first;
+    ui::paste(first, *rows, -layout.left(stage), -layout.top(stage));
+    ui::paste(second, *rows, -layout.left(stage + 4), -layout.top(stage + 4));
+    CAPTURE(stage);
+    CHECK(first.rgba == second.rgba); // a column is one stage
+  }
   CHECK_FALSE(files.drawn({files.frames(), "--stages", "--bones", "5"}).empty());
 }
 

@@ -6,6 +6,7 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
+#include "app/edits/hold_edits.h"
 #include "app/edits/weight_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
@@ -42,6 +43,22 @@ TEST_CASE("An error calls a limb what people call it, and other places by their 
   CHECK(ui::errorLine(open, {"has a trail already", "left-arm", "select it"}) ==
         "Left arm: has a trail already; select it");
   CHECK(ui::errorLine(open, {"is no number", "--scale", ""}) == "--scale: is no number");
+}
+
+TEST_CASE("A long name of a hold leaves the frames their room") {
+  app::Document document = PanelDriver::bundledCharacter();
+  rig::Holds holds;
+  holds.grips.resize(1);
+  holds.grips[0].leader = "left-arm";
+  holds.grips[0].follower = "right-arm";
+  holds.grips[0].time.rangeFrames = {4.0, 24.0};
+  const Result<app::Document> held = app::placeHolds(document, holds);
+  REQUIRE(held);
+  PanelDriver driver(*held);
+  driver.frames(2);
+  const ui::Item* const name = driver.find("timeline/hold-2/name");
+  REQUIRE(name != nullptr);
+  CHECK(name->max.x - name->min.x <= driver.theme.px(150.0F) + 1.0F);
 }
 
 TEST_CASE("A click on the body picture selects a limb, Shift adds another") {

@@ -68,9 +68,9 @@ TEST_CASE("Each part of the timeline that can be dragged says what it is and wha
         std::pair{TimelinePart::rangeEnd, "End of the working range"},
         std::pair{TimelinePart::barStart, "Start of the trail"},
         std::pair{TimelinePart::barEnd, "End of the trail"}, std::pair{TimelinePart::release, "Release"}}) {
-    const ui::Help help = ui::timeline_detail::helpFor(part);
+    const ui::Help help = ui::timeline_detail::helpFor(part, 1);
     CHECK(help.title == title);
     CHECK(help.text.starts_with("Drag it"));
   }
-  CHECK(ui::timeline_detail::helpFor(TimelinePart::playhead).text.empty());
+  CHECK(ui::timeline_detail::helpFor(TimelinePart::playhead, 0).text.empty());
 }

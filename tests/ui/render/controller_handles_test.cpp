@@ -94,7 +94,7 @@ TEST_CASE(
   right.lines = {{Vec3(2.0), Vec3(3.0)}};
   right.side = BodySide::right;
   const ControllerStyle style = controllerStyle(darkPalette());
-  const Overlay overlay = drawControllers(std::vector<ControllerPicture>{left, right}, style);
+  const Overlay overlay = drawControllers(seenFrom(5.0), std::vector<ControllerPicture>{left, right}, style);
   REQUIRE(overlay.lines.size() == 2);
   CHECK(overlay.lines[0].points.front().world == Vec3(2.0));
   CHECK(overlay.lines[0].points.front().color == style.right);
@@ -102,6 +102,23 @@ TEST_CASE(
   CHECK(overlay.lines[0].outlined);
   CHECK(overlay.lines[0].depth == OverlayDepth::faded);
   CHECK(overlay.lines[1].points.front().widthPoints > style.widthPoints);
+}
+
+TEST_CASE("Rings of joints that stand close together shrink from afar, but not the one that is meant") {
+  ControllerPicture finger;
+  finger.ring = Vec3(0.0);
+  finger.ringRoom = 0.02;
+  ControllerPicture meant = finger;
+  meant.hovered = true;
+  const ControllerStyle style = controllerStyle(darkPalette());
+  const auto radius = [&](const ControllerPicture& picture, double distance) {
+    const std::vector<ControllerPicture> one{picture};
+    return drawControllers(seenFrom(distance), one, style).markers.front().radiusPoints;
+  };
+  CHECK(radius(finger, 100.0) == style.leastRingPoints);
+  CHECK(radius(finger, 0.05) == style.ringPoints);
+  CHECK(radius(finger, 3.0) > radius(finger, 100.0));
+  CHECK(radius(meant, 100.0) == style.ringPoints);
 }
 
 TEST_CASE("Sides of the body differ in colour in every theme") {

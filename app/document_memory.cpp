@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "app/document.h"
+
+namespace stretch::app {
+
+namespace {
+
+template <typename Values>
+std::size_t bytesOf(const Values& values) {
+  return values.size() * sizeof(typename Values::value_type);
+}
+
+// What each of the values holds beside itself, and they themselves.
+template <typename Values, typename Inner>
+std::size_t bytesOf(const Values& values, const Inner& inner) {
+  std::size_t bytes = bytesOf(values);
+  for (const auto& value : values) {
+    bytes += inner(value);
+  }
+  return bytes;
+}
+
+std::size_t bytesOfTrack(const Track& track) {
+  return sizeof track + bytesOf(track.times) + bytesOf(track.values);
+}
+
+bool standsAt(const std::vector<Clip>& clips, std::size_t clip, std::size_t track, const void* identity) {
+  return clip < clips.size() && track < clips[clip].tracks.size() &&
+         clips[clip].tracks[track].identity() == identity;
+}
+
+// An edited key makes new lists of tracks; of the tracks only those that were edited are new.
+std::size_t bytesOfClips(const std::shared_ptr<const std::vector<Clip>>& clips,
+                         const std::shared_ptr<const std::vector<Clip>>& other) {
+  if (clips == other || clips == nullptr) {
+    return 0;
+  }
+  std::size_t bytes =
+      bytesOf(*clips, [](const Clip& clip) { return bytesOf(clip.tracks) + clip.name.size(); });
+  for (std::size_t clip = 0; clip < clips->size(); ++clip) {
+    const std::vector<CopyOnWrite<Track>>& tracks = (*clips)[clip].tracks;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const bool isShared = other != nullptr && standsAt(*other, clip, i, tracks[i].identity());
+      bytes += isShared ? 0 : bytesOfTrack(*tracks[i]);
+    }
+  }
+  return bytes;
+}
+
+std::size_t bytesOfLimbs(const std::vector<rig::Limb>& limbs) {
+  return bytesOf(limbs, [](const rig::Limb& limb) {
+    return limb.id.size() + bytesOf(limb.joints) +
+           bytesOf(limb.reasons, [](const std::string& reason) { return reason.size(); });
+  });
+}
+
+std::size_t bytesOfHolds(const rig::Holds& holds) {
+  return bytesOf(holds.pins) + bytesOf(holds.grips) + bytesOf(holds.props, [](const rig::Prop& prop) {
+           return bytesOf(prop.hands, [](const rig::PropHand& hand) { return bytesOf(hand.keys); });
+         });
+}
+
+// A prop from a file of its own makes another scene.
+std::size_t bytesOfScene(const std::shared_ptr<const Scene>& scene,
+                         const std::shared_ptr<const Scene>& other) {
+  if (scene == other || scene == nullptr) {
+    return 0;
+  }
+  constexpr std::size_t bytesOfVertex = 64;
+  std::size_t bytes = 0;
+  for (const Mesh& mesh : scene->meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      bytes += primitive.positions.size() * bytesOfVertex + bytesOf(primitive.indices);
+    }
+  }
+  return bytes;
+}
+
+} // namespace
+
+std::size_t bytesBeyond(const Document& document, const Document& other) {
+  std::size_t bytes =
+      sizeof document + bytesOfClips(document.clips, other.clips) + bytesOfScene(document.scene, other.scene);
+  bytes += bytesOf(document.trails, [](const rig::Trail& trail) {
+    return bytesOf(trail.settings.spheres) + bytesOf(trail.controlFrames) + trail.limb.size() +
+           trail.name.size() + trail.groupName.size();
+  });
+  bytes += bytesOf(document.adjustments, [](const rig::Adjustment& adjustment) {
+    return bytesOf(adjustment.keys) + adjustment.controller.size();
+  });
+  bytes += bytesOf(document.weights, [](const WeightedLimb& entry) {
+    return bytesOf(entry.settings.moduli) + entry.limb.size();
+  });
+  bytes += bytesOf(document.followingKeys, [](const FollowingKeys& keys) { return bytesOf(keys.keys); });
+  bytes += bytesOf(document.warnings, [](const std::string& warning) { return warning.size(); });
+  return bytes + bytesOfLimbs(document.biped.limbs) + bytesOfLimbs(document.chains) +
+         bytesOfHolds(document.holds) + bytesOf(document.loopingClips) + bytesOf(document.rates);
+}
+
+} // namespace stretch::app

@@ -1,0 +1,136 @@
+#include "app/standing_floor.h"
+
+#include <algorithm>
+
+#include <glm/matrix.hpp>
+
+#include "rig/motion/bind_places.h"
+#include "rig/motion/evaluate.h"
+#include "rig/motion/floor.h"
+#include "rig/motion/part_motion.h"
+#include "rig/motion/solve_holds.h"
+
+namespace stretch::app {
+
+namespace {
+
+// How a foot hangs around its tip: where the limb comes from and goes back to as well.
+constexpr int beforeAndAfter = 4;
+constexpr double stepSeconds = 0.03;
+
+// From the leg's end down to the lowest vertex of what hangs on it, in the bind pose.
+double soleDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces& places) {
+  double lowest = rig::endPosition(leg, places.worlds).y;
+  const double ankle = lowest;
+  const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
+  for (const NodeIndex node : rig::withSubtrees(scene, {foot})) {
+    const Bounds& mesh = places.meshes[at(node)];
+    lowest = mesh.empty() ? lowest : std::min(lowest, mesh.low.y);
+  }
+  return ankle - lowest;
+}
+
+// The same at a frame: the boxes that the parts of the foot have in the bind pose go along with it.
+double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& frame) {
+  const rig::BindPlaces places = rig::bindPlaces(scene);
+  const double ankle = rig::endPosition(leg, frame).y;
+  double lowest = ankle;
+  const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
+  for (const NodeIndex node : rig::withSubtrees(scene, {foot})) {
+    const Bounds& box = places.meshes[at(node)];
+    const Mat4 moved = frame.worlds[at(node)] * glm::inverse(places.worlds[at(node)]);
+    for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+      const Vec3 point((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                       (corner & 4) != 0 ? box.high.z : box.low.z);
+      lowest = std::min(lowest, (moved * Vec4(point, 1.0)).y);
+    }
+  }
+  return ankle - lowest;
+}
+
+bool isHeldIn(const Document& document, int clip, NodeIndex node) {
+  return std::ranges::any_of(document.holds.props, [&](const rig::Prop& prop) {
+    const NodeIndex held = rig::propNode(*document.scene, prop.node);
+    return prop.clip == clip && held.exists() && isAncestorOrSelf(*document.scene, held, node);
+  });
+}
+
+// No part of the body, not skinned, not held, and neither it nor what carries it has keys in the clip.
+bool isBlock(const Document& document, int clip, NodeIndex node) {
+  const Scene& scene = *document.scene;
+  const auto carriesIt = [&](NodeIndex other) { return isAncestorOrSelf(scene, other, node); };
+  const bool isOfBody =
+      carriesIt(document.biped.hips) || std::ranges::any_of(allLimbs(document), [&](const rig::Limb& limb) {
+        return carriesIt(limb.joints.front());
+      });
+  return !isOfBody && !isHeldIn(document, clip, node) && scene.nodes[at(node)].mesh >= 0 &&
+         scene.nodes[at(node)].skin < 0 &&
+         std::ranges::none_of(clipOf(document, clip).tracks,
+                              [&](const CopyOnWrite<Track>& track) { return carriesIt(track->node); });
+}
+
+} // namespace
+
+std::optional<double> standingAnkles(const Document& document, int clip) {
+  std::optional<double> lowest;
+  for (const rig::Limb& limb : document.biped.limbs) {
+    const std::optional<double> height =
+        isLeg(limb) ? rig::standingHeight(*document.scene, clipOf(document, clip), limb) : std::nullopt;
+    lowest = height ? std::optional(std::min(lowest.value_or(*height), *height)) : lowest;
+  }
+  return lowest;
+}
+
+std::vector<Bounds> blocksOf(const Document& document, int clip) {
+  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
+  std::vector<Bounds> blocks;
+  for (std::size_t i = 0; i < places.meshes.size(); ++i) {
+    if (!places.meshes[i].empty() && isBlock(document, clip, NodeIndex(i))) {
+      blocks.push_back(places.meshes[i]);
+    }
+  }
+  return blocks;
+}
+
+std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec3& place) {
+  std::optional<double> top;
+  for (const Bounds& box : blocks) {
+    const bool isUnder = box.low.x <= place.x && place.x <= box.high.x && box.low.z <= place.z &&
+                         place.z <= box.high.z && box.high.y <= place.y;
+    top = isUnder ? std::max(top.value_or(box.high.y), box.high.y) : top;
+  }
+  return top;
+}
+
+std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip, const rig::Limb& leg,
+                                          double tipFrame) {
+  const std::optional<double> floor = floorHeight(document, clip);
+  if (!floor) {
+    return std::nullopt;
+  }
+  const Clip& motion = clipOf(document, clip);
+  const auto frameAt = [&](double seconds) { return rig::sampledFrame(*document.scene, motion, seconds); };
+  const double tipSeconds = tipFrame / motion.framesPerSecond;
+  double depth = 0.0;
+  for (int step = -beforeAndAfter; step <= beforeAndAfter; ++step) {
+    depth = std::max(depth, footDepth(*document.scene, leg, frameAt(tipSeconds + step * stepSeconds)));
+  }
+  const Vec3 ankle = rig::endPosition(leg, frameAt(tipSeconds));
+  const double ground = std::max(*floor, blockTopUnder(blocksOf(document, clip), ankle).value_or(*floor));
+  return rig::StopPlane{{0.0, ground + depth, 0.0}, {0.0, -1.0, 0.0}};
+}
+
+std::optional<double> floorHeight(const Document& document, int clip) {
+  const std::optional<double> ankles = standingAnkles(document, clip);
+  if (!ankles) {
+    return std::nullopt;
+  }
+  const rig::BindPlaces places = rig::bindPlaces(*document.scene);
+  double depth = 0.0;
+  for (const rig::Limb& limb : document.biped.limbs) {
+    depth = isLeg(limb) ? std::max(depth, soleDepth(*document.scene, limb, places)) : depth;
+  }
+  return *ankles - depth;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/document.h"
+#include "core/math/bounds.h"
+
+namespace stretch::app {
+
+/// How high the ends of legs are in a clip where they stand lowest, world units along +Y. Nothing where no
+/// leg stands.
+[[nodiscard]] std::optional<double> standingAnkles(const Document& document, int clip);
+
+/// What a foot may stand on beside the floor, as boxes in the world: what holds a mesh, stands still in the
+/// clip, is not held in it and is no part of the body.
+[[nodiscard]] std::vector<Bounds> blocksOf(const Document& document, int clip);
+
+/// How high the top of the highest block under a place is, along +Y. Nothing where there is none.
+[[nodiscard]] std::optional<double> blockTopUnder(const std::vector<Bounds>& blocks, const Vec3& place);
+
+/// The plane that a leg does not reach through with its tip at a frame: as far above the floor, or above the
+/// block under its foot, as the ankle is above the lowest point of the foot, which may hang down around
+/// there. Nothing where no leg stands in the clip.
+[[nodiscard]] std::optional<rig::StopPlane> floorForLeg(const Document& document, int clip,
+                                                        const rig::Limb& leg, double tipFrame);
+
+/// The floor itself: what stands on it is as far below the ankle as in the bind pose.
+[[nodiscard]] std::optional<double> floorHeight(const Document& document, int clip);
+
+} // namespace stretch::app

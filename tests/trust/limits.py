@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""limits.py PROGRAM: small files that ask for much. Each is read, or refused in one line, within the memory and the time that docs/trust.md states:
+at most 64 bytes for each byte of the file and what it names, and 800 MB; 20 seconds."""
+import json
+import os
+import pathlib
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+BYTES_FOR_ONE = 64
+BYTES_FOR_ANY = 800 << 20
+SECONDS = 20
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def glb(gltf, binary=b""):
+    gltf = {"asset": {"version": "2.0"}, **gltf}
+    if binary:
+        gltf.setdefault("buffers", [{"byteLength": len(binary)}])
+    text = json.dumps(gltf, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    binary += b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+    if binary:
+        chunks += struct.pack("<II", len(binary), 0x004E4942) + binary
+    return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks
+
+
+def view(length, **more):
+    return {"buffer": 0, "byteLength": length, **more}
+
+
+def triangles(count):
+    return {"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0, "COLOR_0": 0}}] * count}]}
+
+
+def png(width, height):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    packer = zlib.compressobj(9)
+    row = b"\0" * (1 + (width + 7) // 8)
+    rows = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 1, 0, 0, 0, 0)) + chunk(b"IDAT", rows) + chunk(b"IEND", b"")
+
+
+def textured(pictures, images):
+    binary = b"".join(pictures)
+    offsets = [sum(map(len, pictures[:i])) for i in range(len(pictures))]
+    views = [view(len(one), byteOffset=at) for one, at in zip(pictures, offsets)]
+    return glb({"bufferViews": views, "images": [{"bufferView": i % len(pictures), "mimeType": "image/png"} for i in range(images)],
+                "textures": [{"source": i} for i in range(images)],
+                "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}} for i in range(images)]}, binary)
+
+
+def chain(depth):
+    nodes = [{"children": [i + 1]} for i in range(depth)] + [{}]
+    return glb({"scene": 0, "scenes": [{"nodes": [0]}], "nodes": nodes, "skins": [{"joints": list(range(depth)), "skeleton": 0}]})
+
+
+def long_clip(seconds, keys=2):
+    times = struct.pack("<2f", 0.0, seconds)
+    values = struct.pack("<6f", 0, 0, 0, 1, 1, 1)
+    positions = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+    return glb({"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 2}}]}],
+                "bufferViews": [view(8), view(24, byteOffset=8), view(36, byteOffset=32)],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": keys, "type": "SCALAR", "min": [0], "max": [seconds]},
+                              {"bufferView": 1, "componentType": 5126, "count": keys, "type": "VEC3"},
+                              {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+                "animations": [{"samplers": [{"input": 0, "output": 1}], "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]},
+               times + values + positions)
+
+
+def packed(mode, count, stride, length):
+    extension = {"buffer": 0, "byteLength": length, "byteStride": stride, "count": count, "mode": mode}
+    return glb({"extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+                "buffers": [{"byteLength": length}, {"byteLength": count * stride, "extensions": {"EXT_meshopt_compression": {"fallback": True}}}],
+                "bufferViews": [{"buffer": 1, "byteLength": count * stride, "extensions": {"EXT_meshopt_compression": extension}}] * 200},
+               b"\xa0" + b"\0" * (length - 1))
+
+
+def hostile():
+    """Names of files, what is in them, and the verbs that read them."""
+    zeros = [{"componentType": 5126, "count": 1 << 24, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]}]
+    yield "zeros.glb", glb({"accessors": zeros, **triangles(50)})
+    yield "count.glb", glb({"accessors": [{**zeros[0], "count": (1 << 53) - 1}], **triangles(1)})
+    million = bytes(12 << 16)
+    yield "shared.glb", glb({"bufferViews": [view(len(million))], "accessors": [{**zeros[0], "bufferView": 0, "count": 1 << 16}], **triangles(2000)}, million)
+    yield "accessors.glb", glb({"bufferViews": [view(len(million))],
+                                "accessors": [{**zeros[0], "bufferView": 0, "count": 1 << 16}] * 5000}, million)
+    targets = {"nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}] * 20000}]}]}
+    yield "targets.glb", glb({"accessors": [{**zeros[0], "count": 1 << 20}], **targets})
+    for kind, stride in (("ATTRIBUTES", 256), ("TRIANGLES", 4), ("INDICES", 4)):
+        yield f"packed_{kind.lower()}.glb", packed(kind, 3 << 14, stride, 1 << 16)
+    yield "pixels.glb", textured([png(30000, 30000)], 1)
+    yield "pictures.glb", textured([png(4096, 4096 - i) for i in range(24)], 24)
+    yield "picture_again.glb", textured([png(64, 64) + bytes(4 << 20)], 5000)
+    yield "chain.glb", chain(50000)
+    yield "deep.gltf", b'{"asset":{"version":"2.0"},"extras":' + b"[" * 1000000 + b"]" * 1000000 + b"}"
+    yield "lists.gltf", b'{"asset":{"version":"2.0"},"extras":[' + b"[]," * 2000000 + b"0]}"
+    for seconds in (1e5, 2e5, 1e6, 1e9, 3e38):
+        yield f"clip_{seconds:g}.glb", long_clip(seconds)
+    yield "recipe.json", b'{"version":1,"trails":' + b"[" * 500000 + b"]" * 500000 + b"}"
+    yield "range.json", b'{"version":1,"trails":[{"limb":"left-arm","range":[0,1e12],"scale":2}]}'
+    yield "base.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    yield "cache.pc2", b"POINTCACHE2\0" + struct.pack("<iiffi", 1, 3, 0.0, 1.0, 0x7FFFFFFF)
+    yield "cache.mdd", struct.pack(">ii", 0x7FFFFFFF, 3)
+    yield "huge.ply", b"ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"
+    yield "rows.ply", (b"ply\nformat binary_little_endian 1.0\nelement vertex 900000000000\nproperty list uchar uchar none\n"
+                       b"end_header\n" + b"\0" * 2000000)
+    yield "corners.ply", (b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                          b"property list uint int vertex_indices\nend_header\n0 0 0\n4000000000 0 0\n")
+    yield "materials.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n" + b"".join(b"usemtl m%d\nf 1/1 2/1 3/1\n" % i for i in range(60000))
+
+
+def commands(program, file, folder):
+    if file.suffix == ".json":
+        return [[program, "exaggerate", ROOT / "assets/dummy.glb", "-o", folder / "out.glb", "--recipe", file]]
+    if file.suffix in (".pc2", ".mdd"):
+        return [[program, "compress", folder / "base.obj", file, "-o", folder / "out.glb"]]
+    if file.suffix in (".obj", ".ply"):
+        frames = folder / file.stem
+        frames.mkdir()
+        for name in ("frame-1", "frame-2"):
+            (frames / (name + file.suffix)).write_bytes(file.read_bytes())
+        return [[program, "compress", frames, "-o", folder / "out.glb", "--bones", "1"]]
+    verbs = [[program, "info", file, "--json"], [program, "check", file], [program, "resave", file, "-o", folder / "out.glb"]]
+    if file.name.startswith("clip"):
+        verbs.append([program, "compress", file, "-o", folder / "out.glb"])
+    return verbs
+
+
+def run(command):
+    """Exit code, what was told, peak of memory in bytes, seconds."""
+    with tempfile.TemporaryFile() as told:
+        child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=told,
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (4 * SECONDS, 4 * SECONDS)))
+        _, status, usage = os.wait4(child.pid, 0)
+        told.seek(0)
+        return os.waitstatus_to_exitcode(status), told.read().decode(errors="replace"), usage.ru_maxrss << 10, usage.ru_utime + usage.ru_stime
+
+
+def problems_of(name, size, command, shown):
+    code, told, peak, seconds = run(command)
+    if shown:
+        print(f"{name:24} {command[1]:10} {size / 1e6:7.2f} MB {peak / 1e6:8.0f} MB {seconds:6.2f} s  {code}  {told.strip()[:100]}")
+    problems = []
+    if code not in (0, 1):
+        problems.append(f"exit code {code}: {told[-200:]}")
+    if code == 1 and command[1] != "check" and told.count("\n") != 1:
+        problems.append(f"told in {told.count(chr(10))} lines")
+    if peak > BYTES_FOR_ONE * size + BYTES_FOR_ANY:
+        problems.append(f"{peak / 1e6:.0f} MB for a file of {size / 1e6:.2f} MB")
+    if seconds > SECONDS:
+        problems.append(f"{seconds:.0f} seconds")
+    return [f"{name}, {command[1]}: {problem}" for problem in problems]
+
+
+def main():
+    program = pathlib.Path(sys.argv[1]).resolve()
+    shown = "--show" in sys.argv
+    failed = []
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        count = 0
+        for name, content in hostile():
+            file = folder / name
+            file.write_bytes(content)
+            for command in commands(program, file, folder):
+                count += 1
+                failed += problems_of(name, len(content), command, shown)
+    for problem in failed:
+        print("FAILED:", problem)
+    print(f"{count} runs on small files that ask for much, {len(failed)} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
