@@ -174,7 +174,7 @@ TEST_CASE("Binding appends and renumbers nothing") {
   }
 }
 
-TEST_CASE("Primitives that share their vertices share what those follow; points follow the first joint") {
+TEST_CASE("Primitives that share their vertices share what those follow, and points follow the first joint") {
   const TemporaryFolder folder;
   const gltf::Loaded file = test::loaded(twoSleeves());
   const Json primitives =
