@@ -34,5 +34,6 @@ struct Verb {
 [[nodiscard]] Verb compareVerb();
 [[nodiscard]] Verb elasticVerb();
 [[nodiscard]] Verb flattenVerb();
+[[nodiscard]] Verb bindVerb();
 
 } // namespace stretch::app
