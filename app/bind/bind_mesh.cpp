@@ -1,7 +1,9 @@
 #include "app/bind/bind_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -49,6 +51,19 @@ VertexInfluences inSlots(const skinning::Influences& row, const std::vector<std:
   return vertex;
 }
 
+bool isSame(const Mat4& a, const Mat4& b) {
+  constexpr double rounding = 1e-4;
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      largest = std::max(largest, std::abs(a[column][row]));
+      difference = std::max(difference, std::abs(a[column][row] - b[column][row]));
+    }
+  }
+  return difference <= rounding * largest;
+}
+
 class Binding {
 public:
   Binding(const Scene& scene, const SkeletonToBind& skeleton, const BodyToBind& body,
@@ -64,6 +79,9 @@ public:
           hasSkin ? slotsOf(scene_, scene_.skins[at(mesh.skin)], skeleton_) : std::vector<std::uint16_t>();
       edits.boundMeshes.push_back({mesh.node, hasSkin ? mesh.skin : skinFor(mesh.toWorld, edits.addedSkins),
                                    influences(mesh, slots)});
+      if (hasSkin) {
+        mendMatrices(mesh, edits);
+      }
     }
     return edits;
   }
@@ -83,6 +101,30 @@ private:
       return static_cast<int>(scene_.skins.size() + skins.size()) - 1;
     }
     return static_cast<int>(scene_.skins.size()) + static_cast<int>(known - placements_.begin());
+  }
+
+  // Exporters leave matrices of joints that nothing follows unset: those that are followed now say where the
+  // joint was taken to stand.
+  void mendMatrices(const MeshToBind& mesh, gltf::Edits& edits) const {
+    const Skin& skin = scene_.skins[at(mesh.skin)];
+    std::set<std::uint16_t> followed;
+    for (const std::vector<VertexInfluences>& vertices : edits.boundMeshes.back().influences) {
+      for (const VertexInfluences& vertex : vertices) {
+        followed.insert(vertex.joints.begin(), vertex.joints.end());
+      }
+    }
+    for (std::size_t i = 0; i < skeleton_.nodes.size(); ++i) {
+      const auto slot =
+          static_cast<std::size_t>(std::ranges::find(skin.joints, skeleton_.nodes[i]) - skin.joints.begin());
+      const Mat4 wanted = glm::inverse(skeleton_.worlds[i]) * mesh.toWorld;
+      const bool isMended = std::ranges::any_of(edits.skinSlots, [&](const gltf::SkinSlot& known) {
+        return known.skin == mesh.skin && known.slot == static_cast<int>(slot);
+      });
+      if (slot < skin.joints.size() && !isMended && followed.contains(static_cast<std::uint16_t>(slot)) &&
+          !isSame(wanted, skin.inverseBind[slot])) {
+        edits.skinSlots.push_back({mesh.skin, static_cast<int>(slot), skeleton_.nodes[i], wanted});
+      }
+    }
   }
 
   [[nodiscard]] std::vector<std::vector<VertexInfluences>>

@@ -34,6 +34,20 @@ std::set<NodeIndex> jointsOfSkins(const Scene& scene) {
   return joints;
 }
 
+// A joint beyond the limbs that nothing hangs on but rigid meshes: it holds a prop.
+bool isSocket(const Document& document, NodeIndex joint) {
+  const Scene& scene = *document.scene;
+  const rig::Biped& biped = document.biped;
+  const bool isOfBody =
+      joint == biped.head || std::ranges::any_of(biped.limbs, [&](const rig::Limb& limb) {
+        return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
+      });
+  const std::vector<NodeIndex>& children = scene.nodes[at(joint)].children;
+  return !isOfBody && !children.empty() && std::ranges::all_of(children, [&](NodeIndex child) {
+    return holdsAnyMesh(scene, child) && scene.nodes[at(child)].skin < 0;
+  });
+}
+
 std::set<NodeIndex> jointsToBind(const Document& document) {
   const Scene& scene = *document.scene;
   const NodeIndex hips = document.biped.hips;
@@ -46,7 +60,8 @@ std::set<NodeIndex> jointsToBind(const Document& document) {
     }
   }
   std::erase_if(joints, [&](NodeIndex joint) {
-    return scene.nodes[at(joint)].isBindLeaf || (hips.exists() && !isAncestorOrSelf(scene, hips, joint));
+    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) ||
+           (hips.exists() && !isAncestorOrSelf(scene, hips, joint));
   });
   return joints;
 }
@@ -72,12 +87,22 @@ void addPrimitive(const Scene& scene, NodeIndex node, const Primitive& primitive
   }
 }
 
+// Where a joint stands in the bind pose. Exporters leave matrices of joints that nothing follows unset: one
+// that would lie far from where it lies at rest, as seen from the joint above, stands as at rest.
+Mat4 bindWorld(const Mat4& bind, const Mat4& atRest, const Vec3& parent, double height) {
+  constexpr double times = 3.0;
+  constexpr double partOfHeight = 0.1;
+  const double most = times * glm::distance(positionOf(atRest), parent) + partOfHeight * height;
+  return glm::distance(positionOf(bind), parent) > most ? atRest : bind;
+}
+
 } // namespace
 
 SkeletonToBind ownSkeleton(const Document& document) {
   const Scene& scene = *document.scene;
   const std::set<NodeIndex> wanted = jointsToBind(document);
   const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
   SkeletonToBind skeleton;
   std::map<NodeIndex, int> places;
   for (const NodeIndex node : parentsFirst(scene)) {
@@ -89,9 +114,15 @@ SkeletonToBind ownSkeleton(const Document& document) {
       parent = scene.nodes[at(parent)].parent;
     }
     places[node] = static_cast<int>(skeleton.nodes.size());
+    Mat4 world = worlds[at(node)];
+    if (parent.exists()) {
+      const Mat4& above = skeleton.worlds[at(places[parent])];
+      world = bindWorld(world, above * glm::inverse(rest[at(parent)]) * rest[at(node)], positionOf(above),
+                        document.biped.height);
+    }
     skeleton.nodes.push_back(node);
-    skeleton.worlds.push_back(worlds[at(node)]);
-    skeleton.joints.push_back({positionOf(worlds[at(node)]), parent.exists() ? places[parent] : -1});
+    skeleton.worlds.push_back(world);
+    skeleton.joints.push_back({positionOf(world), parent.exists() ? places[parent] : -1});
   }
   return skeleton;
 }

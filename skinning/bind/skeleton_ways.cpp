@@ -13,6 +13,22 @@ double nearestAlong(const BoneLine& line, const Vec3& place) {
   return squared > 0.0 ? std::clamp(glm::dot(place - line.start, along) / squared, 0.0, 1.0) : 0.0;
 }
 
+std::pair<OnBone, double> nearestOnBones(const std::vector<BoneLine>& lines,
+                                         const std::vector<std::size_t>& among, const Vec3& place) {
+  OnBone best;
+  double nearest = std::numeric_limits<double>::max();
+  for (const std::size_t index : among) {
+    const BoneLine& line = lines[index];
+    const double along = nearestAlong(line, place);
+    const double distance = glm::distance(place, glm::mix(line.start, line.end, along));
+    if (distance < nearest) {
+      nearest = distance;
+      best = {index, along};
+    }
+  }
+  return {best, nearest};
+}
+
 SkeletonWays::SkeletonWays(const std::vector<BindJoint>& joints, const std::vector<BoneLine>& lines)
     : lines_(lines), generations_(joints.size(), 0), fromRoots_(joints.size(), 0.0) {
   for (const BindJoint& joint : joints) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "skinning/bind/bone_lines.h"
@@ -15,6 +16,10 @@ struct OnBone {
 
 /// The point of a line that is nearest to a place.
 [[nodiscard]] double nearestAlong(const BoneLine& line, const Vec3& place);
+
+/// The nearest point of some of the lines (`among`), and how far it is.
+[[nodiscard]] std::pair<OnBone, double>
+nearestOnBones(const std::vector<BoneLine>& lines, const std::vector<std::size_t>& among, const Vec3& place);
 
 /// Ways along the skeleton, from joint to joint. They tell what belongs together from what only touches: two
 /// legs side by side, a hand on a thigh are near each other across the gap and far along the bones.

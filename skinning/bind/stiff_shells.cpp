@@ -5,7 +5,10 @@
 #include <numeric>
 #include <optional>
 
+#include <tbb/parallel_for.h>
+
 #include "skinning/bind/points_within.h"
+#include "skinning/bind/skeleton_ways.h"
 #include "skinning/bind/weight_row.h"
 
 namespace stretch::skinning {
@@ -41,24 +44,33 @@ std::vector<Shell> collect(std::span<const glm::vec3> positions, const std::vect
   return shells;
 }
 
-// How much of each joint's bones runs in each shell; answers how long they are.
-std::vector<double> measureBones(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                                 const std::vector<std::size_t>& numbers, const std::vector<BoneLine>& lines,
-                                 std::size_t joints, std::vector<Shell>& shells) {
-  constexpr int samples = 12;
+constexpr std::size_t samplesOfBone = 12;
+
+// Which shells points along all bones lie within: samplesOfBone for each line.
+std::vector<std::vector<std::size_t>> shellsAlongBones(std::span<const glm::vec3> positions,
+                                                       const std::vector<Triangle>& triangles,
+                                                       const std::vector<std::size_t>& numbers,
+                                                       const std::vector<BoneLine>& lines) {
   std::vector<Vec3> points;
-  std::vector<double> whole(joints, 0.0);
   for (const BoneLine& line : lines) {
-    whole[line.joint] += glm::distance(line.start, line.end);
-    for (int i = 0; i < samples; ++i) {
-      points.push_back(glm::mix(line.start, line.end, (i + 0.5) / samples));
+    for (std::size_t i = 0; i < samplesOfBone; ++i) {
+      points.push_back(glm::mix(line.start, line.end, (static_cast<double>(i) + 0.5) / samplesOfBone));
     }
   }
-  const auto around = shellsAround(positions, triangles, numbers, points);
-  for (std::size_t point = 0; point < points.size(); ++point) {
-    const BoneLine& line = lines[point / samples];
-    for (const std::size_t shell : around[point]) {
-      shells[shell].inside[line.joint] += glm::distance(line.start, line.end) / samples;
+  return shellsAround(positions, triangles, numbers, points);
+}
+
+// How much of each joint's bones runs in each shell; answers how long they are.
+std::vector<double> measureBones(const std::vector<std::vector<std::size_t>>& around,
+                                 const std::vector<BoneLine>& lines, std::size_t joints,
+                                 std::vector<Shell>& shells) {
+  std::vector<double> whole(joints, 0.0);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const BoneLine& line = lines[i / samplesOfBone];
+    const double length = glm::distance(line.start, line.end) / samplesOfBone;
+    whole[line.joint] += length;
+    for (const std::size_t shell : around[i]) {
+      shells[shell].inside[line.joint] += length;
     }
   }
   return whole;
@@ -107,6 +119,52 @@ std::optional<Influences> asOnePiece(const Shell& shell, const std::vector<std::
   return mean.of(best) > ruling ? std::optional(aloneOn(best)) : std::nullopt;
 }
 
+// Takes from vertices what they follow of bones that run in other shells alone where they are nearest: the
+// head does not follow an arm beside it, the sleeve not the chest.
+class Outsiders {
+public:
+  Outsiders(const std::vector<BoneLine>& lines, const std::vector<std::vector<std::size_t>>& around)
+      : lines_(lines), around_(around) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ofJoint_.resize(std::max<std::size_t>(ofJoint_.size(), lines[i].joint + std::size_t{1}));
+      ofJoint_[lines[i].joint].push_back(i);
+    }
+  }
+
+  [[nodiscard]] Influences without(const Influences& row, const Vec3& place, std::size_t shell) const {
+    WeightSum kept;
+    double total = 0.0;
+    for (std::size_t i = 0; i < Influences::capacity && row.weights[i] > 0.0F; ++i) {
+      if (!runsElsewhere(row.bones[i], place, shell)) {
+        kept.add(row.bones[i], static_cast<double>(row.weights[i]));
+        total += static_cast<double>(row.weights[i]);
+      }
+    }
+    constexpr double enough = 0.02;
+    return total > enough ? kept.strongest(Influences::capacity) : row;
+  }
+
+private:
+  [[nodiscard]] bool runsElsewhere(std::uint16_t joint, const Vec3& place, std::size_t shell) const {
+    const auto [on, distance] = nearestOnBones(lines_, ofJoint_[joint], place);
+    const auto sample = std::min(static_cast<std::size_t>(on.along * samplesOfBone), samplesOfBone - 1);
+    const std::size_t first = on.line * samplesOfBone;
+    bool isInAny = false;
+    for (std::size_t i = std::max<std::size_t>(sample, 1) - 1; i <= std::min(sample + 1, samplesOfBone - 1);
+         ++i) {
+      isInAny = isInAny || !around_[first + i].empty();
+      if (std::ranges::find(around_[first + i], shell) != around_[first + i].end()) {
+        return false;
+      }
+    }
+    return isInAny;
+  }
+
+  const std::vector<BoneLine>& lines_;
+  const std::vector<std::vector<std::size_t>>& around_;
+  std::vector<std::vector<std::size_t>> ofJoint_;
+};
+
 } // namespace
 
 std::vector<std::size_t> shellsOf(const std::vector<std::uint32_t>& welded,
@@ -139,7 +197,14 @@ void stiffenShells(std::span<const glm::vec3> positions, const std::vector<Trian
   if (shells.size() < 2) {
     return;
   }
-  const std::vector<double> whole = measureBones(positions, triangles, numbers, lines, joints, shells);
+  const auto around = shellsAlongBones(positions, triangles, numbers, lines);
+  const std::vector<double> whole = measureBones(around, lines, joints, shells);
+  const Outsiders outsiders(lines, around);
+  tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t v) {
+    if (!shells[numbers[v]].inside.empty()) {
+      weights[v] = outsiders.without(weights[v], Vec3(positions[v]), numbers[v]);
+    }
+  });
   ShellBox body;
   for (const glm::vec3& position : positions) {
     body.take(position);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -13,27 +12,10 @@ namespace stretch::skinning {
 
 namespace {
 
-// The nearest point of a joint's bones, and how far it is.
-std::pair<OnBone, double> nearestOf(const std::vector<BoneLine>& lines,
-                                    const std::vector<std::size_t>& ofJoint, const Vec3& place) {
-  OnBone best;
-  double nearest = std::numeric_limits<double>::max();
-  for (const std::size_t index : ofJoint) {
-    const BoneLine& line = lines[index];
-    const double along = nearestAlong(line, place);
-    const double distance = glm::distance(place, glm::mix(line.start, line.end, along));
-    if (distance < nearest) {
-      nearest = distance;
-      best = {index, along};
-    }
-  }
-  return {best, nearest};
-}
-
 using SurfaceNeighbours = std::vector<std::vector<std::uint32_t>>;
 
 SurfaceNeighbours surfaceNeighbours(const std::vector<Triangle>& triangles,
-                             const std::vector<std::uint32_t>& welded) {
+                                    const std::vector<std::uint32_t>& welded) {
   SurfaceNeighbours beside(welded.size());
   for (const Triangle& triangle : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -175,11 +157,11 @@ void dropStrangers(std::span<const glm::vec3> positions, const std::vector<BoneL
       return;
     }
     const Vec3 place(positions[v]);
-    const auto [own, toOwn] = nearestOf(lines, ofJoint[row.bones[0]], place);
+    const auto [own, toOwn] = nearestOnBones(lines, ofJoint[row.bones[0]], place);
     WeightSum kept;
     kept.add(row.bones[0], static_cast<double>(row.weights[0]));
     for (std::size_t i = 1; i < Influences::capacity && row.weights[i] > 0.0F; ++i) {
-      const auto [other, toOther] = nearestOf(lines, ofJoint[row.bones[i]], place);
+      const auto [other, toOther] = nearestOnBones(lines, ofJoint[row.bones[i]], place);
       kept.add(row.bones[i], static_cast<double>(row.weights[i]) * ways.kinship(own, other, toOwn + toOther));
     }
     row = kept.strongest(Influences::capacity);
