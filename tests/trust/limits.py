@@ -13,7 +13,7 @@ import zlib
 
 BYTES_FOR_ONE = 64
 BYTES_FOR_ANY = 800 << 20
-SECONDS = 20
+SECONDS = 5
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
