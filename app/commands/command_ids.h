@@ -29,6 +29,7 @@ inline constexpr const char* selectNeck = "limb.neck";
 inline constexpr const char* selectNone = "limb.none";
 inline constexpr const char* pickChain = "limb.chain";
 inline constexpr const char* detectAgain = "rig.detect";
+inline constexpr const char* bindMesh = "rig.bind";
 
 inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";

@@ -155,7 +155,8 @@ void drawLimbMenu(PanelContext& context) {
              holdRemove,
              "",
              pickChain,
-             detectAgain}},
+             detectAgain,
+             bindMesh}},
            false);
 }
 

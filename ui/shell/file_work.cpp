@@ -263,6 +263,7 @@ void askToQuit(Shell& shell) {
 void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
+  updateBinding(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

@@ -39,6 +39,9 @@ EditorStatus statusOf(const Shell& shell) {
     status.busyFraction = shell.files.openingShare();
   } else if (sequence != nullptr && sequence->isWorking()) {
     describeWork(*sequence, status);
+  } else if (shell.binding.job != nullptr) {
+    status.busyText = "Binding the mesh";
+    status.busyFraction = static_cast<float>(shell.binding.job->share());
   }
   return status;
 }

@@ -8,6 +8,7 @@
 #include "app/file_work.h"
 #include "app/open_document.h"
 #include "ui/panels/panel_context.h"
+#include "ui/shell/bind_work.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -27,6 +28,7 @@ struct Shell {
   ViewportState viewport;
   Tool tool;
   app::FileWork files;
+  BindWork binding;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   std::vector<CommandInfo> commandInfos;
