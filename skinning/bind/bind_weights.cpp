@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
+#include "skinning/bind/points_behind.h"
 #include "skinning/bind/skeleton_ways.h"
 #include "skinning/bind/stiff_shells.h"
 #include "skinning/bind/strange_patches.h"
@@ -165,10 +166,10 @@ Result<BoundBody> bindWeights(std::span<const glm::vec3> positions, const std::v
   bound.cubes = body->cellCount();
   bound.bytes = bytesOf(*body);
   bound.influences.resize(positions.size());
-  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t v) {
-    bound.influences[v] = weightsAt(*body, cells, Vec3(positions[v]));
-  });
   const std::vector<std::uint32_t> welded = weldedVertices(positions);
+  const std::vector<Vec3> behind = pointsBehind(*body, positions, triangles, welded);
+  tbb::parallel_for(std::size_t{0}, positions.size(),
+                    [&](std::size_t v) { bound.influences[v] = weightsAt(*body, cells, behind[v]); });
   dropStrangers(positions, lines, ways, bound.influences);
   takeInPatches(triangles, welded, joints, bound.influences);
   stiffenShells(positions, triangles, welded, lines, joints.size(), bound.influences);

@@ -165,6 +165,45 @@ private:
   std::vector<std::vector<std::size_t>> ofJoint_;
 };
 
+// How much of the mesh follows each joint.
+std::vector<double> followers(const std::vector<Influences>& weights, std::size_t joints) {
+  std::vector<double> sums(joints, 0.0);
+  for (const Influences& row : weights) {
+    for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      sums[row.bones[i]] += static_cast<double>(row.weights[i]);
+    }
+  }
+  return sums;
+}
+
+// A shell follows no joint that a small part of it follows and that has most of its followers in other
+// shells.
+void dropGuests(const Shell& shell, const std::vector<double>& all, std::vector<Influences>& weights) {
+  constexpr double partOfJoint = 0.25;
+  constexpr double partOfShell = 0.4;
+  WeightSum here;
+  for (const std::size_t v : shell.vertices) {
+    here.add(weights[v], 1.0);
+  }
+  for (const std::size_t v : shell.vertices) {
+    WeightSum kept;
+    double total = 0.0;
+    for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      const std::uint16_t joint = weights[v].bones[i];
+      const double sum = here.of(joint);
+      if (sum >= partOfJoint * all[joint] ||
+          sum >= partOfShell * static_cast<double>(shell.vertices.size())) {
+        kept.add(joint, static_cast<double>(weights[v].weights[i]));
+        total += static_cast<double>(weights[v].weights[i]);
+      }
+    }
+    constexpr double enough = 0.02;
+    if (total > enough) {
+      weights[v] = kept.strongest(Influences::capacity);
+    }
+  }
+}
+
 } // namespace
 
 std::vector<std::size_t> shellsOf(const std::vector<std::uint32_t>& welded,
@@ -205,6 +244,10 @@ void stiffenShells(std::span<const glm::vec3> positions, const std::vector<Trian
       weights[v] = outsiders.without(weights[v], Vec3(positions[v]), numbers[v]);
     }
   });
+  const std::vector<double> all = followers(weights, joints);
+  for (const Shell& shell : shells) {
+    dropGuests(shell, all, weights);
+  }
   ShellBox body;
   for (const glm::vec3& position : positions) {
     body.take(position);
