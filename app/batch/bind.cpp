@@ -9,6 +9,7 @@
 #include "app/batch/verb.h"
 #include "app/bind/bind_mesh.h"
 #include "app/files/save.h"
+#include "app/locators/fit_locators.h"
 #include "app/schema/locator_json.h"
 #include "core/gltf/json.h"
 
@@ -37,11 +38,28 @@ skinning::Proceed bindProgress() {
   };
 }
 
-Result<BindRequest> requestOf(const BindArguments& arguments) {
+Result<rig::Locators> locatorsFor(const BindArguments& arguments, const Document& document) {
+  if (!arguments.locators.empty()) {
+    return loadLocators(arguments.locators);
+  }
+  Result<FittedLocators> fitted = fitLocators(document);
+  if (!fitted) {
+    return fitted.error();
+  }
+  if (fitted->isOfSkeleton) {
+    return Error{"the file has a skeleton already", arguments.input.file, "bind to it with --keep-joints"};
+  }
+  for (const std::string& warning : fitted->warnings) {
+    fmt::print(stderr, "warning: {}\n", warning);
+  }
+  return std::move(fitted->locators);
+}
+
+Result<BindRequest> requestOf(const BindArguments& arguments, const Document& document) {
   BindRequest request;
   request.way = arguments.weights == "surface" ? BindWay::surface : BindWay::volume;
   if (!arguments.keepJoints) {
-    Result<rig::Locators> locators = loadLocators(arguments.locators);
+    Result<rig::Locators> locators = locatorsFor(arguments, document);
     if (!locators) {
       return locators.error();
     }
@@ -85,20 +103,19 @@ Error inFile(Error error, const std::string& file) {
 }
 
 Status runBind(const BindArguments& arguments) {
-  if (arguments.keepJoints != arguments.locators.empty()) {
-    return Error{"it is not said where the joints are", "bind",
-                 "give either --locators L.json or --keep-joints"};
+  if (arguments.keepJoints && !arguments.locators.empty()) {
+    return Error{"joints are either kept or made", "--keep-joints", "leave it or --locators out"};
   }
   if (Status apart = checkOutput(arguments.output, {arguments.input.file, arguments.locators}); !apart) {
     return apart;
   }
-  const Result<BindRequest> request = requestOf(arguments);
-  if (!request) {
-    return request.error();
-  }
   const Result<Document> document = openDocument(arguments.input);
   if (!document) {
     return document.error();
+  }
+  const Result<BindRequest> request = requestOf(arguments, *document);
+  if (!request) {
+    return inFile(request.error(), arguments.input.file);
   }
   // Told to the user and nothing else: no result depends on the clock.
   const auto start = std::chrono::steady_clock::now();
@@ -130,12 +147,12 @@ Verb bindVerb() {
           "the body.",
           [](CommandLine& line) {
             const auto arguments = std::make_shared<BindArguments>();
-            line.examples({"statue.glb -o bound.glb --locators statue.json",
-                           "character.glb -o again.glb --keep-joints"});
+            line.examples({"statue.glb -o bound.glb", "character.glb -o again.glb --keep-joints"});
             addFileArguments(line, arguments->input);
             addOutputFile(line, arguments->output, "The .glb or .gltf to write");
             line.option("--locators", arguments->locators,
-                        "Where the joints are made (JSON, as `rig --locators-only` writes it)");
+                        "Where the joints are made (JSON, as `rig --locators-only` writes it) instead of the "
+                        "fitted places");
             line.flag("--keep-joints", arguments->keepJoints,
                       "Bind to the joints that the file has; weights that it has are replaced");
             line.option("--weights", arguments->weights,

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "app/locators/build_rig.h"
 #include "core/anim/sampling.h"
 #include "rig/body/bind_pose.h"
 #include "rig/body/detection.h"
@@ -129,14 +130,7 @@ SkeletonToBind ownSkeleton(const Document& document) {
 
 SkeletonToBind skeletonOf(const rig::Locators& locators, const Scene& scene,
                           const std::vector<NodeIndex>& meshes) {
-  std::vector<gltf::SkeletonJoint> joints;
-  std::map<std::string, int, std::less<>> places;
-  for (const rig::Locator& locator : rig::inOrder(locators).list) {
-    const std::string_view parent = rig::parentLocator(locators, locator.name);
-    places[locator.name] = static_cast<int>(joints.size());
-    joints.push_back({locator.name, parent.empty() ? -1 : places.find(parent)->second, locator.position,
-                      locator.orientation});
-  }
+  const std::vector<gltf::SkeletonJoint> joints = jointsAt(locators);
   const NodeIndex carrier = gltf::carrierOfSkeleton(scene, meshes);
   SkeletonToBind skeleton;
   skeleton.added = gltf::skeletonNodes(scene, joints, carrier);

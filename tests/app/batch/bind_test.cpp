@@ -149,8 +149,8 @@ TEST_CASE("What cannot be bound is said in one line, and nothing is written") {
     CHECK_FALSE(std::filesystem::exists(out));
   };
   const std::string locators = locatorsOf(folder);
-  refused({posedCharacter}, "give either --locators", 1);
-  refused({posedCharacter, "--keep-joints", "--locators", locators}, "give either --locators", 1);
+  refused({posedCharacter}, "bind to it with --keep-joints", 1);
+  refused({posedCharacter, "--keep-joints", "--locators", locators}, "either kept or made", 1);
   refused({posedCharacter, "--locators", locators}, "bound to a skeleton already", 1);
   refused({statue(folder), "--keep-joints"}, "no skeleton to bind to", 1);
   refused({posedCharacter, "--keep-joints", "--weights", "surface"}, "not closed", 1);
