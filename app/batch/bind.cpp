@@ -95,13 +95,6 @@ void printReport(const BindReport& report, double seconds) {
   }
 }
 
-Error inFile(Error error, const std::string& file) {
-  if (error.where.empty()) {
-    error.where = file;
-  }
-  return error;
-}
-
 Status runBind(const BindArguments& arguments) {
   if (arguments.keepJoints && !arguments.locators.empty()) {
     return Error{"joints are either kept or made", "--keep-joints", "leave it or --locators out"};

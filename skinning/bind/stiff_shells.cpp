@@ -1,9 +1,12 @@
 #include "skinning/bind/stiff_shells.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include <tbb/parallel_for.h>
 
@@ -176,24 +179,46 @@ std::vector<double> followers(const std::vector<Influences>& weights, std::size_
   return sums;
 }
 
-// A shell follows no joint that a small part of it follows and that has most of its followers in other
-// shells.
-void dropGuests(const Shell& shell, const std::vector<double>& all, std::vector<Influences>& weights) {
+using Joints = std::set<std::uint16_t>;
+
+bool areNext(const std::vector<BoneLine>& lines, std::uint16_t a, std::uint16_t b) {
+  return std::ranges::any_of(lines, [&](const BoneLine& line) {
+    return (line.joint == a && line.endJoint == b) || (line.joint == b && line.endJoint == a);
+  });
+}
+
+// Joints that a small part of the shell follows, that have most of their followers in other shells, and that
+// are next to none which the shell follows in earnest.
+Joints guestsOf(const Shell& shell, const std::vector<double>& all, const std::vector<BoneLine>& lines,
+                const std::vector<Influences>& weights) {
   constexpr double partOfJoint = 0.25;
   constexpr double partOfShell = 0.4;
   WeightSum here;
+  Joints followed;
   for (const std::size_t v : shell.vertices) {
     here.add(weights[v], 1.0);
+    followed.insert(weights[v].bones.begin(), weights[v].bones.end());
   }
+  Joints own;
+  std::ranges::copy_if(followed, std::inserter(own, own.end()), [&](std::uint16_t joint) {
+    return here.of(joint) > 0.0 &&
+           (here.of(joint) >= partOfJoint * all[joint] ||
+            here.of(joint) >= partOfShell * static_cast<double>(shell.vertices.size()));
+  });
+  std::erase_if(followed, [&](std::uint16_t joint) {
+    return own.contains(joint) ||
+           std::ranges::any_of(own, [&](std::uint16_t other) { return areNext(lines, joint, other); });
+  });
+  return followed;
+}
+
+void dropGuests(const Shell& shell, const Joints& guests, std::vector<Influences>& weights) {
   for (const std::size_t v : shell.vertices) {
     WeightSum kept;
     double total = 0.0;
     for (std::size_t i = 0; i < Influences::capacity; ++i) {
-      const std::uint16_t joint = weights[v].bones[i];
-      const double sum = here.of(joint);
-      if (sum >= partOfJoint * all[joint] ||
-          sum >= partOfShell * static_cast<double>(shell.vertices.size())) {
-        kept.add(joint, static_cast<double>(weights[v].weights[i]));
+      if (!guests.contains(weights[v].bones[i])) {
+        kept.add(weights[v].bones[i], static_cast<double>(weights[v].weights[i]));
         total += static_cast<double>(weights[v].weights[i]);
       }
     }
@@ -246,7 +271,7 @@ void stiffenShells(std::span<const glm::vec3> positions, const std::vector<Trian
   });
   const std::vector<double> all = followers(weights, joints);
   for (const Shell& shell : shells) {
-    dropGuests(shell, all, weights);
+    dropGuests(shell, guestsOf(shell, all, lines, weights), weights);
   }
   ShellBox body;
   for (const glm::vec3& position : positions) {
