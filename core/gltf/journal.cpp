@@ -1,6 +1,7 @@
 #include "core/gltf/journal.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/gltf/fields.h"
 #include "core/gltf/json.h"
@@ -22,6 +23,21 @@ Json::json_pointer parentOf(Json::json_pointer pointer) {
 std::string textAt(const Json& step, std::size_t index) {
   const bool isText = step.is_array() && index < step.size() && step[index].is_string();
   return isText ? step[index].get_ref<const std::string&>() : std::string();
+}
+
+// An object grows by copying all it holds, since its keys cannot be moved. So it gets room for what is added to it
+// (extras, buffers, nodes, skins...) once, while its values can still be moved.
+Json withRoom(Json json) {
+  constexpr std::size_t additions = 8;
+  if (!json.is_object()) {
+    return json;
+  }
+  Json::object_t roomy;
+  roomy.reserve(json.size() + additions);
+  for (auto& [key, value] : json.get_ref<Json::object_t&>()) {
+    roomy.emplace_back(key, std::move(value));
+  }
+  return roomy;
 }
 
 bool takeBackStep(Json& json, const Json& step) {
@@ -49,6 +65,8 @@ bool takeBackStep(Json& json, const Json& step) {
 }
 
 } // namespace
+
+Journal::Journal(Json json) : json_(withRoom(std::move(json))) {}
 
 void Journal::set(const Pointer& pointer, Json value) {
   if (json_.contains(pointer)) {
