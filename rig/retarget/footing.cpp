@@ -1,6 +1,7 @@
 #include "rig/retarget/footing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -10,12 +11,70 @@ namespace stretch::rig {
 
 namespace {
 
-Vec3 meanOver(const Stand& stand, const std::vector<Vec3>& wishes) {
-  Vec3 sum(0.0);
-  for (std::size_t frame = stand.first; frame <= stand.last; ++frame) {
-    sum += wishes[frame];
+std::vector<bool> framesOf(const std::vector<Stand>& stands, std::size_t count) {
+  std::vector<bool> frames(count, false);
+  for (const Stand& stand : stands) {
+    std::fill(frames.begin() + static_cast<std::ptrdiff_t>(stand.first),
+              frames.begin() + static_cast<std::ptrdiff_t>(stand.last) + 1, true);
   }
-  return sum / static_cast<double>(stand.last - stand.first + 1);
+  return frames;
+}
+
+// Runs of frames that stand without a break.
+std::vector<Stand> runsOf(const std::vector<bool>& stands) {
+  std::vector<Stand> runs;
+  for (std::size_t frame = 0; frame < stands.size(); ++frame) {
+    if (!stands[frame]) {
+      continue;
+    }
+    if (!runs.empty() && runs.back().last + 1 == frame) {
+      runs.back().last = frame;
+    } else {
+      runs.push_back({frame, frame});
+    }
+  }
+  return runs;
+}
+
+// How far the ankle has to be from its wanted place over a run, for what stands to stand: about nothing on the
+// mean.
+void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& heelStands,
+             const std::vector<bool>& ballStands, std::vector<Vec3>& offsets) {
+  Vec3 sum(0.0);
+  offsets[run.first] = Vec3(0.0);
+  for (std::size_t i = run.first + 1; i <= run.last; ++i) {
+    const Vec3 wanted = foot.wanted[i] - foot.wanted[i - 1];
+    Vec3 step = wanted;
+    if (ballStands[i] && ballStands[i - 1]) {
+      step = foot.balls[i] - foot.balls[i - 1] + foot.toAnkle[i] - foot.toAnkle[i - 1];
+    } else if (heelStands[i] && heelStands[i - 1]) {
+      step = foot.ankles[i] - foot.ankles[i - 1];
+    }
+    offsets[i] = offsets[i - 1] + step - wanted;
+    sum += offsets[i];
+  }
+  const Vec3 mean = sum / static_cast<double>(run.last - run.first + 1);
+  for (std::size_t i = run.first; i <= run.last; ++i) {
+    offsets[i] -= mean;
+  }
+}
+
+// Carries the offsets of runs over to the frames between them.
+void carryOver(const std::vector<Stand>& runs, std::vector<Vec3>& offsets) {
+  for (std::size_t i = 0; i < runs.front().first; ++i) {
+    offsets[i] = offsets[runs.front().first];
+  }
+  for (std::size_t run = 0; run + 1 < runs.size(); ++run) {
+    const std::size_t from = runs[run].last;
+    const std::size_t to = runs[run + 1].first;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double share = smoothstep(static_cast<double>(i - from) / static_cast<double>(to - from));
+      offsets[i] = (1.0 - share) * offsets[from] + share * offsets[to];
+    }
+  }
+  for (std::size_t i = runs.back().last + 1; i < offsets.size(); ++i) {
+    offsets[i] = offsets[runs.back().last];
+  }
 }
 
 } // namespace
@@ -39,33 +98,32 @@ std::vector<Stand> standsOf(const std::vector<Vec3>& places, const std::vector<d
   return stands;
 }
 
-std::vector<Vec3> heldOver(const std::vector<Stand>& stands, std::vector<Vec3> wishes) {
-  if (stands.empty()) {
-    return wishes;
+std::vector<bool> standingFrames(const FootMotion& foot) {
+  std::vector<bool> frames = framesOf(foot.ankleStands, foot.wanted.size());
+  const std::vector<bool> ball = framesOf(foot.ballStands, foot.wanted.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    frames[i] = frames[i] || ball[i];
   }
-  std::vector<Vec3> means;
-  means.reserve(stands.size());
-  for (const Stand& stand : stands) {
-    means.push_back(meanOver(stand, wishes));
+  return frames;
+}
+
+std::vector<Vec3> plantedAnkles(const FootMotion& foot) {
+  const std::vector<bool> heelStands = framesOf(foot.ankleStands, foot.wanted.size());
+  const std::vector<bool> ballStands = framesOf(foot.ballStands, foot.wanted.size());
+  const std::vector<Stand> runs = runsOf(standingFrames(foot));
+  std::vector<Vec3> places = foot.wanted;
+  if (runs.empty()) {
+    return places;
   }
-  std::size_t next = 0; // the stand that ends at the frame or later
-  for (std::size_t frame = 0; frame < wishes.size(); ++frame) {
-    while (next < stands.size() && stands[next].last < frame) {
-      ++next;
-    }
-    if (next == stands.size()) {
-      wishes[frame] = means.back();
-    } else if (next == 0 || stands[next].first <= frame) {
-      wishes[frame] = means[next];
-    } else {
-      const std::size_t left = stands[next - 1].last;
-      const double share =
-          static_cast<double>(frame - left) / static_cast<double>(stands[next].first - left);
-      const double eased = smoothstep(share);
-      wishes[frame] = (1.0 - eased) * means[next - 1] + eased * means[next];
-    }
+  std::vector<Vec3> offsets(places.size(), Vec3(0.0));
+  for (const Stand& run : runs) {
+    holdRun(foot, run, heelStands, ballStands, offsets);
   }
-  return wishes;
+  carryOver(runs, offsets);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] += offsets[i];
+  }
+  return places;
 }
 
 std::vector<double> easedAbove(const std::vector<double>& needed, std::size_t frames) {

@@ -53,10 +53,12 @@ Vec3 levelPart(const Vec3& vector) {
 
 // A leg over the clip.
 struct LegPath {
+  std::vector<Vec3> sourceAnkles;
   std::vector<Vec3> sourceBalls;
-  std::vector<Vec3> ankles;  // where the foot comes to, before it is held
-  std::vector<Vec3> offsets; // level, to where the leg would have the source's directions
-  std::vector<Vec3> bases;   // of the leg
+  FootMotion foot;
+  std::vector<double> heights; // of the ankle
+  std::vector<Vec3> bases;     // of the leg
+  std::vector<Vec3> ankles;    // where the ankle goes
 };
 
 class Retargeting {
@@ -91,9 +93,11 @@ private:
                   positionOf(worlds[at(skeleton.legs[rightSide].limb.joints.front())]));
   }
 
+  // Above the floor.
   static double ankleHeight(const Skeleton& skeleton) {
     return 0.5 * (endPosition(skeleton.legs[leftSide].limb, skeleton.bind).y +
-                  endPosition(skeleton.legs[rightSide].limb, skeleton.bind).y);
+                  endPosition(skeleton.legs[rightSide].limb, skeleton.bind).y) -
+           skeleton.groundHeight;
   }
 
   // A place of the source beside the character: about what stands on the ground below the body, both in
@@ -140,18 +144,33 @@ private:
     const SkeletonLeg& followed = from_.legs[side];
     const SkeletonLeg& leg = to_.legs[side];
     LegPath& path = legs_[side];
+    const Vec3 ankle = endPosition(followed.limb, source);
     const Vec3 ball = followed.ball(source);
-    const Vec3 ownBall = scaled(ball, followed.ball(from_.bind).y, leg.ball(to_.bind).y);
-    // From the ball of the foot to its ankle, as the foot is turned.
-    const Vec3 toAnkle = endPosition(leg.limb, own) - leg.ball(own);
-    const Vec3 ankle = ownBall + toAnkle;
     const Vec3 base = positionOf(own[at(leg.limb.joints.front())]) + shift;
-    const Vec3 sourceLeg =
-        endPosition(followed.limb, source) - positionOf(source[at(followed.limb.joints.front())]);
+    const Vec3 sourceLeg = ankle - positionOf(source[at(followed.limb.joints.front())]);
+    const Vec3 toAnkle = endPosition(leg.limb, own) - leg.ball(own);
+    path.sourceAnkles.push_back(ankle);
     path.sourceBalls.push_back(ball);
-    path.ankles.push_back(ankle);
-    path.offsets.push_back(levelPart(base + ratio_ * (pairs_.world * sourceLeg) - ankle));
+    path.foot.ankles.push_back(levelPart(ratio_ * (pairs_.world * ankle)));
+    path.foot.balls.push_back(levelPart(ratio_ * (pairs_.world * ball)));
+    path.foot.toAnkle.push_back(levelPart(toAnkle));
+    path.foot.wanted.push_back(levelPart(base + ratio_ * (pairs_.world * sourceLeg)));
     path.bases.push_back(base);
+    path.heights.push_back(ankleHeightOf(side, ankle, ball, toAnkle));
+  }
+
+  // The foot stands on what is nearer to the floor in the source, its ball or its heel; with both alike, both
+  // say the same.
+  [[nodiscard]] double ankleHeightOf(std::size_t side, const Vec3& ankle, const Vec3& ball,
+                                     const Vec3& toAnkle) const {
+    const SkeletonLeg& followed = from_.legs[side];
+    const SkeletonLeg& leg = to_.legs[side];
+    const double ankleRest = endPosition(followed.limb, from_.bind).y - from_.groundHeight;
+    const double ballRest = followed.ball(from_.bind).y - from_.groundHeight;
+    if (ankle.y - ankleRest < ball.y - ballRest) {
+      return endPosition(leg.limb, to_.bind).y - to_.groundHeight + ratio_ * (ankle.y - ankleRest);
+    }
+    return leg.ball(to_.bind).y - to_.groundHeight + ratio_ * (ball.y - ballRest) + toAnkle.y;
   }
 
   // Feet keep their places where they stand, and the body comes down as far as a leg asks that would not
@@ -160,18 +179,13 @@ private:
     std::vector<double> down(times_.size(), 0.0);
     for (const std::size_t side : {leftSide, rightSide}) {
       LegPath& path = legs_[side];
-      const std::vector<Stand> stands = standsOf(path.sourceBalls, times_, from_.legs[side].length);
-      path.offsets = heldOver(stands, std::move(path.offsets));
-      std::vector<bool> isStanding(times_.size(), false);
-      for (const Stand& stand : stands) {
-        std::fill(isStanding.begin() + static_cast<std::ptrdiff_t>(stand.first),
-                  isStanding.begin() + static_cast<std::ptrdiff_t>(stand.last) + 1, true);
-      }
+      path.foot.ankleStands = standsOf(path.sourceAnkles, times_, from_.legs[side].length);
+      path.foot.ballStands = standsOf(path.sourceBalls, times_, from_.legs[side].length);
+      path.ankles = plantedAnkles(path.foot);
+      const std::vector<bool> isStanding = standingFrames(path.foot);
       for (std::size_t frame = 0; frame < times_.size(); ++frame) {
-        path.ankles[frame] += path.offsets[frame];
-        if (isStanding[frame]) {
-          down[frame] = std::max(down[frame], missingReach(side, frame));
-        }
+        path.ankles[frame].y = path.heights[frame];
+        down[frame] = std::max(down[frame], isStanding[frame] ? missingReach(side, frame) : 0.0);
       }
     }
     constexpr double easeSeconds = 0.12;

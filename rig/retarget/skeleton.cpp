@@ -9,8 +9,12 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
+#include "core/math/finite.h"
+#include "core/math/rotation.h"
 #include "core/math/transform.h"
+#include "rig/body/bind_pose.h"
 #include "rig/controllers/finger_joints.h"
 #include "rig/motion/bind_places.h"
 #include "rig/motion/foot_roll.h"
@@ -153,6 +157,29 @@ void addArms(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
   }
 }
 
+std::optional<double> soleHeight(const Scene& scene, const SkeletonLeg& leg, const BindPlaces& places) {
+  std::optional<double> lowest;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Bounds& mesh = places.meshes[i];
+    if (!mesh.empty() && isAncestorOrSelf(scene, leg.footing, NodeIndex(i))) {
+      lowest = std::min(lowest.value_or(mesh.low.y), mesh.low.y);
+    }
+  }
+  return lowest;
+}
+
+// Many bind poses stand a little off the floor that the clips are made for.
+double groundOf(const Skeleton& skeleton) {
+  constexpr double nearFloor = 0.1; // of the height
+  const std::optional<double>& left = skeleton.legs[leftSide].sole;
+  const std::optional<double>& right = skeleton.legs[rightSide].sole;
+  if (!left || !right) {
+    return 0.0;
+  }
+  const double ground = 0.5 * (*left + *right);
+  return std::abs(ground) < nearFloor * skeleton.height ? ground : 0.0;
+}
+
 SkeletonLeg legOf(const Scene& scene, const Biped& biped, const Limb& limb, const BindPlaces& places) {
   SkeletonLeg leg;
   leg.limb = limb;
@@ -164,6 +191,7 @@ SkeletonLeg legOf(const Scene& scene, const Biped& biped, const Limb& limb, cons
   if (glm::length(roll.axis) > 0.0) {
     leg.ballInFooting = roll.ball;
   }
+  leg.sole = soleHeight(scene, leg, places);
   const std::vector<Vec3> points = limbPoints(limb, places.worlds);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     leg.length += glm::length(points[i + 1] - points[i]);
@@ -172,14 +200,10 @@ SkeletonLeg legOf(const Scene& scene, const Biped& biped, const Limb& limb, cons
 }
 
 // From the middle of the feet to the middle of the hips, or on to the head.
-Vec3 bodyUp(const Skeleton& skeleton) {
-  const auto end = [&](std::size_t side) { return endPosition(skeleton.legs[side].limb, skeleton.bind); };
-  const auto base = [&](std::size_t side) {
-    return positionOf(skeleton.bind[at(skeleton.legs[side].limb.joints.front())]);
-  };
-  const Vec3 top = skeleton.head.exists() ? positionOf(skeleton.bind[at(skeleton.head)])
-                                          : 0.5 * (base(leftSide) + base(rightSide));
-  return top - 0.5 * (end(leftSide) + end(rightSide));
+Vec3 bodyUp(const std::array<const Limb*, 2>& legs, NodeIndex head, const std::vector<Mat4>& worlds) {
+  const auto base = [&](const Limb& leg) { return positionOf(worlds[at(leg.joints.front())]); };
+  const Vec3 top = head.exists() ? positionOf(worlds[at(head)]) : 0.5 * (base(*legs[0]) + base(*legs[1]));
+  return top - 0.5 * (endPosition(*legs[0], worlds) + endPosition(*legs[1], worlds));
 }
 
 Vec3 bodyLeft(const Skeleton& skeleton) {
@@ -205,7 +229,8 @@ Vec3 snapped(const Vec3& direction) {
 }
 
 bool addAxes(Skeleton& skeleton) {
-  const Vec3 up = bodyUp(skeleton);
+  const Vec3 up = bodyUp({&skeleton.legs[leftSide].limb, &skeleton.legs[rightSide].limb}, skeleton.head,
+                         skeleton.bind);
   const Vec3 left = bodyLeft(skeleton);
   if (!(glm::length(up) > 0.0) || !(glm::length(glm::cross(left, up)) > 1e-9 * glm::length(up))) {
     return false;
@@ -220,6 +245,71 @@ bool addAxes(Skeleton& skeleton) {
   const Vec3 side = snapped(glm::normalize(across));
   skeleton.axes = Mat3(side, axis, glm::normalize(glm::cross(side, axis)));
   return std::isfinite(skeleton.axes[2].x + skeleton.axes[2].y + skeleton.axes[2].z);
+}
+
+// The topmost joint of the skin that holds the hips.
+std::pair<NodeIndex, const Skin*> anchorOfSkin(const Scene& scene, NodeIndex hips) {
+  for (const Skin& skin : scene.skins) {
+    const auto isJoint = [&](NodeIndex node) { return std::ranges::find(skin.joints, node) != skin.joints.end(); };
+    NodeIndex anchor = isJoint(hips) ? hips : NodeIndex::none;
+    while (anchor.exists() && scene.nodes[at(anchor)].parent.exists() &&
+           isJoint(scene.nodes[at(anchor)].parent)) {
+      anchor = scene.nodes[at(anchor)].parent;
+    }
+    if (anchor.exists()) {
+      return {anchor, &skin};
+    }
+  }
+  return {NodeIndex::none, nullptr};
+}
+
+// How far a bind pose is from standing upright on the floor: radians and heights.
+double offStance(const Scene& scene, const Biped& biped, const std::array<const Limb*, 2>& legs,
+                 const BindPlaces& places) {
+  const Vec3 up = bodyUp(legs, biped.head, places.worlds);
+  double lowest = 0.0;
+  for (const Limb* const leg : legs) {
+    SkeletonLeg foot;
+    foot.footing = leg->endNode.exists() ? leg->endNode : leg->joints.back();
+    const std::optional<double> sole = soleHeight(scene, foot, places);
+    lowest = std::max(lowest, std::abs(sole.value_or(0.0)) / biped.height);
+  }
+  return angleBetween(up, skyward) + lowest;
+}
+
+// The bind pose stands where its topmost joint stands at rest. Where that joint rests in the middle of a
+// motion, it stands as its parent does: upright and on the floor.
+BindPlaces stancePlaces(const Scene& scene, const Biped& biped, NodeIndex hips,
+                        const std::array<const Limb*, 2>& legs) {
+  body::BindPose pose = body::placeBindPose(scene);
+  BindPlaces places = bindPlaces(scene, pose);
+  const auto [anchor, skin] = anchorOfSkin(scene, hips);
+  const NodeIndex above = anchor.exists() ? scene.nodes[at(anchor)].parent : NodeIndex::none;
+  if (skin == nullptr) {
+    return places;
+  }
+  const auto slot = static_cast<std::size_t>(std::ranges::find(skin->joints, anchor) - skin->joints.begin());
+  const Mat4 parent = above.exists() ? pose.worlds[at(above)] : Mat4(1.0);
+  const Mat4 model = slot < skin->inverseBind.size() ? pose.worlds[at(anchor)] * skin->inverseBind[slot] : parent;
+  const Mat4 moved = parent * glm::inverse(model);
+  if (!isFinite(moved) || std::abs(std::cbrt(std::abs(glm::determinant(Mat3(moved)))) - 1.0) > 0.01) {
+    return places;
+  }
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (isAncestorOrSelf(scene, anchor, NodeIndex(i))) {
+      pose.worlds[i] = moved * pose.worlds[i];
+    }
+  }
+  for (std::size_t i = 0; i < scene.skins.size(); ++i) {
+    const std::vector<NodeIndex>& joints = scene.skins[i].joints;
+    const bool isBelow = !joints.empty() && isAncestorOrSelf(scene, anchor, joints.front());
+    pose.placements[i] = isBelow ? moved * pose.placements[i] : pose.placements[i];
+  }
+  BindPlaces settled = bindPlaces(scene, pose);
+  constexpr double clearlyBetter = 0.02;
+  const bool isBetter =
+      offStance(scene, biped, legs, settled) + clearlyBetter < offStance(scene, biped, legs, places);
+  return isBetter ? settled : places;
 }
 
 NodeIndex hipsOf(const Scene& scene, const Biped& biped, const Limb& leg) {
@@ -241,13 +331,14 @@ std::optional<Skeleton> skeletonOf(const Scene& scene, const Biped& biped) {
   Skeleton skeleton;
   skeleton.scene = &scene;
   skeleton.height = biped.height;
-  const BindPlaces places = bindPlaces(scene);
+  skeleton.hips = hipsOf(scene, biped, *left);
+  const BindPlaces places = stancePlaces(scene, biped, skeleton.hips, {left, right});
   skeleton.bind = places.worlds;
   for (const Mat4& world : skeleton.bind) {
     skeleton.bindTurns.push_back(rotationOf(world));
   }
   skeleton.legs = {legOf(scene, biped, *left, places), legOf(scene, biped, *right, places)};
-  skeleton.hips = hipsOf(scene, biped, *left);
+  skeleton.groundHeight = groundOf(skeleton);
   addTrunk(scene, biped, skeleton);
   addArms(scene, biped, skeleton);
   const bool isSound = skeleton.legs[leftSide].length > 0.0 && skeleton.legs[rightSide].length > 0.0 &&
