@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/gltf/fields.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json_builder.h"
 
 namespace stretch::gltf {
 
@@ -25,19 +25,13 @@ std::string textAt(const Json& step, std::size_t index) {
   return isText ? step[index].get_ref<const std::string&>() : std::string();
 }
 
-// An object grows by copying all it holds, since its keys cannot be moved. So it gets room for what is added to it
-// (extras, buffers, nodes, skins...) once, while its values can still be moved.
+// The root gets room for what is added to it (extras, buffers, skins...) before it grows.
 Json withRoom(Json json) {
   constexpr std::size_t additions = 8;
-  if (!json.is_object()) {
-    return json;
+  if (json.is_object()) {
+    reserveMembers(json.get_ref<Json::object_t&>(), json.size() + additions);
   }
-  Json::object_t roomy;
-  roomy.reserve(json.size() + additions);
-  for (auto& [key, value] : json.get_ref<Json::object_t&>()) {
-    roomy.emplace_back(key, std::move(value));
-  }
-  return roomy;
+  return json;
 }
 
 bool takeBackStep(Json& json, const Json& step) {

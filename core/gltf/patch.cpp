@@ -70,10 +70,9 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   patchClips(edits.clips, journal, data);
   const Bytes ofEdits = data.finish();
   bytes.insert(bytes.end(), ofEdits.begin(), ofEdits.end());
-  Result<Json> json =
-      edits.work.isNull()
-          ? Result<Json>(std::move(journal).takeJson())
-          : withSavedWork(source, edits.work, std::move(journal), addedRecord(edits.addedFiles, buffer, start));
+  Result<Json> json = edits.work.isNull() ? Result<Json>(std::move(journal).takeJson())
+                                          : withSavedWork(source, edits.work, std::move(journal),
+                                                          addedRecord(edits.addedFiles, buffer, start));
   if (!json) {
     return json.error();
   }

@@ -44,7 +44,8 @@ void addJson(const Json& json, Hash& sum) {
     for (const auto& member : json.get_ref<const Json::object_t&>()) {
       members.push_back(&member);
     }
-    std::ranges::sort(members, std::less{}, [](const auto* member) { return std::string_view(member->first); });
+    std::ranges::sort(members, std::less{},
+                      [](const auto* member) { return std::string_view(member->first); });
     addText("{", sum);
     for (const auto* member : members) {
       addText(member->first, sum);
