@@ -89,9 +89,9 @@ std::size_t bytesOfSource(const std::shared_ptr<const gltf::Source>& source,
 } // namespace
 
 std::size_t bytesBeyond(const Document& document, const Document& other) {
-  std::size_t bytes =
-      sizeof document + bytesOfClips(document.clips, other.clips) +
-                      bytesOfScene(document.scene, other.scene) + bytesOfSource(document.source, other.source);
+  std::size_t bytes = sizeof document + bytesOfClips(document.clips, other.clips) +
+                      bytesOfScene(document.scene, other.scene) +
+                      bytesOfSource(document.source, other.source);
   bytes += bytesOf(document.trails, [](const rig::Trail& trail) {
     return bytesOf(trail.settings.spheres) + bytesOf(trail.controlFrames) + trail.limb.size() +
            trail.name.size() + trail.groupName.size();

@@ -75,7 +75,8 @@ void printReport(const Json& report) {
 
 Status runImport(const ImportArguments& arguments) {
   const ClipRequest request = requestOf(arguments);
-  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, request.file.string()}); !apart) {
+  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, request.file.string()});
+      !apart) {
     return apart;
   }
   const Result<Document> document = openDocument(arguments.input);

@@ -25,9 +25,8 @@ struct Donor {
 };
 
 bool movesJoints(const Clip& clip) {
-  return std::ranges::any_of(clip.tracks, [](const CopyOnWrite<Track>& track) {
-    return track->channel != Channel::weights;
-  });
+  return std::ranges::any_of(
+      clip.tracks, [](const CopyOnWrite<Track>& track) { return track->channel != Channel::weights; });
 }
 
 std::string titleOfClip(const Document& document, int clip) {
@@ -160,7 +159,8 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
     return wanted.error();
   }
   if (!request.name.empty() && wanted->size() > 1) {
-    return Error{fmt::format("{} clips cannot have one name", wanted->size()), file, "name the clip that is wanted"};
+    return Error{fmt::format("{} clips cannot have one name", wanted->size()), file,
+                 "name the clip that is wanted"};
   }
   const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.biped);
   NewClips brought;
@@ -172,7 +172,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
       brought.warnings.push_back(clip.error().line());
       continue;
     }
-    clip->clip.name = !request.name.empty() ? request.name
+    clip->clip.name = !request.name.empty()     ? request.name
                       : clip->clip.name.empty() ? request.file.stem().string()
                                                 : clip->clip.name;
     brought.clips.push_back(std::move(clip).value());
@@ -224,10 +224,9 @@ std::string leftText(const NewClip& clip) {
   if (clip.left.size() > most) {
     names += fmt::format(" and {} more", clip.left.size() - most);
   }
-  return clip.isRetargeted
-             ? "left out what this character has no joints for: " + names
-             : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
-                           clip.left.size() == 1 ? "joint" : "joints", names);
+  return clip.isRetargeted ? "left out what this character has no joints for: " + names
+                           : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
+                                         clip.left.size() == 1 ? "joint" : "joints", names);
 }
 
 } // namespace stretch::app

@@ -19,13 +19,13 @@ struct ClipRequest {
 /// A clip of another file, brought to this character.
 struct NewClip {
   Clip clip;
-  std::string from;         ///< Its name in the other file, "#2" without one.
-  bool isRetargeted = false; ///< Else its tracks were copied: the other skeleton is the same.
+  std::string from;              ///< Its name in the other file, "#2" without one.
+  bool isRetargeted = false;     ///< Else its tracks were copied: the other skeleton is the same.
   std::vector<std::string> left; ///< Joints, or parts of the body, that the character has not.
 };
 
 struct NewClips {
-  std::vector<NewClip> clips; ///< At least one.
+  std::vector<NewClip> clips;        ///< At least one.
   std::vector<std::string> warnings; ///< One line each.
 };
 

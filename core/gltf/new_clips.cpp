@@ -2,8 +2,8 @@
 
 #include "core/gltf/edits.h"
 #include "core/gltf/fields.h"
-#include "core/gltf/json.h"
 #include "core/gltf/journal.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 

@@ -36,7 +36,8 @@ BodyPoser::BodyPoser(const Skeleton& skeleton, const std::vector<JointPair>& pai
     bindMatrices_[at(node)] = glm::inverse(parent) * skeleton.bind[at(node)];
     bindLocals_[at(node)] = toTransform(bindMatrices_[at(node)]);
     const Vec3 place = positionOf(skeleton.bind[at(node)]);
-    for (NodeIndex above = scene.nodes[at(node)].parent; above.exists(); above = scene.nodes[at(above)].parent) {
+    for (NodeIndex above = scene.nodes[at(node)].parent; above.exists();
+         above = scene.nodes[at(above)].parent) {
       reach_[at(above)] =
           std::max(reach_[at(above)], glm::length(place - positionOf(skeleton.bind[at(above)])));
     }

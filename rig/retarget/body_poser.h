@@ -26,7 +26,8 @@ public:
 
   /// `turns`: one for each pair. The carrier is moved by `shift`, world space. `feet` places those ends of
   /// legs that do not hang on them.
-  [[nodiscard]] BodyPose pose(const std::vector<Quat>& turns, const Vec3& shift, const FootPlaces& feet) const;
+  [[nodiscard]] BodyPose pose(const std::vector<Quat>& turns, const Vec3& shift,
+                              const FootPlaces& feet) const;
 
   /// Index of the pair of a joint; -1: it has none.
   [[nodiscard]] int pairOf(NodeIndex joint) const { return pairOf_[at(joint)]; }

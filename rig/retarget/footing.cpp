@@ -36,8 +36,8 @@ std::vector<Stand> runsOf(const std::vector<bool>& stands) {
   return runs;
 }
 
-// How far the ankle has to be from its wanted place over a run, for what stands to stand: about nothing on the
-// mean.
+// How far the ankle has to be from its wanted place over a run, for what stands to stand: about nothing on
+// the mean.
 void holdRun(const FootMotion& foot, const Stand& run, const std::vector<bool>& heelStands,
              const std::vector<bool>& ballStands, std::vector<Vec3>& offsets) {
   Vec3 sum(0.0);
@@ -81,7 +81,7 @@ void carryOver(const std::vector<Stand>& runs, std::vector<Vec3>& offsets) {
 
 std::vector<Stand> standsOf(const std::vector<Vec3>& places, const std::vector<double>& seconds,
                             double legLength) {
-  constexpr double restingSpeed = 0.25; // leg lengths a second
+  constexpr double restingSpeed = 0.25; // leg lengths in each second
   constexpr double restingSeconds = 0.1;
   std::vector<Stand> stands;
   for (std::size_t first = 0; first + 1 < places.size();) {

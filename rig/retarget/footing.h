@@ -19,10 +19,10 @@ struct Stand {
 
 /// A foot over a clip, one entry for each frame. All but the heights is level: its y counts for nothing.
 struct FootMotion {
-  std::vector<Vec3> ankles;  ///< Of the source, in the character's proportions.
-  std::vector<Vec3> balls;   ///< The same of the ball of the foot.
-  std::vector<Vec3> toAnkle; ///< From the character's ball to its ankle, as its foot is turned.
-  std::vector<Vec3> wanted;  ///< Where the ankle would be, if nothing had to stand.
+  std::vector<Vec3> ankles;       ///< Of the source, in the character's proportions.
+  std::vector<Vec3> balls;        ///< The same of the ball of the foot.
+  std::vector<Vec3> toAnkle;      ///< From the character's ball to its ankle, as its foot is turned.
+  std::vector<Vec3> wanted;       ///< Where the ankle would be, if nothing had to stand.
   std::vector<Stand> ankleStands; ///< Where the source's heel and ball stand.
   std::vector<Stand> ballStands;
 };

@@ -37,7 +37,9 @@ public:
   }
 
 private:
-  void add(NodeIndex joint, NodeIndex from, const Quat& stance) { addBetween(joint, from, from, 0.0, stance); }
+  void add(NodeIndex joint, NodeIndex from, const Quat& stance) {
+    addBetween(joint, from, from, 0.0, stance);
+  }
 
   void addBetween(NodeIndex joint, NodeIndex from, NodeIndex towards, double share, const Quat& stance) {
     if (joint.exists() && from.exists() && paired_.insert(joint).second) {
@@ -110,12 +112,15 @@ private:
     }
   }
 
-  static Vec3 placeOf(const Skeleton& skeleton, NodeIndex node) { return positionOf(skeleton.bind[at(node)]); }
+  static Vec3 placeOf(const Skeleton& skeleton, NodeIndex node) {
+    return positionOf(skeleton.bind[at(node)]);
+  }
 
   // Front and side of a hand by its fingers: false where they do not tell.
   static bool handAxes(const Skeleton& skeleton, const SkeletonArm& arm, Mat3& axes) {
     const auto index = arm.fingers.find("index");
-    const auto little = arm.fingers.contains("little") ? arm.fingers.find("little") : arm.fingers.find("ring");
+    const auto little =
+        arm.fingers.contains("little") ? arm.fingers.find("little") : arm.fingers.find("ring");
     if (index == arm.fingers.end() || little == arm.fingers.end() || !arm.limb.endNode.exists()) {
       return false;
     }
@@ -141,8 +146,7 @@ private:
     if (!handAxes(from_, from, followed) || !handAxes(to_, to, own)) {
       return carried;
     }
-    const Quat hand =
-        glm::normalize(result_.world * glm::quat_cast(followed * glm::transpose(own)));
+    const Quat hand = glm::normalize(result_.world * glm::quat_cast(followed * glm::transpose(own)));
     const Quat rest = glm::normalize(hand * glm::inverse(carried));
     const std::vector<Vec3> points = limbPoints(to.limb, to_.bind);
     const Vec3 bone = carried * (points[points.size() - 1] - points[points.size() - 2]);

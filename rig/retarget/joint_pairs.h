@@ -11,8 +11,8 @@ namespace stretch::rig {
 struct JointPair {
   NodeIndex joint;
   NodeIndex from;
-  NodeIndex towards;          ///< The same as `from` where one joint is followed.
-  double share = 0.0;         ///< Of `towards`, 0..1.
+  NodeIndex towards;               ///< The same as `from` where one joint is followed.
+  double share = 0.0;              ///< Of `towards`, 0..1.
   Quat stance{1.0, 0.0, 0.0, 0.0}; ///< World: turns the joint from its bind pose into the stance of the
                                    ///< skeleton that it follows (a T-pose into an A-pose).
 };

@@ -28,7 +28,8 @@ constexpr std::size_t mostFrames = 200000;
 // is what a player makes of them.
 std::vector<double> timesOf(const Clip& clip) {
   constexpr double leastRate = 24.0;
-  const double rate = clip.framesPerSecond * std::max(1.0, std::ceil(leastRate / clip.framesPerSecond - 1e-6));
+  const double rate =
+      clip.framesPerSecond * std::max(1.0, std::ceil(leastRate / clip.framesPerSecond - 1e-6));
   const double length = clip.endSeconds - clip.startSeconds;
   std::vector<double> times;
   if (!(length * rate < static_cast<double>(mostFrames))) {
@@ -132,7 +133,8 @@ private:
     const std::vector<Mat4> source = worldMatrices(*from_.scene, samplePose(*from_.scene, clip_, time));
     turns_.push_back(turnsOf(source));
     const BodyPose own = poser_.pose(turns_.back(), Vec3(0.0), {});
-    const Vec3 shift = scaled(midOf(from_, source), ankleHeight(from_), ankleHeight(to_)) - midOf(to_, own.worlds);
+    const Vec3 shift =
+        scaled(midOf(from_, source), ankleHeight(from_), ankleHeight(to_)) - midOf(to_, own.worlds);
     shifts_.push_back(shift);
     for (const std::size_t side : {leftSide, rightSide}) {
       followLeg(side, source, own.worlds, shift);
@@ -189,7 +191,8 @@ private:
       }
     }
     constexpr double easeSeconds = 0.12;
-    const double step = times_.size() < 2 ? 1.0 : (times_.back() - times_.front()) / static_cast<double>(times_.size() - 1);
+    const double step =
+        times_.size() < 2 ? 1.0 : (times_.back() - times_.front()) / static_cast<double>(times_.size() - 1);
     lowered_ = easedAbove(down, static_cast<std::size_t>(std::ceil(easeSeconds / step)));
   }
 

@@ -55,7 +55,8 @@ NodeIndex shoulderOf(const Scene& scene, const Limb& arm, const Limb* other, con
   NodeIndex shoulder;
   for (NodeIndex node = scene.nodes[at(arm.joints.front())].parent; node.exists();
        node = scene.nodes[at(node)].parent) {
-    const bool isTrunk = node == skeleton.hips || std::ranges::find(skeleton.spine, node) != skeleton.spine.end();
+    const bool isTrunk =
+        node == skeleton.hips || std::ranges::find(skeleton.spine, node) != skeleton.spine.end();
     const bool carriesOther = other != nullptr && isAncestorOrSelf(scene, node, other->joints.front());
     if (isTrunk || carriesOther || other == nullptr) {
       break;
@@ -67,7 +68,8 @@ NodeIndex shoulderOf(const Scene& scene, const Limb& arm, const Limb* other, con
 
 std::string lowered(std::string_view text) {
   std::string low(text);
-  std::ranges::transform(low, low.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(low, low.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return low;
 }
 
@@ -125,8 +127,7 @@ void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
   if (const Limb* const spine = limbOfBody(biped, LimbKind::spine)) {
     skeleton.spine = spine->joints;
     const NodeIndex end = spine->endNode;
-    const bool isAbove =
-        end == skeleton.head || std::ranges::find(skeleton.neck, end) != skeleton.neck.end();
+    const bool isAbove = end == skeleton.head || std::ranges::find(skeleton.neck, end) != skeleton.neck.end();
     if (end.exists() && !isAbove) {
       skeleton.spine.push_back(end);
     }
@@ -135,7 +136,8 @@ void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
   // What bears both legs and the trunk travels; a pelvis beside the spine does not.
   skeleton.carrier = nearestCommon(scene, skeleton.legs[leftSide].limb.joints.front(),
                                    skeleton.legs[rightSide].limb.joints.front());
-  for (const NodeIndex other : {skeleton.hips, skeleton.spine.empty() ? NodeIndex::none : skeleton.spine.front()}) {
+  for (const NodeIndex other :
+       {skeleton.hips, skeleton.spine.empty() ? NodeIndex::none : skeleton.spine.front()}) {
     if (other.exists() && skeleton.carrier.exists()) {
       const NodeIndex common = nearestCommon(scene, skeleton.carrier, other);
       skeleton.carrier = common.exists() ? common : skeleton.carrier;
@@ -229,8 +231,8 @@ Vec3 snapped(const Vec3& direction) {
 }
 
 bool addAxes(Skeleton& skeleton) {
-  const Vec3 up = bodyUp({&skeleton.legs[leftSide].limb, &skeleton.legs[rightSide].limb}, skeleton.head,
-                         skeleton.bind);
+  const Vec3 up =
+      bodyUp({&skeleton.legs[leftSide].limb, &skeleton.legs[rightSide].limb}, skeleton.head, skeleton.bind);
   const Vec3 left = bodyLeft(skeleton);
   if (!(glm::length(up) > 0.0) || !(glm::length(glm::cross(left, up)) > 1e-9 * glm::length(up))) {
     return false;
@@ -250,7 +252,9 @@ bool addAxes(Skeleton& skeleton) {
 // The topmost joint of the skin that holds the hips.
 std::pair<NodeIndex, const Skin*> anchorOfSkin(const Scene& scene, NodeIndex hips) {
   for (const Skin& skin : scene.skins) {
-    const auto isJoint = [&](NodeIndex node) { return std::ranges::find(skin.joints, node) != skin.joints.end(); };
+    const auto isJoint = [&](NodeIndex node) {
+      return std::ranges::find(skin.joints, node) != skin.joints.end();
+    };
     NodeIndex anchor = isJoint(hips) ? hips : NodeIndex::none;
     while (anchor.exists() && scene.nodes[at(anchor)].parent.exists() &&
            isJoint(scene.nodes[at(anchor)].parent)) {
@@ -290,7 +294,8 @@ BindPlaces stancePlaces(const Scene& scene, const Biped& biped, NodeIndex hips,
   }
   const auto slot = static_cast<std::size_t>(std::ranges::find(skin->joints, anchor) - skin->joints.begin());
   const Mat4 parent = above.exists() ? pose.worlds[at(above)] : Mat4(1.0);
-  const Mat4 model = slot < skin->inverseBind.size() ? pose.worlds[at(anchor)] * skin->inverseBind[slot] : parent;
+  const Mat4 model =
+      slot < skin->inverseBind.size() ? pose.worlds[at(anchor)] * skin->inverseBind[slot] : parent;
   const Mat4 moved = parent * glm::inverse(model);
   if (!isFinite(moved) || std::abs(std::cbrt(std::abs(glm::determinant(Mat3(moved)))) - 1.0) > 0.01) {
     return places;

@@ -15,10 +15,10 @@ namespace stretch::rig {
 /// A leg of a skeleton, with the point of its foot that stands on the ground.
 struct SkeletonLeg {
   Limb limb;
-  NodeIndex toes;          ///< None: the foot has no joint for them.
-  NodeIndex footing;       ///< The joint that carries the foot: the limb's end, else its last joint.
-  Vec3 ballInFooting{0.0}; ///< The ball of the foot in that joint's space; the limb's end where nothing
-                           ///< tells.
+  NodeIndex toes;             ///< None: the foot has no joint for them.
+  NodeIndex footing;          ///< The joint that carries the foot: the limb's end, else its last joint.
+  Vec3 ballInFooting{0.0};    ///< The ball of the foot in that joint's space; the limb's end where nothing
+                              ///< tells.
   double length = 0.0;        ///< Of its bones in the bind pose, > 0.
   std::optional<double> sole; ///< How high the underside of the foot's mesh is there.
 
@@ -26,7 +26,8 @@ struct SkeletonLeg {
 };
 
 /// The joints of one finger, base first.
-using Fingers = std::map<std::string, std::vector<NodeIndex>>; ///< "thumb", "index", "middle", "ring", "little".
+using Fingers = std::map<std::string, std::vector<NodeIndex>>; ///< "thumb", "index", "middle", "ring",
+                                                               ///< "little".
 
 struct SkeletonArm {
   Limb limb;
@@ -42,9 +43,9 @@ struct Skeleton {
   const Scene* scene = nullptr;
   double height = 1.0;
   NodeIndex hips;
-  NodeIndex carrier;             ///< The joint that carries legs and trunk: what travels.
-  std::vector<NodeIndex> spine;  ///< From the first joint above the hips to the one that carries the arms.
-  std::vector<NodeIndex> neck;   ///< Without the head.
+  NodeIndex carrier;            ///< The joint that carries legs and trunk: what travels.
+  std::vector<NodeIndex> spine; ///< From the first joint above the hips to the one that carries the arms.
+  std::vector<NodeIndex> neck;  ///< Without the head.
   NodeIndex head;
   std::array<std::optional<SkeletonArm>, 2> arms; ///< Left, right.
   std::array<SkeletonLeg, 2> legs;

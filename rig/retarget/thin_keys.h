@@ -13,7 +13,7 @@ namespace stretch::rig {
                               double radians);
 
 /// The same of places, within `distance`.
-[[nodiscard]] Track thinPlaces(NodeIndex node, const std::vector<float>& times, const std::vector<Vec3>& places,
-                               double distance);
+[[nodiscard]] Track thinPlaces(NodeIndex node, const std::vector<float>& times,
+                               const std::vector<Vec3>& places, double distance);
 
 } // namespace stretch::rig

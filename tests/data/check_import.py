@@ -19,7 +19,6 @@ import argparse
 import json
 import math
 import pathlib
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -28,7 +27,7 @@ from check_corpus import read_gltf
 from check_exaggeration import Reader, run
 from vectors import angle, sub
 
-STANDS = 0.25  # leg lengths a second
+STANDS = 0.25  # leg lengths in each second
 LARGEST_SLIDE = 0.005  # of the height
 LATEST = 1e-3  # seconds
 HUMAN = "biped/human-addon-animations.glb"
@@ -76,9 +75,9 @@ class Motion:
         left, right = (self.places[self.limbs[leg]["joints"][0]["node"]][frame] for leg in ("left-leg", "right-leg"))
         return sub(left, right)
 
-    def stood(self, leg):
-        """The point of the foot that stands: its toes where it has them."""
-        return self.places[self.feet[leg][-1]]
+    def stood(self, leg, point):
+        """The place of the foot's ankle (0) or toes (1)."""
+        return self.places[self.feet[leg][point]]
 
 
 def key_ends(document, clip):
@@ -115,8 +114,9 @@ def slides(source, own):
     """The strays of the feet of all stands."""
     found = []
     for leg in (leg for leg in source.feet if all(m.limbs[leg]["end"] != "estimated" for m in (source, own))):
-        for first, last in stands(source.stood(leg), source.times, source.limbs[leg]["rest_length"], source.height):
-            here = own.stood(leg)
+        point = min(len(source.feet[leg]), len(own.feet[leg])) - 1
+        for first, last in stands(source.stood(leg, point), source.times, source.limbs[leg]["rest_length"], source.height):
+            here = own.stood(leg, point)
             found.append(max(level(here[i], here[first]) for i in range(first, last + 1)) / own.height)
     return found
 

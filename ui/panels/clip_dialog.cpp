@@ -46,17 +46,20 @@ bool clipRow(PanelContext& context, std::size_t clip, bool isHighlighted) {
           row.box.min, row.box.max, isHighlighted ? colours.accentQuiet : colours.raised, theme.corner());
     }
     const float split = row.box.max.x - theme.px(72.0F);
-    drawText(widgets, theme.fonts.body, {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}},
+    drawText(widgets, theme.fonts.body,
+             {{row.box.min.x + theme.unit(), row.box.min.y}, {split, row.box.max.y}},
              isHighlighted ? colours.accent : colours.text, name);
-    drawText(widgets, theme.fonts.label, {{split, row.box.min.y}, {row.box.max.x - theme.unit(), row.box.max.y}},
-             colours.quietText, fmt::format("{:.2f} s", pick.clips[clip].seconds), 1.0F);
+    drawText(widgets, theme.fonts.label,
+             {{split, row.box.min.y}, {row.box.max.x - theme.unit(), row.box.max.y}}, colours.quietText,
+             fmt::format("{:.2f} s", pick.clips[clip].seconds), 1.0F);
   }
   tooltip(widgets, {name, "Imports this clip.", {}});
   return row.clicked;
 }
 
 /// The clip that was clicked, if any.
-std::optional<std::size_t> clipRows(PanelContext& context, const std::vector<std::size_t>& listed, bool moved) {
+std::optional<std::size_t> clipRows(PanelContext& context, const std::vector<std::size_t>& listed,
+                                    bool moved) {
   std::optional<std::size_t> clicked;
   ImGui::BeginChild("clips/list", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
@@ -106,7 +109,7 @@ void drawClipDialog(PanelContext& context) {
   const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
   const int clicked = dialogButtons(context, "clips",
                                     {{.id = "", .text = "Cancel"},
-                                     {.id = "", .text = "All of them"},
+                                     {.id = "", .text = "All"},
                                      {.id = "", .text = "Import", .enabled = !listed.empty()}});
   std::optional<int> chosen;
   if (row) {

@@ -147,12 +147,12 @@ std::vector<DropChoice> dropChoices(const DroppedFile& dropped) {
 }
 
 std::string dropText(const PanelContext& context, const DroppedFile& dropped) {
-  const std::string held =
-      dropped.canBeHeld ? " can be held by " + takingArms(*context.open.character()) + " and saved with the character,"
-                        : std::string();
-  const std::string imported =
-      dropped.hasClips ? std::string(held.empty() ? "" : " or") + " has clips, which can be imported to the character,"
-                       : std::string();
+  const std::string held = dropped.canBeHeld ? " can be held by " + takingArms(*context.open.character()) +
+                                                   " and saved with the character,"
+                                             : std::string();
+  const std::string imported = dropped.hasClips ? std::string(held.empty() ? "" : " or") +
+                                                      " has clips, which can be imported to the character,"
+                                                : std::string();
   return dropped.path.filename().string() + held + imported + " or opened in the character's place.";
 }
 
@@ -161,7 +161,7 @@ std::string dropText(const PanelContext& context, const DroppedFile& dropped) {
 void drawDropQuestion(PanelContext& context) {
   UiState& ui = context.ui;
   bool open = !ui.dropped.path.empty() && context.open.character() != nullptr;
-  const char* const title = !ui.dropped.hasClips    ? "Hold or open?"
+  const char* const title = !ui.dropped.hasClips   ? "Hold or open?"
                             : ui.dropped.canBeHeld ? "Hold, import or open?"
                                                    : "Import or open?";
   if (!beginDialog(context, {.id = "drop", .icon = icon::cube, .title = title, .width = 500.0F}, open)) {

@@ -20,8 +20,9 @@ void tellImported(Shell& shell, const app::Document& document, const app::NewCli
            ? fmt::format("{} is brought to this character", name)
            : fmt::format("{} is imported: its keys are as in its file", name));
   if (!brought.warnings.empty()) {
-    const std::string more =
-        brought.warnings.size() > 1 ? fmt::format(" (and {} more)", brought.warnings.size() - 1) : std::string();
+    const std::string more = brought.warnings.size() > 1
+                                 ? fmt::format(" (and {} more)", brought.warnings.size() - 1)
+                                 : std::string();
     tell(shell, ToastKind::warning, brought.warnings.front() + more);
   }
 }
@@ -60,16 +61,19 @@ void askForClip(Shell& shell, const std::filesystem::path& file) {
 void importClip(Shell& shell, const ClipAnswer& wanted) {
   ClipImport& import = shell.clipImport;
   if (shell.open.character() == nullptr || import.job != nullptr) {
-    tell(shell, ToastKind::info, import.job != nullptr ? "Another clip is being imported" : "Open a character first");
+    tell(shell, ToastKind::info,
+         import.job != nullptr ? "Another clip is being imported" : "Open a character first");
     return;
   }
   const app::Document& document = shell.open.character()->document();
-  app::ClipRequest request{wanted.file, wanted.clip < 0 ? std::string() : fmt::format("#{}", wanted.clip), {}};
+  app::ClipRequest request{
+      wanted.file, wanted.clip < 0 ? std::string() : fmt::format("#{}", wanted.clip), {}};
   import.file = wanted.file;
   import.scene = document.scene;
   import.job = std::make_unique<app::Job<app::NewClips>>(
-      [document, request](const skinning::Proceed&) { return app::clipsFromFile(document, request); });
-}
+      [document, request](const skinning::Proceed&) { return app::clipsFromFile(document, request);
+});
+} // namespace stretch::ui
 
 void updateClipImport(Shell& shell) {
   ClipImport& import = shell.clipImport;
@@ -83,7 +87,8 @@ void updateClipImport(Shell& shell) {
   if (!brought) {
     tell(shell, ToastKind::error, brought.error().line());
   } else if (session == nullptr || session->document().scene != done.scene) {
-    tell(shell, ToastKind::info, done.file.filename().string() + " was for a character that is not open any more");
+    tell(shell, ToastKind::info,
+         done.file.filename().string() + " was for a character that is not open any more");
   } else {
     takeImported(shell, *session, *brought);
   }

@@ -21,7 +21,7 @@ namespace stretch::ui {
 /// Clips of another file on their way to the open character, beside the window.
 struct ClipImport {
   std::filesystem::path file;
-  std::shared_ptr<const Scene> scene; ///< Of the character that they are for.
+  std::shared_ptr<const Scene> scene;           ///< Of the character that they are for.
   std::unique_ptr<app::Job<app::NewClips>> job; ///< Null: none.
 };
 

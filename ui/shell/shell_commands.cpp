@@ -328,7 +328,8 @@ std::vector<ShellCommand> fileCommands() {
             "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
             askingFor(FilePurpose::openRecipe)),
       entry(command::clipImport, "Import a clip",
-            "Adds a clip of another file to this character: copied where the skeleton is the same, else brought "
+            "Adds a clip of another file to this character: copied where the skeleton is the same, else "
+            "brought "
             "over limb by limb. It is saved with the character.",
             {}, characterNeeded, askingFor(FilePurpose::openClip)),
       entry(command::propAdd, "Add a prop",

@@ -36,7 +36,8 @@ std::string punchFile(const TemporaryFolder& folder) {
   return written(folder, "jab.glb", moving, {clip});
 }
 
-test::VerbAnswer import(const std::string& output, const std::string& from, const std::vector<std::string>& more = {}) {
+test::VerbAnswer import(const std::string& output, const std::string& from,
+                        const std::vector<std::string>& more = {}) {
   std::vector<std::string> words{"import-clip", posedCharacter, "-o", output, "--from", from, "--json"};
   words.insert(words.end(), more.begin(), more.end());
   return test::runVerb(words);

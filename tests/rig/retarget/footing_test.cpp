@@ -32,8 +32,8 @@ std::vector<Vec3> stepping(double from, double to) {
   return places;
 }
 
-// A foot that is 0.1 longer than the source's, which turns by a quarter while it stands on its ball, frames 22
-// to 32.
+// A foot that is 0.1 longer than the source's, which turns by a quarter while it stands on its ball, frames
+// 22 to 32.
 FootMotion turningFoot() {
   FootMotion foot;
   foot.balls = stepping(0.0, 0.6);

@@ -34,8 +34,8 @@ MovingBiped loweredArms() {
       if (isArm) {
         const double share = std::sqrt(0.5);
         const double sign = joint.position.x < 0.0 ? -1.0 : 1.0;
-        joint.position = {shoulder.x + sign * share * out, shoulder.y - share * out + joint.position.y - shoulder.y,
-                          joint.position.z};
+        joint.position = {shoulder.x + sign * share * out,
+                          shoulder.y - share * out + joint.position.y - shoulder.y, joint.position.z};
       }
     }
   }
@@ -56,7 +56,8 @@ std::vector<Mat4> worldsAt(const MovingBiped& moving, const Clip& clip, double s
   return worldMatrices(moving.scene, samplePose(moving.scene, clip, seconds));
 }
 
-Vec3 boneOf(const MovingBiped& moving, const Clip& clip, const std::string& limb, std::size_t bone, double seconds) {
+Vec3 boneOf(const MovingBiped& moving, const Clip& clip, const std::string& limb, std::size_t bone,
+            double seconds) {
   const std::vector<Vec3> points = limbPoints(moving.limb(limb), worldsAt(moving, clip, seconds));
   return points[bone + 1] - points[bone];
 }
@@ -82,13 +83,14 @@ TEST_CASE("A clip that is brought to the same skeleton moves it as before") {
 TEST_CASE("Arms that hang down in the bind pose point where the source's arms point") {
   const MovingBiped moving = test::punchingBiped();
   const MovingBiped other = loweredArms();
-  REQUIRE(degreesBetween(boneOf(moving, {}, "left-arm", 0, 0.0), boneOf(other, {}, "left-arm", 0, 0.0)) > 40.0);
+  REQUIRE(degreesBetween(boneOf(moving, {}, "left-arm", 0, 0.0), boneOf(other, {}, "left-arm", 0, 0.0)) >
+          40.0);
   const Clip clip = brought(moving, other);
   for (const std::string limb : {"left-arm", "right-arm"}) {
     for (double seconds = 0.0; seconds <= 1.0; seconds += 0.125) {
       for (const std::size_t bone : {0U, 1U}) {
-        CHECK(degreesBetween(boneOf(moving, moving.clip, limb, bone, seconds), boneOf(other, clip, limb, bone, seconds)) <
-              0.5);
+        CHECK(degreesBetween(boneOf(moving, moving.clip, limb, bone, seconds),
+                             boneOf(other, clip, limb, bone, seconds)) < 0.5);
       }
     }
   }

@@ -322,6 +322,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"scales", [&] { return scalesOf(session); }},
       {"tangents", [&] { return tangentCount(session); }},
       {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
+      {"clips", [&] { return std::to_string(session.document().clips->size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
       {"trail", [&] { return std::to_string(view.selectedTrail); }},
       {"loops", [&] { return yesNo(app::isLooping(session.document(), view.clip)); }},
