@@ -29,6 +29,7 @@ struct Verb {
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();
 [[nodiscard]] Verb importClipVerb();
+[[nodiscard]] Verb rigVerb();
 [[nodiscard]] Verb resaveVerb();
 [[nodiscard]] Verb checkVerb();
 [[nodiscard]] Verb compressVerb();
