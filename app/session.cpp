@@ -235,7 +235,19 @@ void Session::keepSelectedTrail(const std::vector<int>& appeared) {
   }
 }
 
+// A clip that was imported goes by undo while it is viewed.
+void Session::keepClip() {
+  const auto count = static_cast<int>(document().clips->size());
+  if (view_.clip >= count) {
+    view_.clip = std::max(0, count - 1);
+    view_.frame = 0.0;
+    view_.rangeStart = 0.0;
+    view_.rangeEnd = -1.0;
+  }
+}
+
 void Session::documentChanged() {
+  keepClip();
   followRate();
   const Document& shown = document();
   std::vector<int> appeared;

@@ -151,7 +151,7 @@ std::string dropText(const PanelContext& context, const DroppedFile& dropped) {
                                                    " and saved with the character,"
                                              : std::string();
   const std::string imported = dropped.hasClips ? std::string(held.empty() ? "" : " or") +
-                                                      " has clips, which can be imported to the character,"
+                                                      " has clips that can be imported to the character,"
                                                 : std::string();
   return dropped.path.filename().string() + held + imported + " or opened in the character's place.";
 }

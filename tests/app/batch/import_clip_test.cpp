@@ -139,3 +139,16 @@ TEST_CASE("An imported clip is undone, and comes back after a crash, also where 
   REQUIRE(again);
   CHECK(again->clips->size() == after.clips->size());
 }
+
+TEST_CASE("Undoing the import of the clip that is viewed shows one that is still there") {
+  const TemporaryFolder folder;
+  const Document before = openedFile(posedCharacter);
+  Session session(before);
+  session.edit(imported(before, punchFile(folder)), "Import a clip");
+  session.view().clip = static_cast<int>(before.clips->size());
+  session.view().frame = 20.0;
+  session.undo();
+  CHECK(session.view().clip == static_cast<int>(before.clips->size()) - 1);
+  CHECK(session.view().frame == 0.0);
+  CHECK(session.frameAt(0.0).worlds.size() == before.scene->nodes.size());
+}
