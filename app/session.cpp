@@ -26,6 +26,17 @@ Result<Document> withUnkeyed(const Document& document, const UnkeyedPose& pose) 
   return setOffsets(document, pose.clip, pose.frame, offsets, values, {});
 }
 
+// A clip that was imported goes by undo while it is viewed.
+void keepClipThere(const Document& document, ViewState& view) {
+  const int count = document.clips == nullptr ? 0 : static_cast<int>(document.clips->size());
+  if (view.clip >= count && view.clip > 0) {
+    view.clip = std::max(0, count - 1);
+    view.frame = 0.0;
+    view.rangeStart = 0.0;
+    view.rangeEnd = -1.0;
+  }
+}
+
 } // namespace
 
 Session::Session(Document document) : Editing(std::move(document)) {
@@ -235,19 +246,8 @@ void Session::keepSelectedTrail(const std::vector<int>& appeared) {
   }
 }
 
-// A clip that was imported goes by undo while it is viewed.
-void Session::keepClip() {
-  const auto count = static_cast<int>(document().clips->size());
-  if (view_.clip >= count) {
-    view_.clip = std::max(0, count - 1);
-    view_.frame = 0.0;
-    view_.rangeStart = 0.0;
-    view_.rangeEnd = -1.0;
-  }
-}
-
 void Session::documentChanged() {
-  keepClip();
+  keepClipThere(document(), view_);
   followRate();
   const Document& shown = document();
   std::vector<int> appeared;

@@ -134,8 +134,7 @@ private:
   EvaluationCache cache_;
   std::optional<Posed> posed_;
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
-  void keepClip();
-  void followRate(); ///< Playhead, range and what was copied stay where they are in time.
+  void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
   void keepControllers();
   void keepPickedKeys();
