@@ -5,7 +5,7 @@
 
 From the program come only the clip that it wrote and the limbs that `info --json` names. For each pair:
 - slide: how far a foot strays over the ground, of the target's height, while the same foot of the source stands: slower than a quarter of
-  the leg's length a second for a tenth of a second, within 0.5 % of its height around its place (at most 0.5);
+  the leg's length a second for a tenth of a second, within 0.25 % of its height around its place (at most 0.5);
 - under: how much farther the lowest vertex gets below the floor than the source's does, of the height;
 - angle: of the bones of arms and legs against the source's, degrees: the median over frames and bones, and the 95th percentile. Feet that are
   put down turn legs;
@@ -29,6 +29,7 @@ from vectors import angle, sub
 
 STANDS = 0.25  # leg lengths in each second
 LARGEST_SLIDE = 0.005  # of the height
+STANDS_WITHIN = 0.0025  # of the height
 LATEST = 1e-3  # seconds
 HUMAN = "biped/human-addon-animations.glb"
 PAIRS = [
@@ -98,7 +99,7 @@ def stands(places, times, leg, height):
     while first + 1 < len(places):
         last = first
         while (last + 1 < len(places) and math.dist(places[last + 1], places[last]) <= STANDS * leg * (times[last + 1] - times[last])
-               and math.dist(places[last + 1], places[first]) <= LARGEST_SLIDE * height):
+               and math.dist(places[last + 1], places[first]) <= STANDS_WITHIN * height):
             last += 1
         if last > first and times[last] - times[first] >= 0.1:
             result.append((first, last))
