@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
+#include "app/edits/locator_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/files/save.h"
@@ -252,6 +253,9 @@ void Session::documentChanged() {
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
   keepControllers();
+  std::erase_if(view_.selectedLocators, [&](const std::string& name) {
+    return !showsLocators(shown) || rig::findLocator(shown.locators, name) == nullptr;
+  });
   keepPickedKeys();
   followSelection();
 }

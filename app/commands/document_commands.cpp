@@ -64,7 +64,7 @@ std::vector<DocumentCommand> historyCommands() {
 
 std::vector<DocumentCommand> documentCommands() {
   std::vector<DocumentCommand> all;
-  for (const auto table : {historyCommands, limbCommands, timeCommands, clipCommands, trailCommands,
+  for (const auto table : {historyCommands, limbCommands, locatorCommands, timeCommands, clipCommands, trailCommands,
                            groupCommands, sphereCommands, controllerCommands, poseCommands, keyCommands,
                            holdCommands, weightCommands, sequenceCommands}) {
     std::vector<DocumentCommand> commands = table();

@@ -155,7 +155,14 @@ void drawLimbMenu(PanelContext& context) {
              holdRemove,
              "",
              pickChain,
-             detectAgain}},
+             detectAgain,
+             "",
+             locatorsFit,
+             locatorsReset,
+             locatorsMirror,
+             locatorsSnap,
+             rigBuild,
+             rigBack}},
            false);
 }
 
