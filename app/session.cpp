@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
-#include "app/edits/locator_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/files/save.h"
+#include "app/locators/locator_edits.h"
 
 namespace stretch::app {
 

@@ -5,9 +5,9 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
-#include "app/edits/locator_edits.h"
 #include "app/locators/build_rig.h"
 #include "app/locators/fit_locators.h"
+#include "app/locators/locator_edits.h"
 
 namespace stretch::app {
 

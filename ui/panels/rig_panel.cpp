@@ -2,10 +2,10 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
-#include "app/edits/locator_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/locators/build_rig.h"
 #include "app/locators/fit_locators.h"
+#include "app/locators/locator_edits.h"
 #include "core/scene/scene.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
@@ -245,21 +245,21 @@ void locatorSection(PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x;
   if (app::showsLocators(document)) {
     if (section(widgets, "rig/locators", "Locators", context.ui.closedSections)) {
-      locatorNews(context);
       moveLocatorTools(context);
+      locatorNews(context);
     }
   } else if (app::isRigBuilt(document)) {
     commandButton(
         context,
         {.command = command::rigBack, .icon = icon::refresh, .text = "Back to locators", .width = width});
   } else if (!document.biped.isBiped && document.scene->skins.empty()) {
-    note(widgets, "This mesh has no skeleton. Fit locators finds where its joints belong; move what is off, "
-                  "then build the rig.");
     commandButton(context, {.command = command::locatorsFit,
                             .icon = icon::cube,
                             .text = "Fit locators",
                             .emphasis = Emphasis::primary,
                             .width = width});
+    note(widgets, "This mesh has no skeleton. Fit locators finds where its joints belong; move what is off, "
+                  "then build the rig.");
   }
 }
 
@@ -279,13 +279,13 @@ void drawRigPanel(PanelContext& context) {
     return;
   }
   fileSummary(context);
+  locatorSection(context);
   if (hasViewedClip(context)) {
     clipRows(context);
   } else {
     notice(widgets, NoticeKind::warning,
            "The file has no animation: there is no motion to exaggerate. Open one with a clip.");
   }
-  locatorSection(context);
   if (section(widgets, "rig/limbs", "Limbs found", context.ui.closedSections)) {
     limbList(context);
     limbTools(context);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/commands/selection.h"
-#include "app/edits/locator_edits.h"
+#include "app/locators/locator_edits.h"
 #include "rig/controllers/controller.h"
 #include "ui/panels/panel_support.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
-#include "app/edits/locator_edits.h"
+#include "app/locators/locator_edits.h"
 
 namespace stretch::ui {
 

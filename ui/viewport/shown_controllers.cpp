@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/selection.h"
-#include "app/edits/locator_edits.h"
+#include "app/locators/locator_edits.h"
 #include "ui/render/picking.h"
 
 namespace stretch::ui {

@@ -3,9 +3,9 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
-#include "app/edits/locator_edits.h"
 #include "app/files/save.h"
 #include "app/locators/build_rig.h"
+#include "app/locators/locator_edits.h"
 #include "app/open_document.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/mesh_file.h"

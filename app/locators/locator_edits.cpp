@@ -1,4 +1,4 @@
-#include "app/edits/locator_edits.h"
+#include "app/locators/locator_edits.h"
 
 #include <algorithm>
 #include <functional>
