@@ -217,6 +217,12 @@ void locatorNews(PanelContext& context) {
 }
 
 void moveLocatorTools(PanelContext& context) {
+  commandButton(context,
+                {.command = command::rigBuild,
+                 .icon = icon::cube,
+                 .text = context.character().document().biped.isBiped ? "Correct the limbs" : "Build rig",
+                 .emphasis = Emphasis::primary,
+                 .width = ImGui::GetContentRegionAvail().x});
   const float width = columnWidth(2);
   commandButton(context,
                 {.command = command::locatorsReset, .icon = icon::refresh, .text = "Reset", .width = width});
@@ -230,12 +236,6 @@ void moveLocatorTools(PanelContext& context) {
              {"Mirror locators", "What moves a locator moves its counterpart on the other side.", {}})) {
     view.mirrorLocators = !view.mirrorLocators;
   }
-  commandButton(context,
-                {.command = command::rigBuild,
-                 .icon = icon::cube,
-                 .text = context.character().document().biped.isBiped ? "Correct the limbs" : "Build rig",
-                 .emphasis = Emphasis::primary,
-                 .width = ImGui::GetContentRegionAvail().x});
 }
 
 /// What a file without a skeleton needs first, and what goes on once its locators are there.
