@@ -9,6 +9,7 @@
 #include "app/edits/rate_edits.h"
 #include "app/edits/sphere_edits.h"
 #include "app/files/save.h"
+#include "app/locators/locator_edits.h"
 
 namespace stretch::app {
 
@@ -264,6 +265,9 @@ void Session::documentChanged() {
   std::erase_if(view_.selectedLimbs,
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
   keepControllers();
+  std::erase_if(view_.selectedLocators, [&](const std::string& name) {
+    return !showsLocators(shown) || rig::findLocator(shown.locators, name) == nullptr;
+  });
   keepPickedKeys();
   followSelection();
 }

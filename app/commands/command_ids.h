@@ -29,6 +29,12 @@ inline constexpr const char* selectNeck = "limb.neck";
 inline constexpr const char* selectNone = "limb.none";
 inline constexpr const char* pickChain = "limb.chain";
 inline constexpr const char* detectAgain = "rig.detect";
+inline constexpr const char* locatorsFit = "locators.fit";
+inline constexpr const char* locatorsReset = "locators.reset";
+inline constexpr const char* locatorsMirror = "locators.mirror";
+inline constexpr const char* locatorsSnap = "locators.snap";
+inline constexpr const char* rigBuild = "rig.build";
+inline constexpr const char* rigBack = "rig.back";
 inline constexpr const char* bindMesh = "rig.bind";
 
 inline constexpr const char* rangeStart = "range.start";

@@ -256,6 +256,7 @@ void selectControllers(Session& session, std::vector<std::string> ids) {
   ViewState& view = session.view();
   view.selectedControllers = std::move(ids);
   if (!view.selectedControllers.empty()) {
+    view.selectedLocators.clear();
     view.selectedLimbs.clear();
     view.selectedSpheres.clear();
     view.selectedTrail = 0;
@@ -263,7 +264,31 @@ void selectControllers(Session& session, std::vector<std::string> ids) {
   }
 }
 
+void selectLocators(Session& session, std::vector<std::string> names) {
+  ViewState& view = session.view();
+  view.selectedLocators = std::move(names);
+  if (!view.selectedLocators.empty()) {
+    view.selectedControllers.clear();
+    view.selectedLimbs.clear();
+    view.selectedSpheres.clear();
+    view.selectedTrail = 0;
+    session.followSelection();
+  }
+}
+
+void selectLocator(Session& session, const std::string& name, bool add) {
+  std::vector<std::string> names = add ? session.view().selectedLocators : std::vector<std::string>{};
+  const auto selected = std::ranges::find(names, name);
+  if (selected != names.end()) {
+    names.erase(selected);
+  } else {
+    names.push_back(name);
+  }
+  selectLocators(session, std::move(names));
+}
+
 void clearControllers(Session& session) {
+  session.view().selectedLocators.clear();
   session.view().selectedControllers.clear();
 }
 

@@ -47,6 +47,11 @@ void clearControllers(Session& session);
 [[nodiscard]] bool isControllerSelected(const Session& session, const std::string& id);
 [[nodiscard]] bool hasControllers(const Session& session); ///< At least one is selected.
 
+/// Selects a locator alone, or adds it (again: takes it away). Nothing else is then selected.
+void selectLocator(Session& session, const std::string& name, bool add);
+/// Selects these locators and nothing else.
+void selectLocators(Session& session, std::vector<std::string> names);
+
 /// How people call a controller or an attribute: "left hand", "left arm stretch", or the joint's name.
 [[nodiscard]] std::string controllerTitle(const Document& document, const std::string& id);
 

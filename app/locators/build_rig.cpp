@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "core/gltf/added_file.h"
 #include "core/gltf/added_skeleton.h"
 #include "core/gltf/edits.h"
+#include "core/gltf/json.h"
 #include "rig/body/limb_assembly.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -50,6 +52,69 @@ Status checkUnrigged(const Document& document, const rig::Locators& locators) {
     return Error{"props from other files are added to it", "", "build the rig before props are added"};
   }
   return Success{};
+}
+
+// The joints that were made are the last nodes, in the order of the locators.
+std::optional<std::size_t> firstBuiltNode(const Document& document) {
+  const std::vector<rig::Locator>& list = document.locators.list;
+  const std::vector<Node>& nodes = document.scene->nodes;
+  if (list.empty() || nodes.size() < list.size()) {
+    return std::nullopt;
+  }
+  const std::size_t first = nodes.size() - list.size();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (nodes[first + i].name != list[i].name) {
+      return std::nullopt;
+    }
+  }
+  return first;
+}
+
+bool isRigUsed(const Document& document, std::size_t first) {
+  const Scene& scene = *document.scene;
+  const bool isBound = std::ranges::any_of(scene.nodes, [&](const Node& node) {
+    const auto& skins = scene.skins;
+    return node.mesh >= 0 && node.skin >= 0 &&
+           std::ranges::any_of(skins[at(node.skin)].joints,
+                               [&](NodeIndex joint) { return at(joint) >= first; });
+  });
+  const bool isMoved = std::ranges::any_of(*document.clips, [&](const Clip& clip) {
+    return std::ranges::any_of(clip.tracks, [&](const auto& track) { return at(track->node) >= first; });
+  });
+  return isBound || isMoved || !document.trails.empty() || !document.adjustments.empty() ||
+         !document.holds.empty() || !document.weights.empty();
+}
+
+void removeReferences(std::size_t first, gltf::Json& holder, const char* key) {
+  if (holder.contains(key)) {
+    gltf::Json kept = gltf::Json::array();
+    for (const gltf::Json& node : holder[key]) {
+      if (node.get<std::size_t>() < first) {
+        kept.push_back(node);
+      }
+    }
+    holder[key] = kept;
+    if (kept.empty()) {
+      holder.erase(key);
+    }
+  }
+}
+
+// With the skin that names them, which is the last one.
+void removeNodesFrom(std::size_t first, gltf::Json& json) {
+  gltf::Json::array_t& nodes = json["nodes"].get_ref<gltf::Json::array_t&>();
+  nodes.resize(first);
+  for (gltf::Json& node : nodes) {
+    removeReferences(first, node, "children");
+  }
+  for (gltf::Json& scene : json["scenes"]) {
+    removeReferences(first, scene, "nodes");
+  }
+  gltf::Json::array_t& skins = json["skins"].get_ref<gltf::Json::array_t&>();
+  skins.pop_back();
+  if (skins.empty()) {
+    json.erase("skins");
+  }
 }
 
 // The limbs that locators correct, with the locators of their base, middle and end.
@@ -145,6 +210,34 @@ Result<Document> withRigAt(const Document& document, const rig::Locators& locato
   built.locators = locators;
   built.biped = bodyOfSource(built);
   return built;
+}
+
+bool isRigBuilt(const Document& document) {
+  return firstBuiltNode(document).has_value();
+}
+
+Result<Document> withoutRig(const Document& document) {
+  const std::optional<std::size_t> first = firstBuiltNode(document);
+  if (!first) {
+    return Error{"no rig was built from locators", "", "build it first"};
+  }
+  if (isRigUsed(document, *first)) {
+    return Error{"something uses the rig: a bound mesh, a clip, trails, adjustments or holds", "",
+                 "undo or delete that first"};
+  }
+  gltf::Source source = *document.source;
+  removeNodesFrom(*first, *source.json);
+  Document back = document;
+  Result<std::shared_ptr<const Scene>> scene = gltf::sceneWith(source, {});
+  if (!scene) {
+    return scene.error();
+  }
+  back.source = std::make_shared<const gltf::Source>(std::move(source));
+  back.scene = std::move(scene).value();
+  back.limbsCorrected = false;
+  back.chains.clear();
+  back.biped = bodyOfSource(back);
+  return back;
 }
 
 Result<Document> withLimbsAt(const Document& document, const rig::Locators& locators) {

@@ -18,6 +18,13 @@ namespace stretch::app {
 /// character has limbs already.
 [[nodiscard]] Result<Document> withRigAt(const Document& document, const rig::Locators& locators);
 
+/// Whether the joints at the document's locators are made.
+[[nodiscard]] bool isRigBuilt(const Document& document);
+
+/// The document before its rig was built: without the joints, with the locators. Error: no rig was built, or
+/// something uses it: a mesh that is bound to it, a clip, trails, adjustments or holds.
+[[nodiscard]] Result<Document> withoutRig(const Document& document);
+
 /// The document whose limbs go by the joints that are nearest to locators that were moved; no joint is made.
 /// Locators where the limbs are leave them alone. Error: joints that are no chain, which it names.
 [[nodiscard]] Result<Document> withLimbsAt(const Document& document, const rig::Locators& locators);

@@ -18,29 +18,6 @@ namespace {
 constexpr double unsureBelow = 0.5;
 constexpr double guess = 0.2;
 
-struct MeshesInWorld {
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-};
-
-MeshesInWorld meshesAtRest(const Scene& scene) {
-  const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
-  MeshesInWorld meshes;
-  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
-    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
-      const auto first = static_cast<std::uint32_t>(meshes.positions.size());
-      for (const glm::vec3& position : primitive.positions) {
-        meshes.positions.push_back(transformPoint(worlds[at(node)], Vec3(position)));
-      }
-      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-        meshes.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
-                                    first + primitive.indices[i + 2]});
-      }
-    }
-  }
-  return meshes;
-}
-
 Result<FittedLocators> ofMeshes(const Scene& scene) {
   const MeshesInWorld meshes = meshesAtRest(scene);
   Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles);
@@ -135,6 +112,24 @@ Result<FittedLocators> ofLimbs(const Document& document) {
 }
 
 } // namespace
+
+MeshesInWorld meshesAtRest(const Scene& scene) {
+  const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
+  MeshesInWorld meshes;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+      const auto first = static_cast<std::uint32_t>(meshes.positions.size());
+      for (const glm::vec3& position : primitive.positions) {
+        meshes.positions.push_back(transformPoint(worlds[at(node)], Vec3(position)));
+      }
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        meshes.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
+                                    first + primitive.indices[i + 2]});
+      }
+    }
+  }
+  return meshes;
+}
 
 Result<FittedLocators> fitLocators(const Document& document) {
   if (document.biped.isBiped) {

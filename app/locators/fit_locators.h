@@ -5,9 +5,17 @@
 
 #include "app/document.h"
 #include "core/base/result.h"
+#include "core/scene/mesh_sequence.h"
 #include "rig/body/locators.h"
 
 namespace stretch::app {
+
+/// All that a file draws, where it stands at rest.
+struct MeshesInWorld {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+};
+[[nodiscard]] MeshesInWorld meshesAtRest(const Scene& scene);
 
 struct FittedLocators {
   rig::Locators locators;

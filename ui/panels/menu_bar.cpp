@@ -156,6 +156,13 @@ void drawLimbMenu(PanelContext& context) {
              "",
              pickChain,
              detectAgain,
+             "",
+             locatorsFit,
+             locatorsReset,
+             locatorsMirror,
+             locatorsSnap,
+             rigBuild,
+             rigBack,
              bindMesh}},
            false);
 }

@@ -58,6 +58,10 @@ std::string selectionText(const app::Session& session) {
   if (app::hasControllers(session)) {
     return controllersText(session);
   }
+  if (!view.selectedLocators.empty()) {
+    return view.selectedLocators.size() == 1 ? "Locator " + view.selectedLocators.front()
+                                             : std::to_string(view.selectedLocators.size()) + " locators";
+  }
   if (view.selectedLimbs.empty()) {
     return "Nothing selected";
   }

@@ -214,7 +214,8 @@ bool viewsClip(const Shell& shell) {
 }
 
 bool canPose(const Shell& shell) {
-  return hasFile(shell) && app::hasControllers(*shell.open.character()) && viewsClip(shell);
+  return hasFile(shell) && ((app::hasControllers(*shell.open.character()) && viewsClip(shell)) ||
+                            !shell.open.character()->view().selectedLocators.empty());
 }
 
 bool canExaggerate(const Shell& shell) {

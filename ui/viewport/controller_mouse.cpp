@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/commands/selection.h"
+#include "app/locators/locator_edits.h"
 #include "rig/controllers/controller.h"
 #include "ui/panels/panel_support.h"
 
@@ -66,8 +67,10 @@ bool pressController(ViewportContext& context, bool add) {
     return false;
   }
   // Pressing one of several keeps them all, so that they can be dragged together.
-  if (add || !app::isControllerSelected(session, viewport.hoveredController)) {
-    app::selectController(session, viewport.hoveredController, add);
+  const std::vector<std::string>& selected = selectedHandles(session);
+  if (add || std::ranges::find(selected, viewport.hoveredController) == selected.end()) {
+    const auto select = app::showsLocators(session.document()) ? app::selectLocator : app::selectController;
+    select(session, viewport.hoveredController, add);
   }
   viewport.gesture = add ? ViewportGesture::none : ViewportGesture::pressController;
   return true;
@@ -86,9 +89,9 @@ bool dragController(ViewportContext& context) {
     return false;
   }
   viewport.gesture = ViewportGesture::none;
-  const ShownController* const pressed = findShown(
-      viewport.controllers,
-      session.view().selectedControllers.empty() ? std::string() : session.view().selectedControllers.back());
+  const std::vector<std::string>& selected = selectedHandles(session);
+  const ShownController* const pressed =
+      findShown(viewport.controllers, selected.empty() ? std::string() : selected.back());
   const bool onlyTurns = pressed != nullptr && !pressed->placed.moves;
   start(context, onlyTurns ? app::ControllerMotion::turn : app::ControllerMotion::move, {});
   return true;
@@ -99,13 +102,14 @@ bool selectControllersInBox(ViewportContext& context, const Vec2& low, const Vec
   if (context.viewport.controllers.empty() || session.view().selectedTrail != 0) {
     return false;
   }
-  std::vector<std::string> wanted = add ? session.view().selectedControllers : std::vector<std::string>();
+  std::vector<std::string> wanted = add ? selectedHandles(session) : std::vector<std::string>();
   for (std::string& id : controllersInBox(context.viewport.view, context.viewport.controllers, low, high)) {
     if (std::ranges::find(wanted, id) == wanted.end()) {
       wanted.push_back(std::move(id));
     }
   }
-  app::selectControllers(session, std::move(wanted));
+  const bool areLocators = app::showsLocators(session.document());
+  (areLocators ? app::selectLocators : app::selectControllers)(session, std::move(wanted));
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/commands/posing.h"
 #include "app/commands/selection.h"
+#include "app/locators/locator_edits.h"
 
 namespace stretch::ui {
 
@@ -80,9 +81,68 @@ std::vector<std::string> idsOf(const std::vector<app::HeldController>& held) {
   return ids;
 }
 
+// What a tool begins with, whatever it holds.
+ControllerTool begun(const app::Session& session, const ControllerStart& start,
+                     std::vector<app::HeldController> held) {
+  ControllerTool tool;
+  tool.held = std::move(held);
+  tool.unkeyed = session.view().unkeyed;
+  tool.anchor = tool.held.back().placed.placeWorld;
+  tool.byDrag = start.byDrag;
+  tool.startPixels = start.startPixels;
+  tool.lastPixels = start.startPixels;
+  tool.modal.motion = start.motion;
+  tool.modal.lock = start.lock;
+  tool.modal.viewAxes = session.view().cameraAxes;
+  tool.modal.arrowUnits = app::nudgeUnits(session.document());
+  return tool;
+}
+
+Result<ControllerTool> startLocators(app::Session& session, const ControllerStart& start) {
+  const std::vector<std::string>& selected = session.view().selectedLocators;
+  std::vector<app::HeldController> held;
+  for (const std::string& name : selected) {
+    const rig::Locator* const locator = rig::findLocator(session.document().locators, name);
+    if (locator != nullptr) {
+      rig::PlacedController placed;
+      placed.id = name;
+      placed.placeWorld = locator->position;
+      placed.carrierAxesWorld = glm::mat3_cast(locator->orientation);
+      held.push_back({placed, {}});
+    }
+  }
+  if (held.empty()) {
+    return Error{"no locator is selected", "", "click one"};
+  }
+  const bool moves = start.motion == app::ControllerMotion::move;
+  ControllerTool tool = begun(session, start, std::move(held));
+  tool.title = selected.size() == 1 ? selected.front() : fmt::format("{} locators", selected.size());
+  tool.isOfLocators = true;
+  session.begin((moves ? "Move " : "Turn ") + tool.title);
+  return tool;
+}
+
+// All move as the one that was taken last, whose axes a lock may name.
+Status previewLocators(app::Session& session, const ControllerTool& tool) {
+  const Vec3 change = app::worldChange(tool.modal, tool.held.back().placed.carrierAxesWorld);
+  const bool mirror = session.view().mirrorLocators;
+  const app::Document& base = session.atBegin();
+  if (change == Vec3(0.0)) {
+    session.preview(base);
+  } else if (tool.modal.motion == app::ControllerMotion::move) {
+    session.preview(app::moveLocators(base, idsOf(tool.held), change, mirror));
+  } else {
+    session.preview(app::turnLocators(base, idsOf(tool.held), change, mirror));
+  }
+  return Success{};
+}
+
 } // namespace
 
 Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start) {
+  if (app::showsLocators(session.document())) {
+    return startLocators(session, start);
+  }
   const bool moves = start.motion == app::ControllerMotion::move;
   const std::vector<std::string>& selected = session.view().selectedControllers;
   std::vector<rig::PlacedController> placed;
@@ -93,9 +153,8 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
       offsets.push_back(app::shownOffset(session, one.id));
     }
   }
-  ControllerTool tool;
-  tool.held = app::heldControllers(start.motion, placed, offsets);
-  if (tool.held.empty()) {
+  std::vector<app::HeldController> held = app::heldControllers(start.motion, placed, offsets);
+  if (held.empty()) {
     return Error{moves ? "none of the selected controllers moves" : "none of the selected controllers turns",
                  "",
                  moves ? "select the body, hips, spine, head, a hand, a foot or a pole"
@@ -103,18 +162,10 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
   }
   // The last selected one is the one with the handles.
   const auto last = std::ranges::find_if(
-      tool.held, [&](const app::HeldController& held) { return held.placed.id == selected.back(); });
-  std::iter_swap(last == tool.held.end() ? std::prev(tool.held.end()) : last, std::prev(tool.held.end()));
+      held, [&](const app::HeldController& one) { return one.placed.id == selected.back(); });
+  std::iter_swap(last == held.end() ? std::prev(held.end()) : last, std::prev(held.end()));
+  ControllerTool tool = begun(session, start, std::move(held));
   tool.title = titleOf(session.document(), tool.held);
-  tool.unkeyed = session.view().unkeyed;
-  tool.anchor = tool.held.back().placed.placeWorld;
-  tool.byDrag = start.byDrag;
-  tool.startPixels = start.startPixels;
-  tool.lastPixels = start.startPixels;
-  tool.modal.motion = start.motion;
-  tool.modal.lock = start.lock;
-  tool.modal.viewAxes = session.view().cameraAxes;
-  tool.modal.arrowUnits = app::nudgeUnits(session.document());
   if (session.view().autoKey) {
     session.begin(app::poseLabel(session.document(), moves ? "Move" : "Turn", idsOf(tool.held)));
   }
@@ -122,6 +173,9 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
 }
 
 Status previewControllers(app::Session& session, const ControllerTool& tool) {
+  if (tool.isOfLocators) {
+    return previewLocators(session, tool);
+  }
   const std::vector<app::ControllerOffset> offsets = app::changedOffsets(tool.modal, tool.held);
   const bool same = std::ranges::equal(offsets, tool.held,
                                        [](const auto& now, const auto& held) { return now == held.offset; });

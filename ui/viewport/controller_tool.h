@@ -21,7 +21,8 @@ struct ControllerTool {
   Vec3 anchor{0.0};                      ///< The point that is held, or turned about; world.
   Vec2 startPixels{0.0};                 ///< Of the mouse, in the viewport.
   Vec2 lastPixels{0.0};
-  bool moved = false; ///< The mouse left its place: a click is no drag.
+  bool moved = false;        ///< The mouse left its place: a click is no drag.
+  bool isOfLocators = false; ///< What is held are locators, which have no keys.
 };
 
 struct ControllerStart {
@@ -31,7 +32,8 @@ struct ControllerStart {
   bool byDrag = false;
 };
 
-/// Takes hold of the selected controllers. An error says why none of them can do the motion.
+/// Takes hold of the selected controllers, or of the selected locators while those are shown. An error says
+/// why none of them can do the motion.
 [[nodiscard]] Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start);
 
 /// Shows what the modal makes of them: keyed, or while auto-key is off without a key.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/selection.h"
+#include "app/locators/locator_edits.h"
 #include "ui/render/picking.h"
 
 namespace stretch::ui {
@@ -63,13 +64,67 @@ void giveRings(std::vector<ControllerPicture>& pictures) {
   }
 }
 
+// From beside the joint above, so that the mouse finds that one too; in dashes where the place is a guess.
+void addBone(const Vec3& from, const Vec3& to, bool sure, ControllerPicture& picture) {
+  constexpr double startShare = 0.2;
+  constexpr int dashes = 5;
+  if (sure) {
+    picture.lines.push_back({glm::mix(from, to, startShare), to});
+    return;
+  }
+  for (int dash = 0; dash < dashes; ++dash) {
+    const double step = (1.0 - startShare) / dashes;
+    const double start = startShare + step * dash;
+    picture.lines.push_back({glm::mix(from, to, start), glm::mix(from, to, start + 0.5 * step)});
+  }
+}
+
+ShownController shownLocator(const rig::Locators& locators, const rig::Locator& locator) {
+  constexpr double sureFrom = 0.5;
+  ShownController shown;
+  shown.placed.id = locator.name;
+  shown.placed.placeWorld = locator.position;
+  shown.placed.orientationWorld = locator.orientation;
+  shown.placed.carrierAxesWorld = glm::mat3_cast(locator.orientation);
+  const rig::BodySide side = rig::sideOfLocator(locator.name);
+  shown.picture.side = side == rig::BodySide::left    ? BodySide::left
+                       : side == rig::BodySide::right ? BodySide::right
+                                                      : BodySide::centre;
+  if (locator.confidence >= sureFrom) {
+    shown.picture.ring = locator.position;
+  } else {
+    shown.picture.knob = locator.position;
+  }
+  if (const rig::Locator* const parent =
+          rig::findLocator(locators, rig::parentLocator(locators, locator.name))) {
+    addBone(parent->position, locator.position, locator.confidence >= sureFrom, shown.picture);
+  }
+  return shown;
+}
+
+std::vector<ShownController> shownLocators(const rig::Locators& locators) {
+  std::vector<ShownController> shown;
+  for (const rig::Locator& locator : locators.list) {
+    shown.push_back(shownLocator(locators, locator));
+  }
+  return shown;
+}
+
 } // namespace
+
+const std::vector<std::string>& selectedHandles(const app::Session& session) {
+  return app::showsLocators(session.document()) ? session.view().selectedLocators
+                                                : session.view().selectedControllers;
+}
 
 bool showsControllers(const app::Session& session, const ViewportOverlays& overlays) {
   return overlays.controllers || !session.view().selectedControllers.empty();
 }
 
 std::vector<ShownController> shownControllers(app::Session& session, const ViewportOverlays& overlays) {
+  if (app::showsLocators(session.document())) {
+    return shownLocators(session.document().locators);
+  }
   std::vector<ShownController> shown;
   if (!showsControllers(session, overlays) || session.view().showOriginal) {
     return shown;
@@ -121,7 +176,7 @@ std::vector<std::string> controllersInBox(const View& view, const std::vector<Sh
 
 std::optional<ControllerHandles> controllerHandles(const app::Session& session,
                                                    const std::vector<ShownController>& shown) {
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = selectedHandles(session);
   const ShownController* const last = selected.empty() ? nullptr : findShown(shown, selected.back());
   return last == nullptr ? std::nullopt
                          : std::optional(ControllerHandles{last->placed.placeWorld, last->placed.moves,

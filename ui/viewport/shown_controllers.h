@@ -18,11 +18,15 @@ struct ShownController {
   ControllerPicture picture; ///< Neither selected nor hovered.
 };
 
+/// Ids of what is selected of the locators while they are shown, else of the controllers.
+[[nodiscard]] const std::vector<std::string>& selectedHandles(const app::Session& session);
+
 /// Whether controllers are shown: they are switched on, or one is selected.
 [[nodiscard]] bool showsControllers(const app::Session& session, const ViewportOverlays& overlays);
 
-/// Those of the body, and with the skeleton those on other joints, as they stand at the playhead; none while
-/// they are not shown. A selected one is always there.
+/// The locators while they are shown. Else controllers: those of the body, and with the skeleton those on
+/// other joints, as they stand at the playhead; none while they are not shown. A selected one is always
+/// there.
 [[nodiscard]] std::vector<ShownController> shownControllers(app::Session& session,
                                                             const ViewportOverlays& overlays);
 

@@ -20,8 +20,8 @@ PictureSelection selectionOf(const app::Session& session, const ViewportState& v
   selection.hoveredTrail = viewport.hoveredTrail;
   selection.hoveredSphere = viewport.hoveredSphere;
   selection.hoveredAxis = viewport.hoveredAxis;
-  selection.controllers = controllerPictures(viewport.controllers, session.view().selectedControllers,
-                                             viewport.hoveredController);
+  selection.controllers =
+      controllerPictures(viewport.controllers, selectedHandles(session), viewport.hoveredController);
   selection.controllerHandles = controllerHandles(session, viewport.controllers);
   selection.activeHandle = viewport.hoveredHandle;
   selection.tipFrame = viewport.tipFrame;

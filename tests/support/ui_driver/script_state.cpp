@@ -298,6 +298,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
+      {"locators", [&] { return joined(view.selectedLocators); }},
+      {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
       {"pins", [&] { return pinsText(session.document(), view.clip); }},
       {"moved", [&] { return offsetText(session, &app::ControllerOffset::move, 1.0); }},
