@@ -191,7 +191,7 @@ std::string limbTitle(const Document& document, const std::string& limbId) {
   if (limb == nullptr || limb->kind == rig::LimbKind::chain) {
     return limbId;
   }
-  std::string title(rig::limbName(limb->kind));
+  std::string title = limbId;
   std::replace(title.begin(), title.end(), '-', ' ');
   return title;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rig/body/planned_body.h"
+
 namespace stretch::app {
 
 namespace {
@@ -27,13 +29,16 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   }
   Document changed = document;
   changed.limbsCorrected = true;
-  limb.id = std::string(rig::limbName(limb.kind));
+  if (const rig::PlannedLimb* const planned = plannedLimb(planOf(document.biped), limb)) {
+    limb.id = planned->id;
+  }
   limb.confidence = 1.0;
   limb.reasons = {"set by hand"};
   auto& limbs = changed.biped.limbs;
-  const auto place = std::find_if(limbs.begin(), limbs.end(),
-                                  [&](const rig::Limb& other) { return other.kind >= limb.kind; });
-  if (place != limbs.end() && place->kind == limb.kind) {
+  const rig::LimbPlace& wanted = limb;
+  const auto place =
+      std::find_if(limbs.begin(), limbs.end(), [&](const rig::LimbPlace& other) { return other >= wanted; });
+  if (place != limbs.end() && static_cast<const rig::LimbPlace&>(*place) == wanted) {
     *place = std::move(limb);
   } else {
     limbs.insert(place, std::move(limb));

@@ -1,7 +1,9 @@
 #include "app/files/saved_work.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
@@ -67,9 +69,36 @@ std::vector<NodeIndex> nodesOf(const std::vector<int>& numbers) {
   return nodes;
 }
 
+// A biped's limbs and chains are numbers, as earlier versions know them.
+constexpr std::array<rig::LimbPlace, 7> numberedPlaces{
+    rig::biped::leftArm, rig::biped::rightArm, rig::biped::leftLeg, rig::biped::rightLeg,
+    rig::biped::spine,   rig::biped::neck,     rig::LimbPlace{}};
+
+Json placeToJson(const rig::LimbPlace& place) {
+  const auto* const numbered = std::ranges::find(numberedPlaces, place);
+  if (numbered != numberedPlaces.end()) {
+    return numbered - numberedPlaces.begin();
+  }
+  return {{"kind", kindName(place.kind)}, {"side", static_cast<int>(place.side)}, {"row", place.row}};
+}
+
+std::optional<rig::LimbPlace> placeFromJson(const Json& json) {
+  if (json.is_number_integer()) {
+    const auto number = json.get<std::size_t>();
+    return number < numberedPlaces.size() ? std::optional(numberedPlaces[number]) : std::nullopt;
+  }
+  const std::optional<rig::LimbKind> kind = rig::kindNamed(json.at("kind").get<std::string>());
+  const int side = json.at("side").get<int>();
+  const int row = json.at("row").get<int>();
+  if (!kind || side < 0 || side > static_cast<int>(rig::LimbSide::middle) || row < 0) {
+    return std::nullopt;
+  }
+  return rig::LimbPlace{*kind, static_cast<rig::LimbSide>(side), row};
+}
+
 Json limbToJson(const rig::Limb& limb) {
   return {{"limb", limb.id},
-          {"kind", static_cast<int>(limb.kind)},
+          {"kind", placeToJson(limb)},
           {"joints", numbersOf(limb.joints)},
           {"end", limb.endNode.value},
           {"end_offset", vectorToJson(limb.endOffset)},
@@ -151,7 +180,7 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   const NodeIndex past(document.scene->nodes.size());
   const auto exists = [&](NodeIndex node) { return node.exists() && node < past; };
   limb.id = json.at("limb").get<std::string>();
-  const int kind = json.at("kind").get<int>();
+  const std::optional<rig::LimbPlace> place = placeFromJson(json.at("kind"));
   limb.joints = nodesOf(json.at("joints").get<std::vector<int>>());
   limb.endNode = NodeIndex(json.at("end").get<int>());
   limb.restLength = json.at("rest_length").get<double>();
@@ -159,11 +188,10 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
   const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
                         !hasRepeats(limb.joints) && (limb.endNode == NodeIndex::none || exists(limb.endNode));
-  const bool isKind = kind >= 0 && kind <= static_cast<int>(rig::LimbKind::chain);
-  if (!offset || !hasNodes || !isKind || !(limb.restLength > 0.0)) {
+  if (!offset || !hasNodes || !place || !(limb.restLength > 0.0)) {
     return malformed("limbs");
   }
-  limb.kind = static_cast<rig::LimbKind>(kind);
+  static_cast<rig::LimbPlace&>(limb) = *place;
   limb.endOffset = *offset;
   limb.reasons = {"kept in the file"};
   return limb;

@@ -36,28 +36,24 @@ struct Finding {
   }
 };
 
-const Limb* findLimb(const std::vector<Limb>& limbs, LimbKind kind) {
-  const auto found = std::ranges::find(limbs, kind, &Limb::kind);
-  return found == limbs.end() ? nullptr : &*found;
-}
-
-bool isSure(const std::vector<Limb>& limbs, LimbKind kind) {
-  const Limb* limb = findLimb(limbs, kind);
+bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
+  const Limb* limb = limbAt(limbs, place);
   return limb != nullptr && limb->confidence >= sureConfidence;
 }
 
 bool makesBiped(const std::vector<Limb>& limbs) {
-  const bool legs = isSure(limbs, LimbKind::leftLeg) && isSure(limbs, LimbKind::rightLeg);
-  const bool arms = isSure(limbs, LimbKind::leftArm) && isSure(limbs, LimbKind::rightArm);
-  return legs && (arms || isSure(limbs, LimbKind::spine));
+  const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
+  const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
+  return legs && (arms || isSure(limbs, biped::spine));
 }
 
-Vec3 bodyUpOf(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
+Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
   if (trunk.hips >= 0 && trunk.head >= 0) {
     return view.at(trunk.head) - view.at(trunk.hips);
   }
-  if (plan.legs) {
-    return (plan.arms ? meanBase(view, *plan.arms) : meanBase(view, *plan.legs)) - meanEnd(*plan.legs);
+  if (reading.legs) {
+    return (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
+           meanEnd(*reading.legs);
   }
   return Vec3(0.0);
 }
@@ -65,30 +61,30 @@ Vec3 bodyUpOf(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
 Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
   const BodyView view = viewBody(scene, bindPose, candidates);
   const MirrorPlane plane = findMirrorPlane(view);
-  const BodyPlan plan = planBody(view, plane);
+  const BipedReading reading = readBiped(view, plane);
   Finding finding;
-  if (!plan.arms && !plan.legs) {
+  if (!reading.arms && !reading.legs) {
     return finding;
   }
-  const Sides sides = findSides(view, plane, plan);
-  const Trunk trunk = readTrunk(view, plane, plan);
+  const Sides sides = findSides(view, plane, reading);
+  const Trunk trunk = readTrunk(view, plane, reading);
   Biped& result = finding.result;
-  result.limbs = limbsOfPlan(scene, view, plan, sides, bindPose);
-  std::ranges::move(limbsOfTrunk(scene, view, plan, trunk, bindPose), std::back_inserter(result.limbs));
+  result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
+  std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
   // Limbs without an upright body between them are no biped's, unless it stands on two of them.
   constexpr double leastRelation = 0.6;
-  finding.legs = standingLegs(view, plane, plan);
-  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation ||
-                       (finding.legs == 2 && plan.relation >= 0.0);
+  finding.legs = standingLegs(view, plane, reading);
+  const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
+                       (finding.legs == 2 && reading.relation >= 0.0);
   result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
   if (finding.legs <= 2) {
     result.warnings = sides.warnings;
   }
-  finding.bodyUp = bodyUpOf(view, plan, trunk);
+  finding.bodyUp = bodyUpOf(view, reading, trunk);
   return finding;
 }
 
@@ -98,8 +94,8 @@ bool hasRigidParts(const Scene& scene) {
 
 // Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
 bool mayMissParts(const Scene& scene, const Biped& found) {
-  return hasRigidParts(scene) && (findLimb(found.limbs, LimbKind::leftArm) == nullptr ||
-                                  findLimb(found.limbs, LimbKind::rightArm) == nullptr);
+  return hasRigidParts(scene) &&
+         (limbAt(found.limbs, biped::leftArm) == nullptr || limbAt(found.limbs, biped::rightArm) == nullptr);
 }
 
 bool isBetter(const Finding& finding, const Finding& than) {
@@ -129,16 +125,12 @@ Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
   return *std::move(best);
 }
 
-bool isArm(LimbKind kind) {
-  return kind == LimbKind::leftArm || kind == LimbKind::rightArm;
-}
 // The limb that was found without the table and stands in for one that the table lacks: of the same sort,
 // whichever side it was taken for, and none of the table's own.
-const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table, LimbKind missing) {
+const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table,
+                    const LimbPlace& missing) {
   const auto matches = [&](const Limb& limb) {
-    const bool sameSort =
-        limb.kind == missing || (isArm(limb.kind) && isArm(missing)) || (isLeg(limb.kind) && isLeg(missing));
-    return sameSort && std::ranges::none_of(table, [&](const Limb& entry) {
+    return limb.kind == missing.kind && std::ranges::none_of(table, [&](const Limb& entry) {
              return std::ranges::find(entry.joints, limb.joints.front()) != entry.joints.end();
            });
   };
@@ -154,18 +146,18 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
   Biped& result = finding.result;
   std::vector<Limb> limbs = table.limbs;
   // The table leaves the neck out where there is none; the others it must name.
-  for (const LimbKind kind :
-       {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg, LimbKind::spine}) {
-    const Limb* limb = findLimb(limbs, kind) == nullptr ? standIn(result.limbs, limbs, kind) : nullptr;
+  for (const LimbPlace& missing :
+       {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine}) {
+    const Limb* limb = limbAt(limbs, missing) == nullptr ? standIn(result.limbs, limbs, missing) : nullptr;
     if (limb != nullptr) {
       limbs.push_back(*limb);
-      limbs.back().kind = kind;
-      limbs.back().id = limbName(kind);
+      static_cast<LimbPlace&>(limbs.back()) = missing;
+      limbs.back().id = limbName(missing);
       result.warnings.push_back("the VRM humanoid table names no complete " + limbs.back().id +
                                 ": found without it");
     }
   }
-  std::ranges::stable_sort(limbs, {}, &Limb::kind);
+  std::ranges::stable_sort(limbs, std::less<LimbPlace>());
   result.limbs = std::move(limbs);
   result.hips = table.hips.exists() ? table.hips : result.hips;
   result.head = table.head.exists() ? table.head : result.head;
@@ -188,9 +180,9 @@ bool movesMorphTargets(const Scene& scene) {
 void warn(const Scene& scene, Finding& finding) {
   Biped& result = finding.result;
   if (result.isBiped) {
-    for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
-      if (findLimb(result.limbs, kind) == nullptr) {
-        result.warnings.push_back("no " + std::string(limbName(kind)) +
+    for (const LimbPlace& usual : {biped::leftArm, biped::rightArm, biped::spine}) {
+      if (limbAt(result.limbs, usual) == nullptr) {
+        result.warnings.push_back("no " + limbName(usual) +
                                   " found: choose a chain of joints if there is one");
       }
     }

@@ -10,7 +10,7 @@
 
 namespace stretch::ui {
 
-/// Parts of the drawn body, in the order of rig::LimbKind.
+/// Parts of the drawn body, in the order of a biped's limbs.
 enum class BodyPart { leftArm, rightArm, leftLeg, rightLeg, spine, neck };
 inline constexpr int bodyPartCount = 6;
 

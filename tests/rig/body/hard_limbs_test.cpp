@@ -73,8 +73,8 @@ TEST_CASE("an arm of two joints is found beside one of three") {
   std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key == "hand.r"; });
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.r foreArm.r -> estimated");
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, biped::rightArm) == "upperArm.r foreArm.r -> estimated");
 }
 
 TEST_CASE("the short arms of a tyrannosaur are arms") {
@@ -128,13 +128,13 @@ TEST_CASE("the short arms of a tyrannosaur are arms") {
   SECTION("without names the legs are no arms") {
     const BuiltBiped built = build(body);
     const Biped biped = detectBiped(built.scene);
-    CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
-    CHECK(describe(built, biped, LimbKind::leftArm) == "none");
+    CHECK(describe(built, biped, biped::leftLeg) == "thigh.l shin.l -> foot.l");
+    CHECK(describe(built, biped, biped::leftArm) == "none");
     // What it is not sure of it says: arms are missing, and no limb is claimed.
     REQUIRE(biped.warnings.size() == 1);
     CHECK(biped.warnings.front() == "no complete biped found: check the limbs by hand");
     CHECK_FALSE(biped.isBiped);
-    CHECK(findLimb(biped, LimbKind::leftLeg)->confidence <= 0.3);
+    CHECK(findLimb(biped, biped::leftLeg)->confidence <= 0.3);
   }
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("joints above the hips that stand on the ground are no spine") {
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
-  const Limb* spine = findLimb(biped, LimbKind::spine);
+  const Limb* spine = findLimb(biped, biped::spine);
   REQUIRE(spine != nullptr);
   for (const NodeIndex joint : spine->joints) {
     CHECK(positionOf(bindPoseWorlds(built.scene)[at(joint)]).y > 0.5);
@@ -179,7 +179,7 @@ TEST_CASE("a neck ends at the head, not at the cap on it") {
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   CAPTURE(hasNames, name);
-  CHECK(describe(built, biped, LimbKind::neck) == "neck0 -> head");
+  CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
   CHECK(biped.head == built.node.at("head"));
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("the spine is read from the joints that deform, not from weightless on
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
-  CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
 }
 
 TEST_CASE("rigid arms on a skinned body are found, whether the skin lists their joints or not") {
