@@ -10,6 +10,7 @@
 #include "core/gltf/source.h"
 #include "core/scene/scene.h"
 #include "rig/body/detection.h"
+#include "rig/body/locators.h"
 #include "rig/controllers/adjustment.h"
 #include "rig/hold/hold.h"
 #include "rig/limb.h"
@@ -59,6 +60,7 @@ struct Document {
 
   rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
+  rig::Locators locators;        ///< Where joints of a body without a skeleton are to stand; empty: none.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
   std::vector<rig::Adjustment> adjustments; ///< What controllers change in the clips, before any trail.

@@ -35,7 +35,9 @@ std::string clipList(const Document& document) {
 Result<int> findClip(const Document& document, const std::string& text, const std::string& where) {
   const std::vector<Clip>& clips = *document.clips;
   if (clips.empty()) {
-    return Error{"the file holds no clip", "animations", "give a file with an animation"};
+    const std::string file = document.source ? document.source->path.string() : std::string();
+    return Error{"the file holds no clip", file.empty() ? "animations" : file + ": animations",
+                 "give a file with an animation"};
   }
   if (text.empty()) {
     return 0;

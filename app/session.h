@@ -37,7 +37,9 @@ struct ViewState {
   std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
   /// Ids of controllers. While one is selected no limb, trail or sphere is, so that a key has one meaning.
   std::vector<std::string> selectedControllers;
-  bool autoKey = true;    ///< What is posed is keyed at once.
+  std::vector<std::string> selectedLocators; ///< Names; while one is selected nothing else is.
+  bool mirrorLocators = true;                ///< What moves a locator moves its counterpart.
+  bool autoKey = true;                       ///< What is posed is keyed at once.
   bool wholeClip = false; ///< First keys act on the whole clip, not in the working range alone.
   UnkeyedPose unkeyed;
   double rangeStart = 0.0;   ///< The working range, for new trails.

@@ -14,8 +14,10 @@ const std::vector<float>& morphWeights(const Mesh& mesh, const FrameState& frame
   return animated.empty() ? mesh.morphWeights : animated;
 }
 
-Mat4 blended(const VertexInfluences& influences, const std::vector<Mat4>& matrices) {
-  Mat4 sum(0.0);
+using Affine = glm::dmat4x3; ///< A Mat4 without its last row, which is always 0 0 0 1.
+
+Affine blended(const VertexInfluences& influences, const std::vector<Affine>& matrices) {
+  Affine sum(0.0);
   for (std::size_t i = 0; i < VertexInfluences::capacity; ++i) {
     if (influences.weights[i] != 0.0F && influences.joints[i] < matrices.size()) {
       sum += static_cast<double>(influences.weights[i]) * matrices[influences.joints[i]];
@@ -44,7 +46,7 @@ Vec3 morphedNormal(const Primitive& primitive, const std::vector<float>& weights
 
 // Normals turn by the inverse transpose, up to their length: the matrix of cofactors, which a flat matrix has
 // as well.
-Vec3 turnedNormal(const Mat4& matrix, const Vec3& normal) {
+Vec3 turnedNormal(const Affine& matrix, const Vec3& normal) {
   const Mat3 linear(matrix);
   const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                        glm::cross(linear[0], linear[1]));
@@ -59,9 +61,13 @@ void eachDrawnVertex(const Scene& scene, const FrameState& frame, const Visit& v
   for (const NodeIndex node : drawnMeshNodes(scene)) {
     const Node& holder = scene.nodes[at(node)];
     const Mesh& mesh = scene.meshes[at(holder.mesh)];
-    const std::vector<Mat4> joints =
-        holder.skin >= 0 ? skinMatrices(scene.skins[at(holder.skin)], frame) : std::vector<Mat4>{};
-    const Mat4 rigid = meshMatrix(frame, node);
+    std::vector<Affine> joints;
+    if (holder.skin >= 0) {
+      for (const Mat4& matrix : skinMatrices(scene.skins[at(holder.skin)], frame)) {
+        joints.emplace_back(matrix);
+      }
+    }
+    const Affine rigid(meshMatrix(frame, node));
     const std::vector<float>& weights = morphWeights(mesh, frame, node);
     for (const Primitive& primitive : mesh.primitives) {
       const bool skinned = !joints.empty() && !primitive.influences.empty();
@@ -101,10 +107,11 @@ Vec3 morphedPosition(const Primitive& primitive, const std::vector<float>& weigh
 
 std::vector<Vec3> skinnedPositions(const Scene& scene, const FrameState& frame) {
   std::vector<Vec3> positions;
+  positions.reserve(vertexCount(scene));
   eachDrawnVertex(scene, frame,
                   [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
-                      const Mat4& matrix) {
-                    positions.push_back(transformPoint(matrix, morphedPosition(primitive, weights, vertex)));
+                      const Affine& matrix) {
+                    positions.push_back(matrix * Vec4(morphedPosition(primitive, weights, vertex), 1.0));
                   });
   return positions;
 }
@@ -113,7 +120,7 @@ std::vector<Vec3> skinnedNormals(const Scene& scene, const FrameState& frame) {
   std::vector<Vec3> normals;
   eachDrawnVertex(scene, frame,
                   [&](const Primitive& primitive, const std::vector<float>& weights, std::size_t vertex,
-                      const Mat4& matrix) {
+                      const Affine& matrix) {
                     normals.push_back(turnedNormal(matrix, morphedNormal(primitive, weights, vertex)));
                   });
   return normals;

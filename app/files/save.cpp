@@ -114,8 +114,8 @@ Status saveDocument(const Document& document, const std::filesystem::path& path,
   if (edits->empty()) {
     return gltf::save(*document.source, path);
   }
-  const Result<gltf::Source> changed = gltf::patched(*document.source, *edits);
-  return changed ? gltf::save(*changed, path) : Status(changed.error());
+  Result<gltf::Source> changed = gltf::patched(*document.source, *edits);
+  return changed ? gltf::save(std::move(*changed), path) : Status(changed.error());
 }
 
 Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance tolerance) {

@@ -15,6 +15,7 @@
 #include "app/files/kept_tracks.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/hold_json.h"
+#include "app/schema/locator_json.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
@@ -364,6 +365,13 @@ Status restoreParts(const Json& work, Document& document) {
     }
     document.weights.push_back(std::move(*entry));
   }
+  if (work.contains("locators")) {
+    Result<rig::Locators> locators = locatorsFromJson(work["locators"]);
+    if (!locators) {
+      return locators.error();
+    }
+    document.locators = std::move(*locators);
+  }
   document.loopingClips = work.at("loops").get<std::vector<int>>();
   Status adjusted = restoreAdjustments(work.value("adjustments", Json::array()), document);
   return adjusted ? restoreHolds(work, document) : adjusted;
@@ -374,8 +382,8 @@ Status restoreParts(const Json& work, Document& document) {
 Json workOf(const Document& document) {
   if (document.trails.empty() && document.adjustments.empty() && document.holds.empty() &&
       document.weights.empty() && document.chains.empty() && document.loopingClips.empty() &&
-      document.rates.empty() && !document.limbsCorrected && !hasEditedKeys(document) &&
-      document.followingKeys.empty() && document.addedFiles.empty()) {
+      document.rates.empty() && !document.limbsCorrected && document.locators.empty() &&
+      !hasEditedKeys(document) && document.followingKeys.empty() && document.addedFiles.empty()) {
     return nullptr;
   }
   Json work;
@@ -385,6 +393,9 @@ Json workOf(const Document& document) {
   work["limbs"] = limbsToJson(document.biped.limbs);
   work["limbs_corrected"] = document.limbsCorrected;
   work["chains"] = limbsToJson(document.chains);
+  if (!document.locators.empty()) {
+    work["locators"] = locatorsToJson(document.locators);
+  }
   work["trails"] = Json::array();
   for (const rig::Trail& trail : document.trails) {
     work["trails"].push_back(savedTrail(trail));
@@ -420,6 +431,7 @@ Document withoutEdits(Document document) {
   document.holds = {};
   document.weights.clear();
   document.chains.clear();
+  document.locators = {};
   document.loopingClips.clear();
   for (ClipRate& rate : document.rates) {
     rate.framesPerSecond = rate.own;

@@ -240,6 +240,9 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
 }
 
 Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document, std::optional<int> clip) {
+  if (const Result<int> any = findClip(document, "", ""); !any) {
+    return any.error(); // the character's fault, not the recipe's: no place in the recipe is named
+  }
   const Result<std::string> text = readText(path);
   if (!text) {
     return text.error();

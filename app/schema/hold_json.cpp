@@ -97,14 +97,9 @@ HoldMember vectorMember(const std::string& key, double unit, Vec3& vector) {
 
 HoldMember quaternionMember(const std::string& key, Quat& quaternion) {
   return {key, [key, &quaternion](const Json& json) -> Status {
-            const bool isFour = json.is_array() && json.size() == 4 &&
-                                std::ranges::all_of(json, [](const Json& part) { return part.is_number(); });
-            if (!isFour) {
-              return Error{json.dump() + " is not a quaternion", key, "give four numbers x, y, z, w"};
-            }
-            quaternion = Quat(json[3].get<double>(), json[0].get<double>(), json[1].get<double>(),
-                              json[2].get<double>());
-            return Success{};
+            const Result<Quat> read = quaternionFromJson(json, key);
+            quaternion = read ? *read : quaternion;
+            return read ? Status(Success{}) : Status(read.error());
           }};
 }
 
@@ -175,9 +170,8 @@ Json pinToJson(const rig::Pin& pin, const AdjustmentUnits& units) {
   json["turn"] = pin.turns;
   json["stretch"] = pin.stretch;
   if (pin.place) {
-    const Quat& turn = pin.place->orientation;
     json["place"] = vectorToJson(pin.place->position / units.length);
-    json["orientation"] = Json::array({turn.x, turn.y, turn.z, turn.w});
+    json["orientation"] = quaternionToJson(pin.place->orientation);
   }
   return json;
 }

@@ -14,6 +14,16 @@ Result<Vec3> vectorFromJson(const gltf::Json& json, const std::string& where) {
   return Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
 }
 
+Result<Quat> quaternionFromJson(const gltf::Json& json, const std::string& where) {
+  const bool isFour =
+      json.is_array() && json.size() == 4 &&
+      std::all_of(json.begin(), json.end(), [](const gltf::Json& number) { return number.is_number(); });
+  if (!isFour) {
+    return Error{json.dump() + " is not a quaternion", where, "give four numbers x, y, z, w"};
+  }
+  return Quat(json[3].get<double>(), json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+}
+
 std::optional<gltf::Json> nearestValue(const SettingFacts& setting, const gltf::Json& value) {
   gltf::Json nearest = value;
   const bool isNumber = value.is_number() && std::isfinite(value.get<double>());

@@ -15,6 +15,13 @@ namespace stretch::app {
 
 [[nodiscard]] Result<Vec3> vectorFromJson(const gltf::Json& json, const std::string& where);
 
+/// x, y, z, w, as glTF has them; read as they are, of any length.
+[[nodiscard]] inline gltf::Json quaternionToJson(const Quat& turn) {
+  return gltf::Json::array({turn.x + 0.0, turn.y + 0.0, turn.z + 0.0, turn.w + 0.0});
+}
+
+[[nodiscard]] Result<Quat> quaternionFromJson(const gltf::Json& json, const std::string& where);
+
 /// Adds every setting of the schema to an object, under its name.
 template <typename Settings>
 void writeSettings(const Schema<Settings>& schema, const Settings& settings, gltf::Json& object) {

@@ -58,6 +58,6 @@ struct Edits {
 
 /// Writes .glb or .gltf (by the extension of `path`) atomically, with the .bin and the external images it
 /// refers to where the target folder is another. Nothing is left behind on failure.
-[[nodiscard]] Status save(const Source& source, const std::filesystem::path& path);
+[[nodiscard]] Status save(Source source, const std::filesystem::path& path);
 
 } // namespace stretch::gltf

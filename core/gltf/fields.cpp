@@ -8,8 +8,6 @@
 
 namespace stretch::gltf {
 
-namespace {} // namespace
-
 const Json* find(const Json& object, std::string_view key) {
   if (!object.is_object()) {
     return nullptr;

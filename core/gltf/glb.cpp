@@ -134,8 +134,8 @@ Result<Bytes> writeGlb(const Glb& glb) {
   appendUint32(out, magic);
   appendUint32(out, 2);
   appendUint32(out, 0);
-  const std::string& json = glb.json;
-  appendChunk(out, GlbChunk::jsonType, Bytes(json.begin(), json.end()), ' ');
+  const auto* const json = reinterpret_cast<const std::uint8_t*>(glb.json.data());
+  appendChunk(out, GlbChunk::jsonType, {json, glb.json.size()}, ' ');
   if (glb.hasBinary) {
     appendChunk(out, GlbChunk::binaryType, glb.binary, 0);
   }

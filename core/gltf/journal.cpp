@@ -1,9 +1,10 @@
 #include "core/gltf/journal.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/gltf/fields.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json_builder.h"
 
 namespace stretch::gltf {
 
@@ -22,6 +23,15 @@ Json::json_pointer parentOf(Json::json_pointer pointer) {
 std::string textAt(const Json& step, std::size_t index) {
   const bool isText = step.is_array() && index < step.size() && step[index].is_string();
   return isText ? step[index].get_ref<const std::string&>() : std::string();
+}
+
+// The root gets room for what is added to it (extras, buffers, skins...) before it grows.
+Json withRoom(Json json) {
+  constexpr std::size_t additions = 8;
+  if (json.is_object()) {
+    reserveMembers(json.get_ref<Json::object_t&>(), json.size() + additions);
+  }
+  return json;
 }
 
 bool takeBackStep(Json& json, const Json& step) {
@@ -49,6 +59,8 @@ bool takeBackStep(Json& json, const Json& step) {
 }
 
 } // namespace
+
+Journal::Journal(Json json) : json_(withRoom(std::move(json))) {}
 
 void Journal::set(const Pointer& pointer, Json value) {
   if (json_.contains(pointer)) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "core/gltf/json.h"
 #include "core/gltf/source.h"
@@ -13,9 +14,11 @@ class Journal {
 public:
   using Pointer = Json::json_pointer;
 
-  explicit Journal(Json json) : json_(std::move(json)) {}
+  explicit Journal(Json json);
 
   [[nodiscard]] const Json& json() const { return json_; }
+  /// The document, out of a journal that is not needed any more.
+  [[nodiscard]] Json takeJson() && { return std::move(json_); }
 
   /// Sets a property or an element; the parent has to be there.
   void set(const Pointer& pointer, Json value);

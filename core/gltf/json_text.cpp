@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json_builder.h"
 
 namespace stretch::gltf {
 
@@ -44,23 +44,21 @@ Result<Json> parseJson(std::string_view text) {
     return Error{fmt::format("is nested deeper than {} levels", deepestNesting), "JSON",
                  std::string(exportAgain)};
   }
-  try {
-    Json json = Json::parse(text);
-    if (!json.is_object()) {
-      return Error{"is no JSON object, so no glTF", "JSON", std::string(exportAgain)};
-    }
-    return json;
-  } catch (const Json::parse_error& failure) {
-    return Error{fmt::format("is no valid JSON (at byte {})", failure.byte), "JSON",
-                 std::string(exportAgain)};
-  } catch (const Json::exception&) {
-    return Error{"holds a number out of range", "JSON", std::string(exportAgain)};
+  Json json;
+  if (const auto failure = buildJson(text, json)) {
+    return Error{failure->isOutOfRange ? "holds a number out of range"
+                                       : fmt::format("is no valid JSON (at byte {})", failure->byte),
+                 "JSON", std::string(exportAgain)};
   }
+  if (!json.is_object()) {
+    return Error{"is no JSON object, so no glTF", "JSON", std::string(exportAgain)};
+  }
+  return json;
 }
 
 Json parseAnyJson(std::string_view text) {
-  return nestingOf(text) > deepestNesting ? Json(Json::value_t::discarded)
-                                          : Json::parse(text, nullptr, false);
+  Json json;
+  return nestingOf(text) > deepestNesting || buildJson(text, json) ? Json(Json::value_t::discarded) : json;
 }
 
 } // namespace stretch::gltf

@@ -1,4 +1,5 @@
 #include <optional>
+#include <utility>
 
 #include "core/gltf/added_parts.h"
 #include "core/gltf/fields.h"
@@ -69,16 +70,14 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   patchClips(edits.clips, journal, data);
   const Bytes ofEdits = data.finish();
   bytes.insert(bytes.end(), ofEdits.begin(), ofEdits.end());
-  Source result = source;
-  result.json = journal.json();
-  if (!edits.work.isNull()) {
-    Result<Json> json =
-        withSavedWork(source, edits.work, std::move(journal), addedRecord(edits.addedFiles, buffer, start));
-    if (!json) {
-      return json.error();
-    }
-    result.json = std::move(json.value());
+  Result<Json> json = edits.work.isNull() ? Result<Json>(std::move(journal).takeJson())
+                                          : withSavedWork(source, edits.work, std::move(journal),
+                                                          addedRecord(edits.addedFiles, buffer, start));
+  if (!json) {
+    return json.error();
   }
+  Source result{source.path, std::move(json.value()), source.buffers, source.hasBinaryChunk,
+                source.otherChunks};
   growBuffer(result, buffer, start, bytes);
   return result;
 }

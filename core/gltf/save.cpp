@@ -48,11 +48,24 @@ std::string uriOf(const fs::path& file) {
   return percentEncoded(std::string(text.begin(), text.end()));
 }
 
+// The files that the glTF names by relative paths.
+std::vector<fs::path> referencesOf(const Source& source) {
+  std::vector<fs::path> files;
+  for (const char* list : {"buffers", "images"}) {
+    for (std::size_t i = 0; i < sizeOf(source.json, list); ++i) {
+      if (const auto relative = relativePath(textOr(element(source.json, list, i), "uri"))) {
+        files.push_back(relative->lexically_normal());
+      }
+    }
+  }
+  return files;
+}
+
 // The files of one save: the JSON gets its final form while buffers and images find their place.
 class Saving {
 public:
-  Saving(const Source& source, const fs::path& path, bool isBinary)
-      : source_(source), path_(path), isBinary_(isBinary), json_(source.json) {}
+  Saving(Source source, const fs::path& path, bool isBinary)
+      : source_(std::move(source)), path_(path), isBinary_(isBinary), referredTo_(referencesOf(source_)) {}
 
   Result<SavePlan> plan() {
     if (Status placed = placeBuffers(); !placed) {
@@ -127,7 +140,7 @@ private:
     const bool isBinaryChunk = index == 0 && source_.hasBinaryChunk;
     if (index == 0 && hasRoomInBinary() && (isBinaryChunk || !source_.buffers[0].empty())) {
       hasBinary_ = true;
-      binary_ = isBinaryChunk ? source_.buffers[0] : withinLength(0);
+      binary_ = isBinaryChunk ? std::move(source_.buffers[0]) : withinLength(0);
       json_["buffers"][0].erase("uri");
       return Success{};
     }
@@ -166,16 +179,7 @@ private:
     if (!isSameFolder(source_.path.parent_path(), file.parent_path())) {
       return false;
     }
-    for (const char* list : {"buffers", "images"}) {
-      for (std::size_t i = 0; i < sizeOf(source_.json, list); ++i) {
-        const std::string uri = textOr(element(source_.json, list, i), "uri");
-        if (const auto relative = relativePath(uri);
-            relative && relative->lexically_normal() == file.filename()) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return std::ranges::find(referredTo_, file.filename()) != referredTo_.end();
   }
 
   // The bytes of a file that the glTF refers to, put where the reference finds them.
@@ -265,14 +269,15 @@ private:
     glb.json = std::move(text.value());
     glb.hasBinary = hasBinary_;
     glb.binary = std::move(binary_);
-    glb.others = source_.otherChunks;
+    glb.others = std::move(source_.otherChunks);
     return writeGlb(glb);
   }
 
-  const Source& source_;
+  Source source_;
   const fs::path& path_;
   bool isBinary_;
-  Json json_;
+  std::vector<fs::path> referredTo_;
+  Json& json_ = source_.json;
   bool hasBinary_ = false;
   Bytes binary_;
   std::vector<OutputFile> files_;
@@ -281,7 +286,7 @@ private:
 
 } // namespace
 
-Status save(const Source& source, const fs::path& path) {
+Status save(Source source, const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](char letter) {
     return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
@@ -296,7 +301,7 @@ Status save(const Source& source, const fs::path& path) {
     return Error{"there is no such folder", folder.string(), "make it, or save elsewhere"};
   }
   try {
-    const Result<SavePlan> plan = Saving(source, path, !isText).plan();
+    const Result<SavePlan> plan = Saving(std::move(source), path, !isText).plan();
     if (!plan) {
       return plan.error();
     }

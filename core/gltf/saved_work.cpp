@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -27,7 +30,7 @@ void addNumber(double number, Hash& sum) {
   sum.add(std::bit_cast<std::array<std::uint8_t, sizeof number>>(number == 0.0 ? 0.0 : number));
 }
 
-void addText(const std::string& text, Hash& sum) {
+void addText(std::string_view text, Hash& sum) {
   addNumber(static_cast<double>(text.size()), sum);
   sum.add(text);
 }
@@ -36,15 +39,17 @@ void addText(const std::string& text, Hash& sum) {
 // both.
 void addJson(const Json& json, Hash& sum) {
   if (json.is_object()) {
-    std::vector<std::string> keys;
-    for (const auto& [key, value] : json.items()) {
-      keys.push_back(key);
+    std::vector<const Json::object_t::value_type*> members;
+    members.reserve(json.size());
+    for (const auto& member : json.get_ref<const Json::object_t&>()) {
+      members.push_back(&member);
     }
-    std::sort(keys.begin(), keys.end());
+    std::ranges::sort(members, std::less{},
+                      [](const auto* member) { return std::string_view(member->first); });
     addText("{", sum);
-    for (const std::string& key : keys) {
-      addText(key, sum);
-      addJson(json.at(key), sum);
+    for (const auto* member : members) {
+      addText(member->first, sum);
+      addJson(member->second, sum);
     }
     addText("}", sum);
   } else if (json.is_array()) {
@@ -178,7 +183,7 @@ Result<Json> withSavedWork(const Source& source, const Json& work, Journal journ
   if (!added.is_null()) {
     restore["added"] = std::move(added);
   }
-  Json json = journal.json();
+  Json json = std::move(journal).takeJson();
   json[block] = {{"version", formatVersion}, {"work", work}, {"restore", std::move(restore)}};
   return json;
 }

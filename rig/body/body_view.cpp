@@ -182,8 +182,12 @@ private:
     const auto count = static_cast<std::size_t>(view_.count());
     view_.points.assign(count, {});
     view_.tips.assign(count, {});
+    std::vector<int> owners(scene_.nodes.size(), -1); // the nearest candidate at or above each node
     for (const NodeIndex node : order_) {
-      const int owner = ownerOf(node);
+      const NodeIndex parent = scene_.nodes[at(node)].parent;
+      const int own = view_.candidateOfNode[at(node)];
+      const int owner = own >= 0 || !parent.exists() ? own : owners[at(parent)];
+      owners[at(node)] = owner;
       if (owner < 0) {
         continue;
       }
@@ -195,13 +199,6 @@ private:
       }
     }
     gatherReach();
-  }
-
-  [[nodiscard]] int ownerOf(NodeIndex node) const {
-    while (node.exists() && view_.candidateOfNode[at(node)] < 0) {
-      node = scene_.nodes[at(node)].parent;
-    }
-    return node.exists() ? view_.candidateOfNode[at(node)] : -1;
   }
 
   void gatherReach() {

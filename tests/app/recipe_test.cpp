@@ -130,3 +130,15 @@ TEST_CASE("A file that is no recipe is told by its name") {
   CHECK(loadRecipe(notJson, document).error().where == notJson.string());
   CHECK(loadRecipe(folder / "missing.json", document).error().what == "there is no such file");
 }
+
+TEST_CASE("A character without a clip is not told as a fault of the recipe") {
+  const test::TemporaryFolder folder;
+  Document still = test::boxer();
+  gltf::Source source = still.source ? *still.source : gltf::Source();
+  source.path = "boxer.glb";
+  still.source = std::make_shared<const gltf::Source>(std::move(source));
+  still.clips = std::make_shared<const std::vector<Clip>>();
+  const Result<Recipe> recipe = loadRecipe(folder.write("punch.json", punchRecipe().dump()), still);
+  REQUIRE_FALSE(recipe);
+  CHECK(recipe.error().line() == "boxer.glb: animations: the file holds no clip; give a file with an animation");
+}

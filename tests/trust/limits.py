@@ -13,7 +13,7 @@ import zlib
 
 BYTES_FOR_ONE = 64
 BYTES_FOR_ANY = 800 << 20
-SECONDS = 20
+SECONDS = 5
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -101,6 +101,9 @@ def hostile():
     yield "chain.glb", chain(50000)
     yield "deep.gltf", b'{"asset":{"version":"2.0"},"extras":' + b"[" * 1000000 + b"]" * 1000000 + b"}"
     yield "lists.gltf", b'{"asset":{"version":"2.0"},"extras":[' + b"[]," * 2000000 + b"0]}"
+    members = b",".join(b'"%d":%d' % (i, i) for i in range(300000))
+    yield "members.gltf", b'{"asset":{"version":"2.0"},"extras":{' + members + b"}}"
+    yield "members.json", b'{"version":1,"trails":{' + members + b"}}"
     for seconds in (1e5, 2e5, 1e6, 1e9, 3e38):
         yield f"clip_{seconds:g}.glb", long_clip(seconds)
     yield "recipe.json", b'{"version":1,"trails":' + b"[" * 500000 + b"]" * 500000 + b"}"

@@ -9,6 +9,7 @@
 #include "app/files/saved_work.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/locator_text.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -252,4 +253,19 @@ TEST_CASE("Whatever the work of a file holds, it is refused or it plays") {
     }
   }
   CHECK(taken > 50);
+}
+
+TEST_CASE("Locators are part of the work: kept, restored, and none when they are gone", "[locators]") {
+  Document document = test::boxer();
+  CHECK(workOf(document).is_null());
+  document.locators = *locatorsFromJson(test::locatorText());
+  const Json work = workOf(document);
+  Document restored = test::boxer();
+  CHECK_FALSE(sameDocument(restored, document));
+  REQUIRE(restoreWork(work, restored));
+  CHECK(restored.locators == document.locators);
+  CHECK(withoutWork(restored).locators.empty());
+  Json damaged = work;
+  damaged["locators"]["locators"].erase(0);
+  CHECK_FALSE(restoreWork(damaged, restored));
 }

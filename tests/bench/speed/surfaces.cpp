@@ -9,6 +9,7 @@
 #include "skinning/geometry/geodesic_distance.h"
 #include "skinning/geometry/shape_diameter.h"
 #include "skinning/linear_blend_skinning.h"
+#include "skinning/surface_part.h"
 #include "tests/bench/speed/cgal_peer.h"
 #include "tests/bench/speed/rows.h"
 
@@ -85,6 +86,23 @@ Comparison skinningOnce(const SpeedInput& input) {
           "double precision, morph targets"};
 }
 
+// As warnings and remedies look at a mesh, frame after frame.
+Comparison skinningOnManyFrames(const SpeedInput& input) {
+  const FrameState frame = app::evaluateOriginal(input.document, 0, 0.0);
+  const Scene& scene = *input.document.scene;
+  const skinning::SurfacePart all(scene, std::vector<bool>(scene.nodes.size(), true));
+  std::vector<glm::vec3> part;
+  std::vector<glm::vec3> out;
+  const Pair cost = measureInTurn(
+      input.repetitions, [&] { all.positions(frame, part); }, [&] { skinByHand(scene, frame, out); });
+  return {fmt::format("skin {} vertices frame after frame, as warnings do", part.size()),
+          "the same loop",
+          cost.ours,
+          cost.other,
+          1.25,
+          "an influence at a time"};
+}
+
 Comparison thickness(const SpeedInput& input) {
   const Body body = knobblyTorus(100, 50);
   const Pair cost = measureInTurn(
@@ -127,7 +145,7 @@ Comparison distances(const SpeedInput& input) {
 } // namespace
 
 std::vector<Comparison> surfaceComparisons(const SpeedInput& input) {
-  return {skinningOnce(input), thickness(input), distances(input)};
+  return {skinningOnce(input), skinningOnManyFrames(input), thickness(input), distances(input)};
 }
 
 } // namespace stretch::bench

@@ -1,0 +1,184 @@
+#include "app/schema/locator_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/ranges.h>
+#include <glm/geometric.hpp>
+
+#include "app/schema/schema_json.h"
+#include "core/base/file.h"
+#include "core/gltf/json_text.h"
+#include "core/math/finite.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+constexpr double farthestPlace = 1e9; ///< Single precision, which files hold, still tells bones apart there.
+
+Result<std::string> locatorName(const Json& json, const std::string& where) {
+  if (!json.is_object() || !json.contains("name") || !json["name"].is_string()) {
+    return Error{"names no joint", where, R"(give "name", such as "leftUpperArm")"};
+  }
+  const auto name = json["name"].get<std::string>();
+  if (rig::findBipedJoint(name) == nullptr) {
+    return Error{"'" + name + "' is no joint of the plan biped", where,
+                 "give one of VRM's names, such as leftUpperArm, leftLowerArm, leftHand"};
+  }
+  return name;
+}
+
+Status checkLocatorKeys(const Json& json, const std::string& where) {
+  for (const auto& [key, value] : json.items()) {
+    if (key != "name" && key != "position" && key != "orientation" && key != "confidence") {
+      return Error{"'" + key + "' is not a part of a locator", where,
+                   "give name, position, orientation, confidence"};
+    }
+  }
+  return Success{};
+}
+
+Status readConfidence(const Json& json, const std::string& where, double& confidence) {
+  if (!json.is_number() || !(json.get<double>() >= 0.0 && json.get<double>() <= 1.0)) {
+    return Error{json.dump() + " is not a confidence", where + ".confidence", "give a number from 0 to 1"};
+  }
+  confidence = json.get<double>();
+  return Success{};
+}
+
+Status readTurn(const Json& json, const std::string& where, Quat& turn) {
+  const Result<Quat> read = quaternionFromJson(json, where + ".orientation");
+  if (!read) {
+    return read.error();
+  }
+  const double length = glm::length(*read);
+  constexpr double shortest = 1e-6;
+  if (!std::isfinite(length) || length < shortest) {
+    return Error{"the four numbers are no turn", where + ".orientation",
+                 "give a unit quaternion x, y, z, w, or leave it out"};
+  }
+  constexpr double asWritten = 1e-9; // what is written reads back the same, to the last digit
+  turn = std::abs(length - 1.0) < asWritten ? *read : *read / length;
+  return Success{};
+}
+
+Result<rig::Locator> locatorFromJson(const Json& json, const std::string& place) {
+  const Result<std::string> name = locatorName(json, place);
+  if (!name) {
+    return name.error();
+  }
+  rig::Locator locator{.name = *name};
+  if (Status keys = checkLocatorKeys(json, *name); !keys) {
+    return keys.error();
+  }
+  const Result<Vec3> position = vectorFromJson(json.value("position", Json()), *name + ".position");
+  if (!position) {
+    return position.error();
+  }
+  locator.position = *position;
+  if (!isFinite(*position) || glm::length(*position) > farthestPlace) {
+    return Error{"is no place that a file can hold", *name + ".position", "give finite numbers up to 1e9"};
+  }
+  if (json.contains("orientation")) {
+    if (Status read = readTurn(json["orientation"], *name, locator.orientation); !read) {
+      return read.error();
+    }
+  }
+  if (json.contains("confidence")) {
+    if (Status read = readConfidence(json["confidence"], *name, locator.confidence); !read) {
+      return read.error();
+    }
+  }
+  return locator;
+}
+
+Status checkPlan(const Json& json) {
+  if (!json.is_object() || !json.contains("locators") || !json["locators"].is_array()) {
+    return Error{"holds no locators", "", R"(give {"plan": "biped", "locators": [...]})"};
+  }
+  for (const auto& [key, value] : json.items()) {
+    if (key != "plan" && key != "locators") {
+      return Error{"is not a part of a file of locators", key, "give plan and locators"};
+    }
+  }
+  if (json.value("plan", Json("biped")) != "biped") {
+    return Error{json["plan"].dump() + " has no locators", "plan", "give \"biped\""};
+  }
+  return Success{};
+}
+
+// What bones cannot be built from.
+Status checkWhole(const rig::Locators& locators) {
+  if (const std::vector<std::string> missing = rig::missingLocators(locators); !missing.empty()) {
+    return Error{fmt::format("has no locator for {}", fmt::join(missing, ", ")), "locators",
+                 "add them; rig --locators-only writes a whole set"};
+  }
+  for (const rig::Locator& locator : locators.list) {
+    const rig::Locator* const parent = rig::findLocator(locators, rig::parentLocator(locators, locator.name));
+    if (parent != nullptr && parent->position == locator.position) {
+      return Error{"stands where " + parent->name + " stands", locator.name, "move one of the two"};
+    }
+  }
+  return Success{};
+}
+
+} // namespace
+
+Json locatorsToJson(const rig::Locators& locators) {
+  Json json{{"plan", locators.plan}, {"locators", Json::array()}};
+  for (const rig::Locator& locator : locators.list) {
+    json["locators"].push_back({{"name", locator.name},
+                                {"position", vectorToJson(locator.position)},
+                                {"orientation", quaternionToJson(locator.orientation)},
+                                {"confidence", locator.confidence}});
+  }
+  return json;
+}
+
+Result<rig::Locators> locatorsFromJson(const Json& json) {
+  if (Status plan = checkPlan(json); !plan) {
+    return plan.error();
+  }
+  rig::Locators locators;
+  bool hasTurns = false;
+  for (const Json& entry : json["locators"]) {
+    Result<rig::Locator> locator =
+        locatorFromJson(entry, "locators[" + std::to_string(locators.list.size()) + "]");
+    if (!locator) {
+      return locator.error();
+    }
+    if (rig::findLocator(locators, locator->name) != nullptr) {
+      return Error{"comes twice", locator->name, "remove one of the two"};
+    }
+    hasTurns = hasTurns || entry.contains("orientation");
+    locators.list.push_back(std::move(*locator));
+  }
+  if (Status whole = checkWhole(locators); !whole) {
+    return whole.error();
+  }
+  locators = rig::inOrder(std::move(locators));
+  return hasTurns ? locators : rig::alongBones(std::move(locators));
+}
+
+Result<rig::Locators> loadLocators(const std::filesystem::path& path) {
+  const Result<std::string> text = readText(path);
+  if (!text) {
+    return text.error();
+  }
+  const Json json = gltf::parseAnyJson(*text);
+  if (json.is_discarded()) {
+    return Error{"is not JSON", path.string(), "check the file for a missing comma or bracket"};
+  }
+  Result<rig::Locators> locators = locatorsFromJson(json);
+  if (!locators) {
+    const Error& error = locators.error();
+    return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
+  }
+  return locators;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/math/types.h"
+
+namespace stretch::rig {
+
+/// Where one joint of a body plan is to stand, and how it is turned.
+struct Locator {
+  std::string name;   ///< Of the joint: one of bipedJoints().
+  Vec3 position{0.0}; ///< World, in the pose that the mesh has without a skeleton.
+  /// World. +Y along the bone, +Z where the body faces (alongBones); unit length.
+  Quat orientation{1.0, 0.0, 0.0, 0.0};
+  double confidence = 1.0; ///< 0..1: how sure the place is; 1 for what was set by hand.
+
+  friend bool operator==(const Locator&, const Locator&) = default;
+};
+
+/// The locators of a body, in the order of bipedJoints().
+struct Locators {
+  std::string plan = "biped";
+  std::vector<Locator> list;
+
+  [[nodiscard]] bool empty() const { return list.empty(); }
+  friend bool operator==(const Locators&, const Locators&) = default;
+};
+
+/// A joint of the plan "biped", named as VRM's table of humanoid bones names it.
+struct LocatorJoint {
+  std::string_view name;
+  std::string_view parent; ///< Empty for the hips.
+  bool isNeeded = true;    ///< A body may lack the others: its bones go on to the next joint.
+};
+
+/// Parents before their children.
+[[nodiscard]] std::span<const LocatorJoint> bipedJoints();
+
+/// Null when the name is no joint of the plan.
+[[nodiscard]] const LocatorJoint* findBipedJoint(std::string_view name);
+
+/// Null when there is none of this name.
+[[nodiscard]] const Locator* findLocator(const Locators& locators, std::string_view name);
+[[nodiscard]] Locator* findLocator(Locators& locators, std::string_view name);
+
+/// The nearest joint above that has a locator; empty for the topmost.
+[[nodiscard]] std::string_view parentLocator(const Locators& locators, std::string_view name);
+
+/// Names of the joints that the plan needs and that have no locator.
+[[nodiscard]] std::vector<std::string> missingLocators(const Locators& locators);
+
+enum class BodySide { centre, left, right };
+[[nodiscard]] BodySide sideOfLocator(std::string_view name);
+
+/// "leftHand" for "rightHand" and the other way round; the name itself where it has no side.
+[[nodiscard]] std::string mirroredLocator(std::string_view name);
+
+/// Puts the list into the order of bipedJoints().
+[[nodiscard]] Locators inOrder(Locators locators);
+
+/// Turns every locator: +Y along its bone to the next joint (that of a last joint goes on as the bone before
+/// it), +Z as nearly as may be to where the body faces, upwards on feet and toes. +X of an elbow or a knee is
+/// then the axis that it bends about. Bones without length keep the turn that they have.
+[[nodiscard]] Locators alongBones(Locators locators);
+
+/// The same for the named locator and the ones beside it, after it was moved from `before`: each bone that
+/// begins or ends there takes its turn with it by the smallest rotation, so that a turn made by hand stays.
+[[nodiscard]] Locators turnedWithBones(const Locators& before, Locators moved);
+
+} // namespace stretch::rig

@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/base/file.h"
+#include "core/gltf/json_text.h"
+#include "tests/support/app/locator_text.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+
+namespace {
+
+Json& entryOf(Json& json, const std::string& name) {
+  for (Json& entry : json["locators"]) {
+    if (entry["name"] == name) {
+      return entry;
+    }
+  }
+  throw std::runtime_error("no locator " + name);
+}
+
+std::string problemOf(const Json& json) {
+  const Result<rig::Locators> read = locatorsFromJson(json);
+  return read ? std::string() : read.error().line();
+}
+
+bool tells(const Json& json, const std::string& first, const std::string& second) {
+  const std::string line = problemOf(json);
+  INFO(line);
+  CHECK(line.find('\n') == std::string::npos);
+  CHECK(line.find(first) != std::string::npos);
+  CHECK(line.find(second) != std::string::npos);
+  return !line.empty();
+}
+
+} // namespace
+
+TEST_CASE("Locators read back what was written, whatever order they stand in", "[locators]") {
+  Json text = test::locatorText();
+  entryOf(text, "leftHand")["confidence"] = 0.25;
+  const Result<rig::Locators> read = locatorsFromJson(text);
+  REQUIRE(read);
+  CHECK(rig::findLocator(*read, "leftHand")->confidence == 0.25);
+  CHECK(rig::findLocator(*read, "rightHand")->position == Vec3(-0.7, 1.45, 0.0));
+  Json written = locatorsToJson(*read);
+  std::reverse(written["locators"].begin(), written["locators"].end());
+  const Result<rig::Locators> again = locatorsFromJson(written);
+  REQUIRE(again);
+  REQUIRE(again->list.size() == 22);
+  for (const rig::Locator& locator : again->list) {
+    const rig::Locator* const first = rig::findLocator(*read, locator.name);
+    CHECK(locator.position == first->position);
+    CHECK(std::abs(glm::dot(locator.orientation, first->orientation)) == Approx(1.0));
+  }
+  CHECK(again->list.front().name == "hips");
+}
+
+TEST_CASE("What a set of locators lacks or has too much of is told in one line that names it", "[locators]") {
+  const Json whole = test::locatorText();
+  REQUIRE(problemOf(whole).empty());
+  Json json = whole;
+  entryOf(json, "leftHand")["name"] = "leftPaw";
+  CHECK(tells(json, "leftPaw", "no joint"));
+  json = whole;
+  json["locators"].push_back(entryOf(json, "leftHand"));
+  CHECK(tells(json, "leftHand", "twice"));
+  json = whole;
+  json["locators"].erase(7); // leftUpperArm
+  json["locators"].erase(0); // hips
+  CHECK(tells(json, "hips", "leftUpperArm"));
+  json = whole;
+  entryOf(json, "spine")["position"] = {0.0, "high", 0.0};
+  CHECK(tells(json, "spine.position", "three numbers"));
+  json = whole;
+  entryOf(json, "spine")["position"] = {0.0, 1e300, 0.0};
+  CHECK(tells(json, "spine.position", "finite"));
+  json = whole;
+  entryOf(json, "head")["position"] = entryOf(json, "neck")["position"];
+  CHECK(tells(json, "head", "neck"));
+  json = whole;
+  entryOf(json, "spine")["orientation"] = {0.0, 0.0, 0.0, 0.0};
+  CHECK(tells(json, "spine.orientation", "no turn"));
+  json = whole;
+  entryOf(json, "spine")["confidence"] = 2.0;
+  CHECK(tells(json, "spine.confidence", "0 to 1"));
+  json = whole;
+  entryOf(json, "spine")["pose"] = 1;
+  CHECK(tells(json, "spine", "pose"));
+  json = whole;
+  json["plan"] = "quadruped";
+  CHECK(tells(json, "quadruped", "biped"));
+  CHECK(tells(Json::array(), "no locators", "plan"));
+  CHECK(tells(Json{{"locators", 5}}, "no locators", "plan"));
+}
+
+TEST_CASE("A file of locators that is none is told with its name", "[locators]") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "places.json";
+  for (const std::string text : {"{\"plan\": \"biped\", \"locators\": [", "{\"locators\": [{}]}",
+                                 R"({"locators": [{"name": "hips", "position": [1e999, 0, 0]}]})"}) {
+    REQUIRE(writeText(path, text));
+    const Result<rig::Locators> read = loadLocators(path);
+    REQUIRE_FALSE(read);
+    CHECK(read.error().line().find("places.json") != std::string::npos);
+  }
+  CHECK_FALSE(loadLocators(folder.path() / "missing.json"));
+}

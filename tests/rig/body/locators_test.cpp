@@ -1,0 +1,87 @@
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "rig/body/locators.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+
+namespace {
+
+Locators person() {
+  Locators person;
+  const auto add = [&](const std::string& name, const Vec3& position) {
+    person.list.push_back({.name = name, .position = position});
+  };
+  add("hips", {0.0, 1.0, 0.0});
+  add("spine", {0.0, 1.1, 0.0});
+  add("head", {0.0, 1.6, 0.0});
+  for (const auto& [side, sign] : {std::pair{"left", 1.0}, std::pair{"right", -1.0}}) {
+    add(std::string(side) + "UpperArm", {sign * 0.2, 1.4, 0.0});
+    add(std::string(side) + "LowerArm", {sign * 0.5, 1.4, 0.0});
+    add(std::string(side) + "Hand", {sign * 0.8, 1.4, 0.0});
+    add(std::string(side) + "UpperLeg", {sign * 0.1, 0.9, 0.0});
+    add(std::string(side) + "LowerLeg", {sign * 0.1, 0.5, 0.0});
+    add(std::string(side) + "Foot", {sign * 0.1, 0.1, 0.0});
+    add(std::string(side) + "Toes", {sign * 0.1, 0.02, 0.15});
+  }
+  return inOrder(person);
+}
+
+Vec3 axisOf(const Locators& locators, const std::string& name, const Vec3& axis) {
+  return findLocator(locators, name)->orientation * axis;
+}
+
+const Vec3 x(1.0, 0.0, 0.0);
+const Vec3 y(0.0, 1.0, 0.0);
+const Vec3 z(0.0, 0.0, 1.0);
+
+} // namespace
+
+TEST_CASE("A bone goes on to the next joint that the body has", "[locators]") {
+  const Locators body = person();
+  CHECK(parentLocator(body, "leftUpperArm") == "spine"); // no shoulder, no chest
+  CHECK(parentLocator(body, "head") == "spine");
+  CHECK(parentLocator(body, "leftToes") == "leftFoot");
+  CHECK(parentLocator(body, "hips").empty());
+  CHECK(missingLocators(body).empty());
+  Locators lacking = body;
+  std::erase_if(lacking.list, [](const Locator& locator) { return locator.name == "rightHand"; });
+  CHECK(missingLocators(lacking) == std::vector<std::string>{"rightHand"});
+}
+
+TEST_CASE("Locators are turned along their bones and look where the body faces", "[locators]") {
+  const Locators body = alongBones(person());
+  for (const auto& [name, along] :
+       {std::pair{"hips", y}, std::pair{"spine", y}, std::pair{"head", y}, std::pair{"leftUpperArm", x},
+        std::pair{"leftHand", x}, std::pair{"rightLowerArm", -x}, std::pair{"leftUpperLeg", -y}}) {
+    INFO(name);
+    CHECK(glm::dot(axisOf(body, name, y), along) == Approx(1.0));
+    CHECK(glm::dot(axisOf(body, name, z), z) == Approx(1.0));
+  }
+  CHECK(axisOf(body, "leftFoot", z).y > 0.8);
+  // The mirror image: the same bone and facing, the hinge the other way round.
+  CHECK(glm::dot(axisOf(body, "leftLowerArm", x), axisOf(body, "rightLowerArm", x)) == Approx(-1.0));
+}
+
+TEST_CASE("A turn made by hand stays on a bone whose joints are moved", "[locators]") {
+  Locators body = alongBones(person());
+  const Quat twist = axisAngle(y, 0.5);
+  findLocator(body, "leftUpperArm")->orientation = findLocator(body, "leftUpperArm")->orientation * twist;
+  Locators moved = body;
+  findLocator(moved, "leftLowerArm")->position = {0.2, 1.1, 0.0}; // the upper arm now hangs down
+  const Locators turned = turnedWithBones(body, moved);
+  CHECK(glm::dot(axisOf(turned, "leftUpperArm", y), -y) == Approx(1.0));
+  CHECK(glm::dot(axisOf(turned, "leftUpperArm", z), z) == Approx(std::cos(0.5)));
+  CHECK(findLocator(turned, "rightUpperArm")->orientation == findLocator(body, "rightUpperArm")->orientation);
+}
+
+TEST_CASE("Every name with a side has a counterpart", "[locators]") {
+  CHECK(mirroredLocator("leftUpperArm") == "rightUpperArm");
+  CHECK(mirroredLocator("rightToes") == "leftToes");
+  CHECK(mirroredLocator("chest") == "chest");
+  for (const LocatorJoint& joint : bipedJoints()) {
+    CHECK(findBipedJoint(mirroredLocator(joint.name)) != nullptr);
+  }
+}
