@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/anim/frame_state.h"
@@ -22,7 +23,10 @@ struct LimbPlace {
   LimbSide side = LimbSide::middle;
   int row = 0; ///< From front to back, 1 is the first; 0 where the body has one row of the kind.
 
-  friend auto operator<=>(const LimbPlace&, const LimbPlace&) = default;
+  friend bool operator==(const LimbPlace&, const LimbPlace&) = default;
+  friend constexpr auto operator<=>(const LimbPlace& a, const LimbPlace& b) {
+    return std::tuple(a.kind, a.row, a.side) <=> std::tuple(b.kind, b.row, b.side);
+  }
 };
 
 /// The places of a biped's limbs.

@@ -6,6 +6,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
+#include "rig/body/planned_body.h"
 
 namespace stretch::app {
 
@@ -184,6 +185,22 @@ std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
     spheres.push_back({drawn.frames[i], drawn.exaggerated[i]});
   }
   return spheres;
+}
+
+std::vector<std::string> limbsByKey(const Document& document) {
+  std::vector<std::string> ids;
+  const rig::BodyPlan& plan = planOf(document.biped);
+  for (const rig::PlannedLimb& limb : plan.limbs) {
+    if (limb.usual || findLimb(document, limb.id) != nullptr) {
+      ids.push_back(limb.id);
+    }
+  }
+  for (const rig::Limb& limb : document.biped.limbs) {
+    if (plannedLimb(plan, limb.id) == nullptr) {
+      ids.push_back(limb.id);
+    }
+  }
+  return ids;
 }
 
 std::string limbTitle(const Document& document, const std::string& limbId) {

@@ -20,6 +20,7 @@
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
+#include "rig/body/planned_body.h"
 #include "rig/ik/limb_shape.h"
 
 namespace stretch::app {
@@ -321,7 +322,18 @@ Status restoreRates(const Json& rates, Document& document) {
   return Success{};
 }
 
+// Limbs of a plan that the character is not read as by itself were chosen by hand, or kept by a version that
+// knew bipeds only.
+void restorePlan(const Json& work, Document& document) {
+  const std::string kept = work.value("plan", std::string("biped"));
+  const rig::BodyPlan* const plan = rig::planNamed(kept);
+  if (work.contains("limbs") && plan != nullptr && kept != document.biped.plan) {
+    document.biped = rig::bodyAsPlan(*document.scene, *plan);
+  }
+}
+
 Status restoreParts(const Json& work, Document& document) {
+  restorePlan(work, document);
   if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
     return rates;
   }
@@ -392,6 +404,9 @@ Json workOf(const Document& document) {
   // limbs.
   work["limbs"] = limbsToJson(document.biped.limbs);
   work["limbs_corrected"] = document.limbsCorrected;
+  if (document.limbsCorrected || document.biped.plan != "biped") {
+    work["plan"] = document.biped.plan;
+  }
   work["chains"] = limbsToJson(document.chains);
   if (!document.locators.empty()) {
     work["locators"] = locatorsToJson(document.locators);

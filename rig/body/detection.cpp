@@ -8,6 +8,8 @@
 #include "rig/body/height.h"
 #include "rig/body/humanoid.h"
 #include "rig/body/limb_assembly.h"
+#include "rig/body/plan_reading.h"
+#include "rig/body/planned_body.h"
 #include "rig/body/stance.h"
 #include "rig/limb.h"
 
@@ -188,16 +190,93 @@ void warn(const Scene& scene, Finding& finding) {
     }
     return;
   }
+  if (result.plan != "biped" && !result.limbs.empty()) {
+    return;
+  }
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
   result.warnings.push_back(
-      finding.legs > 2
-          ? "this is no biped: it stands on " + legCount(finding.legs) + "; its limbs are only a guess"
-      : result.limbs.empty() && movesMorphTargets(scene)
+      result.limbs.empty() && movesMorphTargets(scene)
           ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
                              : "no complete biped found: check the limbs by hand");
+}
+
+// The joints, else every node that may be one, until `read` answers something.
+template <typename Read>
+auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read) {
+  for (const Candidates candidates : {Candidates::skinJoints, Candidates::nodesNoMeshes}) {
+    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+      continue;
+    }
+    if (auto found = read(viewBody(scene, bindPose, candidates))) {
+      return found;
+    }
+  }
+  return read(viewBody(scene, bindPose, Candidates::allNodes));
+}
+
+void takeReading(PlanReading reading, Finding& finding) {
+  Biped& result = finding.result;
+  result.plan = reading.plan->id;
+  result.planConfidence = reading.confidence;
+  result.planReasons = std::move(reading.reasons);
+  result.limbs = std::move(reading.limbs);
+  result.hips = reading.hips;
+  result.head = reading.head;
+  result.warnings = std::move(reading.warnings);
+  result.isBiped = false;
+}
+
+void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Biped& result = finding.result;
+  result.plan = "other";
+  result.planReasons = {"its limbs are the rows of joints between branchings"};
+  result.isBiped = false;
+  const auto chains = readAnyView(scene, bindPose, [&](const BodyView& view) {
+    std::vector<Limb> found = chainsOfTree(scene, bindPose, view);
+    return found.empty() ? std::nullopt : std::optional(std::move(found));
+  });
+  result.limbs = chains.value_or(std::vector<Limb>{});
+  result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
+}
+
+bool standsUpright(const Finding& finding) {
+  constexpr double leastRise = 0.75; // sine
+  const Vec3& up = finding.bodyUp;
+  return finding.result.isBiped && (up == Vec3(0.0) || std::abs(up.y) >= leastRise * glm::length(up));
+}
+
+// Anything but an upright body on two legs: read as one of the other plans, where one fits.
+void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Biped& result = finding.result;
+  if (standsUpright(finding)) {
+    return;
+  }
+  constexpr double sure = 0.5;
+  std::optional<PlanReading> reading =
+      readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
+  const bool mayBe = reading && (!result.isBiped || reading->plan->legs == 2);
+  if (mayBe && reading->confidence >= sure) {
+    takeReading(std::move(*reading), finding);
+  } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
+    takeChains(scene, bindPose, finding);
+    result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
+                                                           ", and no other plan fits"
+                                                     : "no plan fits");
+  }
+}
+
+void tellBiped(Finding& finding) {
+  Biped& result = finding.result;
+  result.planReasons = {result.isBiped ? "two legs, and arms or a spine, on an upright body"
+                                       : "no plan fits: taken for a biped that is not complete"};
+  double sum = 0.0;
+  for (const Limb& limb : result.limbs) {
+    sum += limb.confidence;
+  }
+  result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -214,11 +293,44 @@ NodeIndex topmost(const Scene& scene, NodeIndex node) {
 Biped detectBiped(const Scene& scene) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
-  body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
+  body::applyHumanoid(finding, table);
+  if (table.limbs.empty()) {
+    body::takePlan(scene, bindPose, finding);
+  }
+  if (finding.result.plan == "biped") {
+    body::tellBiped(finding);
+  }
   body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);
+}
+
+Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+  const body::BindPose bindPose = body::placeBindPose(scene);
+  body::Finding finding = body::findLimbs(scene, bindPose);
+  if (plan.id == "biped") {
+    body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  } else if (plan.id == "other") {
+    body::takeChains(scene, bindPose, finding);
+  } else {
+    const auto reading = body::readAnyView(scene, bindPose, [&](const body::BodyView& view) {
+      body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
+      return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));
+    });
+    finding.result.limbs.clear();
+    finding.result.plan = plan.id;
+    if (reading) {
+      body::takeReading(*reading, finding);
+    }
+  }
+  Biped& result = finding.result;
+  result.warnings.clear();
+  result.planConfidence = 1.0;
+  result.planReasons = {"chosen by hand"};
+  result.height = body::characterHeight(scene, bindPose, body::topmost(scene, result.hips), finding.bodyUp);
+  return std::move(result);
 }
 
 } // namespace stretch::rig

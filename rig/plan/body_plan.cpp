@@ -11,6 +11,14 @@ const std::vector<BodyPlan>& bodyPlans() {
   return plans;
 }
 
+std::string planIds() {
+  std::string ids;
+  for (const BodyPlan& plan : bodyPlans()) {
+    ids += (ids.empty() ? "" : ", ") + plan.id;
+  }
+  return ids;
+}
+
 const BodyPlan* planNamed(std::string_view id) {
   const auto found = std::ranges::find(bodyPlans(), id, &BodyPlan::id);
   return found == bodyPlans().end() ? nullptr : &*found;

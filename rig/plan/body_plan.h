@@ -51,6 +51,9 @@ struct BodyPlan {
 /// All of them, the biped first, `other` last: it has no limbs of its own and fits every body.
 [[nodiscard]] const std::vector<BodyPlan>& bodyPlans();
 
+/// "biped, quadruped, ...".
+[[nodiscard]] std::string planIds();
+
 /// Null when there is none of the id.
 [[nodiscard]] const BodyPlan* planNamed(std::string_view id);
 
