@@ -39,7 +39,7 @@ Status outputWritten() {
 } // namespace
 
 std::vector<Verb> batchVerbs() {
-  return {infoVerb(),   trailVerb(), exaggerateVerb(), poseVerb(),    elasticVerb(),
+  return {infoVerb(),   trailVerb(), exaggerateVerb(), poseVerb(),    elasticVerb(), rigVerb(),
           resaveVerb(), checkVerb(), compressVerb(),   compareVerb(), flattenVerb()};
 }
 

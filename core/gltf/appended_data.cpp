@@ -10,6 +10,8 @@ namespace stretch::gltf {
 namespace {
 
 constexpr int floatType = 5126;
+constexpr int shortType = 5123; // unsigned
+constexpr int vertexTarget = 34962;
 
 Json boundsOf(const std::vector<float>& values, std::size_t width, bool isLeast) {
   Json bounds = Json::array();
@@ -28,38 +30,52 @@ Json boundsOf(const std::vector<float>& values, std::size_t width, bool isLeast)
 std::size_t AppendedData::add(Use use, const char* type, std::size_t width, const std::vector<float>& values,
                               bool withBounds) {
   check(!values.empty() && values.size() % width == 0, "an accessor has whole elements");
+  Json accessor = {{"componentType", floatType}, {"count", values.size() / width}, {"type", type}};
+  if (withBounds) {
+    accessor["min"] = boundsOf(values, width, true);
+    accessor["max"] = boundsOf(values, width, false);
+  }
+  return place(use, values.data(), values.size() * sizeof(float), std::move(accessor));
+}
+
+std::size_t AppendedData::addJoints(const std::vector<std::uint16_t>& joints) {
+  check(!joints.empty() && joints.size() % 4 == 0, "each vertex names four joints");
+  return place(Use::joints, joints.data(), joints.size() * sizeof(std::uint16_t),
+               {{"componentType", shortType}, {"count", joints.size() / 4}, {"type", "VEC4"}});
+}
+
+std::size_t AppendedData::place(Use use, const void* values, std::size_t byteCount, Json accessor) {
   Run& run = runOf(use);
   if (!run.view) {
     run.view = journal_.append(Json::json_pointer("/bufferViews"), Json::object());
   }
   const std::size_t offset = run.bytes.size();
-  run.bytes.resize(offset + values.size() * sizeof(float));
-  std::memcpy(run.bytes.data() + offset, values.data(), values.size() * sizeof(float));
-  Json accessor = {{"bufferView", *run.view},
-                   {"byteOffset", offset},
-                   {"componentType", floatType},
-                   {"count", values.size() / width},
-                   {"type", type}};
-  if (withBounds) {
-    accessor["min"] = boundsOf(values, width, true);
-    accessor["max"] = boundsOf(values, width, false);
-  }
-  return journal_.append(Json::json_pointer("/accessors"), std::move(accessor));
+  run.bytes.resize(offset + byteCount);
+  std::memcpy(run.bytes.data() + offset, values, byteCount);
+  Json placed = {{"bufferView", *run.view}, {"byteOffset", offset}};
+  placed.update(accessor);
+  return journal_.append(Json::json_pointer("/accessors"), std::move(placed));
 }
 
-void AppendedData::complete(const Run& run, Bytes& all) {
+void AppendedData::complete(Use use, Bytes& all) {
+  const Run& run = runOf(use);
   if (!run.view) {
     return;
   }
   Json view = {{"buffer", buffer_}, {"byteOffset", start_ + all.size()}, {"byteLength", run.bytes.size()}};
+  if (use == Use::joints || use == Use::weights) {
+    view["byteStride"] = 4 * (use == Use::joints ? sizeof(std::uint16_t) : sizeof(float));
+    view["target"] = vertexTarget;
+  }
   journal_.set(Json::json_pointer("/bufferViews") / *run.view, std::move(view));
   all.insert(all.end(), run.bytes.begin(), run.bytes.end());
 }
 
 Bytes AppendedData::finish() {
   Bytes all;
-  complete(animation_, all);
-  complete(inverseBind_, all);
+  for (const Use use : {Use::animation, Use::inverseBind, Use::joints, Use::weights}) {
+    complete(use, all);
+  }
   return all;
 }
 

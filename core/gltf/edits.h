@@ -28,6 +28,25 @@ struct SkinSlot {
   Mat4 inverseBind; ///< Its inverse bind matrix.
 };
 
+/// A skin that saving appends. Its index is the number of skins of the source plus its position in
+/// Edits::addedSkins.
+struct AddedSkin {
+  std::string name;
+  std::vector<NodeIndex> joints; ///< Of the source, or added nodes; at least one.
+  std::vector<Mat4> inverseBind; ///< One for each joint.
+};
+
+/// A node whose mesh is bound to a skin. The attributes JOINTS_0 and WEIGHTS_0 of its primitives point to new
+/// accessors, sets beyond the first go. A mesh that nodes show which are not bound, or bound in another way,
+/// is left to them: the node gets a copy, which shares every other accessor.
+struct BoundMesh {
+  NodeIndex node; ///< Of the source; holds a mesh.
+  int skin = -1;  ///< Of the source or added.
+  /// For each primitive of Mesh::primitives (core/scene/scene.h) one entry a vertex; the first four slots
+  /// count. Points and lines, which are not among those, follow the skin's first joint.
+  std::vector<std::vector<VertexInfluences>> influences;
+};
+
 /// Tracks of one clip that replace those of the source with the same (node, channel), or are new. Each gets
 /// accessors of its own: nothing that another channel or clip shares is changed in place. Tracks with equal
 /// times share one input.
@@ -44,12 +63,15 @@ struct Edits {
   std::vector<AddedFile> addedFiles; ///< Their nodes come behind those of the source, before addedNodes.
   std::vector<AddedNode> addedNodes;
   std::vector<SkinSlot> skinSlots;
+  std::vector<AddedSkin> addedSkins;
+  std::vector<BoundMesh> boundMeshes;
   std::vector<ClipTracks> clips;
   JsonDocument work; ///< The program's own data, kept in root extras beside what restores the source. Null:
                      ///< none (a clean file).
 
   [[nodiscard]] bool empty() const {
-    return addedFiles.empty() && addedNodes.empty() && skinSlots.empty() && clips.empty() && work.isNull();
+    return addedFiles.empty() && addedNodes.empty() && skinSlots.empty() && addedSkins.empty() &&
+           boundMeshes.empty() && clips.empty() && work.isNull();
   }
 };
 

@@ -67,6 +67,7 @@ Result<Source> patched(const Source& source, const Edits& edits) {
     const std::optional<PlainSource> plain = withPlainViews(base, known);
     patchSkins(plain ? plain->source : base, edits.skinSlots, journal, data);
   }
+  patchBinding(edits, journal, data);
   patchClips(edits.clips, journal, data);
   const Bytes ofEdits = data.finish();
   bytes.insert(bytes.end(), ofEdits.begin(), ofEdits.end());

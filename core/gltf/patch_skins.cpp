@@ -13,8 +13,6 @@ namespace {
 
 using Pointer = Json::json_pointer;
 
-constexpr std::size_t matrixSize = 16;
-
 // The matrices of a skin as the file has them, identity where it has none.
 std::vector<float> inverseBindNumbers(const Source& source, const Json& skin) {
   const std::size_t joints = sizeOf(skin, "joints");
@@ -26,15 +24,6 @@ std::vector<float> inverseBindNumbers(const Source& source, const Json& skin) {
     numbers[i] = i % matrixSize % 5 == 0 ? 1.0F : 0.0F; // the diagonal
   }
   return numbers;
-}
-
-void store(const Mat4& matrix, float* numbers) {
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      numbers[column * 4 + row] = static_cast<float>(matrix[column][row]);
-    }
-    numbers[column * 4 + 3] = column == 3 ? 1.0F : 0.0F;
-  }
 }
 
 // The skin keeps the joints that lose their slots, behind the others, where no vertex names them: importers
@@ -49,6 +38,15 @@ void keepJoint(std::size_t skin, std::size_t slot, const Json& joint, std::vecto
 }
 
 } // namespace
+
+void store(const Mat4& matrix, float* numbers) {
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      numbers[column * 4 + row] = static_cast<float>(matrix[column][row]);
+    }
+    numbers[column * 4 + 3] = column == 3 ? 1.0F : 0.0F;
+  }
+}
 
 void patchSkins(const Source& source, const std::vector<SkinSlot>& slots, Journal& journal,
                 AppendedData& data) {

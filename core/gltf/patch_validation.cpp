@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/gltf/fields.h"
+#include "core/gltf/import.h"
 #include "core/gltf/json.h"
 #include "core/gltf/patch_parts.h"
 #include "core/math/finite.h"
@@ -58,6 +59,68 @@ Status validateSlots(const Json& json, const Edits& edits) {
   return Success{};
 }
 
+Status validateSkins(const Json& json, const Edits& edits) {
+  const std::size_t nodes = sizeOf(json, "nodes") + edits.addedNodes.size();
+  for (const AddedSkin& skin : edits.addedSkins) {
+    const bool isSound = !skin.joints.empty() && skin.joints.size() == skin.inverseBind.size() &&
+                         std::all_of(skin.joints.begin(), skin.joints.end(),
+                                     [&](NodeIndex joint) { return isIndex(joint.value, nodes); }) &&
+                         std::all_of(skin.inverseBind.begin(), skin.inverseBind.end(),
+                                     [](const Mat4& matrix) { return isFinite(matrix); });
+    if (!isSound) {
+      return unfit(fmt::format("added skin '{}'", skin.name));
+    }
+  }
+  return Success{};
+}
+
+std::size_t jointCount(const Json& json, const Edits& edits, int skin) {
+  const auto index = static_cast<std::size_t>(skin);
+  const std::size_t ofSource = sizeOf(json, "skins");
+  return index < ofSource ? sizeOf(element(json, "skins", index), "joints")
+                          : edits.addedSkins[index - ofSource].joints.size();
+}
+
+bool nameJoints(const std::vector<VertexInfluences>& vertices, std::size_t joints) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](const VertexInfluences& vertex) {
+    return std::all_of(vertex.joints.begin(), vertex.joints.end(),
+                       [&](std::uint16_t joint) { return joint < joints; }) &&
+           std::all_of(vertex.weights.begin(), vertex.weights.end(),
+                       [](float weight) { return std::isfinite(weight); });
+  });
+}
+
+bool fitsMesh(const Json& json, const Json& mesh, std::size_t joints, const BoundMesh& bound) {
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < sizeOf(mesh, "primitives"); ++i) {
+    const Json& primitive = element(mesh, "primitives", i);
+    if (!holdsTriangles(primitive)) {
+      continue;
+    }
+    const auto accessor = static_cast<std::size_t>(indexOr(*find(primitive, "attributes"), "POSITION"));
+    if (shown == bound.influences.size() || !nameJoints(bound.influences[shown], joints) ||
+        bound.influences[shown].size() != wholeOr(element(json, "accessors", accessor), "count", 0)) {
+      return false;
+    }
+    ++shown;
+  }
+  return shown == bound.influences.size();
+}
+
+Status validateBound(const Json& json, const Edits& edits) {
+  const std::size_t skins = sizeOf(json, "skins") + edits.addedSkins.size();
+  for (const BoundMesh& bound : edits.boundMeshes) {
+    const bool isThere = isIndex(bound.node.value, sizeOf(json, "nodes")) && isIndex(bound.skin, skins);
+    const int mesh = isThere ? indexOr(element(json, "nodes", at(bound.node)), "mesh") : -1;
+    if (!isIndex(mesh, sizeOf(json, "meshes")) ||
+        !fitsMesh(json, element(json, "meshes", static_cast<std::size_t>(mesh)),
+                  jointCount(json, edits, bound.skin), bound)) {
+      return unfit(fmt::format("the binding of node {}", bound.node.value));
+    }
+  }
+  return Success{};
+}
+
 bool isWellFormed(const Track& track) {
   const std::size_t perKey = track.interpolation == Interpolation::cubicSpline ? 3 : 1;
   const int vectorWidth = track.channel == Channel::rotation ? 4 : 3;
@@ -88,7 +151,8 @@ Status validateClips(const Json& json, const Edits& edits) {
 
 Status validateEdits(const Source& source, const Edits& edits) {
   for (const Status& status : {validateNodes(source.json, edits.addedNodes),
-                               validateSlots(source.json, edits), validateClips(source.json, edits)}) {
+                               validateSlots(source.json, edits), validateSkins(source.json, edits),
+                               validateBound(source.json, edits), validateClips(source.json, edits)}) {
     if (!status) {
       return status;
     }

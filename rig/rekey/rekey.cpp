@@ -79,10 +79,20 @@ std::vector<KeyWindow> windowsOfStretch(NodeIndex node, const std::vector<PartKe
   return merged(std::move(pieces));
 }
 
-bool hasTrack(const std::vector<Track>& tracks, const ChangedChannel& channel) {
-  return std::any_of(tracks.begin(), tracks.end(), [&](const Track& track) {
-    return track.node == channel.node && track.channel == channel.channel;
-  });
+// Each property that a part changes, once.
+std::vector<ChannelKeys> keysOfChannels(const std::vector<PartKeys>& parts) {
+  std::vector<ChannelKeys> channels;
+  for (const PartKeys& keys : parts) {
+    for (const ChangedChannel& channel : keys.channels) {
+      const bool isKnown = std::any_of(channels.begin(), channels.end(), [&](const ChannelKeys& known) {
+        return known.channel.node == channel.node && known.channel.channel == channel.channel;
+      });
+      if (!isKnown) {
+        channels.push_back(keysOfChannel(channel, parts));
+      }
+    }
+  }
+  return channels;
 }
 
 } // namespace
@@ -98,13 +108,7 @@ RekeyedClip rekey(const Scene& scene, const Clip& clip, const MotionState& motio
     keysOfParts.push_back(chooseKeys(exact, part, frames, options));
   }
   RekeyedClip rekeyed;
-  for (const PartKeys& keys : keysOfParts) {
-    for (const ChangedChannel& channel : keys.channels) {
-      if (!hasTrack(rekeyed.tracks, channel)) {
-        rekeyed.tracks.push_back(buildTrack(exact, keysOfChannel(channel, keysOfParts)));
-      }
-    }
-  }
+  rekeyed.tracks = buildTracks(exact, keysOfChannels(keysOfParts));
   for (const auto& [node, ofNode] : frames) {
     const std::vector<KeyWindow> windows = windowsOfStretch(node, keysOfParts);
     if (!windows.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -58,25 +59,79 @@ Vec4 exactValue(ExactMotion& exact, const ChangedChannel& channel, double time) 
   return channelValue(exact.at(time).pose, channel.node, channel.channel);
 }
 
-// Keys of a window as the exact motion has them; each span of a cubic gets the tangents that follow it.
-std::vector<Key> exactKeys(ExactMotion& exact, const ChangedChannel& channel,
-                           const std::vector<double>& times) {
-  std::vector<Key> keys;
-  for (const double time : times) {
+// Keys of a window as the exact motion has them, made one after the other; each span of a cubic gets the
+// tangents that follow it.
+class WindowKeys {
+public:
+  WindowKeys(const ChangedChannel& channel, const std::vector<double>& times)
+      : channel_(&channel), times_(&times) {}
+
+  void makeUpTo(double time, ExactMotion& exact) {
+    while (keys_.size() < times_->size() && (*times_)[keys_.size()] <= time) {
+      makeNext(exact);
+    }
+  }
+  [[nodiscard]] std::vector<Key> take() { return std::move(keys_); }
+
+private:
+  void makeNext(ExactMotion& exact) {
+    const std::size_t i = keys_.size();
     Key key;
-    key.time = static_cast<float>(time);
-    key.value = exactValue(exact, channel, time);
-    keys.push_back(key);
+    key.time = static_cast<float>((*times_)[i]);
+    key.value = exactValue(exact, *channel_, (*times_)[i]);
+    keys_.push_back(key);
+    if (i > 0) {
+      const ChannelSpan span = fitSpan(exact, *channel_, (*times_)[i - 1], (*times_)[i]);
+      // The span is told on the hemisphere of its start; the key there may already stand on the other one.
+      const double side = glm::dot(span.start, keys_[i - 1].value) < 0.0 ? -1.0 : 1.0;
+      keys_[i - 1].outTangent = side * span.outTangent;
+      keys_[i].inTangent = side * span.inTangent;
+      keys_[i].value = side * span.end;
+    }
   }
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    const ChannelSpan span = fitSpan(exact, channel, times[i - 1], times[i]);
-    // The span is told on the hemisphere of its start; the key there may already stand on the other one.
-    const double side = glm::dot(span.start, keys[i - 1].value) < 0.0 ? -1.0 : 1.0;
-    keys[i - 1].outTangent = side * span.outTangent;
-    keys[i].inTangent = side * span.inTangent;
-    keys[i].value = side * span.end;
+
+  const ChangedChannel* channel_;
+  const std::vector<double>* times_;
+  std::vector<Key> keys_;
+};
+
+// Where all channels stop for each other: a long clip's frames are made once for all of them, since those
+// between two stops are few enough to be remembered.
+std::vector<double> stopsOf(const std::vector<ChannelKeys>& channels) {
+  constexpr std::size_t keysBetween = 64;
+  std::vector<double> times;
+  for (const ChannelKeys& keys : channels) {
+    for (const KeyWindow& window : keys.windows) {
+      times.insert(times.end(), window.times.begin(), window.times.end());
+    }
   }
-  return keys;
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<double> stops;
+  for (std::size_t i = keysBetween; i < times.size(); i += keysBetween) {
+    stops.push_back(times[i]);
+  }
+  stops.push_back(std::numeric_limits<double>::infinity());
+  return stops;
+}
+
+// For each channel, for each of its windows.
+std::vector<std::vector<WindowKeys>> exactKeys(ExactMotion& exact, const std::vector<ChannelKeys>& channels) {
+  std::vector<std::vector<WindowKeys>> made;
+  for (const ChannelKeys& keys : channels) {
+    std::vector<WindowKeys>& windows = made.emplace_back();
+    for (const KeyWindow& window : keys.windows) {
+      windows.emplace_back(keys.channel, window.times);
+    }
+  }
+  for (const double stop : stopsOf(channels)) {
+    for (std::vector<WindowKeys>& windows : made) {
+      for (WindowKeys& window : windows) {
+        window.makeUpTo(stop, exact);
+      }
+    }
+  }
+  return made;
 }
 
 // At the border of a window the curve outside is the source's: its tangent there, and its own value where it
@@ -156,9 +211,9 @@ void addRest(ExactMotion& exact, const ChangedChannel& channel, float time, std:
   out.push_back(key);
 }
 
-void addWindowKeys(ExactMotion& exact, const ChannelKeys& keys, std::size_t index, std::vector<Key>& out) {
+void addWindowKeys(ExactMotion& exact, const ChannelKeys& keys, std::size_t index, std::vector<Key> inside,
+                   std::vector<Key>& out) {
   const Window& window = keys.windows[index].window;
-  std::vector<Key> inside = exactKeys(exact, keys.channel, keys.windows[index].times);
   addBorder(keys, index, -1, inside.front(), out);
   addBorder(keys, index, 1, inside.back(), out);
   if (keys.channel.source == nullptr && window.jumpsBefore) {
@@ -196,12 +251,10 @@ void append(const Vec4& numbers, std::size_t width, std::vector<float>& out) {
   }
 }
 
-} // namespace
-
-Track buildTrack(ExactMotion& exact, const ChannelKeys& keys) {
+Track buildTrack(ExactMotion& exact, const ChannelKeys& keys, std::vector<WindowKeys>& inside) {
   std::vector<Key> all;
   for (std::size_t i = 0; i < keys.windows.size(); ++i) {
-    addWindowKeys(exact, keys, i, all);
+    addWindowKeys(exact, keys, i, inside[i].take(), all);
   }
   addOutsideKeys(keys, all);
   sortUnique(all);
@@ -226,6 +279,18 @@ Track buildTrack(ExactMotion& exact, const ChannelKeys& keys) {
     }
   }
   return track;
+}
+
+} // namespace
+
+std::vector<Track> buildTracks(ExactMotion& exact, const std::vector<ChannelKeys>& channels) {
+  std::vector<std::vector<WindowKeys>> inside = exactKeys(exact, channels);
+  std::vector<Track> tracks;
+  tracks.reserve(channels.size());
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    tracks.push_back(buildTrack(exact, channels[i], inside[i]));
+  }
+  return tracks;
 }
 
 } // namespace stretch::rig

@@ -18,7 +18,8 @@ struct ChannelKeys {
   std::vector<KeyWindow> windows; ///< Disjoint, ascending.
 };
 
-/// The whole track: keys of the source outside the windows bit for bit, the exact motion inside.
-[[nodiscard]] Track buildTrack(ExactMotion& exact, const ChannelKeys& keys);
+/// The whole tracks, one for each channel: keys of the source outside the windows bit for bit, the exact
+/// motion inside.
+[[nodiscard]] std::vector<Track> buildTracks(ExactMotion& exact, const std::vector<ChannelKeys>& channels);
 
 } // namespace stretch::rig

@@ -140,5 +140,6 @@ TEST_CASE("A character without a clip is not told as a fault of the recipe") {
   still.clips = std::make_shared<const std::vector<Clip>>();
   const Result<Recipe> recipe = loadRecipe(folder.write("punch.json", punchRecipe().dump()), still);
   REQUIRE_FALSE(recipe);
-  CHECK(recipe.error().line() == "boxer.glb: animations: the file holds no clip; give a file with an animation");
+  CHECK(recipe.error().line() ==
+        "boxer.glb: animations: the file holds no clip; give a file with an animation");
 }

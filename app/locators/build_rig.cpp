@@ -1,0 +1,170 @@
+#include "app/locators/build_rig.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include <fmt/ranges.h>
+#include <glm/geometric.hpp>
+
+#include "app/edits/limb_edits.h"
+#include "app/edits/prop_file_edits.h"
+#include "app/locators/fit_locators.h"
+#include "core/gltf/added_file.h"
+#include "core/gltf/added_skeleton.h"
+#include "core/gltf/edits.h"
+#include "rig/body/limb_assembly.h"
+#include "skinning/linear_blend_skinning.h"
+
+namespace stretch::app {
+
+namespace {
+
+std::vector<gltf::SkeletonJoint> jointsAt(const rig::Locators& locators) {
+  std::vector<gltf::SkeletonJoint> joints;
+  std::map<std::string, int, std::less<>> places;
+  for (const rig::Locator& locator : rig::inOrder(locators).list) {
+    const std::string_view parent = rig::parentLocator(locators, locator.name);
+    places[locator.name] = static_cast<int>(joints.size());
+    joints.push_back({locator.name, parent.empty() ? -1 : places.find(parent)->second, locator.position,
+                      locator.orientation});
+  }
+  return joints;
+}
+
+// Nodes, and a skin that names them as joints: no mesh uses it yet.
+gltf::Edits skeletonAt(const Scene& scene, const rig::Locators& locators) {
+  const NodeIndex carrier = gltf::carrierOfSkeleton(scene, skinning::drawnMeshNodes(scene));
+  const std::vector<gltf::SkeletonJoint> joints = jointsAt(locators);
+  gltf::Edits edits;
+  edits.addedNodes = gltf::skeletonNodes(scene, joints, carrier);
+  gltf::AddedSkin skin;
+  for (const Mat4& world : gltf::skeletonWorlds(scene, joints, carrier)) {
+    skin.joints.emplace_back(scene.nodes.size() + skin.joints.size());
+    skin.inverseBind.push_back(glm::inverse(world));
+  }
+  edits.addedSkins.push_back(std::move(skin));
+  return edits;
+}
+
+Status checkUnrigged(const Document& document, const rig::Locators& locators) {
+  if (const std::vector<std::string> missing = rig::missingLocators(locators); !missing.empty()) {
+    return Error{fmt::format("there is no locator for {}", fmt::join(missing, ", ")), "", "set it by hand"};
+  }
+  if (document.biped.isBiped) {
+    return Error{"the character has a skeleton already", "", "locators correct its limbs; no joint is made"};
+  }
+  if (!document.addedFiles.empty()) {
+    return Error{"props from other files are added to it", "", "build the rig before props are added"};
+  }
+  return Success{};
+}
+
+// The limbs that locators correct, with the locators of their base, middle and end.
+struct CorrectedLimb {
+  const char* id;
+  std::array<const char*, 3> locators;
+};
+
+constexpr std::array correctedLimbs = std::to_array<CorrectedLimb>({
+    {"left-arm", {"leftUpperArm", "leftLowerArm", "leftHand"}},
+    {"right-arm", {"rightUpperArm", "rightLowerArm", "rightHand"}},
+    {"left-leg", {"leftUpperLeg", "leftLowerLeg", "leftFoot"}},
+    {"right-leg", {"rightUpperLeg", "rightLowerLeg", "rightFoot"}},
+});
+
+bool isMoved(const rig::Locators& before, const rig::Locators& after, const CorrectedLimb& limb,
+             double height) {
+  constexpr double least = 0.005; // of the height
+  return std::ranges::any_of(limb.locators, [&](const char* name) {
+    const rig::Locator* const from = rig::findLocator(before, name);
+    const rig::Locator* const to = rig::findLocator(after, name);
+    return from != nullptr && to != nullptr && glm::distance(from->position, to->position) > least * height;
+  });
+}
+
+NodeIndex nearestJoint(const Scene& scene, const std::vector<Mat4>& worlds, const Vec3& place) {
+  const std::set<NodeIndex> skinned = skinJoints(scene);
+  NodeIndex nearest;
+  double distance = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const NodeIndex node(i);
+    const double away = glm::distance(positionOf(worlds[i]), place);
+    if ((skinned.empty() || skinned.contains(node)) && !scene.nodes[i].isBindLeaf && away < distance) {
+      nearest = node;
+      distance = away;
+    }
+  }
+  return nearest;
+}
+
+Result<Document> withLimbAt(const Document& document, const rig::Locators& locators,
+                            const CorrectedLimb& corrected) {
+  const Scene& scene = *document.scene;
+  const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
+  std::vector<NodeIndex> nodes;
+  for (const char* name : corrected.locators) {
+    nodes.push_back(nearestJoint(scene, worlds, rig::findLocator(locators, name)->position));
+    const bool isBelow = nodes.size() < 2 || (nodes.back() != nodes[nodes.size() - 2] &&
+                                              isAncestorOrSelf(scene, nodes[nodes.size() - 2], nodes.back()));
+    if (!isBelow) {
+      return Error{fmt::format("the joint nearest to it, {}, does not hang on {}",
+                               scene.nodes[at(nodes.back())].name,
+                               scene.nodes[at(nodes[nodes.size() - 2])].name),
+                   name, "move the locator to a joint of the limb"};
+    }
+  }
+  const rig::Limb* const limb = findLimb(document, corrected.id);
+  return correctLimb(document, rig::body::makeLimb(
+                                   limb->kind, {nodes[0], nodes[1]},
+                                   {.node = nodes[2], .position = positionOf(worlds[at(nodes[2])])}, worlds));
+}
+
+} // namespace
+
+Result<Document> withRigAt(const Document& document, const rig::Locators& locators) {
+  if (Status possible = checkUnrigged(document, locators); !possible) {
+    return possible.error();
+  }
+  const Scene& scene = *document.scene;
+  Result<gltf::Source> source = gltf::patched(*document.source, skeletonAt(scene, locators));
+  if (!source) {
+    return source.error();
+  }
+  Result<std::shared_ptr<const Scene>> rigged = gltf::sceneWith(*source, {});
+  if (!rigged) {
+    return rigged.error();
+  }
+  Document built = document;
+  built.source = std::make_shared<const gltf::Source>(std::move(source).value());
+  built.scene = std::move(rigged).value();
+  built.locators = locators;
+  built.biped = bodyOfSource(built);
+  return built;
+}
+
+Result<Document> withLimbsAt(const Document& document, const rig::Locators& locators) {
+  const Result<FittedLocators> found = fitLocators(document);
+  if (!found) {
+    return found.error();
+  }
+  Document corrected = document;
+  for (const CorrectedLimb& limb : correctedLimbs) {
+    if (findLimb(document, limb.id) == nullptr ||
+        !isMoved(found->locators, locators, limb, document.biped.height)) {
+      continue;
+    }
+    Result<Document> next = withLimbAt(corrected, locators, limb);
+    if (!next) {
+      return next.error();
+    }
+    corrected = std::move(*next);
+  }
+  return corrected;
+}
+
+} // namespace stretch::app

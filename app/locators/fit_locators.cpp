@@ -1,0 +1,160 @@
+#include "app/locators/fit_locators.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "core/anim/sampling.h"
+#include "rig/body/detection.h"
+#include "skinning/linear_blend_skinning.h"
+#include "skinning/locate/fit_biped.h"
+
+namespace stretch::app {
+
+namespace {
+
+constexpr double unsureBelow = 0.5;
+constexpr double guess = 0.2;
+
+struct MeshesInWorld {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+};
+
+MeshesInWorld meshesAtRest(const Scene& scene) {
+  const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
+  MeshesInWorld meshes;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+      const auto first = static_cast<std::uint32_t>(meshes.positions.size());
+      for (const glm::vec3& position : primitive.positions) {
+        meshes.positions.push_back(transformPoint(worlds[at(node)], Vec3(position)));
+      }
+      for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        meshes.triangles.push_back({first + primitive.indices[i], first + primitive.indices[i + 1],
+                                    first + primitive.indices[i + 2]});
+      }
+    }
+  }
+  return meshes;
+}
+
+Result<FittedLocators> ofMeshes(const Scene& scene) {
+  const MeshesInWorld meshes = meshesAtRest(scene);
+  Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles);
+  if (!fitted) {
+    return fitted.error();
+  }
+  FittedLocators result;
+  for (const skinning::FittedJoint& joint : fitted->joints) {
+    result.locators.list.push_back(
+        {.name = joint.name, .position = joint.position, .confidence = joint.confidence});
+  }
+  result.locators = rig::alongBones(rig::inOrder(std::move(result.locators)));
+  result.warnings = std::move(fitted->warnings);
+  return result;
+}
+
+// Collects locators at the joints of limbs.
+class LimbLocators {
+public:
+  explicit LimbLocators(const Document& document)
+      : document_(document), worlds_(rig::bindPoseWorlds(*document.scene)) {}
+
+  void add(const std::string& name, const Vec3& place, double confidence) {
+    locators_.list.push_back({.name = name, .position = place, .confidence = confidence});
+  }
+  void addNode(const std::string& name, NodeIndex node) {
+    if (node.exists()) {
+      add(name, positionOf(worlds_[at(node)]), 1.0);
+    }
+  }
+  // An arm or a leg: base, middle, end. One of a single bone gets its middle halfway.
+  void addLimb(const std::string& id, const std::array<std::string, 3>& names) {
+    if (const rig::Limb* const limb = findLimb(document_, id)) {
+      const std::vector<Vec3> points = rig::limbPoints(*limb, worlds_);
+      const bool isBent = points.size() > 2;
+      add(names[0], points.front(), limb->confidence);
+      add(names[1], isBent ? points[1] : glm::mix(points.front(), points.back(), 0.5),
+          isBent ? limb->confidence : guess);
+      add(names[2], points.back(), limb->endNode.exists() ? limb->confidence : guess);
+    }
+  }
+  void addTrunk() {
+    addNode("hips", document_.biped.hips);
+    if (const rig::Limb* const spine = findLimb(document_, "spine")) {
+      const std::array<std::string, 3> names{"spine", "chest", "upperChest"};
+      const std::size_t count = std::min(spine->joints.size(), names.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        if (spine->joints[i] != document_.biped.hips) {
+          addNode(names[i], spine->joints[i]);
+        }
+      }
+    }
+    if (const rig::Limb* const neck = findLimb(document_, "neck")) {
+      addNode("neck", neck->joints.front());
+    }
+    addNode("head", document_.biped.head);
+  }
+  // What the plan needs and the skeleton lacks, between what there is.
+  void complete() {
+    const double height = document_.biped.height;
+    const auto placeOf = [&](const char* name, const Vec3& otherwise) {
+      const rig::Locator* const locator = rig::findLocator(locators_, name);
+      return locator == nullptr ? otherwise : locator->position;
+    };
+    const Vec3 hips = placeOf("hips", 0.5 * (placeOf("leftUpperLeg", {}) + placeOf("rightUpperLeg", {})));
+    const Vec3 shoulders = 0.5 * (placeOf("leftUpperArm", {}) + placeOf("rightUpperArm", {}));
+    for (const auto& [name, place] :
+         {std::pair{"hips", hips}, std::pair{"spine", glm::mix(hips, shoulders, 0.2)},
+          std::pair{"head", shoulders + Vec3(0.0, 0.08 * height, 0.0)}}) {
+      if (rig::findLocator(locators_, name) == nullptr) {
+        add(name, place, guess);
+      }
+    }
+  }
+  [[nodiscard]] rig::Locators made() const { return rig::alongBones(rig::inOrder(locators_)); }
+
+private:
+  const Document& document_;
+  std::vector<Mat4> worlds_;
+  rig::Locators locators_;
+};
+
+Result<FittedLocators> ofLimbs(const Document& document) {
+  LimbLocators locators(document);
+  for (const std::string side : {"left", "right"}) {
+    locators.addLimb(side + "-arm", {side + "UpperArm", side + "LowerArm", side + "Hand"});
+    locators.addLimb(side + "-leg", {side + "UpperLeg", side + "LowerLeg", side + "Foot"});
+  }
+  locators.addTrunk();
+  locators.complete();
+  return FittedLocators{locators.made(), true, {}};
+}
+
+} // namespace
+
+Result<FittedLocators> fitLocators(const Document& document) {
+  if (document.biped.isBiped) {
+    return ofLimbs(document);
+  }
+  if (!document.scene->skins.empty()) {
+    return Error{"the file has a skeleton in which no biped is found", "",
+                 "correct its limbs in the editor, or give a mesh without a skeleton"};
+  }
+  return ofMeshes(*document.scene);
+}
+
+std::vector<std::string> unsureLocators(const rig::Locators& locators) {
+  std::vector<std::string> unsure;
+  for (const rig::Locator& locator : locators.list) {
+    if (locator.confidence < unsureBelow) {
+      unsure.push_back(locator.name);
+    }
+  }
+  return unsure;
+}
+
+} // namespace stretch::app

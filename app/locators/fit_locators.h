@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/base/result.h"
+#include "rig/body/locators.h"
+
+namespace stretch::app {
+
+struct FittedLocators {
+  rig::Locators locators;
+  bool isOfSkeleton = false;         ///< They stand at the limbs that were found: no joint is to be made.
+  std::vector<std::string> warnings; ///< One line each: what could not be told, and what to set by hand.
+};
+
+/// Locators at the limbs of the character where it has a skeleton, else fitted to its meshes as they stand
+/// (docs/from_a_mesh.md, Locators). Error, one line: a skeleton that is no biped's, what fitBiped refuses.
+[[nodiscard]] Result<FittedLocators> fitLocators(const Document& document);
+
+/// Names of the locators that are guessed rather than found.
+[[nodiscard]] std::vector<std::string> unsureLocators(const rig::Locators& locators);
+
+} // namespace stretch::app

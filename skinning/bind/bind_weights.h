@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "skinning/bind/bone_lines.h"
+#include "skinning/skinned_sequence.h"
+
+namespace stretch::skinning {
+
+struct BindSettings {
+  int cubesAlong = 110;  ///< Along the longest side of the mesh's box.
+  double blend = 0.6;    ///< How far two bones share the mesh about their border, in radii of the body there.
+  double sections = 0.1; ///< How much a bone's radius counts against a thinner one's (boneRegions).
+};
+
+/// Skin weights of a body that was never bound, by the way inside it (after O. Dionne and M. de Lasa,
+/// "Geodesic Voxel Binding for Production Character Meshes", 2013): the body is filled with cubes, each goes
+/// to the bone that is nearest to it inside, borders between two bones are blended over a part of the body's
+/// thickness there, and shells that hold one bone follow it as one piece. At most four weights for each
+/// vertex, sum 1. Space of the mesh; any triangles will do (voxelBody). Error: no joints, no triangles, more
+/// joints than weights can name.
+[[nodiscard]] Result<std::vector<Influences>> bindWeights(std::span<const glm::vec3> positions,
+                                                          const std::vector<Triangle>& triangles,
+                                                          const std::vector<BindJoint>& joints,
+                                                          const BindSettings& settings = {});
+
+} // namespace stretch::skinning

@@ -1,0 +1,94 @@
+#include "skinning/bind/bone_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stretch::skinning {
+
+namespace {
+
+// How far a line runs inside the body, from a point on.
+double lengthInside(const VoxelBody& body, const Vec3& start, const Vec3& direction, double most) {
+  double length = 0.0;
+  while (length < most && body.cellAt[body.grid.indexOf(body.grid.placeOf(start + direction * length))] !=
+                              VoxelBody::outside) {
+    length += 0.5 * body.grid.size;
+  }
+  return length;
+}
+
+// Where the bone of a last joint ends.
+Vec3 endOf(const VoxelBody& body, const BindJoint& joint, const Vec3& parentPlace) {
+  const Vec3 along = joint.place - parentPlace;
+  const double length = glm::length(along);
+  if (length <= 0.0) {
+    return joint.place;
+  }
+  constexpr double mostOfBody = 0.25;
+  constexpr double share = 0.8; // what is beyond is the end's own roundness
+  const int cubes = *std::max_element(body.grid.counts.begin(), body.grid.counts.end());
+  return joint.place +
+         along / length *
+             (share * lengthInside(body, joint.place, along / length, mostOfBody * cubes * body.grid.size));
+}
+
+} // namespace
+
+std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints) {
+  std::vector<BoneLine> lines;
+  std::vector<bool> isLast(joints.size(), true);
+  for (const BindJoint& joint : joints) {
+    if (joint.parent >= 0) {
+      const auto parent = static_cast<std::size_t>(joint.parent);
+      isLast[parent] = false;
+      lines.push_back({static_cast<std::uint16_t>(parent), joints[parent].place, joint.place});
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (isLast[i]) {
+      const BindJoint& joint = joints[i];
+      const Vec3 before =
+          joint.parent < 0 ? joint.place : joints[static_cast<std::size_t>(joint.parent)].place;
+      lines.push_back({static_cast<std::uint16_t>(i), joint.place, endOf(body, joint, before)});
+    }
+  }
+  return lines;
+}
+
+std::vector<BoneCell> boneCells(const VoxelBody& body, const std::vector<BoneLine>& lines) {
+  constexpr int cubesAround = 3; // a joint may lie just outside of a thin part
+  std::vector<BoneCell> cells;
+  for (const BoneLine& line : lines) {
+    const int steps =
+        std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(line.start, line.end) / body.grid.size)));
+    for (int i = 0; i <= steps; ++i) {
+      const Vec3 point = glm::mix(line.start, line.end, static_cast<double>(i) / steps);
+      const std::int32_t cell = body.cellNear(point, cubesAround);
+      if (cell != VoxelBody::outside) {
+        const auto index = static_cast<std::size_t>(cell);
+        cells.push_back({index, line.joint, glm::distance(point, body.middleOf(index))});
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneCell>& cells,
+                              std::size_t jointCount) {
+  std::vector<std::vector<double>> depths(jointCount);
+  for (const BoneCell& cell : cells) {
+    depths[cell.joint].push_back(static_cast<double>(body.depths[cell.cell]));
+  }
+  std::vector<double> radii(jointCount, body.grid.size);
+  for (std::size_t joint = 0; joint < jointCount; ++joint) {
+    std::vector<double>& known = depths[joint];
+    if (!known.empty()) {
+      const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+      std::nth_element(known.begin(), middle, known.end());
+      radii[joint] = *middle;
+    }
+  }
+  return radii;
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,193 @@
+#include "skinning/bind/voxel_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "skinning/bind/voxel_lines.h"
+#include "skinning/bind/voxel_ways.h"
+
+namespace stretch::skinning {
+
+namespace {
+
+constexpr std::array<std::array<int, 3>, 6> faceNeighbours{
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+bool isWithin(const VoxelGrid& grid, const std::array<int, 3>& place) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (place[axis] < 0 || place[axis] >= grid.counts[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::array<int, 3> moved(const std::array<int, 3>& place, const std::array<int, 3>& step) {
+  return {place[0] + step[0], place[1] + step[1], place[2] + step[2]};
+}
+
+// Cubes that a triangle passes, found by points on it that are no farther apart than half a cube.
+void markTriangle(const VoxelGrid& grid, const std::array<Vec3, 3>& corners, Cubes& surface) {
+  const double longest =
+      std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                glm::distance(corners[2], corners[0])});
+  const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * longest / grid.size)));
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps - i; ++j) {
+      const double u = static_cast<double>(i) / steps;
+      const double v = static_cast<double>(j) / steps;
+      surface[grid.indexOf(grid.placeOf(corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v))] = 1;
+    }
+  }
+}
+
+// What can be reached from the box's border without passing the surface.
+Cubes reachedFromOutside(const VoxelGrid& grid, const Cubes& surface) {
+  Cubes reached(surface.size(), 0);
+  std::vector<std::size_t> open{0}; // the first cube lies in the empty margin
+  reached[0] = 1;
+  while (!open.empty()) {
+    const std::array<int, 3> place = grid.placeOfIndex(open.back());
+    open.pop_back();
+    for (const auto& step : faceNeighbours) {
+      const std::array<int, 3> next = moved(place, step);
+      if (!isWithin(grid, next)) {
+        continue;
+      }
+      const std::size_t index = grid.indexOf(next);
+      if (reached[index] == 0 && surface[index] == 0) {
+        reached[index] = 1;
+        open.push_back(index);
+      }
+    }
+  }
+  return reached;
+}
+
+VoxelGrid gridAround(const Vec3& low, const Vec3& high, int cubesAlong) {
+  const Vec3 extent = high - low;
+  VoxelGrid grid;
+  grid.size = std::max({extent.x, extent.y, extent.z}) / cubesAlong;
+  constexpr int margin = 2; // empty cubes around: the outside is one piece
+  grid.origin = low - Vec3(margin * grid.size);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    grid.counts[axis] =
+        static_cast<int>(std::ceil(extent[static_cast<glm::length_t>(axis)] / grid.size)) + 2 * margin + 1;
+  }
+  return grid;
+}
+
+// Distances to the outside over the cells, by the shortest way from cube to cube.
+std::vector<float> depthsOf(const VoxelBody& body) {
+  std::vector<double> depths(body.cellCount(), std::numeric_limits<double>::max());
+  CellQueue open;
+  for (std::size_t cell = 0; cell < body.cellCount(); ++cell) {
+    const std::array<int, 3> place = body.grid.placeOfIndex(body.cubeOf[cell]);
+    const bool isBorder = std::any_of(faceNeighbours.begin(), faceNeighbours.end(), [&](const auto& step) {
+      return body.cellAt[body.grid.indexOf(moved(place, step))] == VoxelBody::outside;
+    });
+    if (isBorder) {
+      depths[cell] = 0.5 * body.grid.size;
+      open.emplace(depths[cell], static_cast<std::uint32_t>(cell));
+    }
+  }
+  spread(body, depths, open, [](std::size_t, std::size_t) {});
+  return {depths.begin(), depths.end()};
+}
+
+} // namespace
+
+std::size_t VoxelGrid::cubeCount() const {
+  return static_cast<std::size_t>(counts[0]) * static_cast<std::size_t>(counts[1]) *
+         static_cast<std::size_t>(counts[2]);
+}
+
+std::size_t VoxelGrid::indexOf(const std::array<int, 3>& place) const {
+  return (static_cast<std::size_t>(place[0]) * static_cast<std::size_t>(counts[1]) +
+          static_cast<std::size_t>(place[1])) *
+             static_cast<std::size_t>(counts[2]) +
+         static_cast<std::size_t>(place[2]);
+}
+
+std::array<int, 3> VoxelGrid::placeOf(const Vec3& point) const {
+  std::array<int, 3> place{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<glm::length_t>(axis);
+    const double along = std::floor((point[i] - origin[i]) / size);
+    place[axis] = static_cast<int>(std::clamp(along, 0.0, static_cast<double>(counts[axis] - 1)));
+  }
+  return place;
+}
+
+Vec3 VoxelGrid::middleOf(const std::array<int, 3>& place) const {
+  return origin + size * (Vec3(place[0], place[1], place[2]) + 0.5);
+}
+
+std::array<int, 3> VoxelGrid::placeOfIndex(std::size_t index) const {
+  const auto depth = static_cast<std::size_t>(counts[2]);
+  const auto height = static_cast<std::size_t>(counts[1]);
+  return {static_cast<int>(index / (depth * height)), static_cast<int>(index / depth % height),
+          static_cast<int>(index % depth)};
+}
+
+std::int32_t VoxelBody::cellNear(const Vec3& point, int cubesAround) const {
+  const std::array<int, 3> place = grid.placeOf(point);
+  std::int32_t best = cellAt[grid.indexOf(place)];
+  if (best != outside) {
+    return best;
+  }
+  double nearest = std::numeric_limits<double>::max();
+  for (int x = -cubesAround; x <= cubesAround; ++x) {
+    for (int y = -cubesAround; y <= cubesAround; ++y) {
+      for (int z = -cubesAround; z <= cubesAround; ++z) {
+        const std::array<int, 3> beside = moved(place, {x, y, z});
+        const std::int32_t cell = isWithin(grid, beside) ? cellAt[grid.indexOf(beside)] : outside;
+        const double distance = glm::distance(grid.middleOf(beside), point);
+        if (cell != outside && distance < nearest) {
+          nearest = distance;
+          best = cell;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+Result<VoxelBody> voxelBody(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
+                            int cubesAlong) {
+  Vec3 low(std::numeric_limits<double>::max());
+  Vec3 high(std::numeric_limits<double>::lowest());
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      low = glm::min(low, Vec3(positions[vertex]));
+      high = glm::max(high, Vec3(positions[vertex]));
+    }
+  }
+  const Vec3 extent = high - low;
+  const double longest = triangles.empty() ? 0.0 : std::max({extent.x, extent.y, extent.z});
+  if (!(longest > 0.0) || !std::isfinite(longest)) {
+    return Error{"the mesh has no extent", "", "bind a mesh with a body"};
+  }
+  VoxelBody body;
+  body.grid = gridAround(low, high, cubesAlong);
+  Cubes surface(body.grid.cubeCount(), 0);
+  for (const Triangle& triangle : triangles) {
+    markTriangle(body.grid,
+                 {Vec3(positions[triangle[0]]), Vec3(positions[triangle[1]]), Vec3(positions[triangle[2]])},
+                 surface);
+  }
+  const Cubes reached = reachedFromOutside(body.grid, surface);
+  const Cubes votes = votesOfLines(body.grid, positions, triangles);
+  body.cellAt.assign(surface.size(), VoxelBody::outside);
+  for (std::size_t cube = 0; cube < surface.size(); ++cube) {
+    if (surface[cube] != 0 || reached[cube] == 0 || votes[cube] >= 2) {
+      body.cellAt[cube] = static_cast<std::int32_t>(body.cubeOf.size());
+      body.cubeOf.push_back(static_cast<std::uint32_t>(cube));
+    }
+  }
+  body.depths = depthsOf(body);
+  return body;
+}
+
+} // namespace stretch::skinning

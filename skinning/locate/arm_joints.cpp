@@ -1,0 +1,186 @@
+#include "skinning/locate/arm_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace stretch::skinning {
+
+namespace {
+
+// Parts of the way from the tip of the hand to the shoulder, as measured on rigged characters
+// (docs/from_a_mesh.md, How locators are found).
+constexpr double handOfArm = 0.30;
+constexpr double upperArmOfArm = 0.53; // of the way from the wrist to the shoulder
+constexpr double handless = 0.15;      // where no wrist shows
+constexpr double upperPart = 0.5;      // where the upper arm begins, of the way to the middle of the body
+
+constexpr double most = std::numeric_limits<double>::max();
+
+const ArmSection& sectionAt(const ArmLine& arm, double way) {
+  const auto found = std::ranges::lower_bound(arm.sections, way, {}, &ArmSection::way);
+  return found == arm.sections.end() ? arm.sections.back() : *found;
+}
+
+double upperArmRadius(const ArmLine& arm) {
+  constexpr double trunkPart = 0.8;
+  double radius = most;
+  for (const ArmSection& section : arm.sections) {
+    if (section.way > upperPart * arm.way && section.way < trunkPart * arm.way) {
+      radius = std::min(radius, section.radius);
+    }
+  }
+  return radius;
+}
+
+// Where the arm becomes the trunk: its section grows; where it is a piece of its own, it ends.
+double shoulderWay(const ArmLine& arm) {
+  constexpr double grown = 1.5;
+  if (arm.ownPiece > 0.0) {
+    return arm.ownPiece;
+  }
+  const double usual = upperArmRadius(arm);
+  auto section = std::ranges::max_element(arm.sections, {}, [&](const ArmSection& one) {
+    return one.way > upperPart * arm.way ? one.radius : 0.0;
+  });
+  while (section != arm.sections.begin() && section->radius > grown * usual) {
+    --section;
+  }
+  return section->way;
+}
+
+// Straight on along the upper arm: sections that reach into the trunk lean to it.
+Vec3 shoulderPlace(const ArmLine& arm, double way) {
+  if (arm.ownPiece > 0.0) {
+    constexpr double fromEnd = 0.7; // of the radius
+    const ArmSection& middle = sectionAt(arm, 0.5 * way);
+    const Vec3 to = sectionAt(arm, 0.8 * way).middle;
+    const Vec3 along = to - middle.middle;
+    const double rest = std::max(0.0, 0.2 * way - fromEnd * middle.radius);
+    return glm::length(along) > 0.0 ? to + glm::normalize(along) * rest : to;
+  }
+  const Vec3 from = sectionAt(arm, 0.7 * way).middle;
+  const Vec3 to = sectionAt(arm, 0.9 * way).middle;
+  return to + 0.5 * (to - from);
+}
+
+struct Wrist {
+  double way = 0.0;
+  bool shows = false;
+};
+
+// Whether sections differ at all, as those of a box do not.
+bool isShaped(const std::vector<ArmSection>& sections, double length) {
+  constexpr double even = 1.14;
+  double widest = 0.0;
+  double narrowest = most;
+  for (const ArmSection& section : sections) {
+    const double part = section.way / length;
+    if (part > 0.06 && part < 0.7) {
+      widest = std::max(widest, section.radius);
+      narrowest = std::min(narrowest, section.radius);
+    }
+  }
+  return widest > even * narrowest;
+}
+
+// The narrowest place near where a hand usually ends.
+Wrist wristOf(const StandingBody& body, const ArmLine& arm, double shoulder) {
+  constexpr double nearness = 2.5;
+  const std::vector<ArmSection> straight = straightSections(body, arm, shoulder);
+  const std::vector<ArmSection>& sections = straight.empty() ? arm.sections : straight;
+  const double length = straight.empty() ? shoulder : straight.back().way;
+  const double usual = upperArmRadius(arm);
+  Wrist wrist{handless, false};
+  double lowest = most;
+  for (const ArmSection& section : sections) {
+    const double part = section.way / length;
+    const double cost = section.radius / usual + nearness * std::abs(part - handOfArm);
+    if (part > 0.18 && part < 0.45 && cost < lowest) {
+      lowest = cost;
+      wrist = {part, true};
+    }
+  }
+  wrist = isShaped(sections, length) ? wrist : Wrist{handless, false};
+  wrist.way *= shoulder;
+  return wrist;
+}
+
+double meanRadius(const ArmLine& arm, double from, double to) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const ArmSection& section : arm.sections) {
+    if (section.way >= from && section.way <= to) {
+      sum += section.radius;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+// A limb is slender and about as thick all along; a corner of the trunk grows from its tip.
+bool isLimb(const ArmLine& arm, double shoulder) {
+  constexpr double shortest = 0.12;
+  constexpr double grows = 1.6;
+  constexpr double slender = 3.0; // times as long as it is thick, half
+  const double outer = meanRadius(arm, 0.3 * shoulder, 0.45 * shoulder);
+  const double inner = meanRadius(arm, 0.6 * shoulder, 0.75 * shoulder);
+  return shoulder > shortest && inner < grows * outer && shoulder > slender * outer;
+}
+
+std::optional<ArmJoints> armJoints(const StandingBody& body, const ArmLine& arm) {
+  constexpr std::size_t fewest = 8; // sections
+  if (arm.sections.size() < fewest) {
+    return std::nullopt;
+  }
+  const double shoulder = shoulderWay(arm);
+  if (!isLimb(arm, shoulder)) {
+    return std::nullopt;
+  }
+  const Wrist wrist = wristOf(body, arm, shoulder);
+  const double elbow = wrist.way + (1.0 - upperArmOfArm) * (shoulder - wrist.way);
+  ArmJoints joints;
+  joints.shoulder = {shoulderPlace(arm, shoulder), 0.8};
+  joints.elbow = {sectionAt(arm, elbow).middle, wrist.shows ? 0.7 : 0.5};
+  joints.wrist = {sectionAt(arm, wrist.way).middle, wrist.shows ? 0.7 : 0.4};
+  return joints;
+}
+
+} // namespace
+
+// What one hand holds makes its arm longer: it is cut to the other one's length.
+ArmPair armPair(const StandingBody& body, const LegLines& legs) {
+  constexpr double holding = 1.1;
+  const std::vector<double> fromMiddle = waysFromMiddle(body, legs.crotch);
+  ArmLine right = armLine(body, legs, fromMiddle, -1.0, most);
+  ArmLine left = armLine(body, legs, fromMiddle, 1.0, most);
+  if (left.way > 0.0 && right.way > holding * left.way) {
+    right = armLine(body, legs, fromMiddle, -1.0, left.way);
+  } else if (right.way > 0.0 && left.way > holding * right.way) {
+    left = armLine(body, legs, fromMiddle, 1.0, right.way);
+  }
+  return {armJoints(body, right), armJoints(body, left)};
+}
+
+ArmJoints mirroredArm(const ArmJoints& arm) {
+  constexpr double lessSure = 0.5;
+  ArmJoints mirrored = arm;
+  for (Placed* joint : {&mirrored.shoulder, &mirrored.elbow, &mirrored.wrist}) {
+    joint->place.x = -joint->place.x;
+    joint->confidence *= lessSure;
+  }
+  return mirrored;
+}
+
+ArmJoints guessedArm(double shoulderHeight, double side) {
+  constexpr double guess = 0.2;
+  ArmJoints joints;
+  joints.shoulder = {{side * 0.1, shoulderHeight, 0.0}, guess};
+  joints.elbow = {{side * 0.12, shoulderHeight - 0.17, 0.0}, guess};
+  joints.wrist = {{side * 0.13, shoulderHeight - 0.32, 0.0}, guess};
+  return joints;
+}
+
+} // namespace stretch::skinning

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "skinning/locate/standing_body.h"
+
+namespace stretch::skinning {
+
+/// The middle of a leg in one layer.
+struct LegSection {
+  double height = 0.0;
+  Vec3 middle{0.0};
+  double area = 0.0;
+  double front = 0.0; ///< How far it reaches forward of its middle.
+  double back = 0.0;
+};
+
+/// Both legs from the ground to where they meet.
+struct LegLines {
+  std::vector<LegSection> right; ///< The side of -X.
+  std::vector<LegSection> left;
+  double crotch = 0.0;     ///< Height of the first layer where the two are one.
+  std::vector<bool> isLeg; ///< For each cell of the body.
+
+  [[nodiscard]] bool found() const { return !left.empty() && !right.empty(); }
+};
+
+[[nodiscard]] LegLines legLines(const StandingBody& body);
+
+} // namespace stretch::skinning

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/math/types.h"
+
+namespace stretch::skinning {
+
+/// Where a joint seems to be, in the body's own space (Upright::toBody).
+struct Placed {
+  Vec3 place{0.0};
+  double confidence = 0.0; ///< 0..1.
+};
+
+/// Below this a place is a guess by proportions.
+inline constexpr double leastSure = 0.5;
+
+} // namespace stretch::skinning

@@ -1,0 +1,236 @@
+#include "skinning/locate/standing_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace stretch::skinning {
+
+namespace {
+
+constexpr int fine = 140; // cubes along the longest side: the gap between an arm and a thigh shows
+
+constexpr std::array<std::array<int, 3>, 6> faces{
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+// Which cells belong together, as a forest of leaders.
+class Pieces {
+public:
+  explicit Pieces(std::size_t count) : leaders_(count) {
+    std::iota(leaders_.begin(), leaders_.end(), std::size_t{0});
+  }
+  std::size_t leaderOf(std::size_t one) {
+    while (leaders_[one] != one) {
+      leaders_[one] = leaders_[leaders_[one]];
+      one = leaders_[one];
+    }
+    return one;
+  }
+  bool join(std::size_t a, std::size_t b) {
+    a = leaderOf(a);
+    b = leaderOf(b);
+    leaders_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<std::size_t> leaders_;
+};
+
+bool isInside(const VoxelGrid& grid, const std::array<int, 3>& place) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (place[axis] < 0 || place[axis] >= grid.counts[axis]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Pieces piecesOf(const VoxelBody& body) {
+  Pieces pieces(body.cellCount());
+  for (std::size_t cell = 0; cell < body.cellCount(); ++cell) {
+    const std::array<int, 3> place = body.grid.placeOfIndex(body.cubeOf[cell]);
+    for (int x = -1; x <= 1; ++x) {
+      for (int y = -1; y <= 1; ++y) {
+        for (int z = -1; z <= 1; ++z) {
+          const std::array<int, 3> beside{place[0] + x, place[1] + y, place[2] + z};
+          const std::int32_t other =
+              isInside(body.grid, beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
+          if (other != VoxelBody::outside) {
+            pieces.join(cell, static_cast<std::size_t>(other));
+          }
+        }
+      }
+    }
+  }
+  return pieces;
+}
+
+// Each cube's nearest cell and the cube before it on the way from there.
+struct Reach {
+  std::vector<std::int32_t> from;
+  std::vector<std::uint32_t> before;
+  std::vector<std::uint16_t> steps;
+};
+
+struct Bridge {
+  int steps = 0;
+  std::uint32_t a = 0; ///< Cubes beside each other, reached from two pieces.
+  std::uint32_t b = 0;
+};
+
+Reach reachAround(const VoxelBody& body) {
+  Reach reach{std::vector<std::int32_t>(body.cellAt.begin(), body.cellAt.end()),
+              std::vector<std::uint32_t>(body.cellAt.size(), 0),
+              std::vector<std::uint16_t>(body.cellAt.size(), 0)};
+  std::vector<std::uint32_t> open(body.cubeOf);
+  for (const std::uint32_t cube : open) {
+    reach.before[cube] = cube;
+  }
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const std::uint32_t cube = open[next];
+    const std::array<int, 3> place = body.grid.placeOfIndex(cube);
+    for (const auto& step : faces) {
+      const std::array<int, 3> beside{place[0] + step[0], place[1] + step[1], place[2] + step[2]};
+      if (!isInside(body.grid, beside)) {
+        continue;
+      }
+      const auto index = static_cast<std::uint32_t>(body.grid.indexOf(beside));
+      if (reach.from[index] == VoxelBody::outside) {
+        reach.from[index] = reach.from[cube];
+        reach.before[index] = cube;
+        reach.steps[index] = static_cast<std::uint16_t>(reach.steps[cube] + 1);
+        open.push_back(index);
+      }
+    }
+  }
+  return reach;
+}
+
+std::vector<Bridge> bridgesOf(const VoxelBody& body, const Reach& reach, Pieces& pieces) {
+  std::vector<Bridge> bridges;
+  for (std::size_t cube = 0; cube < reach.from.size(); ++cube) {
+    const std::array<int, 3> place = body.grid.placeOfIndex(cube);
+    for (std::size_t side = 0; side < 6; side += 2) {
+      const std::array<int, 3> beside{place[0] + faces[side][0], place[1] + faces[side][1],
+                                      place[2] + faces[side][2]};
+      if (!isInside(body.grid, beside)) {
+        continue;
+      }
+      const std::size_t other = body.grid.indexOf(beside);
+      const auto a = static_cast<std::size_t>(reach.from[cube]);
+      const auto b = static_cast<std::size_t>(reach.from[other]);
+      if (a != b && pieces.leaderOf(a) != pieces.leaderOf(b)) {
+        bridges.push_back({reach.steps[cube] + reach.steps[other], static_cast<std::uint32_t>(cube),
+                           static_cast<std::uint32_t>(other)});
+      }
+    }
+  }
+  // Of ways that are about as long the highest: arms and legs hang from what they belong to.
+  std::ranges::stable_sort(bridges, [&](const Bridge& a, const Bridge& b) {
+    const auto rank = [&](const Bridge& bridge) {
+      return std::pair{bridge.steps / 2, -body.grid.placeOfIndex(bridge.a)[1]};
+    };
+    return rank(a) < rank(b);
+  });
+  return bridges;
+}
+
+void addCell(VoxelBody& body, std::uint32_t cube) {
+  if (body.cellAt[cube] == VoxelBody::outside) {
+    body.cellAt[cube] = static_cast<std::int32_t>(body.cellCount());
+    body.cubeOf.push_back(cube);
+    body.depths.push_back(static_cast<float>(0.5 * body.grid.size));
+  }
+}
+
+void joinPieces(VoxelBody& body) {
+  Pieces pieces = piecesOf(body);
+  const std::size_t count = body.cellCount();
+  bool isOne = true;
+  for (std::size_t cell = 1; cell < count && isOne; ++cell) {
+    isOne = pieces.leaderOf(cell) == pieces.leaderOf(0);
+  }
+  if (isOne) {
+    return;
+  }
+  const Reach reach = reachAround(body);
+  for (const Bridge& bridge : bridgesOf(body, reach, pieces)) {
+    if (!pieces.join(static_cast<std::size_t>(reach.from[bridge.a]),
+                     static_cast<std::size_t>(reach.from[bridge.b]))) {
+      continue;
+    }
+    for (std::uint32_t cube : {bridge.a, bridge.b}) {
+      for (; reach.steps[cube] > 0; cube = reach.before[cube]) {
+        addCell(body, cube);
+      }
+    }
+  }
+}
+
+SliceRegion regionFrom(const VoxelBody& body, std::uint32_t first, std::vector<bool>& taken) {
+  SliceRegion region;
+  region.cells.push_back(first);
+  taken[first] = true;
+  for (std::size_t next = 0; next < region.cells.size(); ++next) {
+    const std::array<int, 3> place = body.grid.placeOfIndex(body.cubeOf[region.cells[next]]);
+    for (int x = -1; x <= 1; ++x) {
+      for (int z = -1; z <= 1; ++z) {
+        const std::array<int, 3> beside{place[0] + x, place[1], place[2] + z};
+        const std::int32_t other =
+            isInside(body.grid, beside) ? body.cellAt[body.grid.indexOf(beside)] : VoxelBody::outside;
+        if (other != VoxelBody::outside && !taken[static_cast<std::size_t>(other)]) {
+          taken[static_cast<std::size_t>(other)] = true;
+          region.cells.push_back(static_cast<std::uint32_t>(other));
+        }
+      }
+    }
+  }
+  region.low = region.high = body.middleOf(first);
+  for (const std::uint32_t cell : region.cells) {
+    const Vec3 middle = body.middleOf(cell);
+    region.middle += middle / static_cast<double>(region.cells.size());
+    region.low = glm::min(region.low, middle);
+    region.high = glm::max(region.high, middle);
+  }
+  return region;
+}
+
+std::vector<std::vector<SliceRegion>> layersOf(const VoxelBody& body) {
+  std::vector<std::vector<SliceRegion>> layers(static_cast<std::size_t>(body.grid.counts[1]));
+  std::vector<bool> taken(body.cellCount(), false);
+  for (std::uint32_t cell = 0; cell < body.cellCount(); ++cell) {
+    if (!taken[cell]) {
+      const int layer = body.grid.placeOfIndex(body.cubeOf[cell])[1];
+      layers[static_cast<std::size_t>(layer)].push_back(regionFrom(body, cell, taken));
+    }
+  }
+  return layers;
+}
+
+} // namespace
+
+std::size_t StandingBody::layerAt(double height) const {
+  const double layer = (height - cubes.grid.origin.y) / cubes.grid.size;
+  return static_cast<std::size_t>(std::clamp(layer, 0.0, static_cast<double>(layers.size()) - 1.0));
+}
+
+Result<StandingBody> standingBody(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                                  const Upright& upright) {
+  std::vector<glm::vec3> own(positions.size());
+  std::ranges::transform(positions, own.begin(),
+                         [&](const Vec3& position) { return glm::vec3(upright.toBody(position)); });
+  Result<VoxelBody> cubes = voxelBody(own, triangles, fine);
+  if (!cubes) {
+    return cubes.error();
+  }
+  StandingBody body{upright, std::move(*cubes), 0, {}};
+  body.ownCells = body.cubes.cellCount();
+  joinPieces(body.cubes);
+  body.layers = layersOf(body.cubes);
+  return body;
+}
+
+} // namespace stretch::skinning

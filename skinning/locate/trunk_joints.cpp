@@ -1,0 +1,114 @@
+#include "skinning/locate/trunk_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stretch::skinning {
+
+namespace {
+
+struct TrunkSection {
+  double height = 0.0;
+  Vec3 middle{0.0};
+  double area = 0.0;
+};
+
+TrunkSection trunkSection(const StandingBody& body, std::size_t layer, double halfWidth) {
+  TrunkSection section{body.layerHeight(layer), {}, 0.0};
+  double count = 0.0;
+  for (const SliceRegion& region : body.layers[layer]) {
+    for (const std::uint32_t cell : region.cells) {
+      const Vec3 place = body.middleOf(cell);
+      if (std::abs(place.x) < halfWidth && !body.isBridge(cell)) {
+        section.middle += place;
+        count += 1.0;
+      }
+    }
+  }
+  section.middle /= std::max(count, 1.0);
+  section.area = count * body.cubes.grid.size * body.cubes.grid.size;
+  return section;
+}
+
+std::vector<TrunkSection> trunkSections(const StandingBody& body, double from, double halfWidth) {
+  std::vector<TrunkSection> sections;
+  for (std::size_t layer = body.layerAt(from); layer < body.layers.size(); ++layer) {
+    const TrunkSection section = trunkSection(body, layer, halfWidth);
+    if (section.area > 0.0) {
+      sections.push_back(section);
+    }
+  }
+  return sections;
+}
+
+Vec3 trunkMiddle(const std::vector<TrunkSection>& sections, double height) {
+  const auto found = std::ranges::lower_bound(sections, height, {}, &TrunkSection::height);
+  const TrunkSection& near = found == sections.end() ? sections.back() : *found;
+  return {near.middle.x, height, near.middle.z};
+}
+
+// The narrowest section between the shoulders and the head's widest part.
+std::size_t narrowestOver(const std::vector<TrunkSection>& sections, double shoulders) {
+  constexpr double neckPart = 0.6; // of what is above the shoulders
+  std::size_t narrowest = 0;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const double height = sections[i].height;
+    const bool isBetween = height > shoulders && height < shoulders + neckPart * (1.0 - shoulders);
+    const bool isFirst = sections[narrowest].height <= shoulders;
+    if (isBetween && (isFirst || sections[i].area < sections[narrowest].area)) {
+      narrowest = i;
+    }
+  }
+  return narrowest;
+}
+
+// Where the neck begins: downwards it grows.
+std::size_t baseOf(const std::vector<TrunkSection>& sections, std::size_t narrowest, double shoulders) {
+  constexpr double grown = 1.6;
+  std::size_t base = narrowest;
+  while (base > 0 && sections[base - 1].height > shoulders &&
+         sections[base - 1].area < grown * sections[narrowest].area) {
+    --base;
+  }
+  return base;
+}
+
+double largestArea(const std::vector<TrunkSection>& sections) {
+  return std::ranges::max_element(sections, {}, &TrunkSection::area)->area;
+}
+
+} // namespace
+
+TrunkJoints trunkJoints(const StandingBody& body, double crotch, double shoulderHeight, double halfWidth) {
+  constexpr double neckBelowBase = 0.005;
+  constexpr double headOverNarrowest = 0.012;
+  constexpr double shortestNeck = 0.02;
+  constexpr double shows = 0.5; // of the largest section
+  const std::vector<TrunkSection> sections = trunkSections(body, crotch, halfWidth);
+  TrunkJoints joints;
+  if (sections.empty()) {
+    return joints;
+  }
+  const std::size_t narrowest = narrowestOver(sections, shoulderHeight);
+  const double neck = sections[baseOf(sections, narrowest, shoulderHeight)].height - neckBelowBase;
+  const double head = std::max(sections[narrowest].height + headOverNarrowest, neck + shortestNeck);
+  const double sure = sections[narrowest].area < shows * largestArea(sections) ? 0.7 : 0.4;
+  joints.hips = {trunkMiddle(sections, crotch), 0.8};
+  joints.neck = {trunkMiddle(sections, neck), sure};
+  joints.head = {trunkMiddle(sections, head), sure};
+  return joints;
+}
+
+double hipHeightOf(double crotch, double neckHeight) {
+  constexpr double overCrotch = 0.03;
+  constexpr double smallHead = 0.77;
+  constexpr double ofNeck = 0.59;
+  constexpr double atMost = 0.61;
+  if (neckHeight < smallHead) {
+    return crotch + overCrotch;
+  }
+  return std::min(0.75 * (crotch + overCrotch) + 0.25 * ofNeck * neckHeight, atMost * neckHeight);
+}
+
+} // namespace stretch::skinning

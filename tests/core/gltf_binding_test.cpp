@@ -1,0 +1,241 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "core/anim/frame_state.h"
+#include "core/gltf/added_skeleton.h"
+#include "core/gltf/edits.h"
+#include "core/gltf/json.h"
+#include "tests/support/core/glb_builder.h"
+
+using namespace stretch;
+using gltf::Json;
+using test::GlbBuilder;
+using test::TemporaryFolder;
+
+namespace {
+
+constexpr int left = 2;
+constexpr int right = 3;
+
+// One mesh that two nodes show, the second one mirrored, under a node that scales to a tenth: two primitives
+// over one list of positions, a third without indices with a morph target, and points.
+GlbBuilder twoSleeves() {
+  GlbBuilder glb;
+  glb.json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0}}}}}};
+  const int positions = glb.floats({0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 0}, "VEC3", 3);
+  const int others = glb.floats({0, 0, 0, 1, 0, 0, 1, 2, 0}, "VEC3", 3);
+  for (const int accessor : {positions, others}) {
+    glb.json["accessors"][static_cast<std::size_t>(accessor)]["min"] = {0, 0, 0};
+    glb.json["accessors"][static_cast<std::size_t>(accessor)]["max"] = {1, 2, 0};
+  }
+  const int first = glb.accessor(std::vector<std::uint16_t>{0, 1, 2}, 5123, "SCALAR", 1);
+  const int second = glb.accessor(std::vector<std::uint16_t>{0, 2, 3}, 5123, "SCALAR", 1);
+  const Json onPositions{{"POSITION", positions}};
+  glb.json["meshes"] = {
+      {{"name", "sleeve"},
+       {"weights", {0.25}},
+       {"primitives",
+        {{{"attributes", onPositions}, {"indices", first}, {"targets", {onPositions}}},
+         {{"attributes", onPositions}, {"indices", second}, {"targets", {onPositions}}},
+         {{"attributes", onPositions}, {"mode", 0}, {"targets", {onPositions}}},
+         {{"attributes", {{"POSITION", others}}}, {"targets", {{{"POSITION", others}}}}}}}}};
+  glb.json["nodes"] = {{{"name", "model"}, {"scale", {0.1, 0.1, 0.1}}, {"children", {1}}},
+                       {{"name", "group"}, {"rotation", {0, 1, 0, 0}}, {"children", {left, right}}},
+                       {{"name", "left"}, {"mesh", 0}, {"translation", {1, 0, 0}}},
+                       {{"name", "right"}, {"mesh", 0}, {"translation", {-1, 0, 0}}, {"scale", {-1, 1, 1}}}};
+  return glb;
+}
+
+std::vector<gltf::SkeletonJoint> column() {
+  return {{"hips", -1, Vec3(0.0), Quat(1, 0, 0, 0)},
+          {"spine", 0, Vec3(0.0, 0.1, 0.02), glm::angleAxis(0.4, Vec3(0, 0, 1))}};
+}
+
+VertexInfluences both(float ofFirst) {
+  VertexInfluences vertex;
+  vertex.joints = {0, 1};
+  vertex.weights = {ofFirst, 1.0F - ofFirst};
+  return vertex;
+}
+
+std::vector<std::vector<VertexInfluences>> influences() {
+  const std::vector<VertexInfluences> sheet{both(1), both(0.75F), both(0.5F), both(0)};
+  return {sheet, sheet, {both(1), both(0.75F), both(0.5F)}};
+}
+
+// Both sleeves bound to a new skeleton; each has a skin of its own, since they stand elsewhere.
+gltf::Edits boundSleeves(const Scene& scene, bool isRightBound = true) {
+  const NodeIndex carrier = gltf::carrierOfSkeleton(scene, {NodeIndex(left), NodeIndex(right)});
+  gltf::Edits edits;
+  edits.addedNodes = gltf::skeletonNodes(scene, column(), carrier);
+  const std::vector<Mat4> joints = gltf::skeletonWorlds(scene, column(), carrier);
+  const std::vector<Mat4> worlds = frameOf(scene, restPose(scene), 0.0).worlds;
+  for (const int node : {left, right}) {
+    if (node == right && !isRightBound) {
+      continue;
+    }
+    gltf::AddedSkin skin;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      skin.joints.emplace_back(scene.nodes.size() + i);
+      skin.inverseBind.push_back(glm::inverse(joints[i]) * worlds[at(node)]);
+    }
+    edits.boundMeshes.push_back({NodeIndex(node), static_cast<int>(edits.addedSkins.size()), influences()});
+    edits.addedSkins.push_back(std::move(skin));
+  }
+  return edits;
+}
+
+gltf::Loaded bound(const TemporaryFolder& folder, const gltf::Loaded& file, const gltf::Edits& edits,
+                   const std::string& name = "bound.glb") {
+  const Result<gltf::Source> changed = gltf::patched(*file.source, edits);
+  if (!changed) {
+    FAIL(changed.error().line());
+  }
+  REQUIRE(gltf::save(*changed, folder / name).ok());
+  Result<gltf::Loaded> result = gltf::load(folder / name);
+  if (!result) {
+    FAIL(result.error().line());
+  }
+  return std::move(result).value();
+}
+
+// The largest distance of a vertex of the node's mesh from where it was drawn before it was bound.
+double largestMove(const gltf::Loaded& before, const gltf::Loaded& after, int node) {
+  const FrameState frame = frameOf(*after.scene, restPose(*after.scene), 0.0);
+  const FrameState was = frameOf(*before.scene, restPose(*before.scene), 0.0);
+  const Node& shown = after.scene->nodes[at(node)];
+  const std::vector<Mat4> matrices = skinMatrices(after.scene->skins[at(shown.skin)], frame);
+  double largest = 0.0;
+  for (const Primitive& primitive : after.scene->meshes[at(shown.mesh)].primitives) {
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+      const Vec3 position(primitive.positions[i]);
+      const VertexInfluences& follows = primitive.influences[i];
+      Vec3 now(0.0);
+      for (std::size_t k = 0; k < VertexInfluences::capacity; ++k) {
+        now +=
+            static_cast<double>(follows.weights[k]) * transformPoint(matrices[follows.joints[k]], position);
+      }
+      largest = std::max(largest, glm::distance(now, transformPoint(was.worlds[at(node)], position)));
+    }
+  }
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("A bound mesh stands where it stood, under scaled, turned and mirrored nodes") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  for (const char* name : {"bound.glb", "bound.gltf"}) {
+    const gltf::Loaded result = bound(folder, file, boundSleeves(*file.scene), name);
+    CHECK(result.warnings.size() == file.warnings.size());
+    CHECK(largestMove(file, result, left) < 1e-7);
+    CHECK(largestMove(file, result, right) < 1e-7);
+    const Node& spine = result.scene->nodes[5];
+    CHECK(spine.name == "spine");
+    CHECK(spine.parent == NodeIndex(4));
+    CHECK(spine.rest.scale == Vec3(1.0));
+    CHECK(result.scene->nodes[4].parent == NodeIndex(1)); // of both meshes: it carries the skeleton too
+    const Vec3 place(frameOf(*result.scene, restPose(*result.scene), 0.0).worlds[5][3]);
+    CHECK(glm::distance(place, Vec3(0.0, 0.1, 0.02)) < 1e-12);
+  }
+}
+
+TEST_CASE("A skeleton hangs on no node that would shear or mirror it") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = twoSleeves();
+  glb.json["nodes"][1]["scale"] = {1, 2, 1};
+  const gltf::Loaded file = test::loaded(glb);
+  CHECK(gltf::carrierOfSkeleton(*file.scene, {NodeIndex(left), NodeIndex(right)}) == NodeIndex(0));
+  CHECK(gltf::carrierOfSkeleton(*file.scene, {NodeIndex(left)}) == NodeIndex(0));
+  CHECK(largestMove(file, bound(folder, file, boundSleeves(*file.scene)), right) < 1e-7);
+}
+
+TEST_CASE("Binding appends and renumbers nothing") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  const Json before = file.source->json;
+  const gltf::Loaded result = bound(folder, file, boundSleeves(*file.scene));
+  const Json after = result.source->json;
+  for (const char* list : {"accessors", "bufferViews"}) {
+    for (std::size_t i = 0; i < before[list].size(); ++i) {
+      CHECK(after[list][i] == before[list][i]);
+    }
+  }
+  CHECK(std::equal(file.source->buffers[0].begin(), file.source->buffers[0].end(),
+                   result.source->buffers[0].begin()));
+  CHECK(after["meshes"][0]["weights"] == before["meshes"][0]["weights"]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json& primitive = after["meshes"][0]["primitives"][i];
+    CHECK(primitive["attributes"]["POSITION"] ==
+          before["meshes"][0]["primitives"][i]["attributes"]["POSITION"]);
+    CHECK(primitive["targets"] == before["meshes"][0]["primitives"][i]["targets"]);
+  }
+}
+
+TEST_CASE("Primitives that share their vertices share what those follow, and points follow the first joint") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  const Json primitives =
+      (*bound(folder, file, boundSleeves(*file.scene)).source->json)["meshes"][0]["primitives"];
+  CHECK(primitives[0]["attributes"] == primitives[1]["attributes"]);
+  CHECK(primitives[2]["attributes"]["WEIGHTS_0"] != primitives[0]["attributes"]["WEIGHTS_0"]);
+  CHECK(primitives[3]["attributes"]["WEIGHTS_0"] != primitives[0]["attributes"]["WEIGHTS_0"]);
+}
+
+TEST_CASE("A mesh that another node shows unbound is left to it") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  const gltf::Loaded result = bound(folder, file, boundSleeves(*file.scene, false));
+  const Json& json = result.source->json;
+  CHECK(json["meshes"].size() == 2);
+  CHECK(json["meshes"][0] == (*file.source->json)["meshes"][0]);
+  CHECK(json["nodes"][right] == (*file.source->json)["nodes"][right]);
+  CHECK(json["nodes"][left]["mesh"] == 1);
+  CHECK(largestMove(file, result, left) < 1e-7);
+}
+
+TEST_CASE("A mesh that was bound follows the new weights alone") {
+  const TemporaryFolder folder;
+  GlbBuilder arm = test::armBuilder();
+  Json& attributes = arm.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_1"] = attributes["JOINTS_0"];
+  attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
+  const gltf::Loaded file = test::loaded(arm);
+  gltf::Edits edits;
+  VertexInfluences last;
+  last.joints[0] = 2;
+  last.weights[0] = 1.0F;
+  edits.boundMeshes = {{NodeIndex(4), 0, {std::vector<VertexInfluences>(6, last)}}};
+  const gltf::Loaded result = bound(folder, file, edits);
+  CHECK_FALSE((*result.source->json)["meshes"][0]["primitives"][0]["attributes"].contains("WEIGHTS_1"));
+  for (const VertexInfluences& vertex : result.scene->meshes[0].primitives[0].influences) {
+    CHECK(vertex.joints[0] == 2);
+    CHECK(vertex.weights[0] == 1.0F);
+  }
+}
+
+TEST_CASE("A binding that does not fit the file is refused") {
+  const gltf::Loaded file = test::loaded(twoSleeves());
+  gltf::Edits edits = boundSleeves(*file.scene);
+  SECTION("a vertex too few") {
+    edits.boundMeshes[0].influences[0].pop_back();
+  }
+  SECTION("a primitive too few") {
+    edits.boundMeshes[0].influences.pop_back();
+  }
+  SECTION("a joint that the skin lacks") {
+    edits.boundMeshes[1].influences[2][0].joints[3] = 2;
+  }
+  SECTION("a node without a mesh") {
+    edits.boundMeshes[0].node = NodeIndex(0);
+  }
+  SECTION("a skin that is not there") {
+    edits.boundMeshes[0].skin = 2;
+  }
+  SECTION("a matrix too few") {
+    edits.addedSkins[0].inverseBind.pop_back();
+  }
+  CHECK_FALSE(gltf::patched(*file.source, edits).ok());
+}

@@ -1,0 +1,250 @@
+#!/usr/bin/env python3
+"""Takes the skeletons from the characters of a data folder and measures how far the locators that the program fits to the bare meshes are from
+where the artists put the joints.
+
+
+- Every character: each joint within 5 % of the height of the artist's, the mean of them within 2.5 % (LOOSER says which may be farther).
+- The same body lying, upside down, turned, in units of 1e-4 and 1e5: the same joints.
+- A mesh of 200,000 triangles and one of 500,000 in SECONDS_AT_MOST.
+- A file without a mesh, a triangle, a plane: one line, nothing written.
+- rig builds joints in which the program finds all six limbs; moved locators given back are where the joints then are.
+
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import struct
+import sys
+import tempfile
+import time
+
+from check_corpus import read_gltf, run
+from unskinned import placed_skins, rest_worlds, unskinned
+
+EACH, MEAN = 5.0, 2.5  # percent of the height
+SECONDS_AT_MOST = 30
+ARM, LEG = ("UpperArm", "LowerArm", "Hand"), ("UpperLeg", "LowerLeg", "Foot")
+CHARACTERS = ["biped/CesiumMan.glb", "biped/mannequiny-0.3.0.glb", "biped/human-addon-animations.glb", "biped/Knight.glb",
+              "biped/rpg-lowpoly-skeleton.glb", "biped/boxman.glb", "biped/robot.glb", "biped/kenney-platformer-character/character.glb",
+              "vrm/cryptovoxels.vrm", "bodies/model-human.glb"]
+SKELETONS = {"bodies/model-human.glb": "bodies/rig-human.glb"}
+# What the fit does not reach: (each, mean) in percent of the height.
+LOOSER = {"rpg-lowpoly-skeleton": (7.0, 3.0), "Knight": (EACH, 3.5), "boxman": (5.5, 3.5), "character": (EACH, 4.5), "robot": (14.0, 5.5)}
+
+
+def artists_joints(program, file, places):
+    """Places by the names of locators, of the limbs that the program finds in the character as it came."""
+    status, output, told = run(program, "info", file, "--json", "--tolerant")
+    if status != 0:
+        raise RuntimeError(told)
+    info = json.loads(output)
+    joints = {}
+    for limb in info["limbs"]:
+        nodes = [joint["node"] for joint in limb["joints"]]
+        side, _, kind = limb["limb"].partition("-")
+        if kind in ("arm", "leg"):
+            for name, node in zip(ARM if kind == "arm" else LEG, nodes):
+                joints[side + name] = places.get(node)
+        elif limb["limb"] == "neck":
+            joints["neck"], joints["head"] = places.get(nodes[0]), places.get(nodes[-1])
+    controllers = {c["controller"]: c for c in info["controllers"] if "controller" in c}
+    if "joint" in controllers.get("hips", {}):
+        joints["hips"] = places.get(controllers["hips"]["joint"]["node"])
+    return {name: place for name, place in joints.items() if place is not None and any(place)}, info["height"]
+
+
+def mesh_and_joints(program, data, name, folder):
+    file = data / name if not isinstance(name, pathlib.Path) else name
+    mesh = folder / f"{file.stem}.gltf"
+    places = unskinned(file, mesh)
+    skeleton = file
+    if str(name) in SKELETONS:
+        skeleton = data / SKELETONS[str(name)]
+        document, buffers = read_gltf(skeleton)
+        places = placed_skins(document, buffers, *rest_worlds(document["nodes"]))[1]
+    joints, height = artists_joints(program, skeleton, places)
+    return mesh, joints, height
+
+
+def fitted(program, mesh, output):
+    status, _, told = run(program, "rig", mesh, "-o", output, "--locators-only", "--tolerant")
+    if status != 0:
+        raise RuntimeError(told)
+    return {entry["name"]: entry["position"] for entry in json.loads(output.read_text())["locators"]}
+
+
+def misses(joints, locators, height):
+    return {name: 100.0 * math.dist(place, locators[name]) / height for name, place in joints.items()}
+
+
+def moved_copy(mesh, output, matrix):
+    document = json.loads(mesh.read_text())
+    document["nodes"].append({"children": document["scenes"][0]["nodes"], "matrix": matrix})
+    document["scenes"][0]["nodes"] = [len(document["nodes"]) - 1]
+    output.write_text(json.dumps(document))
+    return output
+
+
+def times(matrix, place):
+    return [sum(matrix[4 * k + row] * place[k] for k in range(3)) + matrix[12 + row] for row in range(3)]
+
+
+MOVES = {"lying": [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1], "upside down": [-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+         "turned": [0.6, 0, -0.8, 0, 0, 1, 0, 0, 0.8, 0, 0.6, 0, 5, 1, -3, 1],
+         "units of 1e-4": [1e-4, 0, 0, 0, 0, 1e-4, 0, 0, 0, 0, 1e-4, 0, 0, 0, 0, 1], "units of 1e5": [1e5, 0, 0, 0, 0, 1e5, 0, 0, 0, 0, 1e5, 0, 0, 0, 0, 1]}
+
+
+def finer(mesh, output, at_least):
+    """The mesh with each triangle cut in four until there are so many."""
+    document, buffers = read_gltf(mesh)
+    positions, faces = [], []
+    for primitive in document["meshes"][0]["primitives"]:
+        first = len(positions)
+        positions += accessor(document, buffers, primitive["attributes"]["POSITION"], "3f")
+        faces += [first + index[0] for index in accessor(document, buffers, primitive["indices"], None)]
+    faces = [tuple(faces[i:i + 3]) for i in range(0, len(faces), 3)]
+    while len(faces) < at_least:
+        middles, cut = {}, []
+        for face in faces:
+            mids = []
+            for a, b in ((0, 1), (1, 2), (2, 0)):
+                edge = tuple(sorted((face[a], face[b])))
+                if edge not in middles:
+                    middles[edge] = len(positions)
+                    positions.append(tuple(0.5 * (p + q) for p, q in zip(positions[edge[0]], positions[edge[1]])))
+                mids.append(middles[edge])
+            cut += [(face[0], mids[0], mids[2]), (face[1], mids[1], mids[0]), (face[2], mids[2], mids[1]), tuple(mids)]
+        faces = cut
+    write_mesh(output, positions, faces, document["nodes"][0].get("matrix"))
+    return len(positions), len(faces)
+
+
+def accessor(document, buffers, index, form):
+    accessor = document["accessors"][index]
+    view = document["bufferViews"][accessor["bufferView"]]
+    form = form or {5121: "B", 5123: "H", 5125: "I"}[accessor["componentType"]]
+    size = struct.calcsize("<" + form)
+    start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+    return [struct.unpack_from("<" + form, buffers[view["buffer"]], start + i * view.get("byteStride", size)) for i in range(accessor["count"])]
+
+
+def write_mesh(output, positions, faces, matrix=None):
+    binary = b"".join(struct.pack("<3f", *p) for p in positions) + b"".join(struct.pack("<3I", *f) for f in faces)
+    split = 12 * len(positions)
+    output.with_suffix(".bin").write_bytes(binary)
+    low, high = ([f(p[i] for p in positions) for i in range(3)] for f in (min, max))
+    low, high = ([struct.unpack("<f", struct.pack("<f", x))[0] for x in bound] for bound in (low, high))
+    output.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, **({"matrix": matrix} if matrix else {})}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"byteLength": len(binary), "uri": output.with_suffix(".bin").name}],
+        "bufferViews": [{"buffer": 0, "byteLength": split}, {"buffer": 0, "byteOffset": split, "byteLength": len(binary) - split}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(positions), "type": "VEC3", "min": low, "max": high},
+                      {"bufferView": 1, "componentType": 5125, "count": 3 * len(faces), "type": "SCALAR"}]}))
+
+
+def table_row(name, misses_of):
+    worst = max(misses_of, key=misses_of.get)
+    mean = sum(misses_of.values()) / len(misses_of)
+    return mean, misses_of[worst], f"| {name} | {len(misses_of)} | {mean:.1f} | {misses_of[worst]:.1f} | {worst} |"
+
+
+def character_problems(program, data, name, folder, rows):
+    mesh, joints, height = mesh_and_joints(program, data, name, folder)
+    of_each = misses(joints, fitted(program, mesh, folder / "locators.json"), height)
+    mean, worst, row = table_row(mesh.stem, of_each)
+    rows.append(row)
+    each_goal, mean_goal = LOOSER.get(mesh.stem, (EACH, MEAN))
+    problems = [f"{mesh.stem}: {joint} is {miss:.1f} % of the height off" for joint, miss in of_each.items() if miss > each_goal]
+    return problems + ([f"{mesh.stem}: the mean is {mean:.2f} % of the height off"] if mean > mean_goal else [])
+
+
+def move_problems(program, dummy, folder):
+    mesh, joints, height = mesh_and_joints(program, None, dummy, folder)
+    problems = []
+    for what, matrix in MOVES.items():
+        unit = math.hypot(*matrix[:3])
+        locators = fitted(program, moved_copy(mesh, folder / "moved.gltf", matrix), folder / "moved.json")
+        of_each = misses({joint: times(matrix, place) for joint, place in joints.items()}, locators, unit * height)
+        problems += [f"{what}: {joint} is {miss:.1f} % of the height off" for joint, miss in of_each.items() if miss > EACH]
+    return problems
+
+
+def size_problems(program, dummy, folder):
+    problems = []
+    mesh, joints, height = mesh_and_joints(program, None, dummy, folder)
+    for triangles in (200_000, 500_000):
+        fine = folder / "fine.gltf"
+        vertices, faces = finer(mesh, fine, triangles)
+        start = time.monotonic()
+        locators = fitted(program, fine, folder / "fine.json")
+        seconds = time.monotonic() - start
+        print(f"{vertices} vertices, {faces} triangles: {seconds:.1f} s")
+        worst = max(misses(joints, locators, height).values())
+        if seconds > SECONDS_AT_MOST or worst > EACH:
+            problems.append(f"{faces} triangles: {seconds:.1f} s, {worst:.1f} % of the height off")
+    return problems
+
+
+def refusal_problems(program, folder):
+    cases = {"a triangle": [(0, 1, 2)], "a plane": [(0, 1, 2), (0, 2, 3)]}
+    problems = []
+    for what, faces in cases.items():
+        write_mesh(folder / "odd.gltf", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], faces)
+        problems += refused(program, folder / "odd.gltf", folder / "refused.glb", what)
+    (folder / "empty.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]}))
+    return problems + refused(program, folder / "empty.gltf", folder / "refused.glb", "no mesh")
+
+
+def refused(program, file, output, what):
+    status, _, told = run(program, "rig", file, "-o", output)
+    isRight = status == 1 and told.count("\n") == 1 and "by hand" in told and not output.exists()
+    return [] if isRight else [f"{what}: status {status}, told {told!r}, written {output.exists()}"]
+
+
+def building_problems(program, dummy, folder):
+    mesh, _, _ = mesh_and_joints(program, None, dummy, folder)
+    fitted(program, mesh, folder / "given.json")
+    given = json.loads((folder / "given.json").read_text())
+    for entry in given["locators"]:
+        entry["position"] = [x + 0.01 for x in entry["position"]]
+    (folder / "given.json").write_text(json.dumps(given))
+    output = folder / "rigged.glb"
+    status, _, told = run(program, "rig", mesh, "-o", output, "--locators", folder / "given.json")
+    if status != 0:
+        return [told]
+    limbs = {limb["limb"] for limb in json.loads(run(program, "info", output, "--json")[1])["limbs"]}
+    document, _ = read_gltf(output)
+    worlds, _ = rest_worlds(document["nodes"])
+    places = {node.get("name"): world[12:15] for node, world in zip(document["nodes"], worlds)}
+    problems = [f"rig: {e['name']} is not where its locator is" for e in given["locators"] if math.dist(places[e["name"]], e["position"]) > 1e-5]
+    return problems + ([] if len(limbs) == 6 else [f"rig: only {sorted(limbs)} are found in what was built"])
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("data", type=pathlib.Path)
+    arguments = parser.parse_args()
+    program = arguments.program.resolve()
+    dummy = pathlib.Path(__file__).resolve().parents[2] / "assets" / "dummy.glb"
+    problems, rows = [], []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for character in [dummy, *CHARACTERS]:
+            problems += character_problems(program, arguments.data, character, folder, rows)
+        problems += move_problems(program, dummy, folder)
+        problems += refusal_problems(program, folder)
+        problems += building_problems(program, dummy, folder)
+        problems += size_problems(program, dummy, folder)
+    print("\n".join(["| character | joints | mean % | worst % | which |", "|---|---|---|---|---|", *rows]))
+    for problem in problems:
+        print(problem)
+    print(f"{len(rows)} characters, {len(problems)} problems")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

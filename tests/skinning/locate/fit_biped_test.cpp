@@ -1,0 +1,122 @@
+#include <cmath>
+#include <functional>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/rotation.h"
+#include "skinning/locate/fit_biped.h"
+#include "tests/support/skinning/tube_person.h"
+
+using namespace stretch;
+using namespace stretch::skinning;
+using test::TubePerson;
+using test::tubePerson;
+using test::TubePose;
+
+namespace {
+
+constexpr double height = 1.8;
+constexpr double goal = 0.05; // of the height
+
+using Move = std::function<Vec3(const Vec3&)>;
+
+std::vector<Vec3> moved(const std::vector<Vec3>& positions, const Move& move) {
+  std::vector<Vec3> all;
+  for (const Vec3& position : positions) {
+    all.push_back(move(position));
+  }
+  return all;
+}
+
+const FittedJoint& jointOf(const FittedBiped& fitted, const std::string& name) {
+  for (const FittedJoint& joint : fitted.joints) {
+    if (joint.name == name) {
+      return joint;
+    }
+  }
+  throw std::runtime_error("no joint " + name);
+}
+
+// Each joint that the person was made with, moved as its mesh is, within the goal.
+void checkFits(
+    const TubePerson& person, const Move& move = [](const Vec3& p) { return p; }, double unit = 1.0) {
+  const Result<FittedBiped> fitted = fitBiped(moved(person.positions, move), person.triangles);
+  REQUIRE(fitted);
+  CHECK(fitted->joints.size() == 22);
+  CHECK(fitted->warnings.empty());
+  for (const auto& [name, place] : person.joints) {
+    const FittedJoint& joint = jointOf(*fitted, name);
+    INFO(name << " is off by " << 100.0 * glm::distance(joint.position, move(place)) / (unit * height)
+              << " % of the height");
+    CHECK(glm::distance(joint.position, move(place)) < goal * unit * height);
+    CHECK(joint.confidence >= 0.5);
+  }
+}
+
+std::string problemOf(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  const Result<FittedBiped> fitted = fitBiped(positions, triangles);
+  return fitted ? std::string() : fitted.error().line();
+}
+
+} // namespace
+
+TEST_CASE("Joints are found in a person with the arms sideways, half down and hanging", "[locators]") {
+  for (const double degrees : {0.0, 45.0, 75.0}) {
+    INFO("arms " << degrees << " degrees down");
+    checkFits(tubePerson({.armsDown = degrees * pi / 180.0, .shoulders = degrees > 60.0 ? 0.24 : 0.2}));
+  }
+}
+
+TEST_CASE("Joints are found in a mesh with a hole in every seventh triangle", "[locators]") {
+  checkFits(tubePerson({.everyNthHole = 7}));
+}
+
+TEST_CASE("A person may stand anywhere, face anywhere, lie, stand on the head, in any units", "[locators]") {
+  const TubePerson person = tubePerson({.armsDown = 0.5});
+  const auto turned = [](const Vec3& axis, double degrees) {
+    const Quat turn = axisAngle(axis, degrees * pi / 180.0);
+    return [turn](const Vec3& p) { return turn * p + Vec3(3.0, -1.0, 7.0); };
+  };
+  checkFits(person, turned({0.0, 1.0, 0.0}, 180.0));
+  checkFits(person, turned({0.0, 1.0, 0.0}, 37.0));
+  checkFits(person, turned({1.0, 0.0, 0.0}, 90.0));
+  checkFits(person, turned({1.0, 0.0, 0.0}, -90.0));
+  checkFits(person, turned({0.0, 0.0, 1.0}, 90.0));
+  checkFits(person, turned({0.0, 0.0, 1.0}, 180.0));
+  for (const double unit : {1e-4, 1e5}) {
+    checkFits(
+        person, [unit](const Vec3& p) { return unit * p; }, unit);
+  }
+}
+
+TEST_CASE("What one hand holds does not make its arm longer", "[locators]") {
+  checkFits(tubePerson({.holdsInRight = 0.4}));
+}
+
+TEST_CASE("Arms that do not show are guessed, unsure, and named for setting them by hand", "[locators]") {
+  const TubePerson person = tubePerson({.hasArms = false});
+  const Result<FittedBiped> fitted = fitBiped(person.positions, person.triangles);
+  REQUIRE(fitted);
+  REQUIRE(fitted->warnings.size() == 1);
+  CHECK(fitted->warnings[0].find("UpperArm, LowerArm and Hand") != std::string::npos);
+  CHECK(jointOf(*fitted, "leftHand").confidence < 0.5);
+  CHECK(jointOf(*fitted, "leftLowerLeg").confidence >= 0.5);
+  CHECK(glm::distance(jointOf(*fitted, "leftFoot").position, person.joints.at("leftFoot")) < goal * height);
+}
+
+TEST_CASE("What is no body is refused in one line that says what to do", "[locators]") {
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Triangle> plane{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Triangle> pyramid{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  const std::vector<Triangle> one{{0, 1, 2}};
+  const std::vector<Triangle> none;
+  for (const std::vector<Triangle>& triangles : {none, one, plane, pyramid}) {
+    const std::string line = problemOf(corners, triangles);
+    INFO(line);
+    CHECK(line.find("by hand") != std::string::npos);
+    CHECK(line.find('\n') == std::string::npos);
+  }
+  CHECK_FALSE(problemOf({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}).empty());
+  CHECK_FALSE(problemOf({{0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}).empty());
+}
