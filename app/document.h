@@ -52,6 +52,9 @@ struct Document {
   std::shared_ptr<const std::vector<Clip>> clips;
   /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
   std::shared_ptr<const std::vector<Clip>> sourceClips;
+  /// How many of the last clips came from other files since this one was opened: the source has them, its
+  /// file may not (edits/import_clip.h).
+  std::size_t importedClips = 0;
   /// Props from files of their own, beside the source; `scene` holds them (edits/prop_file_edits.h).
   std::vector<gltf::AddedFile> addedFiles;
   std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.

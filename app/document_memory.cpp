@@ -77,11 +77,21 @@ std::size_t bytesOfScene(const std::shared_ptr<const Scene>& scene,
   return bytes;
 }
 
+// A clip from another file makes another source.
+std::size_t bytesOfSource(const std::shared_ptr<const gltf::Source>& source,
+                          const std::shared_ptr<const gltf::Source>& other) {
+  if (source == other || source == nullptr) {
+    return 0;
+  }
+  return bytesOf(source->buffers, [](const std::vector<std::uint8_t>& buffer) { return buffer.size(); });
+}
+
 } // namespace
 
 std::size_t bytesBeyond(const Document& document, const Document& other) {
-  std::size_t bytes =
-      sizeof document + bytesOfClips(document.clips, other.clips) + bytesOfScene(document.scene, other.scene);
+  std::size_t bytes = sizeof document + bytesOfClips(document.clips, other.clips) +
+                      bytesOfScene(document.scene, other.scene) +
+                      bytesOfSource(document.source, other.source);
   bytes += bytesOf(document.trails, [](const rig::Trail& trail) {
     return bytesOf(trail.settings.spheres) + bytesOf(trail.controlFrames) + trail.limb.size() +
            trail.name.size() + trail.groupName.size();

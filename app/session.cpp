@@ -26,6 +26,17 @@ Result<Document> withUnkeyed(const Document& document, const UnkeyedPose& pose) 
   return setOffsets(document, pose.clip, pose.frame, offsets, values, {});
 }
 
+// A clip that was imported goes by undo while it is viewed.
+void keepClipThere(const Document& document, ViewState& view) {
+  const int count = document.clips == nullptr ? 0 : static_cast<int>(document.clips->size());
+  if (view.clip >= count && view.clip > 0) {
+    view.clip = std::max(0, count - 1);
+    view.frame = 0.0;
+    view.rangeStart = 0.0;
+    view.rangeEnd = -1.0;
+  }
+}
+
 } // namespace
 
 Session::Session(Document document) : Editing(std::move(document)) {
@@ -236,6 +247,7 @@ void Session::keepSelectedTrail(const std::vector<int>& appeared) {
 }
 
 void Session::documentChanged() {
+  keepClipThere(document(), view_);
   followRate();
   const Document& shown = document();
   std::vector<int> appeared;

@@ -28,6 +28,7 @@ struct Verb {
 [[nodiscard]] Verb trailVerb();
 [[nodiscard]] Verb exaggerateVerb();
 [[nodiscard]] Verb poseVerb();
+[[nodiscard]] Verb importClipVerb();
 [[nodiscard]] Verb rigVerb();
 [[nodiscard]] Verb resaveVerb();
 [[nodiscard]] Verb checkVerb();

@@ -72,6 +72,7 @@ inline constexpr const char* timeEnd = "time.end";
 
 inline constexpr const char* timeEveryFrame = "play.every-frame";
 inline constexpr const char* timeOnTwos = "play.on-twos";
+inline constexpr const char* clipImport = "clip.import";
 inline constexpr const char* clipNext = "clip.next";
 inline constexpr const char* clipPrevious = "clip.previous";
 inline constexpr const char* clipRate24 = "clip.rate-24";

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "app/edits/prop_file_edits.h"
+#include "app/files/imported_clips.h"
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
 #include "core/gltf/added_file.h"
@@ -81,6 +82,7 @@ std::string autosaveText(const Document& document, const WorkPlace& place, const
       {"process", static_cast<long>(getpid())},
       {"began", beginOf(getpid())},
       {"work", workOf(document)},
+      {"imported_clips", importedClipsToJson(document)},
       {"added", document.addedFiles.empty() ? Json() : gltf::addedToJson(document.addedFiles)},
       {"view",
        {{"clip", place.clip}, {"frame", place.frame}, {"limbs", place.limbs}, {"trail", place.trail}}}}
@@ -126,6 +128,13 @@ Result<Document> withAutosave(const Document& document, const fs::path& autosave
     return Error{"the unsaved work cannot be read", autosave.string(), "go on with the file as it was saved"};
   }
   Document restored = withoutWork(document);
+  if (json.contains("imported_clips")) {
+    Result<Document> with = withImportedClips(restored, json["imported_clips"]);
+    if (!with) {
+      return with.error();
+    }
+    restored = std::move(with).value();
+  }
   if (json["work"].is_null()) {
     return restored;
   }

@@ -107,6 +107,7 @@ std::string kindOf(const std::filesystem::path& path) {
   const std::pair<const char*, const char*> kinds[] = {{".glb", "Binary glTF"},
                                                        {".gltf", "glTF with files beside it"},
                                                        {".vrm", "VRM avatar"},
+                                                       {".vrma", "VRM animation"},
                                                        {".obj", "OBJ mesh"},
                                                        {".ply", "PLY mesh"},
                                                        {".pc2", "Cache of a mesh sequence"},

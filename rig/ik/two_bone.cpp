@@ -52,10 +52,12 @@ Triangle triangleOf(const TwoBoneProblem& problem) {
 }
 
 // How far the unscaled limb spans on its way to a target at the distance.
-double spanFor(const Triangle& triangle, double distance) {
+double spanFor(const Triangle& triangle, double distance, bool isExact) {
   const double nearest =
       std::min(std::abs(triangle.first - triangle.second) + 0.02 * triangle.length, triangle.reach);
-  return std::max(softReach(triangle.length, triangle.reach, distance), nearest);
+  const double reached =
+      isExact ? std::min(distance, triangle.length) : softReach(triangle.length, triangle.reach, distance);
+  return std::max(reached, nearest);
 }
 
 // The joint of the unscaled limb that spans `span`: along the line, and above it.
@@ -136,7 +138,7 @@ TwoBoneShape solveTwoBone(const TwoBoneProblem& problem) {
   }
   const Vec3 toTarget = problem.target - problem.base;
   const double distance = glm::length(toTarget);
-  const double span = moved ? spanFor(triangle, distance) : triangle.reach;
+  const double span = moved ? spanFor(triangle, distance, problem.isExact) : triangle.reach;
   const double wanted = 1.0 + problem.stretchSwitch * (distance / span - 1.0);
   TwoBoneShape shape;
   shape.scale = moved ? std::clamp(wanted, smallestStretch, largestStretch) : 1.0;

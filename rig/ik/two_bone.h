@@ -31,6 +31,7 @@ struct TwoBoneProblem {
   /// zero.
   Vec3 usualBend{0.0};
   double stretchSwitch = 1.0; ///< k: 1 reaches every target, 0 leaves the bones as long as they are.
+  bool isExact = false;       ///< Without a soft zone: a target within the limb's length is reached as it is.
 };
 
 /// What brings the limb there: each bone turns in world space about its start and is scaled by `scale`.

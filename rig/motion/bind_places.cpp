@@ -5,7 +5,10 @@
 namespace stretch::rig {
 
 BindPlaces bindPlaces(const Scene& scene) {
-  const body::BindPose bindPose = body::placeBindPose(scene);
+  return bindPlaces(scene, body::placeBindPose(scene));
+}
+
+BindPlaces bindPlaces(const Scene& scene, const body::BindPose& bindPose) {
   const std::vector<std::vector<Vec3>> clouds = body::vertexClouds(scene, bindPose, body::RigidMeshes::all);
   BindPlaces places{bindPose.worlds, std::vector<Bounds>(clouds.size())};
   for (std::size_t node = 0; node < clouds.size(); ++node) {

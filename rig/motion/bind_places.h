@@ -4,6 +4,7 @@
 
 #include "core/math/bounds.h"
 #include "core/scene/scene.h"
+#include "rig/body/bind_pose.h"
 
 namespace stretch::rig {
 
@@ -16,5 +17,7 @@ struct BindPlaces {
 };
 
 [[nodiscard]] BindPlaces bindPlaces(const Scene& scene);
+/// Of a bind pose that is placed elsewhere.
+[[nodiscard]] BindPlaces bindPlaces(const Scene& scene, const body::BindPose& bindPose);
 
 } // namespace stretch::rig

@@ -26,7 +26,7 @@ NodeIndex toesOf(const Scene& scene, NodeIndex foot, const BindPlaces& places) {
   double farthest = 0.0;
   for (const NodeIndex child : scene.nodes[at(foot)].children) {
     const double reach = glm::length(level(positionOf(places.worlds[at(child)]) - ankle));
-    if (joints.contains(child) && reach > farthest) {
+    if ((joints.empty() || joints.contains(child)) && reach > farthest) {
       farthest = reach;
       toes = child;
     }

@@ -39,6 +39,7 @@ void drawSettingsDialog(PanelContext& context);
 void drawQuestions(PanelContext& context); ///< Unsaved changes, first start, restored work, about.
 void drawJointDialog(PanelContext& context);
 void drawRenameDialog(PanelContext& context);
+void drawClipDialog(PanelContext& context);
 void drawHistoryDialog(PanelContext& context);
 
 } // namespace stretch::ui

@@ -211,6 +211,7 @@ void drawDialogs(PanelContext& context) {
   drawSettingsDialog(context);
   drawKeysOverview(context);
   drawRenameDialog(context);
+  drawClipDialog(context);
   drawRetimeDialog(context);
   drawHistoryDialog(context);
   drawContextMenu(context);

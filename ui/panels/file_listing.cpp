@@ -35,7 +35,7 @@ std::vector<FileType> fileTypesOf(FilePurpose purpose) {
     return {};
   }
   return {{"All", extensionsOf(purpose)},
-          {"Characters", {".glb", ".gltf", ".vrm"}},
+          {"Characters", {".glb", ".gltf", ".vrm", ".vrma"}},
           {"Sequences", {".obj", ".ply", ".pc2", ".mdd"}}};
 }
 
@@ -54,7 +54,7 @@ std::vector<fs::path> recentFolders(const std::vector<fs::path>& recentFiles, st
 std::vector<std::string> extensionsOf(FilePurpose purpose) {
   switch (purpose) {
   case FilePurpose::openModel:
-    return {".glb", ".gltf", ".vrm", ".pc2", ".mdd", ".obj", ".ply"};
+    return {".glb", ".gltf", ".vrm", ".vrma", ".pc2", ".mdd", ".obj", ".ply"};
   case FilePurpose::saveModel:
   case FilePurpose::exportClean:
   case FilePurpose::exportSequence:
@@ -67,6 +67,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
     return {".json"};
   case FilePurpose::openSkeleton:
     return {".glb", ".gltf", ".vrm"};
+  case FilePurpose::openClip:
+    return {".glb", ".gltf", ".vrm", ".vrma"};
   case FilePurpose::saveFrames:
     break;
   }
@@ -75,8 +77,8 @@ std::vector<std::string> extensionsOf(FilePurpose purpose) {
 
 bool isSaving(FilePurpose purpose) {
   return purpose != FilePurpose::openModel && purpose != FilePurpose::openRecipe &&
-         purpose != FilePurpose::openProp && purpose != FilePurpose::openModuli &&
-         purpose != FilePurpose::openSkeleton;
+         purpose != FilePurpose::openProp && purpose != FilePurpose::openClip &&
+         purpose != FilePurpose::openModuli && purpose != FilePurpose::openSkeleton;
 }
 
 const char* titleOf(FilePurpose purpose) {
@@ -89,6 +91,8 @@ const char* titleOf(FilePurpose purpose) {
     return "Export clean";
   case FilePurpose::openProp:
     return "Add a prop";
+  case FilePurpose::openClip:
+    return "Import a clip";
   case FilePurpose::openRecipe:
     return "Load a recipe";
   case FilePurpose::saveRecipe:

@@ -173,7 +173,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", recipeLoad, recipeSave, "", propAdd, "", fileQuit}},
+             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
            true);
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);

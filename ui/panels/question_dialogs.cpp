@@ -129,25 +129,56 @@ std::string takingArms(const app::Session& session) {
   return "the " + app::listed(arms);
 }
 
-/// A file that a hand could hold was dropped on the open character: held, or opened in its place?
+/// What may become of a dropped file, and what says so; the last is what Enter takes.
+struct DropChoice {
+  const char* text = "";
+  std::optional<FilePurpose> purpose; ///< None: nothing.
+};
+
+std::vector<DropChoice> dropChoices(const DroppedFile& dropped) {
+  std::vector<DropChoice> choices{{"Open", FilePurpose::openModel}, {"Cancel", std::nullopt}};
+  if (dropped.hasClips) {
+    choices.push_back({"Import", FilePurpose::openClip});
+  }
+  if (dropped.canBeHeld) {
+    choices.push_back({"Hold", FilePurpose::openProp});
+  }
+  return choices;
+}
+
+std::string dropText(const PanelContext& context, const DroppedFile& dropped) {
+  const std::string held = dropped.canBeHeld ? " can be held by " + takingArms(*context.open.character()) +
+                                                   " and saved with the character,"
+                                             : std::string();
+  const std::string imported = dropped.hasClips ? std::string(held.empty() ? "" : " or") +
+                                                      " has clips that can be imported to the character,"
+                                                : std::string();
+  return dropped.path.filename().string() + held + imported + " or opened in the character's place.";
+}
+
+/// A file that a hand could hold, or that has clips, was dropped on the open character: taken, or opened in
+/// its place?
 void drawDropQuestion(PanelContext& context) {
   UiState& ui = context.ui;
-  bool open = !ui.droppedThing.empty() && context.open.character() != nullptr;
-  if (!beginDialog(context, {.id = "drop", .icon = icon::cube, .title = "Hold or open?", .width = 460.0F},
-                   open)) {
+  bool open = !ui.dropped.path.empty() && context.open.character() != nullptr;
+  const char* const title = !ui.dropped.hasClips   ? "Hold or open?"
+                            : ui.dropped.canBeHeld ? "Hold, import or open?"
+                                                   : "Import or open?";
+  if (!beginDialog(context, {.id = "drop", .icon = icon::cube, .title = title, .width = 500.0F}, open)) {
     return;
   }
-  paragraph(ui.droppedThing.filename().string() + " can be held by " + takingArms(*context.open.character()) +
-            " and saved with the character, or opened in the character's place.");
-  const int clicked = orEnter(
-      dialogButtons(context, "drop",
-                    {{.id = "", .text = "Open"}, {.id = "", .text = "Cancel"}, {.id = "", .text = "Hold"}}),
-      2);
-  if (clicked == 0 || clicked == 2) {
-    ui.answers.drop = DropAnswer{ui.droppedThing, clicked == 2};
+  paragraph(dropText(context, ui.dropped));
+  const std::vector<DropChoice> choices = dropChoices(ui.dropped);
+  std::vector<ButtonSpec> buttons;
+  for (const DropChoice& choice : choices) {
+    buttons.push_back({.id = "", .text = choice.text});
+  }
+  const int clicked = orEnter(dialogButtons(context, "drop", buttons), static_cast<int>(choices.size()) - 1);
+  if (clicked >= 0 && choices[static_cast<std::size_t>(clicked)].purpose) {
+    ui.answers.drop = DropAnswer{ui.dropped.path, *choices[static_cast<std::size_t>(clicked)].purpose};
   }
   if (!open || clicked >= 0) {
-    ui.droppedThing.clear();
+    ui.dropped = {};
     ImGui::CloseCurrentPopup();
   }
   endDialog();

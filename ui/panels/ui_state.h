@@ -209,6 +209,7 @@ enum class FilePurpose {
   exportClean,
   openRecipe,
   openProp,
+  openClip,
   saveRecipe,
   saveFrames,
   exportSequence,
@@ -290,10 +291,32 @@ struct FileChoice {
   std::filesystem::path path;
 };
 
-/// What is to become of a file that was dropped, and that a hand could hold.
+/// A file that was dropped on the open character, and that need not be opened in its place.
+struct DroppedFile {
+  std::filesystem::path path; ///< Empty: none is asked about.
+  bool canBeHeld = false;     ///< By a hand: it is a thing.
+  bool hasClips = false;
+};
+
+/// What is to become of it.
 struct DropAnswer {
   std::filesystem::path file;
-  bool asProp = false; ///< Else it is opened.
+  FilePurpose purpose = FilePurpose::openModel; ///< Or openProp, or openClip.
+};
+
+/// Which clips of another file are to be imported.
+struct ClipAnswer {
+  std::filesystem::path file;
+  int clip = -1; ///< Of `file`; -1: all of them.
+};
+
+/// Choosing one of the clips of another file.
+struct ClipPick {
+  std::filesystem::path file; ///< Empty: nothing is asked.
+  std::vector<app::FileFacts::ClipFacts> clips;
+  std::string filter;
+  int highlighted = 0;  ///< Of those that the filter leaves.
+  bool wasOpen = false; ///< In the frame before.
 };
 
 struct KeyChange {
@@ -308,7 +331,8 @@ struct UiAnswers {
   std::optional<NavigationStyle> navigation;
   std::optional<KeyChange> keyChange;
   std::optional<app::OverlapChoice> overlap; ///< To UiState::rangeClash.
-  std::optional<DropAnswer> drop;            ///< To UiState::droppedThing.
+  std::optional<DropAnswer> drop;            ///< To UiState::dropped.
+  std::optional<ClipAnswer> clip;            ///< To UiState::clipPick.
   bool resetKeys = false;
   bool themeChanged = false; ///< `theme` or `scale` below was changed.
   bool keepSettings = false; ///< The user's settings are to be written at once.
@@ -372,8 +396,8 @@ struct UiState {
   WelcomeState welcome;
   TourState tour;
   std::optional<app::RangeClash> rangeClash; ///< Asked about; none: nothing is.
-  /// A file that was dropped on the open character, and that a hand could hold: asked about; empty: none is.
-  std::filesystem::path droppedThing;
+  DroppedFile dropped;
+  ClipPick clipPick;
   std::vector<std::filesystem::path> recentFiles;
   std::vector<Toast> toasts;
   std::string expandedLimb;                ///< Limb whose reasons the rig panel shows.

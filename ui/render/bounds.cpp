@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/finite.h"
+#include "ui/render/skeleton_drawing.h"
 
 namespace stretch::ui {
 
@@ -61,6 +62,15 @@ BoundsSampler::BoundsSampler(const Scene& scene, std::size_t sampleCount)
       }
       groups_.push_back(std::move(group));
     }
+  }
+  if (isStickFigure(scene)) {
+    addJoints(scene);
+  }
+}
+
+void BoundsSampler::addJoints(const Scene& scene) {
+  for (const NodeIndex joint : jointsOf(scene)) {
+    groups_.push_back({joint, -1, 0, {{glm::vec3(0.0F), VertexInfluences{}}}});
   }
 }
 

@@ -11,7 +11,7 @@
 namespace stretch::ui {
 
 /// Finds the box around what a scene shows, fast enough for every frame: it poses a fixed sample of the
-/// vertices.
+/// vertices, or the joints of a scene without a mesh.
 class BoundsSampler {
 public:
   /// Takes at most about `sampleCount` vertices, evenly over all drawn primitives. Morph targets are left
@@ -35,6 +35,8 @@ private:
     std::size_t primitive = 0; ///< Counted through all meshes of the scene.
     std::vector<Sample> samples;
   };
+  void addJoints(const Scene& scene); ///< Of a scene without a mesh.
+
   std::size_t step_ = 1; ///< From one vertex of a sample to the next.
   std::vector<Group> groups_;
 };

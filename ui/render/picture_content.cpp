@@ -9,9 +9,11 @@ namespace stretch::ui {
 
 Overlay overlayOf(const Scene& scene, const View& view, const PictureContent& content) {
   Overlay overlay = content.bones;
-  if (content.skeleton) {
-    overlay.add(
-        drawSkeleton(scene, content.frame, skeletonStyle(content.style.palette), content.style.highlight));
+  const bool isStickFigure = ui::isStickFigure(scene);
+  if (content.skeleton || isStickFigure) {
+    SkeletonStyle style = skeletonStyle(content.style.palette);
+    style.widthPoints *= isStickFigure ? 1.6F : 1.0F;
+    overlay.add(drawSkeleton(scene, content.frame, style, content.style.highlight));
   }
   overlay.add(drawControllers(view, content.controllers, controllerStyle(content.style.palette)));
   for (const StyledTrail& trail : content.trails) {

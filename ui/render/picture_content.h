@@ -27,7 +27,8 @@ struct PictureContent {
   std::vector<Ghost> ghosts = {};         ///< The farthest in time first.
   SceneStyle style = {};
   Overlay bones = {};    ///< Of a mesh sequence, drawn as they are.
-  bool skeleton = false; ///< Bones over the mesh; `style.highlight` tells which are selected.
+  bool skeleton = false; ///< Bones over the mesh, always where there is none; `style.highlight` tells which
+                         ///< are selected.
   std::vector<StyledTrail> trails = {};
   std::vector<ControllerPicture> controllers = {};
   std::optional<ControllerHandles> controllerHandles = {};

@@ -31,6 +31,12 @@ void markRigidBody(const Scene& scene, std::vector<bool>& isJoint) {
   }
 }
 
+void markTree(const Scene& scene, std::vector<bool>& isJoint) {
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    isJoint[i] = scene.nodes[i].parent.exists() || !scene.nodes[i].children.empty();
+  }
+}
+
 float selectedShare(std::span<const float> selection, NodeIndex node) {
   const auto index = at(node);
   return index < selection.size() ? std::clamp(selection[index], 0.0F, 1.0F) : 0.0F;
@@ -41,7 +47,9 @@ float selectedShare(std::span<const float> selection, NodeIndex node) {
 std::vector<NodeIndex> jointsOf(const Scene& scene) {
   std::vector<bool> isJoint(scene.nodes.size(), false);
   markSkinJoints(scene, isJoint);
-  if (scene.skins.empty()) {
+  if (scene.skins.empty() && isStickFigure(scene)) {
+    markTree(scene, isJoint);
+  } else if (scene.skins.empty()) {
     markRigidBody(scene, isJoint);
   }
   std::vector<NodeIndex> joints;
@@ -51,6 +59,10 @@ std::vector<NodeIndex> jointsOf(const Scene& scene) {
     }
   }
   return joints;
+}
+
+bool isStickFigure(const Scene& scene) {
+  return std::ranges::none_of(scene.nodes, [](const Node& node) { return node.mesh >= 0; });
 }
 
 std::vector<BoneSegment> boneSegments(const Scene& scene, const FrameState& frame,

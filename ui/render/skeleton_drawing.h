@@ -12,8 +12,11 @@
 namespace stretch::ui {
 
 /// The joints of a character: what its skins name, or without a skin the nodes that carry meshes and those
-/// above them.
+/// above them; of a file without a mesh all nodes that hang together.
 [[nodiscard]] std::vector<NodeIndex> jointsOf(const Scene& scene);
+
+/// Whether the scene shows nothing but its skeleton: no node has a mesh.
+[[nodiscard]] bool isStickFigure(const Scene& scene);
 
 /// Bones between joints, through helper nodes that are no joints. Joints without a joint below have none.
 [[nodiscard]] std::vector<BoneSegment> boneSegments(const Scene& scene, const FrameState& frame,

@@ -12,6 +12,7 @@
 #include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
 #include "ui/panels/file_listing.h"
+#include "ui/shell/clip_import.h"
 #include "ui/shell/sequence_work.h"
 #include "ui/shell/tour.h"
 #include "ui/viewport/viewport_scene.h"
@@ -101,6 +102,9 @@ void answerCharacterFile(Shell& shell, const FileChoice& choice) {
   case FilePurpose::openProp:
     addPropFile(shell, choice.path);
     break;
+  case FilePurpose::openClip:
+    askForClip(shell, choice.path);
+    break;
   case FilePurpose::saveRecipe:
     saveRecipeFile(shell, choice.path);
     break;
@@ -145,7 +149,10 @@ void takeAnswers(Shell& shell) {
   }
   if (answers.drop) {
     const DropAnswer answer = *std::exchange(answers.drop, std::nullopt);
-    answerFile(shell, {answer.asProp ? FilePurpose::openProp : FilePurpose::openModel, answer.file});
+    answerFile(shell, {answer.purpose, answer.file});
+  }
+  if (answers.clip) {
+    importClip(shell, *std::exchange(answers.clip, std::nullopt));
   }
   if (answers.file) {
     answerFile(shell, *std::exchange(answers.file, std::nullopt));
@@ -161,16 +168,20 @@ std::vector<fs::path> droppedPaths(const std::vector<fs::path>& drops) {
   return {drops.front()};
 }
 
-/// A file that was dropped: one that a hand of the open character could hold is asked about, another is
-/// opened.
+/// A file that was dropped: one that a hand of the open character could hold, or that has clips, is asked
+/// about, another is opened.
 void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
   const bool isAsked =
       shell.files.question().kind != app::FileQuestion::Kind::none || shell.files.isOpening();
   const app::Session* const character = shell.open.character();
   const std::vector<fs::path> paths = droppedPaths(drops);
-  if (!isAsked && character != nullptr && paths.size() == 1 && !app::handsForProp(*character).empty() &&
-      gltf::looksLikeThing(paths.front())) {
-    shell.ui.droppedThing = paths.front();
+  DroppedFile dropped{paths.front()};
+  if (!isAsked && character != nullptr && paths.size() == 1) {
+    dropped.canBeHeld = !app::handsForProp(*character).empty() && gltf::looksLikeThing(paths.front());
+    dropped.hasClips = !app::factsOf(paths.front()).clips.empty();
+  }
+  if (dropped.canBeHeld || dropped.hasClips) {
+    shell.ui.dropped = dropped;
   } else {
     openFile(shell, paths);
   }
@@ -263,6 +274,7 @@ void askToQuit(Shell& shell) {
 void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
+  updateClipImport(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {
     takeDrop(shell, input.drops);

@@ -235,8 +235,8 @@ bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
   return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
          ui.rename.open || ui.retime.open || ui.history.open || ui.jointPick.open ||
-         ui.navigationChoiceOpen || ui.rangeClash.has_value() || !ui.droppedThing.empty() ||
-         shell.files.question().kind != app::FileQuestion::Kind::none;
+         ui.navigationChoiceOpen || ui.rangeClash.has_value() || !ui.dropped.path.empty() ||
+         !ui.clipPick.file.empty() || shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 namespace {

@@ -37,6 +37,8 @@ EditorStatus statusOf(const Shell& shell) {
   if (shell.files.isOpening()) {
     status.busyText = "Opening " + shell.files.openingName();
     status.busyFraction = shell.files.openingShare();
+  } else if (shell.clipImport.job != nullptr) {
+    status.busyText = "Importing " + shell.clipImport.file.filename().string();
   } else if (sequence != nullptr && sequence->isWorking()) {
     describeWork(*sequence, status);
   }

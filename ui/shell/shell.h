@@ -1,12 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/commands/command.h"
 #include "app/commands/keymap.h"
+#include "app/edits/import_clip.h"
 #include "app/file_work.h"
 #include "app/open_document.h"
+#include "app/sequence/job.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
@@ -14,6 +17,13 @@
 #include "ui/viewport/viewport_state.h"
 
 namespace stretch::ui {
+
+/// Clips of another file on their way to the open character, beside the window.
+struct ClipImport {
+  std::filesystem::path file;
+  std::shared_ptr<const Scene> scene;           ///< Of the character that they are for.
+  std::unique_ptr<app::Job<app::NewClips>> job; ///< Null: none.
+};
 
 /// The editor's state: plain parts that functions join. The session of what is open is the only door to the
 /// document.
@@ -27,6 +37,7 @@ struct Shell {
   ViewportState viewport;
   Tool tool;
   app::FileWork files;
+  ClipImport clipImport;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};
   std::vector<CommandInfo> commandInfos;

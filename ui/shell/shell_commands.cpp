@@ -327,6 +327,11 @@ std::vector<ShellCommand> fileCommands() {
       entry(command::recipeLoad, "Replay a recipe",
             "Adds the poses and trails of a recipe to this character.", {}, characterNeeded,
             askingFor(FilePurpose::openRecipe)),
+      entry(command::clipImport, "Import a clip",
+            "Adds a clip of another file to this character: copied where the skeleton is the same, else "
+            "brought "
+            "over limb by limb. It is saved with the character.",
+            {}, characterNeeded, askingFor(FilePurpose::openClip)),
       entry(command::propAdd, "Add a prop",
             "Puts the thing of another file into the selected hand, or into both, at the playhead: into the "
             "right one where none is selected. It is saved with the character.",

@@ -1,0 +1,134 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "app/batch/options.h"
+#include "app/batch/trail_report.h"
+#include "app/batch/verb.h"
+#include "app/edits/import_clip.h"
+#include "core/gltf/json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+struct ImportArguments {
+  FileArguments input;
+  OutputArguments output;
+  std::string from; // OTHER or OTHER#clip
+  std::string fromClip;
+  std::string name;
+  JsonOutput json;
+};
+
+// "other.glb#walk" is the clip walk of other.glb, unless there is a file of that very name.
+ClipRequest requestOf(const ImportArguments& arguments) {
+  ClipRequest request{arguments.from, arguments.fromClip, arguments.name};
+  const std::size_t mark = arguments.from.find('#');
+  std::error_code ignored;
+  if (mark != std::string::npos && !std::filesystem::exists(arguments.from, ignored)) {
+    request.file = arguments.from.substr(0, mark);
+    request.clip = arguments.from.substr(mark + 1);
+  }
+  return request;
+}
+
+Json clipJson(const Clip& clip, const NewClip& brought) {
+  std::size_t keys = 0;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    keys += track->times.size();
+  }
+  return {{"name", clip.name},
+          {"from", brought.from},
+          {"way", brought.isRetargeted ? "retargeted" : "copied"},
+          {"seconds", clip.endSeconds},
+          {"frames", frameCount(clip)},
+          {"keys", keys},
+          {"fps", clip.framesPerSecond},
+          {"left_out", brought.left}};
+}
+
+Json reportOf(const Document& document, const NewClips& brought) {
+  Json report{{"clips", Json::array()}, {"warnings", brought.warnings}};
+  const std::size_t first = document.clips->size() - brought.clips.size();
+  for (std::size_t i = 0; i < brought.clips.size(); ++i) {
+    report["clips"].push_back(clipJson((*document.clips)[first + i], brought.clips[i]));
+  }
+  return report;
+}
+
+void printReport(const Json& report) {
+  for (const Json& clip : report["clips"]) {
+    fmt::print("clip   {}: {} from {}, {:.3f} s, {} keys\n", clip["name"].get<std::string>(),
+               clip["way"].get<std::string>(), clip["from"].get<std::string>(), clip["seconds"].get<double>(),
+               clip["keys"].get<int>());
+  }
+  for (const Json& warning : report["warnings"]) {
+    fmt::print("warning: {}\n", warning.get<std::string>());
+  }
+}
+
+Status runImport(const ImportArguments& arguments) {
+  const ClipRequest request = requestOf(arguments);
+  if (Status apart = checkOutput(arguments.output.file, {arguments.input.file, request.file.string()});
+      !apart) {
+    return apart;
+  }
+  const Result<Document> document = openDocument(arguments.input);
+  if (!document) {
+    return document.error();
+  }
+  const Result<NewClips> brought = clipsFromFile(*document, request);
+  if (!brought) {
+    return brought.error();
+  }
+  std::vector<Clip> clips;
+  for (const NewClip& clip : brought->clips) {
+    clips.push_back(clip.clip);
+  }
+  const Result<Document> changed = withNewClips(*document, clips);
+  if (!changed) {
+    return changed.error();
+  }
+  if (Status saved = saveDocument(*changed, arguments.output.file.path, arguments.output.save); !saved) {
+    return saved;
+  }
+  const Json report = reportOf(*changed, *brought);
+  if (arguments.json) {
+    arguments.json.print(report);
+  } else {
+    printReport(report);
+  }
+  return Success{};
+}
+
+} // namespace
+
+Verb importClipVerb() {
+  return {"import-clip",
+          "Adds clips of another file to a character: copied where the skeleton is the same, else retargeted "
+          "by limbs.",
+          [](CommandLine& line) {
+            const auto arguments = std::make_shared<ImportArguments>();
+            line.examples({"knight.glb -o dancing.glb --from dance.glb",
+                           "knight.glb -o walking.glb --from 'human.glb#Walk'",
+                           "knight.glb -o waving.glb --from hello.vrma --name hello"});
+            addFileArguments(line, arguments->input);
+            addOutputArguments(line, arguments->output);
+            line.option("--from", arguments->from,
+                        "The other file (.glb, .gltf, .vrm, .vrma), or FILE#CLIP for one of its clips")
+                .required();
+            line.option("--from-clip", arguments->fromClip,
+                        "The one clip that is wanted, by name or #index; else all of them");
+            line.option("--name", arguments->name, "What the one clip is to be called");
+            addJson(line, arguments->json);
+            return [arguments] { return runImport(*arguments); };
+          }};
+}
+
+} // namespace stretch::app

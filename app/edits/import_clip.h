@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "core/base/result.h"
+
+namespace stretch::app {
+
+/// Which clips of another file are wanted.
+struct ClipRequest {
+  std::filesystem::path file;
+  std::string clip; ///< By name, "#index" or the index alone; empty: all of them.
+  std::string name; ///< What the one clip is to be called; empty: as in its file.
+};
+
+/// A clip of another file, brought to this character.
+struct NewClip {
+  Clip clip;
+  std::string from;              ///< Its name in the other file, "#2" without one.
+  bool isRetargeted = false;     ///< Else its tracks were copied: the other skeleton is the same.
+  std::vector<std::string> left; ///< Joints, or parts of the body, that the character has not.
+};
+
+struct NewClips {
+  std::vector<NewClip> clips;        ///< At least one.
+  std::vector<std::string> warnings; ///< One line each.
+};
+
+/// Reads the clips and brings them to the character: copied where joints of the same names stand alike, else
+/// retargeted by limbs (docs/import_clip.md). The document is not changed: withNewClips does that, with
+/// this one or one that was edited since. An error, one line, for a file that cannot be read, holds no clip
+/// or no skeleton, or whose skeleton the character cannot follow.
+[[nodiscard]] Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request);
+
+/// The document with the clips behind its own, under names that no other clip has.
+[[nodiscard]] Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips);
+
+/// "12 joints are not in this character: a, b, c and 9 more": what a clip left behind; empty for nothing.
+[[nodiscard]] std::string leftText(const NewClip& clip);
+
+} // namespace stretch::app

@@ -1,0 +1,115 @@
+#include "app/files/imported_clips.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/edits/import_clip.h"
+#include "core/gltf/json.h"
+
+namespace stretch::app {
+
+namespace {
+
+using gltf::Json;
+
+constexpr std::array<const char*, 4> channelWords{"translation", "rotation", "scale", "weights"};
+constexpr std::array<const char*, 3> interpolationWords{"STEP", "LINEAR", "CUBICSPLINE"};
+
+Error malformedClip() {
+  return {"is not what this program writes", "imported_clips", "import the clip again"};
+}
+
+Json trackJson(const Track& track) {
+  return {{"node", track.node.value},
+          {"path", channelWords[static_cast<std::size_t>(track.channel)]},
+          {"interpolation", interpolationWords[static_cast<std::size_t>(track.interpolation)]},
+          {"width", track.width},
+          {"times", track.times},
+          {"values", track.values}};
+}
+
+template <std::size_t count>
+std::size_t wordIndex(const std::array<const char*, count>& words, const Json& word) {
+  return static_cast<std::size_t>(std::ranges::find(words, word.get<std::string>()) - words.begin());
+}
+
+Result<Track> trackOfJson(const Json& json, std::size_t nodes) {
+  Track track;
+  track.node = NodeIndex(json.at("node").get<int>());
+  const std::size_t channel = wordIndex(channelWords, json.at("path"));
+  const std::size_t interpolation = wordIndex(interpolationWords, json.at("interpolation"));
+  if (!track.node.exists() || at(track.node) >= nodes || channel == channelWords.size() ||
+      interpolation == interpolationWords.size()) {
+    return malformedClip();
+  }
+  track.channel = static_cast<Channel>(channel);
+  track.interpolation = static_cast<Interpolation>(interpolation);
+  track.width = json.at("width").get<int>();
+  track.times = json.at("times").get<std::vector<float>>();
+  track.values = json.at("values").get<std::vector<float>>();
+  return track.times.empty() ? Result<Track>(malformedClip()) : Result<Track>(std::move(track));
+}
+
+Result<Clip> clipOfJson(const Json& json, std::size_t nodes) {
+  Clip clip;
+  clip.name = json.at("name").get<std::string>();
+  clip.framesPerSecond = json.at("fps").get<double>();
+  for (const Json& entry : json.at("tracks")) {
+    Result<Track> track = trackOfJson(entry, nodes);
+    if (!track) {
+      return track.error();
+    }
+    clip.tracks.emplace_back(std::move(track).value());
+  }
+  return clip.tracks.empty() || !(clip.framesPerSecond > 0.0) ? Result<Clip>(malformedClip())
+                                                              : Result<Clip>(std::move(clip));
+}
+
+} // namespace
+
+Json importedClipsToJson(const Document& document) {
+  Json list = Json::array();
+  if (document.importedClips == 0) {
+    return list;
+  }
+  const std::vector<Clip>& clips = *sourceClipsOf(document);
+  for (std::size_t i = clips.size() - document.importedClips; i < clips.size(); ++i) {
+    Json tracks = Json::array();
+    for (const CopyOnWrite<Track>& track : clips[i].tracks) {
+      tracks.push_back(trackJson(*track));
+    }
+    list.push_back({{"clip", i},
+                    {"name", clips[i].name},
+                    {"fps", clips[i].framesPerSecond},
+                    {"tracks", std::move(tracks)}});
+  }
+  return list;
+}
+
+Result<Document> withImportedClips(const Document& document, const Json& list) {
+  std::vector<Clip> lacking;
+  try {
+    for (const Json& entry : list) {
+      Result<Clip> clip = clipOfJson(entry, document.scene->nodes.size());
+      if (!clip) {
+        return clip.error();
+      }
+      const auto place = entry.at("clip").get<std::size_t>();
+      const bool isThere = place < document.clips->size() && (*document.clips)[place].name == clip->name;
+      if (!isThere && place != document.clips->size() + lacking.size()) {
+        return malformedClip();
+      }
+      if (!isThere) {
+        lacking.push_back(std::move(clip).value());
+      }
+    }
+  } catch (const Json::exception&) {
+    return malformedClip();
+  }
+  return lacking.empty() ? Result<Document>(document) : withNewClips(document, lacking);
+}
+
+} // namespace stretch::app

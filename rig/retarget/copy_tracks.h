@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/scene/scene.h"
+
+namespace stretch::rig {
+
+/// The tracks of a clip on the nodes of another scene that have the same names.
+struct CopiedTracks {
+  Clip clip;                        ///< Key for key as it was; without tracks where no name is known.
+  std::vector<std::string> missing; ///< Animated nodes that the other scene has not: names, "#3" without one.
+  std::size_t joints = 0;           ///< Animated nodes that it has.
+};
+
+/// A name that several nodes have is that of the one that is a skin's joint. Morph weights go where the mesh
+/// has as many targets.
+[[nodiscard]] CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to);
+
+/// Whether the joints that the clip moves stand at the same places of their parents in both scenes, those
+/// that have the same names: then its keys mean the same in both. True where no two can be compared.
+[[nodiscard]] bool haveSameBones(const Scene& from, const Clip& clip, const Scene& to);
+
+} // namespace stretch::rig

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/anim/clip.h"
+#include "core/base/result.h"
+#include "rig/retarget/skeleton.h"
+
+namespace stretch::rig {
+
+/// How far a joint may be from where the retargeted clip has it, of the character's height: what keys may be
+/// left out by.
+inline constexpr double retargetTolerance = 1e-4;
+
+struct Retargeted {
+  Clip clip;                     ///< Of the character: LINEAR keys from the source's first to its last.
+  std::vector<std::string> left; ///< What the source moves and the character has not: "fingers".
+};
+
+/// The clip of one biped on another (docs/import_clip.md): joints turn from the bind pose as the source's do,
+/// the body travels by the ratio of the legs' lengths, feet that stand in the source stand. Finite for every
+/// file that was read; an error where the clip is too long, or nothing in it can be followed.
+[[nodiscard]] Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to);
+
+} // namespace stretch::rig

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/import_clip.h"
+#include "app/files/autosave.h"
+#include "app/session.h"
+#include "core/base/file.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/rig/character_file.h"
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using gltf::Json;
+using test::openedFile;
+using test::posedCharacter;
+using test::TemporaryFolder;
+
+namespace {
+
+std::string written(const TemporaryFolder& folder, const std::string& name, const test::MovingBiped& moving,
+                    const std::vector<Clip>& clips) {
+  test::characterFile(moving.scene, clips).write(folder / name);
+  return (folder / name).string();
+}
+
+std::string punchFile(const TemporaryFolder& folder) {
+  const test::MovingBiped moving = test::punchingBiped();
+  Clip clip = moving.clip;
+  clip.name = "jab";
+  return written(folder, "jab.glb", moving, {clip});
+}
+
+test::VerbAnswer import(const std::string& output, const std::string& from,
+                        const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{"import-clip", posedCharacter, "-o", output, "--from", from, "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return test::runVerb(words);
+}
+
+Document imported(const Document& document, const std::string& file) {
+  const Result<NewClips> brought = clipsFromFile(document, {file, {}, {}});
+  INFO((brought ? std::string() : brought.error().line()));
+  REQUIRE(brought);
+  Result<Document> changed = withNewClips(document, {brought->clips.front().clip});
+  REQUIRE(changed);
+  return *changed;
+}
+
+} // namespace
+
+TEST_CASE("import-clip adds the clip of another skeleton behind the file's own and changes nothing else") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const test::VerbAnswer answer = import(output, punchFile(folder));
+  INFO(answer.told);
+  REQUIRE(answer.exitCode == 0);
+  const Json report = Json::parse(answer.output);
+  CHECK(report["clips"][0]["name"] == "jab");
+  CHECK(report["clips"][0]["way"] == "retargeted");
+  const Document before = openedFile(posedCharacter);
+  const Document after = openedFile(output);
+  REQUIRE(after.clips->size() == before.clips->size() + 1);
+  CHECK(after.clips->back().name == "jab");
+  CHECK(std::equal(before.clips->begin(), before.clips->end(), after.clips->begin()));
+  for (const char* key : {"nodes", "meshes", "materials", "skins"}) {
+    CHECK(before.source->json->at(key) == after.source->json->at(key));
+  }
+}
+
+TEST_CASE("import-clip copies the keys of the same skeleton, under a name that is free") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const Document before = openedFile(posedCharacter);
+  const std::string name = before.clips->front().name;
+  REQUIRE(import(output, std::string(posedCharacter) + "#" + name).exitCode == 0);
+  const Document after = openedFile(output);
+  CHECK(after.clips->back().name == name + " 2");
+  REQUIRE(after.clips->back().tracks.size() == before.clips->front().tracks.size());
+  for (const CopyOnWrite<Track>& track : before.clips->front().tracks) {
+    const int copy = findTrack(after.clips->back(), track->node, track->channel);
+    REQUIRE(copy >= 0);
+    CHECK(after.clips->back().tracks[at(copy)]->values == track->values);
+  }
+}
+
+TEST_CASE("import-clip says in one line what it cannot do, and writes nothing") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const auto refusal = [&](const std::string& from, const std::vector<std::string>& more = {}) {
+    const test::VerbAnswer answer = import(output, from, more);
+    CHECK(answer.exitCode == 1);
+    CHECK(std::count(answer.told.begin(), answer.told.end(), '\n') == 1);
+    CHECK_FALSE(std::filesystem::exists(output));
+    return answer.told;
+  };
+  const test::MovingBiped moving = test::punchingBiped();
+  CHECK_THAT(refusal(written(folder, "still.glb", moving, {})), Catch::Contains("holds no clip"));
+  CHECK_THAT(refusal((folder / "none.glb").string()), Catch::Contains("none.glb"));
+  CHECK_THAT(refusal(punchFile(folder), {"--from-clip", "kick"}), Catch::Contains("no clip 'kick'"));
+  REQUIRE(writeText(folder / "broken.glb", "not a file"));
+  CHECK_THAT(refusal((folder / "broken.glb").string()), Catch::Contains("broken.glb"));
+  Scene box;
+  box.nodes.resize(1);
+  box.nodes[0].name = "Box";
+  box.roots = {NodeIndex(0)};
+  Clip spin;
+  spin.tracks.emplace_back(test::vectorTrack(NodeIndex(0), Channel::translation, Interpolation::linear,
+                                             {{0.0, Vec3(0.0)}, {1.0, Vec3(1.0)}}));
+  test::characterFile(box, {spin}).write(folder / "box.glb");
+  CHECK_THAT(refusal((folder / "box.glb").string()), Catch::Contains("no skeleton"));
+}
+
+TEST_CASE("An imported clip is undone, and comes back after a crash, also where the file was saved with it") {
+  const TemporaryFolder folder;
+  const Document before = openedFile(posedCharacter);
+  Session session(before);
+  session.edit(imported(before, punchFile(folder)), "Import a clip");
+  const Document after = session.document();
+  CHECK(after.clips->size() == before.clips->size() + 1);
+  session.undo();
+  CHECK(sameDocument(session.document(), before));
+  session.redo();
+  CHECK(sameDocument(session.document(), after));
+
+  const std::filesystem::path aside = folder / "aside.json";
+  REQUIRE(writeText(aside, autosaveText(after, {}, posedCharacter)));
+  const Result<Document> restored = withAutosave(before, aside);
+  REQUIRE(restored);
+  CHECK(*restored->clips == *after.clips);
+  const std::string saved = (folder / "saved.glb").string();
+  REQUIRE(saveDocument(after, saved, {}));
+  const Result<Document> again = withAutosave(openedFile(saved), aside);
+  REQUIRE(again);
+  CHECK(again->clips->size() == after.clips->size());
+}
+
+TEST_CASE("Undoing the import of the clip that is viewed shows one that is still there") {
+  const TemporaryFolder folder;
+  const Document before = openedFile(posedCharacter);
+  Session session(before);
+  session.edit(imported(before, punchFile(folder)), "Import a clip");
+  session.view().clip = static_cast<int>(before.clips->size());
+  session.view().frame = 20.0;
+  session.undo();
+  CHECK(session.view().clip == static_cast<int>(before.clips->size()) - 1);
+  CHECK(session.view().frame == 0.0);
+  CHECK(session.frameAt(0.0).worlds.size() == before.scene->nodes.size());
+}

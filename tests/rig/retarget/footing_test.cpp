@@ -1,0 +1,106 @@
+#include <cmath>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "rig/retarget/footing.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+
+namespace {
+
+constexpr double legLength = 1.0;
+constexpr std::size_t count = 40;
+
+std::vector<double> seconds() {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < count; ++i) {
+    times.push_back(static_cast<double>(i) / 24.0);
+  }
+  return times;
+}
+
+// Steps from one place to another between frames 12 and 20.
+std::vector<Vec3> stepping(double from, double to) {
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = i <= 12 ? 0.0 : i >= 20 ? 1.0 : static_cast<double>(i - 12) / 8.0;
+    places.emplace_back(0.0, 0.0, from + share * (to - from));
+  }
+  return places;
+}
+
+// A foot that is 0.1 longer than the source's, which turns by a quarter while it stands on its ball, frames
+// 22 to 32.
+FootMotion turningFoot() {
+  FootMotion foot;
+  foot.balls = stepping(0.0, 0.6);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = i < 22 ? 0.0 : i > 32 ? 1.0 : static_cast<double>(i - 22) / 10.0;
+    const Vec3 back(-std::sin(0.5 * pi * turn), 0.0, -std::cos(0.5 * pi * turn));
+    foot.ankles.push_back(foot.balls[i] + 0.2 * back);
+    foot.toAnkle.push_back(0.3 * back);
+    foot.wanted.push_back(foot.ankles[i] + Vec3(0.05, 0.0, 0.0));
+  }
+  foot.ankleStands = standsOf(foot.ankles, seconds(), legLength);
+  foot.ballStands = standsOf(foot.balls, seconds(), legLength);
+  return foot;
+}
+
+} // namespace
+
+TEST_CASE("A foot rests where it keeps its place for a while, and not while it steps") {
+  const std::vector<Stand> stands = standsOf(stepping(0.0, 0.6), seconds(), legLength);
+  REQUIRE(stands.size() == 2);
+  CHECK(stands[0].first == 0);
+  CHECK(stands[0].last == 12);
+  CHECK(stands[1].first == 20);
+  CHECK(stands[1].last == count - 1);
+}
+
+TEST_CASE("A ball of the foot that stands in the source stands, while a longer foot turns about it") {
+  const FootMotion foot = turningFoot();
+  const std::vector<Vec3> ankles = plantedAnkles(foot);
+  const auto ball = [&](std::size_t i) { return ankles[i] - foot.toAnkle[i]; };
+  for (std::size_t i = 0; i <= 12; ++i) {
+    CHECK(glm::length(ball(i) - ball(0)) < 1e-9);
+  }
+  for (std::size_t i = 20; i < count; ++i) {
+    CHECK(glm::length(ball(i) - ball(20)) < 1e-9);
+  }
+}
+
+TEST_CASE("A foot that stands is on the mean where the leg would have it, and goes there without a jump") {
+  const FootMotion foot = turningFoot();
+  const std::vector<Vec3> ankles = plantedAnkles(foot);
+  Vec3 apart(0.0);
+  for (std::size_t i = 20; i < count; ++i) {
+    apart += ankles[i] - foot.wanted[i];
+  }
+  CHECK(glm::length(apart) < 1e-9);
+  for (std::size_t i = 1; i < count; ++i) {
+    CHECK(glm::length(ankles[i] - ankles[i - 1]) < 0.12);
+  }
+}
+
+TEST_CASE("A foot that never stands goes where the leg has it") {
+  FootMotion foot = turningFoot();
+  foot.ankleStands.clear();
+  foot.ballStands.clear();
+  CHECK(plantedAnkles(foot) == foot.wanted);
+}
+
+TEST_CASE("The body comes down as far as it has to, and not at once") {
+  std::vector<double> needed(count, 0.0);
+  needed[20] = 0.1;
+  const std::vector<double> eased = easedAbove(needed, 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    CHECK(eased[i] >= needed[i] - 1e-12);
+  }
+  CHECK(eased[20] == Approx(0.1));
+  CHECK(eased[16] > 0.0);
+  CHECK(eased[16] < 0.1);
+  CHECK(eased[5] == 0.0);
+}

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/anim/sampling.h"
+#include "core/math/rotation.h"
+#include "rig/retarget/copy_tracks.h"
+#include "rig/retarget/retarget.h"
+#include "rig/retarget/thin_keys.h"
+#include "tests/support/rig/moving_biped.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using test::MovingBiped;
+
+namespace {
+
+MovingBiped bodyOf(const test::BodyOptions& options = {}) {
+  return test::still(test::namedBody(options));
+}
+
+// The arms hang down by 45 degrees in the bind pose.
+MovingBiped loweredArms() {
+  test::SyntheticBiped body = test::namedBody();
+  for (const std::string side : {".l", ".r"}) {
+    const Vec3 shoulder = test::jointOf(body, "upperArm" + side).position;
+    for (test::SyntheticJoint& joint : body.joints) {
+      const double out = std::abs(joint.position.x) - std::abs(shoulder.x);
+      const bool isArm = out > 1e-9 && joint.position.y > 1.0 && joint.key.ends_with(side);
+      if (isArm) {
+        const double share = std::sqrt(0.5);
+        const double sign = joint.position.x < 0.0 ? -1.0 : 1.0;
+        joint.position = {shoulder.x + sign * share * out,
+                          shoulder.y - share * out + joint.position.y - shoulder.y, joint.position.z};
+      }
+    }
+  }
+  return test::still(body);
+}
+
+Clip brought(const MovingBiped& from, const MovingBiped& to) {
+  const std::optional<Skeleton> source = skeletonOf(from.scene, from.biped);
+  const std::optional<Skeleton> own = skeletonOf(to.scene, to.biped);
+  REQUIRE(source);
+  REQUIRE(own);
+  Result<Retargeted> result = retarget(*source, from.clip, *own);
+  REQUIRE(result);
+  return result->clip;
+}
+
+std::vector<Mat4> worldsAt(const MovingBiped& moving, const Clip& clip, double seconds) {
+  return worldMatrices(moving.scene, samplePose(moving.scene, clip, seconds));
+}
+
+Vec3 boneOf(const MovingBiped& moving, const Clip& clip, const std::string& limb, std::size_t bone,
+            double seconds) {
+  const std::vector<Vec3> points = limbPoints(moving.limb(limb), worldsAt(moving, clip, seconds));
+  return points[bone + 1] - points[bone];
+}
+
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  return angleBetween(a, b) * 180.0 / pi;
+}
+
+} // namespace
+
+TEST_CASE("A clip that is brought to the same skeleton moves it as before") {
+  const MovingBiped moving = test::punchingBiped();
+  const Clip clip = brought(moving, moving);
+  for (double seconds = 0.0; seconds <= 1.0; seconds += 1.0 / 24.0) {
+    const std::vector<Mat4> before = worldsAt(moving, moving.clip, seconds);
+    const std::vector<Mat4> after = worldsAt(moving, clip, seconds);
+    for (const Limb& limb : moving.biped.limbs) {
+      CHECK(glm::length(endPosition(limb, after) - endPosition(limb, before)) < 0.01 * moving.biped.height);
+    }
+  }
+}
+
+TEST_CASE("Arms that hang down in the bind pose point where the source's arms point") {
+  const MovingBiped moving = test::punchingBiped();
+  const MovingBiped other = loweredArms();
+  REQUIRE(degreesBetween(boneOf(moving, {}, "left-arm", 0, 0.0), boneOf(other, {}, "left-arm", 0, 0.0)) >
+          40.0);
+  const Clip clip = brought(moving, other);
+  for (const std::string limb : {"left-arm", "right-arm"}) {
+    for (double seconds = 0.0; seconds <= 1.0; seconds += 0.125) {
+      for (const std::size_t bone : {0U, 1U}) {
+        CHECK(degreesBetween(boneOf(moving, moving.clip, limb, bone, seconds),
+                             boneOf(other, clip, limb, bone, seconds)) < 0.5);
+      }
+    }
+  }
+}
+
+TEST_CASE("Bones keep their lengths, and the body travels by the ratio of the legs") {
+  const MovingBiped moving = test::punchingBiped();
+  test::SyntheticBiped large = test::namedBody();
+  large.armatureScale = 2.0;
+  for (test::SyntheticJoint& joint : large.joints) {
+    joint.position *= 2.0;
+  }
+  const MovingBiped other = test::still(large);
+  const Clip clip = brought(moving, other);
+  const double ratio = other.limb("left-leg").restLength / moving.limb("left-leg").restLength;
+  const auto hips = [](const MovingBiped& body, const Clip& of, double seconds) {
+    return positionOf(worldsAt(body, of, seconds)[at(body.biped.hips)]);
+  };
+  for (double seconds = 0.25; seconds <= 1.0; seconds += 0.25) {
+    const Vec3 travel = hips(moving, moving.clip, seconds) - hips(moving, moving.clip, 0.0);
+    const Vec3 own = hips(other, clip, seconds) - hips(other, clip, 0.0);
+    CHECK(glm::length(own - ratio * travel) < 0.01 * other.biped.height);
+    CHECK(glm::length(boneOf(other, clip, "left-arm", 0, seconds)) ==
+          Approx(glm::length(boneOf(other, {}, "left-arm", 0, 0.0))).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("A spine of other joints turns as much in all, and a character that faces back moves backwards") {
+  const MovingBiped moving = test::punchingBiped();
+  test::SyntheticBiped turned = test::namedBody({.spineJoints = 5});
+  turned.facesBackwards = true;
+  const MovingBiped other = test::still(turned);
+  const Clip clip = brought(moving, other);
+  const Vec3 punch = boneOf(moving, moving.clip, "left-arm", 0, 0.5);
+  const Vec3 own = boneOf(other, clip, "left-arm", 0, 0.5);
+  CHECK(degreesBetween(own, Vec3(-punch.x, punch.y, -punch.z)) < 0.5);
+}
+
+TEST_CASE("The clip begins and ends with the source's keys, and its joints are keyed linearly") {
+  MovingBiped moving = test::punchingBiped();
+  const Clip clip = brought(moving, bodyOf());
+  float first = 1e9F;
+  float last = -1e9F;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    CHECK(track->interpolation == Interpolation::linear);
+    first = std::min(first, track->times.front());
+    last = std::max(last, track->times.back());
+  }
+  CHECK(first == Approx(0.0));
+  CHECK(last == Approx(1.0));
+}
+
+TEST_CASE("A clip of one key becomes a pose") {
+  MovingBiped moving = test::punchingBiped();
+  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
+    track.edit([](Track& edited) {
+      edited.times.resize(1);
+      edited.values.resize(static_cast<std::size_t>(edited.width));
+    });
+  }
+  moving.clip.endSeconds = moving.clip.startSeconds;
+  for (const CopyOnWrite<Track>& track : brought(moving, bodyOf()).tracks) {
+    CHECK(track->times.size() == 1);
+  }
+}
+
+TEST_CASE("What the character has no joints for is told") {
+  const MovingBiped moving = test::punchingBiped();
+  const MovingBiped other = bodyOf({.toes = false, .fingers = false});
+  const std::optional<Skeleton> source = skeletonOf(moving.scene, moving.biped);
+  const std::optional<Skeleton> own = skeletonOf(other.scene, other.biped);
+  REQUIRE((source && own));
+  const Result<Retargeted> result = retarget(*source, moving.clip, *own);
+  REQUIRE(result);
+  CHECK(std::ranges::find(result->left, "toes") != result->left.end());
+}
+
+TEST_CASE("Few keys tell what many told, within the tolerance") {
+  std::vector<float> times;
+  std::vector<Quat> turns;
+  for (int i = 0; i <= 100; ++i) {
+    times.push_back(static_cast<float>(i) / 24.0F);
+    turns.push_back(axisAngle(Vec3(0, 1, 0), i < 50 ? 0.01 * i : 0.5));
+  }
+  const Track track = thinTurns(NodeIndex(3), times, turns, 1e-3);
+  CHECK(track.times.size() <= 4);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    double q[4];
+    sampleTrack(track, times[i], q);
+    const Quat sampled(q[3], q[0], q[1], q[2]);
+    CHECK(2.0 * std::acos(std::min(1.0, std::abs(glm::dot(sampled, turns[i])))) < 2e-3);
+  }
+  CHECK(thinTurns(NodeIndex(3), times, std::vector<Quat>(times.size(), turns[7]), 1e-3).times.size() == 1);
+}
+
+TEST_CASE("Tracks go to the joints of the same names, key for key, and missing joints are named") {
+  const MovingBiped moving = test::punchingBiped();
+  MovingBiped other = bodyOf();
+  const NodeIndex lost = moving.node.at("foreArm.l");
+  const std::string name = moving.scene.nodes[at(lost)].name;
+  other.scene.nodes[at(other.node.at("foreArm.l"))].name = "elsewhere";
+  const CopiedTracks copied = copyTracks(moving.scene, moving.clip, other.scene);
+  CHECK(copied.missing == std::vector<std::string>{name});
+  const NodeIndex arm = moving.node.at("upperArm.l");
+  const int from = findTrack(moving.clip, arm, Channel::rotation);
+  const int to = findTrack(copied.clip, other.node.at("upperArm.l"), Channel::rotation);
+  REQUIRE((from >= 0 && to >= 0));
+  CHECK(copied.clip.tracks[at(to)]->values == moving.clip.tracks[at(from)]->values);
+  CHECK(copied.clip.tracks[at(to)]->times == moving.clip.tracks[at(from)]->times);
+}
+
+TEST_CASE("Bones of the same names and other lengths are not the same bones") {
+  const MovingBiped moving = test::punchingBiped();
+  CHECK(haveSameBones(moving.scene, moving.clip, bodyOf().scene));
+  test::SyntheticBiped large = test::namedBody();
+  for (test::SyntheticJoint& joint : large.joints) {
+    joint.position *= 1.5;
+  }
+  CHECK_FALSE(haveSameBones(moving.scene, moving.clip, test::still(large).scene));
+}

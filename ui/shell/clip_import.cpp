@@ -1,0 +1,97 @@
+#include "ui/shell/clip_import.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/commands/clips.h"
+#include "app/files/file_facts.h"
+
+namespace stretch::ui {
+
+namespace {
+
+void tellImported(Shell& shell, const app::Document& document, const app::NewClips& brought) {
+  const std::size_t count = brought.clips.size();
+  const std::string name = document.clips->at(document.clips->size() - count).name;
+  tell(shell, ToastKind::success,
+       count > 1 ? fmt::format("{} clips imported", count)
+       : brought.clips.front().isRetargeted
+           ? fmt::format("{} is brought to this character", name)
+           : fmt::format("{} is imported: its keys are as in its file", name));
+  if (!brought.warnings.empty()) {
+    const std::string more = brought.warnings.size() > 1
+                                 ? fmt::format(" (and {} more)", brought.warnings.size() - 1)
+                                 : std::string();
+    tell(shell, ToastKind::warning, brought.warnings.front() + more);
+  }
+}
+
+void takeImported(Shell& shell, app::Session& session, const app::NewClips& brought) {
+  std::vector<Clip> clips;
+  for (const app::NewClip& clip : brought.clips) {
+    clips.push_back(clip.clip);
+  }
+  Result<app::Document> changed = app::withNewClips(session.document(), clips);
+  if (!changed) {
+    tell(shell, ToastKind::error, changed.error().line());
+    return;
+  }
+  const auto first = static_cast<int>(session.document().clips->size());
+  session.edit(std::move(changed).value(), clips.size() == 1 ? "Import a clip" : "Import clips");
+  app::showClip(session, first);
+  shell.ui.timeline.viewEnd = TimelineState{}.viewEnd;
+  shell.ui.timeline.viewStart = TimelineState{}.viewStart;
+  tellImported(shell, session.document(), brought);
+}
+
+} // namespace
+
+void askForClip(Shell& shell, const std::filesystem::path& file) {
+  app::FileFacts facts = app::factsOf(file);
+  if (facts.clips.size() > 1) {
+    shell.ui.clipPick = {};
+    shell.ui.clipPick.file = file;
+    shell.ui.clipPick.clips = std::move(facts.clips);
+  } else {
+    importClip(shell, {file, -1});
+  }
+}
+
+void importClip(Shell& shell, const ClipAnswer& wanted) {
+  ClipImport& import = shell.clipImport;
+  if (shell.open.character() == nullptr || import.job != nullptr) {
+    tell(shell, ToastKind::info,
+         import.job != nullptr ? "Another clip is being imported" : "Open a character first");
+    return;
+  }
+  const app::Document& document = shell.open.character()->document();
+  app::ClipRequest request{
+      wanted.file, wanted.clip < 0 ? std::string() : fmt::format("#{}", wanted.clip), {}};
+  import.file = wanted.file;
+  import.scene = document.scene;
+  import.job = std::make_unique<app::Job<app::NewClips>>(
+      [document, request](const skinning::Proceed&) { return app::clipsFromFile(document, request);
+});
+} // namespace stretch::ui
+
+void updateClipImport(Shell& shell) {
+  ClipImport& import = shell.clipImport;
+  app::Session* const session = shell.open.character();
+  const bool isDragging = session != nullptr && session->isDragging();
+  if (import.job == nullptr || !import.job->isFinished() || isDragging) {
+    return;
+  }
+  const Result<app::NewClips> brought = import.job->take();
+  const ClipImport done = std::exchange(import, {});
+  if (!brought) {
+    tell(shell, ToastKind::error, brought.error().line());
+  } else if (session == nullptr || session->document().scene != done.scene) {
+    tell(shell, ToastKind::info,
+         done.file.filename().string() + " was for a character that is not open any more");
+  } else {
+    takeImported(shell, *session, *brought);
+  }
+}
+
+} // namespace stretch::ui
