@@ -123,8 +123,7 @@ TEST_CASE("the short arms of a tyrannosaur are arms") {
   SECTION("by their names") {
     applyNames(body, scheme);
   }
-  SECTION("without names") {
-  }
+  SECTION("without names") {}
   const BuiltBiped built = build(body);
   const Biped dinosaur = detectBiped(built.scene);
   CHECK(dinosaur.plan == "bird");
