@@ -17,6 +17,7 @@
 #include "rig/retarget/footing.h"
 #include "rig/retarget/joint_pairs.h"
 #include "rig/retarget/thin_keys.h"
+#include "rig/trail/release.h"
 
 namespace stretch::rig {
 
@@ -169,10 +170,15 @@ private:
     const SkeletonLeg& leg = to_.legs[side];
     const double ankleRest = endPosition(followed.limb, from_.bind).y - from_.groundHeight;
     const double ballRest = followed.ball(from_.bind).y - from_.groundHeight;
+    const double byAnkle =
+        endPosition(leg.limb, to_.bind).y - to_.groundHeight + ratio_ * (ankle.y - ankleRest);
     if (ankle.y - ankleRest < ball.y - ballRest) {
-      return endPosition(leg.limb, to_.bind).y - to_.groundHeight + ratio_ * (ankle.y - ankleRest);
+      return byAnkle;
     }
-    return leg.ball(to_.bind).y - to_.groundHeight + ratio_ * (ball.y - ballRest) + toAnkle.y;
+    const double byBall = leg.ball(to_.bind).y - to_.groundHeight + ratio_ * (ball.y - ballRest) + toAnkle.y;
+    constexpr double clear = 0.15; // of the leg: from this height on, toes that hang down touch nothing
+    const double lifted = smoothstep((ball.y - ballRest) / (clear * followed.length));
+    return byBall + lifted * (byAnkle - byBall);
   }
 
   // Feet keep their places where they stand, and the body comes down as far as a leg asks that would not

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Imports clips of one character to another and measures by three.js how the other one moves.
 
-    check_import.py [--table] [--pictures FOLDER] [--only TEXT] PROGRAM DATA_FOLDER
+    check_import.py [--pictures FOLDER] [--only TEXT] PROGRAM DATA_FOLDER
 
 From the program come only the clip that it wrote and the limbs that `info --json` names. For each pair:
 - slide: how far a foot strays over the ground, of the target's height, while the same foot of the source stands: slower than a quarter of
-  the leg's length a second for a tenth of a second, within 0.5 % of its height around its place (at most 0.5);
+  the leg's length a second for a tenth of a second, within 0.25 % of its height around its place, without the first and the last thirtieth of
+  a second (at most 0.5);
 - under: how much farther the lowest vertex gets below the floor than the source's does, of the height;
 - angle: of the bones of arms and legs against the source's, degrees: the median over frames and bones, and the 95th percentile. Feet that are
   put down turn legs;
@@ -29,6 +30,8 @@ from vectors import angle, sub
 
 STANDS = 0.25  # leg lengths in each second
 LARGEST_SLIDE = 0.005  # of the height
+STANDS_WITHIN = 0.0025  # of the height
+ARRIVING = 2  # of the sixty samples in each second, at either end of a stand: the foot comes to rest and sets off
 LATEST = 1e-3  # seconds
 HUMAN = "biped/human-addon-animations.glb"
 PAIRS = [
@@ -98,7 +101,7 @@ def stands(places, times, leg, height):
     while first + 1 < len(places):
         last = first
         while (last + 1 < len(places) and math.dist(places[last + 1], places[last]) <= STANDS * leg * (times[last + 1] - times[last])
-               and math.dist(places[last + 1], places[first]) <= LARGEST_SLIDE * height):
+               and math.dist(places[last + 1], places[first]) <= STANDS_WITHIN * height):
             last += 1
         if last > first and times[last] - times[first] >= 0.1:
             result.append((first, last))
@@ -117,6 +120,7 @@ def slides(source, own):
         point = min(len(source.feet[leg]), len(own.feet[leg])) - 1
         for first, last in stands(source.stood(leg, point), source.times, source.limbs[leg]["rest_length"], source.height):
             here = own.stood(leg, point)
+            first, last = first + ARRIVING, last - ARRIVING
             found.append(max(level(here[i], here[first]) for i in range(first, last + 1)) / own.height)
     return found
 
@@ -189,7 +193,6 @@ def check(program, reader, data, folder, pair, pictures):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--table", action="store_true", help="print the rows of docs/import_clip.md")
     parser.add_argument("--pictures", type=pathlib.Path)
     parser.add_argument("--only", default="", help="pairs whose names hold this")
     parser.add_argument("program")

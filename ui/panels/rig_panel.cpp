@@ -241,7 +241,8 @@ void drawRigPanel(PanelContext& context) {
     clipRows(context);
   } else {
     notice(widgets, NoticeKind::warning,
-           "The file has no animation: there is no motion to exaggerate. Open one with a clip.");
+           "The file has no animation: there is no motion to exaggerate. Import a clip, or open a file with "
+           "one.");
   }
   if (section(widgets, "rig/limbs", "Limbs found", context.ui.closedSections)) {
     planRow(context);
