@@ -162,6 +162,7 @@ Verb elasticVerb() {
             const auto arguments = std::make_shared<ElasticArguments>();
             line.examples({"dummy.glb -o heavy.glb --stiffness 0.6"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);
             line.repeated("--limb", arguments->limbs,

@@ -329,6 +329,7 @@ Verb infoVerb() {
             const auto arguments = std::make_shared<InfoArguments>();
             line.examples({"punch.glb", "--json punch.glb"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             addJson(line, arguments->json);
             return [arguments] { return runInfo(*arguments); };
           }};

@@ -29,6 +29,10 @@ constexpr double fastestRate = 10000.0;
 
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
+  addTolerant(line, arguments);
+}
+
+void addPlan(CommandLine& line, FileArguments& arguments) {
   line.option("--plan", arguments.plan,
               "Body plan to read the character as: " + rig::planIds() + "; default: as found")
       .check([](const std::string& text) {
@@ -36,7 +40,6 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
                    ? std::string()
                    : "'" + text + "' is no body plan; give one of: " + rig::planIds();
       });
-  addTolerant(line, arguments);
 }
 
 void addTolerant(CommandLine& line, FileArguments& arguments) {

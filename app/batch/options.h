@@ -30,8 +30,11 @@ struct FileArguments {
   double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
 };
 
-/// Declares FILE, --plan and --tolerant.
+/// Declares FILE and --tolerant.
 void addFileArguments(CommandLine& line, FileArguments& arguments);
+
+/// Declares --plan, for verbs that ask for limbs.
+void addPlan(CommandLine& line, FileArguments& arguments);
 
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);
