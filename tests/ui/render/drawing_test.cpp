@@ -7,6 +7,7 @@
 
 #include "../../support/ui/render_scenes.h"
 #include "ui/render/arrow_mesh.h"
+#include "ui/render/bounds.h"
 #include "ui/render/lighting.h"
 #include "ui/render/quality.h"
 #include "ui/render/skeleton_drawing.h"
@@ -108,6 +109,26 @@ TEST_CASE("Bones lead from joint to joint, through helper nodes") {
 TEST_CASE("A character of rigid parts has a skeleton too") {
   Scene scene = triangleScene();
   CHECK(jointsOf(scene) == std::vector{NodeIndex(0)});
+}
+
+TEST_CASE("A skeleton without a mesh is drawn as a stick figure, all of it in the picture") {
+  Scene scene = bipedScene();
+  CHECK_FALSE(isStickFigure(scene));
+  for (Node& node : scene.nodes) {
+    node.mesh = -1;
+  }
+  scene.skins.clear();
+  REQUIRE(isStickFigure(scene));
+  const FrameState frame = frameOf(scene, restPose(scene), 0.0);
+  const std::vector<NodeIndex> joints = jointsOf(scene);
+  CHECK(joints.size() > 10);
+  const Box box = BoundsSampler(scene).boxOf(scene, frame);
+  REQUIRE_FALSE(box.empty());
+  for (const NodeIndex joint : joints) {
+    const Vec3 place = positionOf(frame.worlds[at(joint)]);
+    CHECK(place.y >= box.minimum.y - 1e-9);
+    CHECK(place.y <= box.maximum.y + 1e-9);
+  }
 }
 
 TEST_CASE("The stretch ratio of a bone is its singular value farthest from one") {
