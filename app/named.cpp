@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/number.h"
+#include "rig/body/planned_body.h"
 
 namespace stretch::app {
 
@@ -66,6 +67,10 @@ Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text, con
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos && document.biped.limbs.empty() && !document.biped.warnings.empty()) {
     return Error{"there is no limb '" + text + "'", where, document.biped.warnings.back()};
+  }
+  if (const std::string why = dots == std::string::npos ? rig::whyNoLimb(document.biped, text) : "";
+      !why.empty()) {
+    return Error{"there is no limb '" + text + "'", where, why};
   }
   if (dots == std::string::npos) {
     return Error{"there is no limb '" + text + "'", where,

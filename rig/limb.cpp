@@ -1,27 +1,48 @@
 #include "rig/limb.h"
 
+#include <algorithm>
+#include <array>
+
 #include <glm/geometric.hpp>
 
 namespace stretch::rig {
 
-std::string_view limbName(LimbKind kind) {
-  switch (kind) {
-  case LimbKind::leftArm:
-    return "left-arm";
-  case LimbKind::rightArm:
-    return "right-arm";
-  case LimbKind::leftLeg:
-    return "left-leg";
-  case LimbKind::rightLeg:
-    return "right-leg";
-  case LimbKind::spine:
-    return "spine";
-  case LimbKind::neck:
-    return "neck";
-  case LimbKind::chain:
-    break;
-  }
-  return "chain";
+namespace {
+
+constexpr std::array<std::string_view, 9> kindNames{"arm",  "leg", "spine",  "neck", "tail",
+                                                    "wing", "fin", "feeler", "chain"};
+
+} // namespace
+
+std::string_view kindName(LimbKind kind) {
+  return kindNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<LimbKind> kindNamed(std::string_view name) {
+  const auto* const found = std::ranges::find(kindNames, name);
+  return found == kindNames.end() ? std::nullopt
+                                  : std::optional(static_cast<LimbKind>(found - kindNames.begin()));
+}
+
+std::string limbName(const LimbPlace& limb) {
+  const std::string_view side = limb.side == LimbSide::left    ? "left-"
+                                : limb.side == LimbSide::right ? "right-"
+                                                               : "";
+  return std::string(side).append(kindName(limb.kind));
+}
+
+LimbPlace mirrored(LimbPlace limb) {
+  limb.side = limb.side == LimbSide::left    ? LimbSide::right
+              : limb.side == LimbSide::right ? LimbSide::left
+                                             : LimbSide::middle;
+  return limb;
+}
+
+const Limb* limbAt(const std::vector<Limb>& limbs, const LimbPlace& place) {
+  const auto found = std::ranges::find_if(limbs, [&](const Limb& limb) {
+    return static_cast<const LimbPlace&>(limb) == place && !limb.joints.empty();
+  });
+  return found == limbs.end() ? nullptr : &*found;
 }
 
 Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <compare>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/anim/frame_state.h"
@@ -10,19 +13,68 @@
 
 namespace stretch::rig {
 
-enum class LimbKind { leftArm, rightArm, leftLeg, rightLeg, spine, neck, chain };
+/// In the order in which the limbs of a body are listed.
+enum class LimbKind { arm, leg, spine, neck, tail, wing, fin, feeler, chain };
+enum class LimbSide { left, right, middle };
 
-/// "left-arm" ... "neck"; "chain" for any other chain.
-[[nodiscard]] std::string_view limbName(LimbKind kind);
+/// What a limb is to its body. Limbs are listed by kind, then from front to back, the left one first.
+struct LimbPlace {
+  LimbKind kind = LimbKind::chain;
+  LimbSide side = LimbSide::middle;
+  int row = 0; ///< From front to back, 1 is the first; 0 where the body has one row of the kind.
 
-[[nodiscard]] constexpr bool isLeg(LimbKind kind) {
-  return kind == LimbKind::leftLeg || kind == LimbKind::rightLeg;
+  friend bool operator==(const LimbPlace&, const LimbPlace&) = default;
+  friend constexpr auto operator<=>(const LimbPlace& a, const LimbPlace& b) {
+    return std::tuple(a.kind, a.row, a.side) <=> std::tuple(b.kind, b.row, b.side);
+  }
+};
+
+/// The places of a biped's limbs.
+namespace biped {
+inline constexpr LimbPlace leftArm{LimbKind::arm, LimbSide::left};
+inline constexpr LimbPlace rightArm{LimbKind::arm, LimbSide::right};
+inline constexpr LimbPlace leftLeg{LimbKind::leg, LimbSide::left};
+inline constexpr LimbPlace rightLeg{LimbKind::leg, LimbSide::right};
+inline constexpr LimbPlace spine{LimbKind::spine};
+inline constexpr LimbPlace neck{LimbKind::neck};
+} // namespace biped
+
+/// "arm", "leg" ... "chain", and the kind of such a word; nothing for any other.
+[[nodiscard]] std::string_view kindName(LimbKind kind);
+[[nodiscard]] std::optional<LimbKind> kindNamed(std::string_view name);
+
+/// "left-arm" ... "neck", without the row; "chain" for a chain that is nothing else.
+[[nodiscard]] std::string limbName(const LimbPlace& limb);
+
+[[nodiscard]] constexpr bool isLeg(const LimbPlace& limb) {
+  return limb.kind == LimbKind::leg;
+}
+[[nodiscard]] constexpr bool isArm(const LimbPlace& limb) {
+  return limb.kind == LimbKind::arm;
+}
+/// Of the middle of the body, which carries the other limbs.
+[[nodiscard]] constexpr bool isTrunk(const LimbPlace& limb) {
+  return limb.kind == LimbKind::spine || limb.kind == LimbKind::neck;
+}
+/// Whether it has a hand or a foot, which can be kept at a place.
+[[nodiscard]] constexpr bool hasHandOrFoot(const LimbPlace& limb) {
+  return isArm(limb) || isLeg(limb);
+}
+/// Whether it reaches out from the trunk: its end is posed, and the rest of it follows.
+[[nodiscard]] constexpr bool reachesOut(const LimbPlace& limb) {
+  return !isTrunk(limb) && limb.kind != LimbKind::chain;
+}
+/// Whether it bends at an elbow or a knee; all others keep their shape as they reach.
+[[nodiscard]] constexpr bool hasElbowOrKnee(const LimbPlace& limb) {
+  return isArm(limb) || isLeg(limb) || limb.kind == LimbKind::wing;
 }
 
+/// The place on the other side of the body; the same in the middle.
+[[nodiscard]] LimbPlace mirrored(LimbPlace limb);
+
 /// A chain of joints that is stretched as one.
-struct Limb {
-  LimbKind kind = LimbKind::chain;
-  std::string id;                ///< "left-arm", or "JOINT_A..JOINT_B" as the user wrote it.
+struct Limb : LimbPlace {
+  std::string id; ///< "left-arm", "front-left-leg", or "JOINT_A..JOINT_B" as the user wrote it.
   std::vector<NodeIndex> joints; ///< Nodes from the base to the last joint before the end, base first; at
                                  ///< least one. Twist joints and helper nodes between them are not listed:
                                  ///< they ride on their bone.
@@ -36,9 +88,8 @@ struct Limb {
   friend bool operator==(const Limb&, const Limb&) = default;
 };
 
-[[nodiscard]] inline bool isLeg(const Limb& limb) {
-  return isLeg(limb.kind);
-}
+/// Null when there is no limb at the place.
+[[nodiscard]] const Limb* limbAt(const std::vector<Limb>& limbs, const LimbPlace& place);
 
 /// Position of the limb's end in world space.
 [[nodiscard]] Vec3 endPosition(const Limb& limb, const std::vector<Mat4>& worlds);

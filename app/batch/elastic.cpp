@@ -61,12 +61,10 @@ Result<WeightSettings> settingsOf(const ElasticArguments& arguments) {
   return settings;
 }
 
-std::vector<std::string> armsAndLegs(const Document& document) {
+std::vector<std::string> allButTrunk(const Document& document) {
   std::vector<std::string> limbs;
   for (const rig::Limb& limb : document.biped.limbs) {
-    const bool counts = limb.kind == rig::LimbKind::leftArm || limb.kind == rig::LimbKind::rightArm ||
-                        limb.kind == rig::LimbKind::leftLeg || limb.kind == rig::LimbKind::rightLeg;
-    if (counts) {
+    if (!isTrunk(limb)) {
       limbs.push_back(limb.id);
     }
   }
@@ -92,7 +90,7 @@ Result<std::string> cutToClip(const Document& document, int clip, WeightSettings
 
 Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSettings& settings,
                 Document& document) {
-  const std::vector<std::string> wanted = arguments.limbs.empty() ? armsAndLegs(document) : arguments.limbs;
+  const std::vector<std::string> wanted = arguments.limbs.empty() ? allButTrunk(document) : arguments.limbs;
   if (wanted.empty()) {
     return Error{"no arm or leg was found", document.source->path.string(),
                  "name a chain, such as --limb JOINT_A..JOINT_B"};
@@ -164,6 +162,7 @@ Verb elasticVerb() {
             const auto arguments = std::make_shared<ElasticArguments>();
             line.examples({"dummy.glb -o heavy.glb --stiffness 0.6"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);
             line.repeated("--limb", arguments->limbs,

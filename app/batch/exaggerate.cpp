@@ -86,6 +86,7 @@ Verb exaggerateVerb() {
             line.examples({"dummy.glb -o punch.glb --limb left-arm --range 21:27 --scale 3 --axes xz",
                            "dummy.glb -o punch.glb --recipe refined-punch.json"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);
             line.option("--recipe", arguments->recipe, "A recipe (JSON) instead of --limb and its options");

@@ -168,6 +168,9 @@ Json infoOf(const Document& document) {
                              {"fps", clip.framesPerSecond}});
   }
   info["biped"] = document.biped.isBiped;
+  info["plan"] = {{"plan", document.biped.plan},
+                  {"confidence", document.biped.planConfidence},
+                  {"reasons", document.biped.planReasons}};
   info["height"] = document.biped.height;
   info["limbs"] = Json::array();
   for (const rig::Limb& limb : document.biped.limbs) {
@@ -229,6 +232,15 @@ void printPosing(const Json& info) {
   }
 }
 
+void printPlan(const Json& plan) {
+  std::string reasons;
+  for (const Json& reason : plan["reasons"]) {
+    reasons += (reasons.empty() ? "" : "; ") + reason.get<std::string>();
+  }
+  fmt::print("plan   {} (confidence {:.2f}): {}\n", plan["plan"].get<std::string>(),
+             plan["confidence"].get<double>(), reasons);
+}
+
 void printInfo(const Json& info) {
   for (const Json& mesh : info["meshes"]) {
     fmt::print("mesh   {}: {} vertices, {} triangles\n", mesh["name"].get<std::string>(),
@@ -242,6 +254,7 @@ void printInfo(const Json& info) {
                clip["seconds"].get<double>(), clip["frames"].get<std::int64_t>(), clip["fps"].get<double>(),
                clip["keys"].get<int>());
   }
+  printPlan(info["plan"]);
   for (const Json& limb : info["limbs"]) {
     fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(),
                jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>());
@@ -316,6 +329,7 @@ Verb infoVerb() {
             const auto arguments = std::make_shared<InfoArguments>();
             line.examples({"punch.glb", "--json punch.glb"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             addJson(line, arguments->json);
             return [arguments] { return runInfo(*arguments); };
           }};

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/edits/limb_edits.h"
 #include "app/edits/rate_edits.h"
 #include "app/files/save.h"
 #include "app/named.h"
@@ -15,6 +16,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/gltf/json.h"
+#include "rig/plan/body_plan.h"
 
 namespace stretch::app {
 
@@ -28,6 +30,16 @@ constexpr double fastestRate = 10000.0;
 void addFileArguments(CommandLine& line, FileArguments& arguments) {
   line.option("FILE", arguments.file, "A .glb, .gltf or .vrm file").required();
   addTolerant(line, arguments);
+}
+
+void addPlan(CommandLine& line, FileArguments& arguments) {
+  line.option("--plan", arguments.plan,
+              "Body plan to read the character as: " + rig::planIds() + "; default: as found")
+      .check([](const std::string& text) {
+        return rig::planNamed(text) != nullptr
+                   ? std::string()
+                   : "'" + text + "' is no body plan; give one of: " + rig::planIds();
+      });
 }
 
 void addTolerant(CommandLine& line, FileArguments& arguments) {
@@ -98,6 +110,9 @@ Result<Document> openDocument(const FileArguments& arguments) {
   }
   Result<Document> document =
       openDocument(arguments.file, arguments.tolerant ? gltf::Tolerance::warn : gltf::Tolerance::refuse);
+  if (document && !arguments.plan.empty()) {
+    document = changePlan(*document, arguments.plan);
+  }
   if (document && arguments.framesPerSecond > 0.0) {
     setFramesPerSecond(*document, arguments.framesPerSecond);
   }

@@ -18,18 +18,23 @@ namespace stretch::app {
 // command line.
 
 inline constexpr const char* limbWords =
-    "left-arm, right-arm, left-leg, right-leg, spine, neck or JOINT_A..JOINT_B";
+    "left-arm, right-arm, left-leg, right-leg, spine, neck, what info lists of another body, "
+    "or JOINT_A..JOINT_B";
 
 /// The character file that a verb works on.
 struct FileArguments {
   std::string file;
   bool tolerant = false;
+  std::string plan = {}; ///< Id of a body plan; empty: as found.
   std::string clip = {};
   double framesPerSecond = 0.0; ///< 0: as guessed from the keys.
 };
 
 /// Declares FILE and --tolerant.
 void addFileArguments(CommandLine& line, FileArguments& arguments);
+
+/// Declares --plan, for verbs that ask for limbs.
+void addPlan(CommandLine& line, FileArguments& arguments);
 
 /// Declares --tolerant.
 void addTolerant(CommandLine& line, FileArguments& arguments);

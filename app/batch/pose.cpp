@@ -265,6 +265,7 @@ Verb poseVerb() {
                        "dummy.glb -o low.glb --offsets offsets.csv --units metres",
                        "dummy.glb -o armed.glb --prop bat.glb --prop-hand both"});
         addFileArguments(line, arguments->input);
+        addPlan(line, arguments->input);
         addOutputArguments(line, arguments->output);
         line.option("--recipe", arguments->recipe, "A recipe (JSON) with adjustments, pins, grips or props");
         line.option("--offsets", arguments->offsets,

@@ -97,6 +97,7 @@ Verb trailVerb() {
             const auto arguments = std::make_shared<TrailArguments>();
             line.examples({"dummy.glb --limb left-arm --range 21:27"});
             addFileArguments(line, arguments->input);
+            addPlan(line, arguments->input);
             line.option("--limb", arguments->limb, limbWords).required();
             addClipArguments(line, arguments->input);
             line.option("--range", arguments->range, "First and last frame, A:B").check(problemOfRange);

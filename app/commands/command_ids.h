@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 /// Ids of all commands: the tables define what each does, panels and keys ask for it. A test fails when one
 /// has no command, or when an id is spelled out anywhere else.
 namespace stretch::app::command {
@@ -26,6 +28,13 @@ inline constexpr const char* selectLeftLeg = "limb.left-leg";
 inline constexpr const char* selectRightLeg = "limb.right-leg";
 inline constexpr const char* selectSpine = "limb.spine";
 inline constexpr const char* selectNeck = "limb.neck";
+inline constexpr const char* selectSeventh = "limb.seventh";
+inline constexpr const char* selectEighth = "limb.eighth";
+inline constexpr const char* selectNinth = "limb.ninth";
+/// Of the keys 1 to 9: limbs in the order in which the diagram shows them. Named by a biped's.
+inline constexpr std::array<const char*, 9> limbSlots{selectLeftArm,  selectRightArm, selectLeftLeg,
+                                                      selectRightLeg, selectSpine,    selectNeck,
+                                                      selectSeventh,  selectEighth,   selectNinth};
 inline constexpr const char* selectNone = "limb.none";
 inline constexpr const char* pickChain = "limb.chain";
 inline constexpr const char* detectAgain = "rig.detect";
@@ -36,6 +45,7 @@ inline constexpr const char* locatorsSnap = "locators.snap";
 inline constexpr const char* rigBuild = "rig.build";
 inline constexpr const char* rigBack = "rig.back";
 inline constexpr const char* bindMesh = "rig.bind";
+inline constexpr const char* planPrefix = "rig.plan-"; ///< And the plan's id.
 
 inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";
@@ -138,6 +148,13 @@ inline constexpr const char* controllersOfRightLeg = "controller.right-leg";
 inline constexpr const char* controllersOfSpine = "controller.spine";
 inline constexpr const char* controllersOfNeck = "controller.neck";
 inline constexpr const char* controllersOfHips = "controller.hips";
+inline constexpr const char* controllersOfEighth = "controller.eighth";
+inline constexpr const char* controllersOfNinth = "controller.ninth";
+/// Of the keys Alt+1 to Alt+9: controllers of the limbs in the same order, then the hips.
+inline constexpr std::array<const char*, 9> controllerSlots{
+    controllersOfLeftArm,  controllersOfRightArm, controllersOfLeftLeg,
+    controllersOfRightLeg, controllersOfSpine,    controllersOfNeck,
+    controllersOfHips,     controllersOfEighth,   controllersOfNinth};
 inline constexpr const char* controllerNext = "controller.next";
 inline constexpr const char* controllerPrevious = "controller.previous";
 inline constexpr const char* controllersAll = "controller.all";

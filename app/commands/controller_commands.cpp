@@ -18,39 +18,42 @@ namespace stretch::app {
 
 namespace {
 
-/// The controllers that one key goes through.
-struct ControllerGroup {
-  const char* id;
-  const char* title;
-  const char* digit;
-  std::array<const char*, 3> controllers;
-};
+/// What the keys' controllers are called where no character is open: those of a biped.
+constexpr std::array<const char*, 9> slotNames{"left arm", "right arm", "left leg",    "right leg", "spine",
+                                               "head",     "hips",      "eighth limb", "ninth limb"};
 
-constexpr std::array<ControllerGroup, 7> controllerGroups{{
-    {command::controllersOfLeftArm, "left arm", "1", {"left-hand", "left-elbow", ""}},
-    {command::controllersOfRightArm, "right arm", "2", {"right-hand", "right-elbow", ""}},
-    {command::controllersOfLeftLeg, "left leg", "3", {"left-foot", "left-knee", ""}},
-    {command::controllersOfRightLeg, "right leg", "4", {"right-foot", "right-knee", ""}},
-    {command::controllersOfSpine, "spine", "5", {"spine-top", "spine-mid", "spine-low"}},
-    {command::controllersOfNeck, "head", "6", {"head", "", ""}},
-    {command::controllersOfHips, "hips", "7", {"hips", "body", ""}},
-}};
-
-/// Those of the group that the character has.
-std::vector<std::string> presentOf(const Document& document, const ControllerGroup& group) {
+/// The controllers that one key goes through: of a limb, and of the hips after the last one.
+std::vector<std::string> controllersOfSlot(const Document& document, std::size_t slot) {
+  const std::vector<std::string> limbs = limbsByKey(document);
   const rig::ControllerList list = controllersOf(document);
-  std::vector<std::string> present;
-  for (const char* const id : group.controllers) {
-    if (list.controller(id) != nullptr) {
-      present.emplace_back(id);
+  std::vector<std::string> ids;
+  for (const rig::Controller& controller : list.controllers) {
+    const bool isOfLimb = slot < limbs.size() && controller.limb == limbs[slot];
+    const bool isOfHips = slot == limbs.size() && controller.limb.empty();
+    if (isOfLimb || isOfHips) {
+      ids.push_back(controller.id);
     }
   }
-  return present;
+  // The tip of the spine and the hips are what is posed first.
+  const rig::Limb* const limb = slot < limbs.size() ? findLimb(document, limbs[slot]) : nullptr;
+  if (limb == nullptr || isTrunk(*limb)) {
+    std::ranges::reverse(ids);
+  }
+  return ids;
+}
+
+std::string nameOfSlot(const Document& document, std::size_t slot) {
+  const std::vector<std::string> limbs = limbsByKey(document);
+  const bool isNeck = slot < limbs.size() && limbs[slot] == "neck";
+  return slot == limbs.size()  ? "hips"
+         : isNeck              ? "head"
+         : slot < limbs.size() ? limbTitle(document, limbs[slot])
+                               : slotNames[slot];
 }
 
 /// The one after the first that is selected, round and round.
-Status selectNextOf(Session& session, const ControllerGroup& group) {
-  const std::vector<std::string> present = presentOf(session.document(), group);
+Status selectNextOf(Session& session, std::size_t slot) {
+  const std::vector<std::string> present = controllersOfSlot(session.document(), slot);
   const std::vector<std::string>& selected = session.view().selectedControllers;
   const auto last = selected.empty() ? present.end() : std::ranges::find(present, selected.back());
   const bool goesOn = last != present.end() && std::next(last) != present.end();
@@ -58,25 +61,30 @@ Status selectNextOf(Session& session, const ControllerGroup& group) {
   return Success{};
 }
 
-DocumentCommand groupCommand(const ControllerGroup& group, bool add) {
-  const std::string title = group.title;
+DocumentCommand slotCommand(std::size_t slot, bool add) {
+  const std::string title = slotNames[slot];
   DocumentCommand command;
-  command.id = std::string(group.id) + (add ? "-add" : "");
+  command.id = std::string(command::controllerSlots[slot]) + (add ? "-add" : "");
   command.label = (add ? "Add controllers: " : "Controllers: ") + title;
+  command.labelNow = [slot, add](const Session& session) {
+    return (add ? "Add controllers: " : "Controllers: ") + nameOfSlot(session.document(), slot);
+  };
   command.help = add ? "Adds the first controller of the " + title + " to the selection, or takes it away."
                      : "Selects the first controller of the " + title + "; again goes on to its next one.";
-  command.keys = {std::string(add ? "Shift+Alt+" : "Alt+") + group.digit};
+  command.keys = {(add ? "Shift+Alt+" : "Alt+") + std::to_string(slot + 1)};
   command.needs = "this character has no " + title;
-  command.enabled = [group](const Session& session) { return !presentOf(session.document(), group).empty(); };
-  command.checked = [group](const Session& session) {
-    return std::ranges::any_of(group.controllers,
-                               [&](const char* id) { return isControllerSelected(session, id); });
+  command.enabled = [slot](const Session& session) {
+    return !controllersOfSlot(session.document(), slot).empty();
   };
-  command.run = [group, add](Session& session) -> Status {
+  command.checked = [slot](const Session& session) {
+    return std::ranges::any_of(controllersOfSlot(session.document(), slot),
+                               [&](const std::string& id) { return isControllerSelected(session, id); });
+  };
+  command.run = [slot, add](Session& session) -> Status {
     if (!add) {
-      return selectNextOf(session, group);
+      return selectNextOf(session, slot);
     }
-    selectController(session, presentOf(session.document(), group).front(), true);
+    selectController(session, controllersOfSlot(session.document(), slot).front(), true);
     return Success{};
   };
   return command;
@@ -156,8 +164,8 @@ Need controllersFound() {
 std::vector<DocumentCommand> controllerCommands() {
   std::vector<DocumentCommand> commands;
   for (const bool add : {false, true}) {
-    for (const ControllerGroup& group : controllerGroups) {
-      commands.push_back(groupCommand(group, add));
+    for (std::size_t slot = 0; slot < slotNames.size(); ++slot) {
+      commands.push_back(slotCommand(slot, add));
     }
   }
   commands.push_back(entry(command::controllerNext, "Next controller",

@@ -72,7 +72,8 @@ Vec3 turnedFurther(const Vec3& vector, const Vec3& change) {
 bool carries(rig::ControllerKind carrier, const rig::PlacedController& other) {
   using rig::ControllerKind;
   const auto kind = other.kind;
-  const bool onChest = kind == ControllerKind::head || kind == ControllerKind::hand;
+  const bool onChest =
+      kind == ControllerKind::head || kind == ControllerKind::hand || kind == ControllerKind::tip;
   const bool onHips = onChest || kind == ControllerKind::spineLow || kind == ControllerKind::spineMiddle ||
                       kind == ControllerKind::spineTop || kind == ControllerKind::pole;
   switch (carrier) {

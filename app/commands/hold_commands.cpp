@@ -27,10 +27,6 @@ namespace {
 
 constexpr Vec2 usualBlend(3.0, 3.0);
 
-bool isHeldLimb(const rig::Limb& limb) {
-  return isLeg(limb) || limb.kind == rig::LimbKind::leftArm || limb.kind == rig::LimbKind::rightArm;
-}
-
 // The arms and legs whose hands and feet are meant: of the selected controllers, else the selected limbs.
 std::vector<std::string> heldTargets(const Session& session) {
   std::vector<std::string> limbs;
@@ -46,7 +42,7 @@ std::vector<std::string> heldTargets(const Session& session) {
   }
   std::erase_if(limbs, [&](const std::string& id) {
     const rig::Limb* const limb = findLimb(session.document(), id);
-    return limb == nullptr || !isHeldLimb(*limb);
+    return limb == nullptr || !hasHandOrFoot(*limb);
   });
   return limbs;
 }
@@ -111,17 +107,10 @@ Status pinPlantedFeet(Session& session) {
 
 // The limb on the other side of the body; empty where there is none.
 std::string otherHand(const Document& document, const std::string& limbId) {
-  using rig::LimbKind;
-  constexpr std::array pairs{std::pair(LimbKind::leftArm, LimbKind::rightArm),
-                             std::pair(LimbKind::leftLeg, LimbKind::rightLeg)};
   const rig::Limb* const limb = findLimb(document, limbId);
-  for (const auto& [left, right] : pairs) {
-    if (limb != nullptr && (limb->kind == left || limb->kind == right)) {
-      const rig::Limb* const other = rig::limbOfKind(document.biped.limbs, limb->kind == left ? right : left);
-      return other != nullptr ? other->id : std::string();
-    }
-  }
-  return {};
+  const bool isPaired = limb != nullptr && hasHandOrFoot(*limb);
+  const rig::Limb* const other = isPaired ? limbAt(document.biped.limbs, mirrored(*limb)) : nullptr;
+  return other != nullptr ? other->id : std::string();
 }
 
 // The grip of this clip by which the first target leads at the playhead's range; where the list has it.

@@ -4,44 +4,71 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
+#include "app/edits/limb_edits.h"
 #include "app/edits/prop_file_edits.h"
+#include "rig/plan/body_plan.h"
 
 namespace stretch::app {
 
 namespace {
 
-struct LimbKey {
-  const char* id;
-  const char* title;
-  const char* key;
-};
+/// What the limbs of the keys are called where no character is open: those of a biped.
+constexpr std::array<const char*, 9> slotTitles{"left arm",     "right arm",   "left leg",
+                                                "right leg",    "spine",       "neck",
+                                                "seventh limb", "eighth limb", "ninth limb"};
 
-constexpr std::array<LimbKey, 6> limbKeys{{{"left-arm", "left arm", "1"},
-                                           {"right-arm", "right arm", "2"},
-                                           {"left-leg", "left leg", "3"},
-                                           {"right-leg", "right leg", "4"},
-                                           {"spine", "spine", "5"},
-                                           {"neck", "neck", "6"}}};
+/// Empty where the character has fewer limbs.
+std::string limbOfSlot(const Session& session, std::size_t slot) {
+  const std::vector<std::string> ids = limbsByKey(session.document());
+  return slot < ids.size() ? ids[slot] : std::string();
+}
 
-DocumentCommand selectCommand(const LimbKey& limb, bool add) {
-  const std::string id = limb.id;
-  const std::string title = limb.title;
+bool hasLimbOfSlot(const Session& session, std::size_t slot) {
+  return findLimb(session.document(), limbOfSlot(session, slot)) != nullptr;
+}
+
+DocumentCommand selectCommand(std::size_t slot, bool add) {
+  const std::string title = slotTitles[slot];
   DocumentCommand command;
-  command.id = "limb." + id + (add ? "-add" : "");
+  command.id = std::string(command::limbSlots[slot]) + (add ? "-add" : "");
   command.label = (add ? "Add " : "Select ") + title;
+  command.labelNow = [slot, title, add](const Session& session) {
+    const std::string id = limbOfSlot(session, slot);
+    return (add ? "Add " : "Select ") + (id.empty() ? title : limbTitle(session.document(), id));
+  };
   command.help = add ? "Adds the " + title + " to the selection, or takes it away."
                      : "Selects the " + title + ", with its trail at the playhead.";
-  command.keys = {(add ? "Shift+" : "") + std::string(limb.key)};
+  command.keys = {(add ? "Shift+" : "") + std::to_string(slot + 1)};
   command.needs = "this character has no " + title;
-  command.enabled = [id](const Session& session) { return findLimb(session.document(), id) != nullptr; };
-  command.checked = [id](const Session& session) { return isSelected(session, id); };
-  command.run = [id, title, add](Session& session) -> Status {
-    if (findLimb(session.document(), id) == nullptr) {
+  command.enabled = [slot](const Session& session) { return hasLimbOfSlot(session, slot); };
+  command.checked = [slot](const Session& session) { return isSelected(session, limbOfSlot(session, slot)); };
+  command.run = [slot, title, add](Session& session) -> Status {
+    if (!hasLimbOfSlot(session, slot)) {
       return Error{"this character has no " + title, "", "correct the limbs in the rig panel"};
     }
-    selectLimb(session, id, add);
+    selectLimb(session, limbOfSlot(session, slot), add);
     return Success{};
   };
+  return command;
+}
+
+DocumentCommand planCommand(const rig::BodyPlan& plan) {
+  const std::string id = plan.id;
+  DocumentCommand command =
+      entry(command::planPrefix, "Body plan: " + plan.title,
+            "Reads the body as " + plan.title +
+                ": which limbs it has. What was set up for limbs that it has no more goes with them.",
+            {}, {always}, [id](Session& session) -> Status {
+              Result<Document> changed = changePlan(session.document(), id);
+              if (!changed) {
+                return changed.error();
+              }
+              clearControllers(session);
+              session.view().selectedLimbs.clear();
+              return finish(session, *std::move(changed), "Change the body plan");
+            });
+  command.id = command::planPrefix + id;
+  command.checked = [id](const Session& session) { return session.document().biped.plan == id; };
   return command;
 }
 
@@ -81,13 +108,13 @@ Status detectAgain(Session& session) {
 
 std::vector<DocumentCommand> limbCommands() {
   std::vector<DocumentCommand> commands;
-  commands.reserve(limbKeys.size());
-
-  for (const LimbKey& limb : limbKeys) {
-    commands.push_back(selectCommand(limb, false));
+  for (const bool add : {false, true}) {
+    for (std::size_t slot = 0; slot < slotTitles.size(); ++slot) {
+      commands.push_back(selectCommand(slot, add));
+    }
   }
-  for (const LimbKey& limb : limbKeys) {
-    commands.push_back(selectCommand(limb, true));
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    commands.push_back(planCommand(plan));
   }
   commands.push_back(entry(command::selectNone, "Select nothing",
                            "Takes limbs, trail, spheres and controllers out of the selection.", {"0"},

@@ -6,6 +6,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
+#include "rig/body/planned_body.h"
 
 namespace stretch::app {
 
@@ -186,12 +187,28 @@ std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
   return spheres;
 }
 
+std::vector<std::string> limbsByKey(const Document& document) {
+  std::vector<std::string> ids;
+  const rig::BodyPlan& plan = planOf(document.biped);
+  for (const rig::PlannedLimb& limb : plan.limbs) {
+    if (limb.usual || findLimb(document, limb.id) != nullptr) {
+      ids.push_back(limb.id);
+    }
+  }
+  for (const rig::Limb& limb : document.biped.limbs) {
+    if (plannedLimb(plan, limb.id) == nullptr) {
+      ids.push_back(limb.id);
+    }
+  }
+  return ids;
+}
+
 std::string limbTitle(const Document& document, const std::string& limbId) {
   const rig::Limb* limb = findLimb(document, limbId);
   if (limb == nullptr || limb->kind == rig::LimbKind::chain) {
     return limbId;
   }
-  std::string title(rig::limbName(limb->kind));
+  std::string title = limbId;
   std::replace(title.begin(), title.end(), '-', ' ');
   return title;
 }

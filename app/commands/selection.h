@@ -62,6 +62,10 @@ void selectLocators(Session& session, std::vector<std::string> names);
 [[nodiscard]] std::vector<PlacedSphere> placedSpheres(Session& session, int trailId);
 
 /// How people call a limb: "left arm", or the chain's id.
+/// The limbs that the keys 1 to 9 go to, in the order of the diagram: those of the body's plan that were
+/// found or are usual for it; of a body of no known plan its chains.
+[[nodiscard]] std::vector<std::string> limbsByKey(const Document& document);
+
 [[nodiscard]] std::string limbTitle(const Document& document, const std::string& limbId);
 
 /// What a trail is called: its own name, else that of its limb.

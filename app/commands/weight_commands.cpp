@@ -63,7 +63,7 @@ Status takeWeightAway(Session& session) {
 Status weightForAll(Session& session) {
   std::vector<std::string> limbs;
   for (const rig::Limb& limb : session.document().biped.limbs) {
-    if (limb.kind != rig::LimbKind::spine && limb.kind != rig::LimbKind::neck) {
+    if (!isTrunk(limb)) {
       limbs.push_back(limb.id);
     }
   }

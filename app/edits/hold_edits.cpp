@@ -68,9 +68,7 @@ Status checkTime(const Document& document, int clip, const rig::HoldTime& time, 
 
 Status checkLimb(const Document& document, const std::string& id) {
   const rig::Limb* const limb = findLimb(document, id);
-  const bool isHeldKind = limb != nullptr && (isLeg(*limb) || limb->kind == rig::LimbKind::leftArm ||
-                                              limb->kind == rig::LimbKind::rightArm);
-  if (!isHeldKind) {
+  if (limb == nullptr || !hasHandOrFoot(*limb)) {
     return Error{"the character has no hand or foot of a limb '" + id + "'", id,
                  "give left-arm, right-arm, left-leg or right-leg, where the character has it"};
   }

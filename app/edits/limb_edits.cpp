@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include "app/edits/adjustment_edits.h"
+#include "app/edits/prop_file_edits.h"
+#include "rig/body/planned_body.h"
+#include "rig/controllers/controller.h"
+
 namespace stretch::app {
 
 namespace {
@@ -16,7 +21,39 @@ Status validateJoints(const Document& document, const rig::Limb& limb) {
   return Success{};
 }
 
+// Everything that names a limb or a controller that the character does not have.
+void dropWhatIsWithoutLimb(Document& document) {
+  const auto isMissing = [&](const std::string& limb) { return findLimb(document, limb) == nullptr; };
+  const rig::ControllerList list = controllersOf(document);
+  std::erase_if(document.trails, [&](const rig::Trail& trail) { return isMissing(trail.limb); });
+  std::erase_if(document.weights, [&](const WeightedLimb& entry) { return isMissing(entry.limb); });
+  std::erase_if(document.adjustments, [&](const rig::Adjustment& adjustment) {
+    return list.attribute(adjustment.controller) == nullptr &&
+           !rig::controllerNamed(*document.scene, document.biped.limbs, document.biped.hips, list,
+                                 adjustment.controller);
+  });
+  rig::Holds& holds = document.holds;
+  std::erase_if(holds.pins, [&](const rig::Pin& pin) { return isMissing(pin.limb); });
+  std::erase_if(holds.grips,
+                [&](const rig::Grip& grip) { return isMissing(grip.leader) || isMissing(grip.follower); });
+  std::erase_if(holds.props, [&](const rig::Prop& prop) {
+    return std::ranges::any_of(prop.hands, [&](const rig::PropHand& hand) { return isMissing(hand.limb); });
+  });
+}
+
 } // namespace
+
+Result<Document> changePlan(const Document& document, const std::string& plan) {
+  const rig::BodyPlan* const wanted = rig::planNamed(plan);
+  if (wanted == nullptr) {
+    return Error{"there is no body plan '" + plan + "'", "plan", "give one of: " + rig::planIds()};
+  }
+  Document changed = document;
+  changed.biped = bodyOfSource(document, *wanted);
+  changed.limbsCorrected = true;
+  dropWhatIsWithoutLimb(changed);
+  return changed;
+}
 
 Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   if (limb.kind == rig::LimbKind::chain) {
@@ -27,13 +64,16 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   }
   Document changed = document;
   changed.limbsCorrected = true;
-  limb.id = std::string(rig::limbName(limb.kind));
+  if (const rig::PlannedLimb* const planned = plannedLimb(planOf(document.biped), limb)) {
+    limb.id = planned->id;
+  }
   limb.confidence = 1.0;
   limb.reasons = {"set by hand"};
   auto& limbs = changed.biped.limbs;
-  const auto place = std::find_if(limbs.begin(), limbs.end(),
-                                  [&](const rig::Limb& other) { return other.kind >= limb.kind; });
-  if (place != limbs.end() && place->kind == limb.kind) {
+  const rig::LimbPlace& wanted = limb;
+  const auto place =
+      std::find_if(limbs.begin(), limbs.end(), [&](const rig::LimbPlace& other) { return other >= wanted; });
+  if (place != limbs.end() && static_cast<const rig::LimbPlace&>(*place) == wanted) {
     *place = std::move(limb);
   } else {
     limbs.insert(place, std::move(limb));

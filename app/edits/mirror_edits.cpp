@@ -1,7 +1,6 @@
 #include "app/edits/mirror_edits.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -13,28 +12,18 @@ namespace stretch::app {
 
 namespace {
 
-using rig::LimbKind;
-constexpr std::array<std::pair<LimbKind, LimbKind>, 2> limbPairs{
-    {{LimbKind::leftArm, LimbKind::rightArm}, {LimbKind::leftLeg, LimbKind::rightLeg}}};
-
-const rig::Limb* limbOfKind(const Document& document, LimbKind kind) {
-  const auto& limbs = document.biped.limbs;
-  const auto found =
-      std::find_if(limbs.begin(), limbs.end(), [&](const rig::Limb& limb) { return limb.kind == kind; });
-  return found == limbs.end() ? nullptr : &*found;
-}
-
 Vec3 reflected(const Vec3& vector, const Vec3& normal) {
   return vector - 2.0 * glm::dot(vector, normal) * normal;
 }
 
 /// Rest positions of the bases of the first pair of limbs that was found, left then right.
 std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const std::vector<Mat4>& worlds) {
-  for (const auto& [left, right] : limbPairs) {
-    const rig::Limb* a = limbOfKind(document, left);
-    const rig::Limb* b = limbOfKind(document, right);
-    if (a != nullptr && b != nullptr && !a->joints.empty() && !b->joints.empty()) {
-      return std::pair(positionOf(worlds[at(a->joints.front())]), positionOf(worlds[at(b->joints.front())]));
+  const std::vector<rig::Limb>& limbs = document.biped.limbs;
+  for (const rig::Limb& left : limbs) {
+    const rig::Limb* const right = left.side == rig::LimbSide::left ? limbAt(limbs, mirrored(left)) : nullptr;
+    if (right != nullptr && !left.joints.empty()) {
+      return std::pair(positionOf(worlds[at(left.joints.front())]),
+                       positionOf(worlds[at(right->joints.front())]));
     }
   }
   return std::nullopt;
@@ -64,17 +53,14 @@ Result<std::string> otherSide(const Document& document, const std::string& limbI
   if (limb == nullptr) {
     return Error{"the character has no such limb", limbId, "pick a limb that was found"};
   }
-  for (const auto& [left, right] : limbPairs) {
-    if (limb->kind != left && limb->kind != right) {
-      continue;
-    }
-    const rig::Limb* other = limbOfKind(document, limb->kind == left ? right : left);
-    if (other == nullptr) {
-      return Error{"the limb on the other side was not found", limbId, "correct the limbs by hand"};
-    }
-    return other->id;
+  if (limb->side == rig::LimbSide::middle) {
+    return Error{"this limb has no other side", limbId, "mirror an arm or a leg"};
   }
-  return Error{"this limb has no other side", limbId, "mirror an arm or a leg"};
+  const rig::Limb* const other = limbAt(document.biped.limbs, mirrored(*limb));
+  if (other == nullptr) {
+    return Error{"the limb on the other side was not found", limbId, "correct the limbs by hand"};
+  }
+  return other->id;
 }
 
 std::optional<SagittalPlane> sagittalPlaneOf(const Document& document, const std::vector<Mat4>& worlds) {

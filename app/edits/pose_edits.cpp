@@ -103,7 +103,8 @@ std::vector<rig::Attribute> attributesHeldBy(const rig::ControllerList& list,
                                              const rig::Controller& controller) {
   using rig::ControllerKind;
   const bool isEnd = controller.kind == ControllerKind::hand || controller.kind == ControllerKind::foot ||
-                     controller.kind == ControllerKind::head || controller.kind == ControllerKind::spineTop;
+                     controller.kind == ControllerKind::tip || controller.kind == ControllerKind::head ||
+                     controller.kind == ControllerKind::spineTop;
   std::vector<rig::Attribute> held;
   std::ranges::copy_if(list.attributes, std::back_inserter(held), [&](const rig::Attribute& attribute) {
     return isEnd && attribute.limb == controller.limb;

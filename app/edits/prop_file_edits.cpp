@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/gltf/added_file.h"
+#include "rig/body/planned_body.h"
 #include "rig/motion/solve_holds.h"
 
 namespace stretch::app {
@@ -210,10 +211,22 @@ Result<Document> takeHoldAway(const Document& document, const HoldPlace& place) 
   return withoutUnheldFiles(removeHold(document, place));
 }
 
-rig::Biped bodyOfSource(const Document& document) {
+namespace {
+
+std::shared_ptr<const Scene> sceneOfSource(const Document& document) {
   const Result<std::shared_ptr<const Scene>> own =
       document.addedFiles.empty() ? document.scene : gltf::sceneWith(*document.source, {});
-  return rig::detectBiped(own ? **own : *document.scene);
+  return own ? *own : document.scene;
+}
+
+} // namespace
+
+rig::Biped bodyOfSource(const Document& document) {
+  return rig::detectBiped(*sceneOfSource(document));
+}
+
+rig::Biped bodyOfSource(const Document& document, const rig::BodyPlan& plan) {
+  return rig::bodyAsPlan(*sceneOfSource(document), plan);
 }
 
 } // namespace stretch::app

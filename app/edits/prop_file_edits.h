@@ -6,6 +6,7 @@
 
 #include "app/document.h"
 #include "app/edits/hold_edits.h"
+#include "rig/plan/body_plan.h"
 
 namespace stretch::app {
 
@@ -42,5 +43,8 @@ struct AddedProp {
 
 /// The body as it is found in the source alone: nodes of added files may have the names of limbs.
 [[nodiscard]] rig::Biped bodyOfSource(const Document& document);
+
+/// The same, read as one of a plan that the user chose.
+[[nodiscard]] rig::Biped bodyOfSource(const Document& document, const rig::BodyPlan& plan);
 
 } // namespace stretch::app

@@ -32,12 +32,9 @@ double scaleOf(const Style& style, rig::LimbKind kind) {
   case rig::LimbKind::spine:
   case rig::LimbKind::neck:
     return style.torso;
-  case rig::LimbKind::leftLeg:
-  case rig::LimbKind::rightLeg:
+  case rig::LimbKind::leg:
     return style.leg;
-  case rig::LimbKind::leftArm:
-  case rig::LimbKind::rightArm:
-  case rig::LimbKind::chain:
+  default:
     break;
   }
   return style.arm;

@@ -29,7 +29,7 @@ public:
       : scene_(*document.scene), limb_(limb), moved_(moved), places_(rig::bindPlaces(scene_)),
         end_(rig::endPosition(limb, places_.worlds)) {
     for (const rig::Limb& other : document.biped.limbs) {
-      const bool trunk = other.kind == rig::LimbKind::spine || other.kind == rig::LimbKind::neck;
+      const bool trunk = isTrunk(other);
       (trunk ? trunk_ : others_).insert(other.joints.begin(), other.joints.end());
       if (!trunk && other.id != limb.id) {
         otherEnds_.push_back(rig::endPosition(other, places_.worlds));
@@ -132,8 +132,7 @@ std::string nameOf(const Scene& scene, NodeIndex node) {
 std::vector<std::string> partsLeftBehind(const Document& document, const rig::Limb& limb,
                                          const std::vector<bool>& moved) {
   std::vector<std::string> warnings;
-  if (limb.kind == rig::LimbKind::chain || limb.kind == rig::LimbKind::spine ||
-      limb.kind == rig::LimbKind::neck) {
+  if (!reachesOut(limb)) {
     return warnings;
   }
   for (const Part& part : Search(document, limb, moved).all()) {

@@ -24,10 +24,6 @@ constexpr double longestEdge = 4.0;                 // times its length, on a li
 constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
 constexpr double placeMargin = 0.02;                // of the height
 
-bool isArm(const rig::Limb& limb) {
-  return limb.kind == rig::LimbKind::leftArm || limb.kind == rig::LimbKind::rightArm;
-}
-
 std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTrail& trail) {
   const double fps = motion.framesPerSecond;
   const double last = std::floor(std::min(trail.windowEndSeconds, motion.endSeconds) * fps + 1e-6);

@@ -1,7 +1,9 @@
 #include "app/files/saved_work.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/edits/adjustment_edits.h"
@@ -18,6 +20,7 @@
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
+#include "rig/body/planned_body.h"
 #include "rig/ik/limb_shape.h"
 
 namespace stretch::app {
@@ -68,9 +71,36 @@ std::vector<NodeIndex> nodesOf(const std::vector<int>& numbers) {
   return nodes;
 }
 
+// A biped's limbs and chains are numbers, as earlier versions know them.
+constexpr std::array<rig::LimbPlace, 7> numberedPlaces{
+    rig::biped::leftArm, rig::biped::rightArm, rig::biped::leftLeg, rig::biped::rightLeg,
+    rig::biped::spine,   rig::biped::neck,     rig::LimbPlace{}};
+
+Json placeToJson(const rig::LimbPlace& place) {
+  const auto* const numbered = std::ranges::find(numberedPlaces, place);
+  if (numbered != numberedPlaces.end()) {
+    return numbered - numberedPlaces.begin();
+  }
+  return {{"kind", kindName(place.kind)}, {"side", static_cast<int>(place.side)}, {"row", place.row}};
+}
+
+std::optional<rig::LimbPlace> placeFromJson(const Json& json) {
+  if (json.is_number_integer()) {
+    const auto number = json.get<std::size_t>();
+    return number < numberedPlaces.size() ? std::optional(numberedPlaces[number]) : std::nullopt;
+  }
+  const std::optional<rig::LimbKind> kind = rig::kindNamed(json.at("kind").get<std::string>());
+  const int side = json.at("side").get<int>();
+  const int row = json.at("row").get<int>();
+  if (!kind || side < 0 || side > static_cast<int>(rig::LimbSide::middle) || row < 0) {
+    return std::nullopt;
+  }
+  return rig::LimbPlace{*kind, static_cast<rig::LimbSide>(side), row};
+}
+
 Json limbToJson(const rig::Limb& limb) {
   return {{"limb", limb.id},
-          {"kind", static_cast<int>(limb.kind)},
+          {"kind", placeToJson(limb)},
           {"joints", numbersOf(limb.joints)},
           {"end", limb.endNode.value},
           {"end_offset", vectorToJson(limb.endOffset)},
@@ -152,7 +182,7 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   const NodeIndex past(document.scene->nodes.size());
   const auto exists = [&](NodeIndex node) { return node.exists() && node < past; };
   limb.id = json.at("limb").get<std::string>();
-  const int kind = json.at("kind").get<int>();
+  const std::optional<rig::LimbPlace> place = placeFromJson(json.at("kind"));
   limb.joints = nodesOf(json.at("joints").get<std::vector<int>>());
   limb.endNode = NodeIndex(json.at("end").get<int>());
   limb.restLength = json.at("rest_length").get<double>();
@@ -160,11 +190,10 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
   const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
                         !hasRepeats(limb.joints) && (limb.endNode == NodeIndex::none || exists(limb.endNode));
-  const bool isKind = kind >= 0 && kind <= static_cast<int>(rig::LimbKind::chain);
-  if (!offset || !hasNodes || !isKind || !(limb.restLength > 0.0)) {
+  if (!offset || !hasNodes || !place || !(limb.restLength > 0.0)) {
     return malformed("limbs");
   }
-  limb.kind = static_cast<rig::LimbKind>(kind);
+  static_cast<rig::LimbPlace&>(limb) = *place;
   limb.endOffset = *offset;
   limb.reasons = {"kept in the file"};
   return limb;
@@ -293,7 +322,18 @@ Status restoreRates(const Json& rates, Document& document) {
   return Success{};
 }
 
+// Limbs of a plan that the character is not read as by itself were chosen by hand, or kept by a version that
+// knew bipeds only.
+void restorePlan(const Json& work, Document& document) {
+  const std::string kept = work.value("plan", std::string("biped"));
+  const rig::BodyPlan* const plan = rig::planNamed(kept);
+  if (work.contains("limbs") && plan != nullptr && kept != document.biped.plan) {
+    document.biped = rig::bodyAsPlan(*document.scene, *plan);
+  }
+}
+
 Status restoreParts(const Json& work, Document& document) {
+  restorePlan(work, document);
   if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
     return rates;
   }
@@ -364,6 +404,9 @@ Json workOf(const Document& document) {
   // limbs.
   work["limbs"] = limbsToJson(document.biped.limbs);
   work["limbs_corrected"] = document.limbsCorrected;
+  if (document.limbsCorrected || document.biped.plan != "biped") {
+    work["plan"] = document.biped.plan;
+  }
   work["chains"] = limbsToJson(document.chains);
   if (!document.locators.empty()) {
     work["locators"] = locatorsToJson(document.locators);

@@ -173,7 +173,7 @@ Result<Document> withLimbAt(const Document& document, const rig::Locators& locat
   }
   const rig::Limb* const limb = findLimb(document, corrected.id);
   return correctLimb(document, rig::body::makeLimb(
-                                   limb->kind, {nodes[0], nodes[1]},
+                                   *limb, {nodes[0], nodes[1]},
                                    {.node = nodes[2], .position = positionOf(worlds[at(nodes[2])])}, worlds));
 }
 

@@ -1,6 +1,7 @@
 #include "app/recipe/recipe.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,6 +17,7 @@
 #include "core/base/file.h"
 #include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
+#include "rig/body/planned_body.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -58,6 +60,29 @@ Status checkKeys(const Json& json) {
     return Error{"is not a list", "elastic", "give a list of {\"limb\": ..., settings}"};
   }
   return Success{};
+}
+
+// All limbs that a recipe for another body names, in one line.
+Status checkLimbs(const Json& json, const Document& document) {
+  std::set<std::string> lacking;
+  for (const char* list : {"trails", "elastic", "pins"}) {
+    for (const Json& entry : json.value(list, Json::array())) {
+      const bool isNamed = entry.is_object() && entry.contains("limb") && entry["limb"].is_string();
+      const std::string limb = isNamed ? entry["limb"].get<std::string>() : std::string();
+      if (isNamed && limb.find("..") == std::string::npos && findLimb(document, limb) == nullptr) {
+        lacking.insert(limb);
+      }
+    }
+  }
+  if (lacking.empty() || document.biped.plan == "biped") {
+    return Success{};
+  }
+  std::string names;
+  for (const std::string& limb : lacking) {
+    names += (names.empty() ? "" : ", ") + limb;
+  }
+  return Error{"the character is " + planOf(document.biped).title + " and lacks " + names, "limb",
+               "name limbs that it has; info lists them"};
 }
 
 // The limb that an entry names; a chain joins the document.
@@ -199,6 +224,9 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
                  : findClip(document, namesClip ? json["clip"].get<std::string>() : std::string(), "clip");
   if (!clip) {
     return clip.error();
+  }
+  if (const Status limbs = checkLimbs(json, document); !limbs) {
+    return limbs.error();
   }
   const Json units = json.value("units", Json("limb_lengths"));
   if (units != "metres" && units != "limb_lengths") {

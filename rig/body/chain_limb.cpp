@@ -97,8 +97,8 @@ Result<Limb> chainLimb(const Scene& scene, const std::string& jointA, const std:
     return chainError(jointB, "this joint is not below \"" + jointA + "\"",
                       reversed ? "name the upper joint first" : "choose two joints of one chain");
   }
-  Limb limb = body::makeLimb(LimbKind::chain, jointsBetween(scene, *top, *bottom), {.node = *bottom},
-                             bindPoseWorlds(scene));
+  Limb limb =
+      body::makeLimb({}, jointsBetween(scene, *top, *bottom), {.node = *bottom}, bindPoseWorlds(scene));
   if (!body::isSound(limb)) {
     return chainError(jointB, "the chain has no length in the bind pose", "choose joints that stand apart");
   }

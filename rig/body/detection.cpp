@@ -8,6 +8,8 @@
 #include "rig/body/height.h"
 #include "rig/body/humanoid.h"
 #include "rig/body/limb_assembly.h"
+#include "rig/body/plan_reading.h"
+#include "rig/body/planned_body.h"
 #include "rig/body/stance.h"
 #include "rig/limb.h"
 
@@ -36,28 +38,24 @@ struct Finding {
   }
 };
 
-const Limb* findLimb(const std::vector<Limb>& limbs, LimbKind kind) {
-  const auto found = std::ranges::find(limbs, kind, &Limb::kind);
-  return found == limbs.end() ? nullptr : &*found;
-}
-
-bool isSure(const std::vector<Limb>& limbs, LimbKind kind) {
-  const Limb* limb = findLimb(limbs, kind);
+bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
+  const Limb* limb = limbAt(limbs, place);
   return limb != nullptr && limb->confidence >= sureConfidence;
 }
 
 bool makesBiped(const std::vector<Limb>& limbs) {
-  const bool legs = isSure(limbs, LimbKind::leftLeg) && isSure(limbs, LimbKind::rightLeg);
-  const bool arms = isSure(limbs, LimbKind::leftArm) && isSure(limbs, LimbKind::rightArm);
-  return legs && (arms || isSure(limbs, LimbKind::spine));
+  const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
+  const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
+  return legs && (arms || isSure(limbs, biped::spine));
 }
 
-Vec3 bodyUpOf(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
+Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
   if (trunk.hips >= 0 && trunk.head >= 0) {
     return view.at(trunk.head) - view.at(trunk.hips);
   }
-  if (plan.legs) {
-    return (plan.arms ? meanBase(view, *plan.arms) : meanBase(view, *plan.legs)) - meanEnd(*plan.legs);
+  if (reading.legs) {
+    return (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
+           meanEnd(*reading.legs);
   }
   return Vec3(0.0);
 }
@@ -65,30 +63,30 @@ Vec3 bodyUpOf(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
 Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
   const BodyView view = viewBody(scene, bindPose, candidates);
   const MirrorPlane plane = findMirrorPlane(view);
-  const BodyPlan plan = planBody(view, plane);
+  const BipedReading reading = readBiped(view, plane);
   Finding finding;
-  if (!plan.arms && !plan.legs) {
+  if (!reading.arms && !reading.legs) {
     return finding;
   }
-  const Sides sides = findSides(view, plane, plan);
-  const Trunk trunk = readTrunk(view, plane, plan);
+  const Sides sides = findSides(view, plane, reading);
+  const Trunk trunk = readTrunk(view, plane, reading);
   Biped& result = finding.result;
-  result.limbs = limbsOfPlan(scene, view, plan, sides, bindPose);
-  std::ranges::move(limbsOfTrunk(scene, view, plan, trunk, bindPose), std::back_inserter(result.limbs));
+  result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
+  std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
                 [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
   result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
   result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
   // Limbs without an upright body between them are no biped's, unless it stands on two of them.
   constexpr double leastRelation = 0.6;
-  finding.legs = standingLegs(view, plane, plan);
-  const bool upright = !plan.arms || !plan.legs || plan.relation >= leastRelation ||
-                       (finding.legs == 2 && plan.relation >= 0.0);
+  finding.legs = standingLegs(view, plane, reading);
+  const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
+                       (finding.legs == 2 && reading.relation >= 0.0);
   result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
   if (finding.legs <= 2) {
     result.warnings = sides.warnings;
   }
-  finding.bodyUp = bodyUpOf(view, plan, trunk);
+  finding.bodyUp = bodyUpOf(view, reading, trunk);
   return finding;
 }
 
@@ -98,8 +96,8 @@ bool hasRigidParts(const Scene& scene) {
 
 // Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
 bool mayMissParts(const Scene& scene, const Biped& found) {
-  return hasRigidParts(scene) && (findLimb(found.limbs, LimbKind::leftArm) == nullptr ||
-                                  findLimb(found.limbs, LimbKind::rightArm) == nullptr);
+  return hasRigidParts(scene) &&
+         (limbAt(found.limbs, biped::leftArm) == nullptr || limbAt(found.limbs, biped::rightArm) == nullptr);
 }
 
 bool isBetter(const Finding& finding, const Finding& than) {
@@ -129,16 +127,12 @@ Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
   return *std::move(best);
 }
 
-bool isArm(LimbKind kind) {
-  return kind == LimbKind::leftArm || kind == LimbKind::rightArm;
-}
 // The limb that was found without the table and stands in for one that the table lacks: of the same sort,
 // whichever side it was taken for, and none of the table's own.
-const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table, LimbKind missing) {
+const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table,
+                    const LimbPlace& missing) {
   const auto matches = [&](const Limb& limb) {
-    const bool sameSort =
-        limb.kind == missing || (isArm(limb.kind) && isArm(missing)) || (isLeg(limb.kind) && isLeg(missing));
-    return sameSort && std::ranges::none_of(table, [&](const Limb& entry) {
+    return limb.kind == missing.kind && std::ranges::none_of(table, [&](const Limb& entry) {
              return std::ranges::find(entry.joints, limb.joints.front()) != entry.joints.end();
            });
   };
@@ -154,18 +148,18 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
   Biped& result = finding.result;
   std::vector<Limb> limbs = table.limbs;
   // The table leaves the neck out where there is none; the others it must name.
-  for (const LimbKind kind :
-       {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg, LimbKind::spine}) {
-    const Limb* limb = findLimb(limbs, kind) == nullptr ? standIn(result.limbs, limbs, kind) : nullptr;
+  for (const LimbPlace& missing :
+       {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine}) {
+    const Limb* limb = limbAt(limbs, missing) == nullptr ? standIn(result.limbs, limbs, missing) : nullptr;
     if (limb != nullptr) {
       limbs.push_back(*limb);
-      limbs.back().kind = kind;
-      limbs.back().id = limbName(kind);
+      static_cast<LimbPlace&>(limbs.back()) = missing;
+      limbs.back().id = limbName(missing);
       result.warnings.push_back("the VRM humanoid table names no complete " + limbs.back().id +
                                 ": found without it");
     }
   }
-  std::ranges::stable_sort(limbs, {}, &Limb::kind);
+  std::ranges::stable_sort(limbs, std::less<LimbPlace>());
   result.limbs = std::move(limbs);
   result.hips = table.hips.exists() ? table.hips : result.hips;
   result.head = table.head.exists() ? table.head : result.head;
@@ -188,24 +182,101 @@ bool movesMorphTargets(const Scene& scene) {
 void warn(const Scene& scene, Finding& finding) {
   Biped& result = finding.result;
   if (result.isBiped) {
-    for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::spine}) {
-      if (findLimb(result.limbs, kind) == nullptr) {
-        result.warnings.push_back("no " + std::string(limbName(kind)) +
+    for (const LimbPlace& usual : {biped::leftArm, biped::rightArm, biped::spine}) {
+      if (limbAt(result.limbs, usual) == nullptr) {
+        result.warnings.push_back("no " + limbName(usual) +
                                   " found: choose a chain of joints if there is one");
       }
     }
+    return;
+  }
+  if (result.plan != "biped" && !result.limbs.empty()) {
     return;
   }
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
   result.warnings.push_back(
-      finding.legs > 2
-          ? "this is no biped: it stands on " + legCount(finding.legs) + "; its limbs are only a guess"
-      : result.limbs.empty() && movesMorphTargets(scene)
+      result.limbs.empty() && movesMorphTargets(scene)
           ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
                              : "no complete biped found: check the limbs by hand");
+}
+
+// The joints, else every node that may be one, until `read` answers something.
+template <typename Read>
+auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read) {
+  for (const Candidates candidates : {Candidates::skinJoints, Candidates::nodesNoMeshes}) {
+    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+      continue;
+    }
+    if (auto found = read(viewBody(scene, bindPose, candidates))) {
+      return found;
+    }
+  }
+  return read(viewBody(scene, bindPose, Candidates::allNodes));
+}
+
+void takeReading(PlanReading reading, Finding& finding) {
+  Biped& result = finding.result;
+  result.plan = reading.plan->id;
+  result.planConfidence = reading.confidence;
+  result.planReasons = std::move(reading.reasons);
+  result.limbs = std::move(reading.limbs);
+  result.hips = reading.hips;
+  result.head = reading.head;
+  result.warnings = std::move(reading.warnings);
+  result.isBiped = false;
+}
+
+void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Biped& result = finding.result;
+  result.plan = "other";
+  result.planReasons = {"its limbs are the rows of joints between branchings"};
+  result.isBiped = false;
+  const auto chains = readAnyView(scene, bindPose, [&](const BodyView& view) {
+    std::vector<Limb> found = chainsOfTree(scene, bindPose, view);
+    return found.empty() ? std::nullopt : std::optional(std::move(found));
+  });
+  result.limbs = chains.value_or(std::vector<Limb>{});
+  result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
+}
+
+bool standsUpright(const Finding& finding) {
+  constexpr double leastRise = 0.75; // sine
+  const Vec3& up = finding.bodyUp;
+  return finding.result.isBiped && (up == Vec3(0.0) || std::abs(up.y) >= leastRise * glm::length(up));
+}
+
+// Anything but an upright body on two legs: read as one of the other plans, where one fits.
+void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Biped& result = finding.result;
+  if (standsUpright(finding)) {
+    return;
+  }
+  constexpr double sure = 0.5;
+  std::optional<PlanReading> reading =
+      readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
+  const bool mayBe = reading && (!result.isBiped || reading->plan->legs == 2);
+  if (mayBe && reading->confidence >= sure) {
+    takeReading(std::move(*reading), finding);
+  } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
+    takeChains(scene, bindPose, finding);
+    result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
+                                                           ", and no other plan fits"
+                                                     : "no plan fits");
+  }
+}
+
+void tellBiped(Finding& finding) {
+  Biped& result = finding.result;
+  result.planReasons = {result.isBiped ? "two legs, and arms or a spine, on an upright body"
+                                       : "no plan fits: taken for a biped that is not complete"};
+  double sum = 0.0;
+  for (const Limb& limb : result.limbs) {
+    sum += limb.confidence;
+  }
+  result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -222,11 +293,44 @@ NodeIndex topmost(const Scene& scene, NodeIndex node) {
 Biped detectBiped(const Scene& scene) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
-  body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
+  body::applyHumanoid(finding, table);
+  if (table.limbs.empty()) {
+    body::takePlan(scene, bindPose, finding);
+  }
+  if (finding.result.plan == "biped") {
+    body::tellBiped(finding);
+  }
   body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);
+}
+
+Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+  const body::BindPose bindPose = body::placeBindPose(scene);
+  body::Finding finding = body::findLimbs(scene, bindPose);
+  if (plan.id == "biped") {
+    body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  } else if (plan.id == "other") {
+    body::takeChains(scene, bindPose, finding);
+  } else {
+    const auto reading = body::readAnyView(scene, bindPose, [&](const body::BodyView& view) {
+      body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
+      return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));
+    });
+    finding.result.limbs.clear();
+    finding.result.plan = plan.id;
+    if (reading) {
+      body::takeReading(*reading, finding);
+    }
+  }
+  Biped& result = finding.result;
+  result.warnings.clear();
+  result.planConfidence = 1.0;
+  result.planReasons = {"chosen by hand"};
+  result.height = body::characterHeight(scene, bindPose, body::topmost(scene, result.hips), finding.bodyUp);
+  return std::move(result);
 }
 
 } // namespace stretch::rig

@@ -12,8 +12,11 @@ namespace stretch::rig {
 
 /// What was recognised of a character.
 struct Biped {
-  std::vector<Limb> limbs; ///< In the order of LimbKind; a limb that was not found is missing.
-  NodeIndex hips;          ///< Node that carries the body: space "root" is measured from it. -1: none found.
+  std::vector<Limb> limbs;     ///< In the order of LimbPlace; a limb that was not found is missing.
+  std::string plan = "biped";  ///< Id of the body plan that the limbs are of (rig/plan/body_plan.h).
+  double planConfidence = 1.0; ///< 0..1.
+  std::vector<std::string> planReasons;
+  NodeIndex hips; ///< Node that carries the body: space "root" is measured from it. -1: none found.
   NodeIndex head;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
   double height = 1.0;  ///< Of the character in its bind pose, world units, > 0: what every tolerance is

@@ -15,11 +15,12 @@ struct Frame {
   Vec3 forward{0.0, 0.0, 1.0}; // the way the character faces if its left is on the positive side
 };
 
-Frame frameOf(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan) {
+Frame frameOf(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
   Frame frame;
   Vec3 up(0, 1, 0);
-  if (plan.legs) {
-    up = (plan.arms ? meanBase(view, *plan.arms) : meanBase(view, *plan.legs)) - meanEnd(*plan.legs);
+  if (reading.legs) {
+    up = (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
+         meanEnd(*reading.legs);
   }
   up -= plane.normal * glm::dot(up, plane.normal);
   if (glm::length(up) > 1e-6 * view.size) {
@@ -133,11 +134,11 @@ std::vector<const LimbGuess*> limbsOf(const std::optional<LimbPair>& pair) {
   return limbs;
 }
 
-Hints hintsOf(const BodyView& view, const BodyPlan& plan, const Frame& frame) {
+Hints hintsOf(const BodyView& view, const BipedReading& reading, const Frame& frame) {
   Hints hints;
   hints.face = faceVote(view, frame);
-  if (plan.legs) {
-    const std::vector<const LimbGuess*> legs = limbsOf(plan.legs);
+  if (reading.legs) {
+    const std::vector<const LimbGuess*> legs = limbsOf(reading.legs);
     const auto share = 1.0 / static_cast<double>(legs.size());
     for (const LimbGuess* leg : legs) {
       hints.toes += share * toeVote(view, *leg, frame);
@@ -145,8 +146,8 @@ Hints hintsOf(const BodyView& view, const BodyPlan& plan, const Frame& frame) {
       hints.bends += 0.4 * bendVote(view, *leg, frame);
     }
   }
-  if (plan.arms) {
-    for (const LimbGuess* arm : limbsOf(plan.arms)) {
+  if (reading.arms) {
+    for (const LimbGuess* arm : limbsOf(reading.arms)) {
       hints.bends -= 0.3 * bendVote(view, *arm, frame);
     }
   }
@@ -161,9 +162,9 @@ struct NameVotes {
   [[nodiscard]] bool clear() const { return limbs > 0 && std::abs(sum) >= 0.5 * limbs; }
 };
 
-NameVotes nameVotes(const BodyView& view, const BodyPlan& plan) {
+NameVotes nameVotes(const BodyView& view, const BipedReading& reading) {
   NameVotes votes;
-  for (const std::optional<LimbPair>* pair : {&plan.legs, &plan.arms}) {
+  for (const std::optional<LimbPair>* pair : {&reading.legs, &reading.arms}) {
     if (!*pair) {
       continue;
     }
@@ -211,10 +212,10 @@ Sides fromHints(const Hints& hints, const Frame& frame) {
 
 } // namespace
 
-Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan) {
-  const Frame frame = frameOf(view, plane, plan);
-  const Hints hints = hintsOf(view, plan, frame);
-  const NameVotes names = nameVotes(view, plan);
+Sides findSides(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
+  const Frame frame = frameOf(view, plane, reading);
+  const Hints hints = hintsOf(view, reading, frame);
+  const NameVotes names = nameVotes(view, reading);
   const bool overruled = hints.speakingFor(-names.side()) >= 2 && hints.speakingFor(names.side()) == 0;
   Sides sides = names.clear() && !overruled ? fromNames(names, hints) : fromHints(hints, frame);
   if (names.clear() && overruled) {

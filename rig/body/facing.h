@@ -20,6 +20,6 @@ struct Sides {
 /// face) clearly say otherwise and none speaks for the names. A contradiction is told as a question. Without
 /// such names the hints decide, knees and elbows among them; without those the character is taken to face +Z,
 /// as glTF has it.
-[[nodiscard]] Sides findSides(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
+[[nodiscard]] Sides findSides(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading);
 
 } // namespace stretch::rig::body

@@ -13,15 +13,15 @@ namespace {
 constexpr double tableConfidence = 0.98;
 
 struct TableLimb {
-  LimbKind kind;
+  LimbPlace place;
   std::array<const char*, 3> bones; // base, middle, end
 };
 
 constexpr std::array tableLimbs = std::to_array<TableLimb>({
-    {LimbKind::leftArm, {"leftUpperArm", "leftLowerArm", "leftHand"}},
-    {LimbKind::rightArm, {"rightUpperArm", "rightLowerArm", "rightHand"}},
-    {LimbKind::leftLeg, {"leftUpperLeg", "leftLowerLeg", "leftFoot"}},
-    {LimbKind::rightLeg, {"rightUpperLeg", "rightLowerLeg", "rightFoot"}},
+    {biped::leftArm, {"leftUpperArm", "leftLowerArm", "leftHand"}},
+    {biped::rightArm, {"rightUpperArm", "rightLowerArm", "rightHand"}},
+    {biped::leftLeg, {"leftUpperLeg", "leftLowerLeg", "leftFoot"}},
+    {biped::rightLeg, {"rightUpperLeg", "rightLowerLeg", "rightFoot"}},
 });
 
 NodeIndex nodeOf(const Scene& scene, const char* bone) {
@@ -44,8 +44,9 @@ std::vector<NodeIndex> chainOf(const Scene& scene, std::initializer_list<const c
   return chain;
 }
 
-Limb tableLimb(LimbKind kind, std::vector<NodeIndex> joints, NodeIndex end, const BindPose& bindPose) {
-  Limb limb = makeLimb(kind, std::move(joints), {.node = end}, bindPose.worlds);
+Limb tableLimb(const LimbPlace& place, std::vector<NodeIndex> joints, NodeIndex end,
+               const BindPose& bindPose) {
+  Limb limb = makeLimb(place, std::move(joints), {.node = end}, bindPose.worlds);
   limb.confidence = tableConfidence;
   limb.reasons = {"the VRM humanoid table of the file"};
   return limb;
@@ -64,7 +65,7 @@ std::optional<Limb> spineOf(const Scene& scene, const BindPose& bindPose) {
   }
   const NodeIndex tip = chain.back();
   chain.pop_back();
-  return tableLimb(LimbKind::spine, std::move(chain), tip, bindPose);
+  return tableLimb(biped::spine, std::move(chain), tip, bindPose);
 }
 
 } // namespace
@@ -76,7 +77,7 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   for (const TableLimb& entry : tableLimbs) {
     const std::vector<NodeIndex> chain = chainOf(scene, {entry.bones[0], entry.bones[1], entry.bones[2]});
     if (chain.size() == 3) {
-      table.limbs.push_back(tableLimb(entry.kind, {chain[0], chain[1]}, chain[2], bindPose));
+      table.limbs.push_back(tableLimb(entry.place, {chain[0], chain[1]}, chain[2], bindPose));
     }
   }
   if (std::optional<Limb> spine = spineOf(scene, bindPose)) {
@@ -84,7 +85,7 @@ HumanoidTable readHumanoid(const Scene& scene, const BindPose& bindPose) {
   }
   const std::vector<NodeIndex> neck = chainOf(scene, {"neck", "head"});
   if (neck.size() == 2) {
-    table.limbs.push_back(tableLimb(LimbKind::neck, {neck[0]}, neck[1], bindPose));
+    table.limbs.push_back(tableLimb(biped::neck, {neck[0]}, neck[1], bindPose));
   }
   std::erase_if(table.limbs, [](const Limb& limb) { return !isSound(limb); });
   return table;

@@ -121,24 +121,21 @@ std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, con
   return reasons;
 }
 
-LimbKind kindOf(Region region, bool left) {
-  if (region == Region::arm) {
-    return left ? LimbKind::leftArm : LimbKind::rightArm;
-  }
-  return left ? LimbKind::leftLeg : LimbKind::rightLeg;
+LimbPlace placeOf(Region region, bool left) {
+  return {region == Region::arm ? LimbKind::arm : LimbKind::leg, left ? LimbSide::left : LimbSide::right};
 }
 
-LimbEnd spineEnd(const BodyView& view, const BodyPlan& plan, const Trunk& trunk) {
+LimbEnd spineEnd(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
   if (!trunk.neck.empty()) {
     return jointEnd(view, trunk.neck.front());
   }
   if (trunk.head >= 0) {
     return jointEnd(view, trunk.head);
   }
-  return plan.arms ? LimbEnd{NodeIndex::none, meanBase(view, *plan.arms)} : LimbEnd{};
+  return reading.arms ? LimbEnd{NodeIndex::none, meanBase(view, *reading.arms)} : LimbEnd{};
 }
 
-std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const BodyPlan& plan,
+std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const BipedReading& reading,
                             const Trunk& trunk, const BindPose& bindPose) {
   std::vector<int> joints = trunk.spine;
   std::vector<std::string> reasons;
@@ -148,21 +145,21 @@ std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const Body
     joints.pop_back();
     reasons.emplace_back("from the first joint above the hips to the last one of the chest");
   } else {
-    end = spineEnd(view, plan, trunk);
+    end = spineEnd(view, reading, trunk);
     reasons.emplace_back(joints.empty() ? "no joint above the hips: starts at the hips"
                                         : "one joint above the hips");
     if (joints.empty() && trunk.hips >= 0) {
       joints.push_back(trunk.hips);
     }
   }
-  if (joints.empty() || (!end.node.exists() && !plan.arms)) {
+  if (joints.empty() || (!end.node.exists() && !reading.arms)) {
     return std::nullopt;
   }
-  Limb limb = makeLimb(LimbKind::spine, nodesOf(view, joints), end, bindPose.worlds);
+  Limb limb = makeLimb(biped::spine, nodesOf(view, joints), end, bindPose.worlds);
   if (limb.restLength < 0.02 * view.size) {
     return std::nullopt;
   }
-  const double shape = (plan.arms && plan.legs ? 0.9 : 0.4) * (trunk.spine.size() >= 2 ? 1.0 : 0.7);
+  const double shape = (reading.arms && reading.legs ? 0.9 : 0.4) * (trunk.spine.size() >= 2 ? 1.0 : 0.7);
   limb.confidence = combine(std::clamp(trunk.spineNameFit, 0.0, 1.0), shape);
   reasons.push_back(nodeNames(scene, limb.joints));
   if (!end.node.exists()) {
@@ -185,7 +182,7 @@ std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk
   } else {
     return std::nullopt;
   }
-  Limb limb = makeLimb(LimbKind::neck, nodesOf(view, trunk.neck), end, bindPose.worlds);
+  Limb limb = makeLimb(biped::neck, nodesOf(view, trunk.neck), end, bindPose.worlds);
   if (limb.restLength < 1e-3 * view.size) {
     return std::nullopt;
   }
@@ -199,11 +196,11 @@ std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk
 
 } // namespace
 
-Limb makeLimb(LimbKind kind, std::vector<NodeIndex> joints, const LimbEnd& end,
+Limb makeLimb(const LimbPlace& place, std::vector<NodeIndex> joints, const LimbEnd& end,
               const std::vector<Mat4>& bindWorlds) {
   Limb limb;
-  limb.kind = kind;
-  limb.id = limbName(kind);
+  static_cast<LimbPlace&>(limb) = place;
+  limb.id = limbName(place);
   limb.endNode = end.node;
   const Vec3 position = end.node.exists() ? positionOf(bindWorlds[at(end.node)]) : end.position;
   if (!end.node.exists()) {
@@ -220,11 +217,11 @@ bool isSound(const Limb& limb) {
   return limb.restLength > 0.0 && std::isfinite(limb.restLength + offset.x + offset.y + offset.z);
 }
 
-std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const BodyPlan& plan,
-                              const Sides& sides, const BindPose& bindPose) {
+std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const BipedReading& reading,
+                                 const Sides& sides, const BindPose& bindPose) {
   std::vector<Limb> limbs;
   for (const Region region : {Region::arm, Region::leg}) {
-    const std::optional<LimbPair>& pair = region == Region::arm ? plan.arms : plan.legs;
+    const std::optional<LimbPair>& pair = region == Region::arm ? reading.arms : reading.legs;
     for (const bool left : {true, false}) {
       const bool positive = left == sides.leftIsPositive;
       const std::optional<LimbGuess>* guess = !pair ? nullptr : positive ? &pair->positive : &pair->negative;
@@ -234,7 +231,7 @@ std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const Bo
       const LimbEnd end = (*guess)->end >= 0 ? jointEnd(view, (*guess)->end)
                                              : LimbEnd{NodeIndex::none, (*guess)->endPosition};
       limbs.push_back(
-          makeLimb(kindOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
+          makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
       limbs.back().confidence = confidenceOf(**guess, *pair, sides);
       limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, sides);
     }
@@ -242,10 +239,10 @@ std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const Bo
   return limbs;
 }
 
-std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view, const BodyPlan& plan,
+std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view, const BipedReading& reading,
                                const Trunk& trunk, const BindPose& bindPose) {
   std::vector<Limb> limbs;
-  if (std::optional<Limb> spine = spineOf(scene, view, plan, trunk, bindPose)) {
+  if (std::optional<Limb> spine = spineOf(scene, view, reading, trunk, bindPose)) {
     limbs.push_back(std::move(*spine));
   }
   if (std::optional<Limb> neck = neckOf(scene, view, trunk, bindPose)) {

@@ -16,23 +16,25 @@ struct LimbEnd {
   Vec3 position{0.0};
 };
 
-/// A limb of the given nodes: fills id, end offset and rest length from the bind pose.
-[[nodiscard]] Limb makeLimb(LimbKind kind, std::vector<NodeIndex> joints, const LimbEnd& end,
+/// A limb of the given nodes: fills id (without the row), end offset and rest length from the bind pose.
+[[nodiscard]] Limb makeLimb(const LimbPlace& place, std::vector<NodeIndex> joints, const LimbEnd& end,
                             const std::vector<Mat4>& bindWorlds);
 
 /// Whether a limb has a length and its numbers are finite; a file with degenerate transforms makes limbs that
 /// have not.
 [[nodiscard]] bool isSound(const Limb& limb);
 
-/// The four limbs of a body plan that were found, sides decided, with confidence and reasons.
-[[nodiscard]] std::vector<Limb> limbsOfPlan(const Scene& scene, const BodyView& view, const BodyPlan& plan,
-                                            const Sides& sides, const BindPose& bindPose);
+/// The four limbs of a body reading that were found, sides decided, with confidence and reasons.
+[[nodiscard]] std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view,
+                                               const BipedReading& reading, const Sides& sides,
+                                               const BindPose& bindPose);
 
 /// Spine and neck of a trunk. A spine of one joint ends at the neck or head, else between the shoulders;
 /// without a joint above the hips it starts at the hips. Without a joint between spine and head there is no
 /// neck.
-[[nodiscard]] std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view, const BodyPlan& plan,
-                                             const Trunk& trunk, const BindPose& bindPose);
+[[nodiscard]] std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view,
+                                             const BipedReading& reading, const Trunk& trunk,
+                                             const BindPose& bindPose);
 
 /// "a, b, c" of the nodes' names, "#index" for a node without one.
 [[nodiscard]] std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes);

@@ -19,8 +19,8 @@ double elevation(const Vec3& offset) {
 
 class Stance {
 public:
-  Stance(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan)
-      : view_(view), plane_(plane), plan_(plan), low_(static_cast<std::size_t>(view.count())),
+  Stance(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading)
+      : view_(view), plane_(plane), reading_(reading), low_(static_cast<std::size_t>(view.count())),
         high_(low_.size()) {
     std::vector<int> deepestFirst(low_.size());
     for (int joint = 0; joint < view.count(); ++joint) {
@@ -86,8 +86,8 @@ private:
   }
 
   [[nodiscard]] bool isUpright() const {
-    return plan_.arms && plan_.legs &&
-           elevation(meanBase(view_, *plan_.arms) - meanBase(view_, *plan_.legs)) > leastElevation;
+    return reading_.arms && reading_.legs &&
+           elevation(meanBase(view_, *reading_.arms) - meanBase(view_, *reading_.legs)) > leastElevation;
   }
 
   [[nodiscard]] static bool holds(const BodyView& view, int branch, const std::optional<LimbPair>& pair) {
@@ -97,19 +97,19 @@ private:
 
   // Its arms, and what hangs beside its legs without being one.
   [[nodiscard]] bool belongsToUpright(int joint) const {
-    if (holds(view_, joint, plan_.arms)) {
+    if (holds(view_, joint, reading_.arms)) {
       return true;
     }
-    Vec3 offset = view_.at(joint) - meanBase(view_, *plan_.legs);
+    Vec3 offset = view_.at(joint) - meanBase(view_, *reading_.legs);
     offset.y = 0.0;
     offset -= plane_.normal * glm::dot(offset, plane_.normal);
-    const double legHeight = meanBase(view_, *plan_.legs).y - floor_;
-    return !holds(view_, joint, plan_.legs) && glm::length(offset) < 0.4 * legHeight;
+    const double legHeight = meanBase(view_, *reading_.legs).y - floor_;
+    return !holds(view_, joint, reading_.legs) && glm::length(offset) < 0.4 * legHeight;
   }
 
   const BodyView& view_;
   const MirrorPlane& plane_;
-  const BodyPlan& plan_;
+  const BipedReading& reading_;
   std::vector<double> low_;  // y of the lowest point of each joint and what hangs on it
   std::vector<double> high_; // of the highest joint
   double floor_ = std::numeric_limits<double>::max();
@@ -118,8 +118,8 @@ private:
 
 } // namespace
 
-int standingLegs(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan) {
-  return Stance(view, plane, plan).legs();
+int standingLegs(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
+  return Stance(view, plane, reading).legs();
 }
 
 } // namespace stretch::rig::body

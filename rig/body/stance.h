@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rig/body/body_plan.h"
+#include "rig/body/biped_reading.h"
 
 namespace stretch::rig::body {
 
@@ -8,6 +8,6 @@ namespace stretch::rig::body {
 /// above the ground and reaches it, counted in pairs. The arms of an upright body are no legs however low
 /// they reach, nor is what hangs beside its legs (coat tails). 0 where
 /// nothing reaches the ground.
-[[nodiscard]] int standingLegs(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
+[[nodiscard]] int standingLegs(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading);
 
 } // namespace stretch::rig::body

@@ -47,24 +47,24 @@ void addBases(std::vector<int>& bases, const LimbPair& pair) {
   }
 }
 
-Attachment attachmentOf(const BodyView& view, const BodyPlan& plan) {
+Attachment attachmentOf(const BodyView& view, const BipedReading& reading) {
   Attachment attachment;
-  if (plan.legs) {
-    attachment.legBase = meanBase(view, *plan.legs);
-    attachment.legLength = lengthOf(*plan.legs);
-    attachment.legJoint = meetingJoint(view, *plan.legs);
-    attachment.up = attachment.legBase - meanEnd(*plan.legs);
-    addBases(attachment.limbBases, *plan.legs);
+  if (reading.legs) {
+    attachment.legBase = meanBase(view, *reading.legs);
+    attachment.legLength = lengthOf(*reading.legs);
+    attachment.legJoint = meetingJoint(view, *reading.legs);
+    attachment.up = attachment.legBase - meanEnd(*reading.legs);
+    addBases(attachment.limbBases, *reading.legs);
   }
-  if (plan.arms) {
-    attachment.armBase = meanBase(view, *plan.arms);
-    attachment.armJoint = meetingJoint(view, *plan.arms);
-    addBases(attachment.limbBases, *plan.arms);
+  if (reading.arms) {
+    attachment.armBase = meanBase(view, *reading.arms);
+    attachment.armJoint = meetingJoint(view, *reading.arms);
+    addBases(attachment.limbBases, *reading.arms);
   }
-  if (plan.arms && plan.legs) {
+  if (reading.arms && reading.legs) {
     attachment.up = attachment.armBase - attachment.legBase;
   }
-  attachment.trunkLength = plan.arms && plan.legs ? glm::length(attachment.up) : 0.4 * view.size;
+  attachment.trunkLength = reading.arms && reading.legs ? glm::length(attachment.up) : 0.4 * view.size;
   const double length = glm::length(attachment.up);
   attachment.up = length > 0.0 ? attachment.up / length : Vec3(0, 1, 0);
   return attachment;
@@ -72,8 +72,8 @@ Attachment attachmentOf(const BodyView& view, const BodyPlan& plan) {
 
 class TrunkReader {
 public:
-  TrunkReader(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan)
-      : view_(view), plane_(plane), plan_(plan), attachment_(attachmentOf(view, plan)) {}
+  TrunkReader(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading)
+      : view_(view), plane_(plane), reading_(reading), attachment_(attachmentOf(view, reading)) {}
 
   Trunk read() {
     const int top = topJoint();
@@ -122,7 +122,7 @@ private:
 
   // The joint that is named head and stands highest in the tree, else the highest one in the middle.
   [[nodiscard]] int topJoint() const {
-    const double lowest = plan_.arms
+    const double lowest = reading_.arms
                               ? glm::dot(attachment_.armBase, attachment_.up) - 0.25 * attachment_.trunkLength
                               : std::numeric_limits<double>::lowest();
     int top = -1;
@@ -168,7 +168,7 @@ private:
   // Where the chain leaves the joint that the legs hang from; where that is far from the thighs (or there is
   // none), the joint nearest to them.
   [[nodiscard]] std::size_t hipsIndex() const {
-    if (!plan_.legs) {
+    if (!reading_.legs) {
       return 0;
     }
     const int meeting =
@@ -330,7 +330,7 @@ private:
 
   const BodyView& view_;
   const MirrorPlane& plane_;
-  const BodyPlan& plan_;
+  const BipedReading& reading_;
   Attachment attachment_;
   std::vector<int> chain_;
   std::size_t hips_ = 0; // index into the chain of the joint that the legs hang from
@@ -341,8 +341,8 @@ private:
 
 } // namespace
 
-Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan) {
-  return plan.arms || plan.legs ? TrunkReader(view, plane, plan).read() : Trunk{};
+Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
+  return reading.arms || reading.legs ? TrunkReader(view, plane, reading).read() : Trunk{};
 }
 
 } // namespace stretch::rig::body

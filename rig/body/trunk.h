@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rig/body/body_plan.h"
+#include "rig/body/biped_reading.h"
 
 namespace stretch::rig::body {
 
@@ -18,6 +18,6 @@ struct Trunk {
 
 /// Reads hips, spine, neck and head along the chain from the root to the head, by names, by where legs and
 /// arms join it and by where the head's vertices are.
-[[nodiscard]] Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BodyPlan& plan);
+[[nodiscard]] Trunk readTrunk(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading);
 
 } // namespace stretch::rig::body

@@ -10,14 +10,10 @@ namespace stretch::rig {
 
 namespace {
 
-bool isArmKind(LimbKind kind) {
-  return kind == LimbKind::leftArm || kind == LimbKind::rightArm;
-}
-
 // Of the left leg, else of the right one: lengths of what has no limb.
 double bodyLength(const std::vector<Limb>& limbs) {
-  for (const LimbKind kind : {LimbKind::leftLeg, LimbKind::rightLeg, LimbKind::spine}) {
-    if (const Limb* const limb = limbOfKind(limbs, kind)) {
+  for (const LimbKind kind : {LimbKind::leg, LimbKind::spine}) {
+    if (const auto limb = std::ranges::find(limbs, kind, &Limb::kind); limb != limbs.end()) {
       return limb->restLength;
     }
   }
@@ -35,22 +31,28 @@ void addSpine(const Limb& spine, ControllerList& list) {
       {"spine-top", ControllerKind::spineTop, chest, spine.id, true, true, spine.restLength});
 }
 
-ControllerKind endKind(LimbKind kind) {
-  if (kind == LimbKind::neck) {
+ControllerKind endKind(const Limb& limb) {
+  switch (limb.kind) {
+  case LimbKind::neck:
     return ControllerKind::head;
+  case LimbKind::arm:
+    return ControllerKind::hand;
+  case LimbKind::leg:
+    return ControllerKind::foot;
+  default:
+    return ControllerKind::tip;
   }
-  return isArmKind(kind) ? ControllerKind::hand : ControllerKind::foot;
 }
 
 void addEnd(const Limb& limb, ControllerList& list) {
-  list.controllers.push_back({endController(limb.kind), endKind(limb.kind), limb.endNode, limb.id, true,
+  list.controllers.push_back({endController(limb), endKind(limb), limb.endNode, limb.id, true,
                               limb.endNode.exists(), limb.restLength});
 }
 
 void addPole(const Limb& limb, ControllerList& list) {
-  if (limb.joints.size() > 1) {
-    list.controllers.push_back({poleController(limb.kind), ControllerKind::pole, limb.joints[1], limb.id,
-                                true, false, limb.restLength});
+  if (hasElbowOrKnee(limb) && limb.joints.size() > 1) {
+    list.controllers.push_back(
+        {poleController(limb), ControllerKind::pole, limb.joints[1], limb.id, true, false, limb.restLength});
   }
 }
 
@@ -61,14 +63,28 @@ void addAttributes(const Scene& scene, const Limb& limb, ControllerList& list) {
     list.attributes.push_back(
         {limb.id + ".follow", AttributeKind::follow, limb.id, 0.0, 1.0, isLeg(limb) ? 0.0 : 1.0});
   }
-  if (isArmKind(limb.kind) && !fingerJoints(scene, limb).empty()) {
-    list.attributes.push_back(
-        {endController(limb.kind) + ".curl", AttributeKind::curl, limb.id, -0.2, 1.0, 0.0});
+  if (isArm(limb) && !fingerJoints(scene, limb).empty()) {
+    list.attributes.push_back({endController(limb) + ".curl", AttributeKind::curl, limb.id, -0.2, 1.0, 0.0});
   }
   if (isLeg(limb) && limb.endNode.exists()) {
-    list.attributes.push_back(
-        {endController(limb.kind) + ".roll", AttributeKind::roll, limb.id, -1.0, 1.0, 0.0});
+    list.attributes.push_back({endController(limb) + ".roll", AttributeKind::roll, limb.id, -1.0, 1.0, 0.0});
   }
+}
+
+// "left-hand" of "left-arm", "front-left-foot-2" of "front-left-leg-2".
+std::string withWord(std::string id, std::string_view word, std::string_view by) {
+  const std::size_t found = id.rfind(word);
+  return found == std::string::npos ? id + "-" + std::string(by) : id.replace(found, word.size(), by);
+}
+
+std::vector<const Limb*> outerLimbs(const std::vector<Limb>& limbs) {
+  std::vector<const Limb*> outer;
+  for (const Limb& limb : limbs) {
+    if (reachesOut(limb) && !limb.joints.empty()) {
+      outer.push_back(&limb);
+    }
+  }
+  return outer;
 }
 
 // The joints that other controllers move.
@@ -114,24 +130,19 @@ const Attribute* ControllerList::attribute(const std::string& id) const {
   return found == attributes.end() ? nullptr : &*found;
 }
 
-const Limb* limbOfKind(const std::vector<Limb>& limbs, LimbKind kind) {
-  const auto found = std::ranges::find_if(
-      limbs, [&](const Limb& limb) { return limb.kind == kind && !limb.joints.empty(); });
-  return found == limbs.end() ? nullptr : &*found;
-}
-
-std::string endController(LimbKind kind) {
-  switch (kind) {
-  case LimbKind::leftArm:
-    return "left-hand";
-  case LimbKind::rightArm:
-    return "right-hand";
-  case LimbKind::leftLeg:
-    return "left-foot";
-  case LimbKind::rightLeg:
-    return "right-foot";
+std::string endController(const Limb& limb) {
+  switch (limb.kind) {
+  case LimbKind::arm:
+    return withWord(limb.id, "arm", "hand");
+  case LimbKind::leg:
+    return withWord(limb.id, "leg", "foot");
   case LimbKind::neck:
     return "head";
+  case LimbKind::tail:
+  case LimbKind::wing:
+  case LimbKind::fin:
+  case LimbKind::feeler:
+    return limb.id + "-tip";
   case LimbKind::spine:
   case LimbKind::chain:
     break;
@@ -139,49 +150,42 @@ std::string endController(LimbKind kind) {
   return {};
 }
 
-std::string poleController(LimbKind kind) {
-  switch (kind) {
-  case LimbKind::leftArm:
-    return "left-elbow";
-  case LimbKind::rightArm:
-    return "right-elbow";
-  case LimbKind::leftLeg:
-    return "left-knee";
-  case LimbKind::rightLeg:
-    return "right-knee";
-  case LimbKind::neck:
-  case LimbKind::spine:
-  case LimbKind::chain:
-    break;
+std::string poleController(const Limb& limb) {
+  switch (limb.kind) {
+  case LimbKind::arm:
+    return withWord(limb.id, "arm", "elbow");
+  case LimbKind::leg:
+    return withWord(limb.id, "leg", "knee");
+  case LimbKind::wing:
+    return limb.id + "-elbow";
+  default:
+    return {};
   }
-  return {};
 }
 
 ControllerList controllersOf(const Scene& scene, const std::vector<Limb>& limbs, NodeIndex hips) {
   ControllerList list;
   const double length = bodyLength(limbs);
+  const std::vector<const Limb*> outer = outerLimbs(limbs);
   if (hips.exists()) {
     list.controllers.push_back({"body", ControllerKind::body, NodeIndex::none, "", true, true, length});
     list.controllers.push_back({"hips", ControllerKind::hips, hips, "", true, true, length});
   }
-  if (const Limb* const spine = limbOfKind(limbs, LimbKind::spine)) {
+  if (const Limb* const spine = limbAt(limbs, biped::spine)) {
     addSpine(*spine, list);
   }
-  for (const LimbKind kind :
-       {LimbKind::neck, LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg}) {
-    if (const Limb* const limb = limbOfKind(limbs, kind)) {
-      addEnd(*limb, list);
-    }
+  if (const Limb* const neck = limbAt(limbs, biped::neck)) {
+    addEnd(*neck, list);
   }
-  for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg}) {
-    if (const Limb* const limb = limbOfKind(limbs, kind)) {
-      addPole(*limb, list);
-    }
+  for (const Limb* const limb : outer) {
+    addEnd(*limb, list);
   }
-  for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg,
-                              LimbKind::spine, LimbKind::neck}) {
-    if (const Limb* const limb = limbOfKind(limbs, kind)) {
-      addAttributes(scene, *limb, list);
+  for (const Limb* const limb : outer) {
+    addPole(*limb, list);
+  }
+  for (const Limb& limb : limbs) {
+    if (limb.kind != LimbKind::chain) {
+      addAttributes(scene, limb, list);
     }
   }
   return list;

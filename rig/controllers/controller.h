@@ -18,6 +18,7 @@ enum class ControllerKind {
   head,
   hand,
   foot,
+  tip,  ///< End of any other limb that reaches out.
   pole, ///< Elbow or knee.
   joint ///< Any joint that is not one of the others'.
 };
@@ -70,12 +71,9 @@ struct ControllerList {
 [[nodiscard]] std::vector<Controller> jointControllers(const Scene& scene, const std::vector<Limb>& limbs,
                                                        NodeIndex hips);
 
-/// Null when there is no limb of the kind.
-[[nodiscard]] const Limb* limbOfKind(const std::vector<Limb>& limbs, LimbKind kind);
-
-/// "left-hand", "left-foot", "head" for the controller on the end of a limb, "left-elbow", "left-knee" for
-/// its pole; empty where it has none.
-[[nodiscard]] std::string endController(LimbKind kind);
-[[nodiscard]] std::string poleController(LimbKind kind);
+/// "left-hand", "front-left-foot", "tail-tip", "head" for the controller on the end of a limb, "left-elbow",
+/// "left-knee" for its pole; empty where it has none.
+[[nodiscard]] std::string endController(const Limb& limb);
+[[nodiscard]] std::string poleController(const Limb& limb);
 
 } // namespace stretch::rig

@@ -90,7 +90,7 @@ public:
 private:
   // A limb that no key moves goes along with what carries it, and a note of it may still be asked for.
   [[nodiscard]] bool concerns(const AdjustedLimb& adjusted) const {
-    return spaces_ != nullptr || adjustments_.moves(adjusted.limb.kind);
+    return spaces_ != nullptr || adjustments_.moves(adjusted.limb);
   }
   [[nodiscard]] Offset offset(const std::string& id, double standard = 0.0) const {
     return offsetAt(adjustments_.curves, id, frame_.timeSeconds, standard);
@@ -291,8 +291,9 @@ private:
     carryDetached(adjusted);
     const Limb& limb = adjusted.limb;
     const bool leg = isLeg(limb);
-    EndGoal goal = leg ? goalOf(adjusted, body_.hips, body_.hipsBind, 0.0)
-                       : goalOf(adjusted, body_.chest, body_.chestBind, 1.0);
+    const double follow = leg ? 0.0 : 1.0;
+    EndGoal goal = adjusted.hangsOnHips ? goalOf(adjusted, body_.hips, body_.hipsBind, follow)
+                                        : goalOf(adjusted, body_.chest, body_.chestBind, follow);
     const double roll = leg ? attribute(adjusted.controls.roll, 0.0, -1.0, 1.0) : 0.0;
     const Quat rolled = rollFoot(adjusted, roll, goal);
     if (adjustments_.curves.contains(adjusted.controls.end)) {
@@ -315,9 +316,8 @@ private:
     if (spaces_ == nullptr) {
       return;
     }
-    const LimbKind kind = adjusted.limb.kind;
-    const Quat axes =
-        isLeg(kind) ? carriedAxes(body_.hips, body_.hipsBind) : carriedAxes(body_.chest, body_.chestBind);
+    const Quat axes = adjusted.hangsOnHips ? carriedAxes(body_.hips, body_.hipsBind)
+                                           : carriedAxes(body_.chest, body_.chestBind);
     note(adjusted.controls.end.c_str(), axes);
     if (adjusted.bendPoint > 0) {
       TwoBoneProblem problem = posedLimb(adjusted, frame_);

@@ -42,17 +42,25 @@ Vec3 middleOf(const AdjustedLimb& spine, const FrameState& frame) {
   return glm::mix(points[next - 1], points[next], share);
 }
 
+bool endHangsOnHips(const AdjustedBody& body, const std::string& endController) {
+  return std::ranges::any_of(body.limbs, [&](const AdjustedLimb& limb) {
+    return limb.hangsOnHips && limb.controls.end == endController;
+  });
+}
+
 // What carries the controller, as trails may turn it after the adjustments; none: the scene.
 NodeIndex carrierOf(const AdjustedBody& body, const PlacedController& placed) {
   switch (placed.kind) {
   case ControllerKind::head:
-  case ControllerKind::hand:
     return body.chest;
   case ControllerKind::spineLow:
   case ControllerKind::spineMiddle:
   case ControllerKind::spineTop:
-  case ControllerKind::foot:
     return body.hips;
+  case ControllerKind::hand:
+  case ControllerKind::foot:
+  case ControllerKind::tip:
+    return endHangsOnHips(body, placed.id) ? body.hips : body.chest;
   case ControllerKind::body:
   case ControllerKind::hips:
   case ControllerKind::pole:

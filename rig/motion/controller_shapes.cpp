@@ -208,6 +208,7 @@ public:
     case ControllerKind::head:
       return {crescent(*body_.neck)};
     case ControllerKind::hand:
+    case ControllerKind::tip:
       return {handLoop(limbNamed(controller.limb))};
     case ControllerKind::foot:
       return {sole(limbNamed(controller.limb))};
@@ -293,7 +294,7 @@ private:
   [[nodiscard]] std::vector<Points> floorArrows() const {
     const Vec3 under = hips() * Vec3(1.0, 0.0, 1.0);
     double reach = 0.3 * leg_;
-    for (const Vec3& point : flesh_.of({LimbKind::leftLeg, LimbKind::rightLeg})) {
+    for (const Vec3& point : flesh_.of({LimbKind::leg})) {
       reach = std::max(reach, glm::length((point - under) * Vec3(1.0, 0.0, 1.0)));
     }
     std::vector<Points> arrows;
@@ -309,8 +310,7 @@ private:
     const double half = 0.11 * leg_;
     Vec3 low = hips() - Vec3(0.15 * leg_, half, 0.15 * leg_);
     Vec3 high = hips() + Vec3(0.15 * leg_, half, 0.15 * leg_);
-    const Points pelvis = filledSlab(flesh_.of({LimbKind::spine, LimbKind::leftLeg, LimbKind::rightLeg}),
-                                     hips(), skywards, half);
+    const Points pelvis = filledSlab(flesh_.of({LimbKind::spine, LimbKind::leg}), hips(), skywards, half);
     if (!pelvis.empty()) {
       Bounds bounds;
       std::ranges::for_each(pelvis, [&](const Vec3& point) { bounds.add(point); });

@@ -125,17 +125,29 @@ std::optional<Mat4> endMatrix(const Limb& limb, const FrameState& frame) {
 
 } // namespace
 
+namespace {
+
+// Left and right, legs before arms before others.
+std::vector<std::pair<const Limb*, const Limb*>> pairsOf(const std::vector<Limb>& limbs) {
+  std::vector<std::pair<const Limb*, const Limb*>> pairs;
+  for (const Limb& limb : limbs) {
+    const Limb* const other = limb.side == LimbSide::left ? limbAt(limbs, mirrored(limb)) : nullptr;
+    if (other != nullptr && !limb.joints.empty()) {
+      pairs.emplace_back(&limb, other);
+    }
+  }
+  std::ranges::stable_partition(pairs, [](const auto& pair) { return isLeg(*pair.first); });
+  return pairs;
+}
+
+} // namespace
+
 Vec3 facingInBind(const std::vector<Limb>& limbs, const BindPlaces& places) {
   const Vec3 up(0.0, 1.0, 0.0);
-  for (const auto& [left, right] :
-       {std::pair(LimbKind::leftLeg, LimbKind::rightLeg), std::pair(LimbKind::leftArm, LimbKind::rightArm)}) {
-    const Limb* const a = limbOfKind(limbs, left);
-    const Limb* const b = limbOfKind(limbs, right);
-    if (a != nullptr && b != nullptr) {
-      const Vec3 forward = glm::cross(baseInBind(places, *a) - baseInBind(places, *b), up);
-      if (glm::length(forward) > 0.0) {
-        return glm::normalize(forward);
-      }
+  for (const auto& [left, right] : pairsOf(limbs)) {
+    const Vec3 forward = glm::cross(baseInBind(places, *left) - baseInBind(places, *right), up);
+    if (glm::length(forward) > 0.0) {
+      return glm::normalize(forward);
     }
   }
   return {0.0, 0.0, 1.0};
@@ -158,7 +170,7 @@ ReachingLimb reachingLimb(const ReachInput& input, const Limb& limb) {
   reaching.limb = limb;
   reaching.topology = limbTopology(input.scene, limb, input.limbs, input.places);
   reaching.along = alongOf(limb, input.places);
-  if (limb.kind != LimbKind::spine && limb.kind != LimbKind::neck) {
+  if (hasElbowOrKnee(limb) || limb.kind == LimbKind::chain) {
     const std::vector<SampledPose> poses = posesOf(input, limb);
     reaching.bendPoint = bendPointOf(bendAngles(poses), reaching.along);
     reaching.bends = bendsOf(input, limb, reaching.bendPoint, poses);

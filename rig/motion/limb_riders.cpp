@@ -180,7 +180,7 @@ bool Riders::covers(NodeIndex node, std::size_t bone) const {
   const BoneLine line{points_[bone], points_[bone + 1]};
   const Vec3 centre = centreOf(places_.meshes[at(node)]);
   const double fraction = line.fraction(centre);
-  const bool wide = limb_.kind == LimbKind::spine || limb_.kind == LimbKind::neck;
+  const bool wide = isTrunk(limb_);
   return fraction > -0.25 && fraction < 1.1 && line.distance(centre) < (wide ? 1.5 : 0.5) * line.length();
 }
 
@@ -235,8 +235,7 @@ bool Riders::isAtEnd(NodeIndex node) const {
 
 std::vector<NodeIndex> companionsElsewhere(const Scene& scene, const Limb& limb,
                                            const std::vector<Limb>& others, const BindPlaces& places) {
-  const bool hasEnd = limb.kind != LimbKind::spine && limb.kind != LimbKind::neck &&
-                      limb.kind != LimbKind::chain && limb.endNode.exists();
+  const bool hasEnd = reachesOut(limb) && limb.endNode.exists();
   return hasEnd ? CompanionSearch(scene, limb, others, places).all() : std::vector<NodeIndex>{};
 }
 

@@ -87,10 +87,6 @@ struct Moving {
   double floor = 0.0; // how low that may get
 };
 
-bool isArm(const Limb& limb) {
-  return limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm;
-}
-
 Moving movingOf(const SolvedWeight& solved, const WeightSample& sample, const BodyOutline& outline,
                 double floor, const FrameState& frame) {
   Moving moving{&solved, sample.planted, sample.kept, endPosition(solved.limb, frame), {}, 0.0, floor};

@@ -14,13 +14,11 @@ int habitOf(LimbKind kind) {
     return 0;
   case LimbKind::neck:
     return 1;
-  case LimbKind::leftArm:
-  case LimbKind::rightArm:
+  case LimbKind::arm:
     return 2;
-  case LimbKind::leftLeg:
-  case LimbKind::rightLeg:
+  case LimbKind::leg:
     return 3;
-  case LimbKind::chain:
+  default:
     break;
   }
   return 4;

@@ -12,14 +12,9 @@ Quat bindRotation(const AdjustedBody& body, NodeIndex node) {
 }
 
 LimbControls controlsOf(const Limb& limb) {
-  const std::string end = endController(limb.kind);
-  return {end,
-          poleController(limb.kind),
-          limb.id + ".follow",
-          limb.id + ".stretch",
-          limb.id + ".volume",
-          end + ".roll",
-          end + ".curl"};
+  const std::string end = endController(limb);
+  return {end,           poleController(limb), limb.id + ".follow", limb.id + ".stretch", limb.id + ".volume",
+          end + ".roll", end + ".curl"};
 }
 
 std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& reaching) {
@@ -33,6 +28,13 @@ std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& rea
   return nodes;
 }
 
+// Front legs hang on the chest of a body with several rows of them.
+bool hangsOnHips(const Scene& scene, const Limb& limb, NodeIndex chest) {
+  const bool isFrontLeg =
+      isLeg(limb) && limb.row > 0 && chest.exists() && isAncestorOrSelf(scene, chest, limb.joints.front());
+  return (isLeg(limb) && !isFrontLeg) || limb.kind == LimbKind::tail;
+}
+
 AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& body, const Limb& limb) {
   AdjustedLimb adjusted;
   static_cast<ReachingLimb&>(adjusted) =
@@ -40,9 +42,10 @@ AdjustedLimb adjustedLimb(const AdjustmentGround& ground, const AdjustedBody& bo
   adjusted.controls = controlsOf(limb);
   adjusted.detached = detachedNodes(ground.scene, adjusted);
   adjusted.baseBind = bindRotation(body, limb.joints.front());
-  if (limb.kind == LimbKind::leftArm || limb.kind == LimbKind::rightArm) {
+  if (isArm(limb)) {
     adjusted.fingers = handCurl(ground.scene, limb, body.places);
   }
+  adjusted.hangsOnHips = hangsOnHips(ground.scene, limb, body.chest);
   if (isLeg(limb)) {
     adjusted.roll = footRoll(ground.scene, limb, adjusted.topology, body.places);
   }
@@ -137,7 +140,7 @@ AdjustedPart partOf(const Scene& scene, const SolvedAdjustments& solved, const A
   if (!rides(scene, solved, adjusted, body.hips)) {
     part.ids.emplace_back("hips");
   }
-  if (body.spine && limb.kind != LimbKind::spine && !isLeg(limb) &&
+  if (body.spine && limb.kind != LimbKind::spine && !adjusted.hangsOnHips &&
       !rides(scene, solved, adjusted, body.chest)) {
     const std::vector<std::string> inner = idsOfLimb(body.list, body.spine->limb);
     part.ids.insert(part.ids.end(), inner.begin(), inner.end());
@@ -166,7 +169,7 @@ void addParts(const Scene& scene, SolvedAdjustments& solved) {
   const auto addLimb = [&](const AdjustedLimb& limb) {
     const AdjustedPart& part = solved.parts.emplace_back(partOf(scene, solved, limb));
     if (isKeyed(solved.curves, part)) {
-      solved.moved.push_back(limb.limb.kind);
+      solved.moved.push_back(limb.limb);
       nodes.insert(part.nodes.begin(), part.nodes.end());
     }
   };
@@ -215,8 +218,8 @@ AdjustedBody adjustedBody(const AdjustmentGround& ground) {
   body.forward = facingInBind(ground.limbs, body.places);
   body.hips = ground.hips;
   body.roots = rootsOf(ground);
-  const Limb* const spine = limbOfKind(ground.limbs, LimbKind::spine);
-  const Limb* const neck = limbOfKind(ground.limbs, LimbKind::neck);
+  const Limb* const spine = limbAt(ground.limbs, biped::spine);
+  const Limb* const neck = limbAt(ground.limbs, biped::neck);
   body.chest =
       spine == nullptr ? ground.hips : (spine->endNode.exists() ? spine->endNode : spine->joints.back());
   body.hipsBind = bindRotation(body, body.hips);
@@ -227,9 +230,9 @@ AdjustedBody adjustedBody(const AdjustmentGround& ground) {
   if (neck != nullptr) {
     body.neck = adjustedLimb(ground, body, *neck);
   }
-  for (const LimbKind kind : {LimbKind::leftArm, LimbKind::rightArm, LimbKind::leftLeg, LimbKind::rightLeg}) {
-    if (const Limb* const limb = limbOfKind(ground.limbs, kind)) {
-      body.limbs.push_back(adjustedLimb(ground, body, *limb));
+  for (const Limb& limb : ground.limbs) {
+    if (reachesOut(limb) && !limb.joints.empty()) {
+      body.limbs.push_back(adjustedLimb(ground, body, limb));
     }
   }
   return body;

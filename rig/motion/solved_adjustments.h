@@ -42,6 +42,7 @@ struct AdjustedLimb : ReachingLimb {
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
   std::vector<FingerJoint> fingers;  ///< Of an arm.
   FootRoll roll;                     ///< Of a leg.
+  bool hangsOnHips = false;          ///< Else on the chest.
 };
 
 /// A controller on any other joint.
@@ -72,7 +73,7 @@ struct AdjustedBody {
   Vec3 forward{0.0, 0.0, 1.0}; ///< Where the character faces in the bind pose; unit, level.
   std::optional<AdjustedLimb> spine;
   std::optional<AdjustedLimb> neck;
-  std::vector<AdjustedLimb> limbs; ///< Arms and legs.
+  std::vector<AdjustedLimb> limbs; ///< Those that reach out from the trunk.
 };
 
 /// The adjustments of one clip, ready for any time.
@@ -81,11 +82,11 @@ struct SolvedAdjustments {
   std::shared_ptr<const AdjustedBody> body;
   std::vector<AdjustedJoint> joints;
   std::vector<AdjustedPart> parts;
-  std::vector<LimbKind> moved;  ///< The limbs that a key may move; all others go along as they are.
+  std::vector<LimbPlace> moved; ///< The limbs that a key may move; all others go along as they are.
   std::vector<NodeIndex> nodes; ///< Everything that is read or moved.
 
   [[nodiscard]] bool empty() const { return curves.empty(); }
-  [[nodiscard]] bool moves(LimbKind limb) const {
+  [[nodiscard]] bool moves(const LimbPlace& limb) const {
     return std::find(moved.begin(), moved.end(), limb) != moved.end();
   }
 };

@@ -26,11 +26,6 @@ namespace {
 
 const Vec3 skyward(0.0, 1.0, 0.0);
 
-const Limb* limbOfBody(const Biped& biped, LimbKind kind) {
-  const auto found = std::ranges::find(biped.limbs, kind, &Limb::kind);
-  return found == biped.limbs.end() ? nullptr : &*found;
-}
-
 NodeIndex tableNode(const Scene& scene, const std::string& bone) {
   const auto found = scene.humanoid.find(bone);
   const bool isThere =
@@ -118,13 +113,13 @@ Fingers fingersOf(const Scene& scene, const Limb& arm) {
 }
 
 void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
-  const Limb* const neck = limbOfBody(biped, LimbKind::neck);
+  const Limb* const neck = limbAt(biped.limbs, biped::neck);
   if (neck != nullptr) {
     skeleton.neck = neck->joints;
   }
   skeleton.head = biped.head.exists() || neck == nullptr ? biped.head : neck->endNode;
   std::erase(skeleton.neck, skeleton.head);
-  if (const Limb* const spine = limbOfBody(biped, LimbKind::spine)) {
+  if (const Limb* const spine = limbAt(biped.limbs, biped::spine)) {
     skeleton.spine = spine->joints;
     const NodeIndex end = spine->endNode;
     const bool isAbove = end == skeleton.head || std::ranges::find(skeleton.neck, end) != skeleton.neck.end();
@@ -146,8 +141,8 @@ void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
 }
 
 void addArms(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
-  const std::array<const Limb*, 2> limbs{limbOfBody(biped, LimbKind::leftArm),
-                                         limbOfBody(biped, LimbKind::rightArm)};
+  const std::array<const Limb*, 2> limbs{limbAt(biped.limbs, biped::leftArm),
+                                         limbAt(biped.limbs, biped::rightArm)};
   for (const std::size_t side : {leftSide, rightSide}) {
     if (limbs[side] == nullptr) {
       continue;
@@ -328,8 +323,8 @@ Vec3 SkeletonLeg::ball(const std::vector<Mat4>& worlds) const {
 }
 
 std::optional<Skeleton> skeletonOf(const Scene& scene, const Biped& biped) {
-  const Limb* const left = limbOfBody(biped, LimbKind::leftLeg);
-  const Limb* const right = limbOfBody(biped, LimbKind::rightLeg);
+  const Limb* const left = limbAt(biped.limbs, biped::leftLeg);
+  const Limb* const right = limbAt(biped.limbs, biped::rightLeg);
   if (!biped.isBiped || left == nullptr || right == nullptr) {
     return std::nullopt;
   }

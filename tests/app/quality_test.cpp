@@ -106,7 +106,7 @@ void addLegs(Document& document) {
   const NodeIndex knee = test::addNode(scene, "LeftLeg", hip, {0.0, -0.5, 0.0});
   const NodeIndex foot = test::addNode(scene, "LeftFoot", knee, {0.0, -0.5, 0.0});
   rig::Limb leg;
-  leg.kind = rig::LimbKind::leftLeg;
+  leg.kind = rig::LimbKind::leg;
   leg.id = "left-leg";
   leg.joints = {hip, knee};
   leg.endNode = foot;

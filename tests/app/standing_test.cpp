@@ -7,10 +7,10 @@ using namespace stretch::app;
 
 namespace {
 
-SampledClip::OfLimb leg(rig::LimbKind kind, const std::vector<double>& lowest) {
+SampledClip::OfLimb leg(const rig::LimbPlace& place, const std::vector<double>& lowest) {
   SampledClip::OfLimb one;
-  one.limb.kind = kind;
-  one.limb.id = std::string(rig::limbName(kind));
+  static_cast<rig::LimbPlace&>(one.limb) = place;
+  one.limb.id = rig::limbName(place);
   one.limb.restLength = 0.9;
   one.lowest = lowest;
   return one;
@@ -19,7 +19,7 @@ SampledClip::OfLimb leg(rig::LimbKind kind, const std::vector<double>& lowest) {
 Standing standing(const std::vector<double>& left, const std::vector<double>& right) {
   SampledClip sampled;
   sampled.samplesPerSecond = 30.0;
-  sampled.limbs = {leg(rig::LimbKind::leftLeg, left), leg(rig::LimbKind::rightLeg, right)};
+  sampled.limbs = {leg(rig::biped::leftLeg, left), leg(rig::biped::rightLeg, right)};
   return standingOf(sampled, 1.0);
 }
 

@@ -20,7 +20,7 @@ import pathlib
 import sys
 import tempfile
 
-from check_exaggeration import LIMBS, VERTEX_TOLERANCE, VERTICES_A_MESH, Reader, accelerations, clip_motion, misses, run
+from check_exaggeration import VERTEX_TOLERANCE, VERTICES_A_MESH, Reader, accelerations, clip_motion, misses, run, reaches_out
 
 FOOT_TOLERANCE = 1e-3
 LENGTH_TOLERANCE = 1e-3  # of what was said
@@ -172,7 +172,7 @@ class Check:
 
     def file(self, file):
         info = json.loads(run(self.program, "info", file, "--json"))
-        limbs = [limb for limb in info["limbs"] if limb["limb"] in LIMBS]
+        limbs = [limb for limb in info["limbs"] if reaches_out(limb["limb"])]
         if not limbs:
             return
         moving = sorted((clip_motion(self.program, file, clip, limbs[0]["limb"]), clip) for clip in range(len(info["clips"])))

@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 from check_corpus import read_gltf
-from check_exaggeration import LIMBS, Reader, clip_motion, numbers, run
+from check_exaggeration import Reader, clip_motion, numbers, run, reaches_out
 
 TOLERANCE = 1e-5
 SOURCE_SLACK = 2.0  # a limb three times as long shows more of it
@@ -105,7 +105,7 @@ class Check:
     def exaggerated(self, file, info, folder):
         """The file with its most moving limb three times as long, and seconds of range and release."""
         moving = [(clip_motion(self.program, file, clip, limb["limb"]), clip, limb["limb"])
-                  for limb in info["limbs"] if limb["limb"] in LIMBS for clip in range(len(info["clips"]))]
+                  for limb in info["limbs"] if reaches_out(limb["limb"]) for clip in range(len(info["clips"]))]
         _, clip, limb = max(moving)
         report = json.loads(run(self.program, "exaggerate", file, "-o", folder / "out.glb", "--clip", f"#{clip}", "--limb", limb, "--scale", "3", "--clean", "--json"))
         trail, fps = report["trails"][0], info["clips"][clip]["fps"]

@@ -20,7 +20,7 @@ TEST_CASE("Hand and fingers belong to the arm, the head to the neck, hips and sh
   const NodeIndex head = test::addNode(scene, "Head", neck, {0.0, 0.1, 0.0});
   const NodeIndex prop = test::addNode(scene, "Ball", NodeIndex::none, {2.0, 0.0, 0.0});
   std::vector<Limb> limbs(3);
-  limbs[0].kind = LimbKind::leftArm;
+  limbs[0].kind = LimbKind::arm;
   limbs[0].joints = {arm};
   limbs[0].endNode = hand;
   limbs[1].kind = LimbKind::spine;

@@ -3,6 +3,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
 #include "rig/body/detection.h"
+#include "rig/body/planned_body.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/widgets/dropdown.h"
 #include "ui/widgets/fuzzy.h"
@@ -125,13 +126,10 @@ Result<rig::Limb> chainOf(const Scene& scene, const JointPick& pick) {
                                                                                             : byIndex;
 }
 
-rig::LimbKind kindOf(const std::string& limbId) {
-  int kind = 0;
-  while (kind < static_cast<int>(rig::LimbKind::chain) &&
-         rig::limbName(static_cast<rig::LimbKind>(kind)) != limbId) {
-    ++kind;
-  }
-  return static_cast<rig::LimbKind>(kind);
+rig::LimbPlace placeOf(const app::Document& document, const std::string& limbId) {
+  const rig::Limb* const present = app::findLimb(document, limbId);
+  return present != nullptr ? rig::LimbPlace(*present)
+                            : rig::placeInPlan(rig::planOf(document.biped), limbId);
 }
 
 Result<app::Document> changedDocument(const app::Document& document, const JointPick& pick) {
@@ -142,7 +140,7 @@ Result<app::Document> changedDocument(const app::Document& document, const Joint
   if (pick.limbId.empty()) {
     return app::addChain(document, std::move(chain).value());
   }
-  chain->kind = kindOf(pick.limbId);
+  static_cast<rig::LimbPlace&>(*chain) = placeOf(document, pick.limbId);
   chain->id = pick.limbId;
   chain->reasons = {"chosen by hand"};
   return app::correctLimb(document, std::move(chain).value());

@@ -1,10 +1,12 @@
-#include <array>
+#include <algorithm>
+#include <optional>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/document.h"
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/pose_edits.h"
+#include "rig/body/planned_body.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/controller_panel.h"
 #include "ui/panels/panel_support.h"
@@ -20,12 +22,6 @@ namespace {
 
 constexpr double doubtful = 0.6; ///< Confidence below this is shown as a question.
 
-constexpr std::array<const char*, bodyPartCount> limbIds{"left-arm",  "right-arm", "left-leg",
-                                                         "right-leg", "spine",     "neck"};
-constexpr std::array<const char*, bodyPartCount> limbCommands{command::selectLeftArm, command::selectRightArm,
-                                                              command::selectLeftLeg, command::selectRightLeg,
-                                                              command::selectSpine,   command::selectNeck};
-
 /// The trail that the limb shows: the selected one, else its first in the viewed clip.
 const rig::Trail* trailOf(const app::Session& session, const std::string& limbId) {
   const rig::Trail* shown = nullptr;
@@ -38,12 +34,24 @@ const rig::Trail* trailOf(const app::Session& session, const std::string& limbId
   return shown;
 }
 
-BodyPartState stateOf(const PanelContext& context, std::size_t part) {
+ImVec2 pointOf(const rig::FigurePoint& point) {
+  return {point.x, point.y};
+}
+
+std::vector<DiagramBone> bonesOf(const rig::PlannedLimb& limb) {
+  std::vector<DiagramBone> bones;
+  for (const rig::FigureBone& bone : limb.bones) {
+    bones.push_back({{bone.fromX, bone.fromY}, bone.fromRadius, {bone.toX, bone.toY}, bone.toRadius});
+  }
+  return bones;
+}
+
+DiagramPart partOf(const PanelContext& context, const rig::PlannedLimb& planned, std::size_t slot) {
   const app::Session& session = context.character();
-  BodyPartState state;
-  state.id = limbIds[part];
+  DiagramPart state{
+      .id = planned.id, .bones = bonesOf(planned), .end = pointOf(planned.end), .key = pointOf(planned.key)};
   const rig::Limb* limb = app::findLimb(session.document(), state.id);
-  state.keyText = keyOf(context, limbCommands[part]);
+  state.keyText = slot < command::limbSlots.size() ? keyOf(context, command::limbSlots[slot]) : "";
   state.help.title = capitalised(app::limbTitle(session.document(), state.id));
   state.help.keyText = state.keyText;
   state.found = limb != nullptr;
@@ -69,6 +77,46 @@ BodyPartState stateOf(const PanelContext& context, std::size_t part) {
   return state;
 }
 
+/// Those that the plan shows, in the order of their keys.
+std::vector<DiagramPart> diagramParts(const PanelContext& context) {
+  const app::Document& document = context.character().document();
+  const rig::BodyPlan& plan = planOf(document.biped);
+  std::vector<DiagramPart> parts;
+  const std::vector<std::string> ids = app::limbsByKey(document);
+  for (std::size_t slot = 0; slot < ids.size(); ++slot) {
+    if (const rig::PlannedLimb* const planned = plannedLimb(plan, ids[slot])) {
+      parts.push_back(partOf(context, *planned, slot));
+    }
+  }
+  return parts;
+}
+
+/// Where a controller stands on the figure: as the plan says, else at the joint of its limb's bones that it
+/// is for; nothing for one that the figure has no place for.
+std::optional<ImVec2> placeOfController(const rig::BodyPlan& plan, const rig::Controller& controller) {
+  const auto said = std::ranges::find(plan.controllers, controller.id, &rig::PlannedController::id);
+  if (said != plan.controllers.end()) {
+    return pointOf(said->place);
+  }
+  const rig::PlannedLimb* const limb = plannedLimb(plan, controller.limb);
+  if (limb == nullptr) {
+    return std::nullopt;
+  }
+  const rig::FigureBone& first = limb->bones.front();
+  const rig::FigureBone& last = limb->bones.back();
+  switch (controller.kind) {
+  case rig::ControllerKind::spineLow:
+    return ImVec2(last.toX, last.toY);
+  case rig::ControllerKind::spineMiddle:
+  case rig::ControllerKind::pole:
+    return ImVec2(first.toX, first.toY);
+  case rig::ControllerKind::spineTop:
+    return ImVec2(first.fromX, first.fromY);
+  default:
+    return ImVec2(last.toX, last.toY);
+  }
+}
+
 std::vector<DiagramController> diagramControllers(const PanelContext& context) {
   const app::Session& session = context.character();
   const app::Document& document = session.document();
@@ -78,12 +126,17 @@ std::vector<DiagramController> diagramControllers(const PanelContext& context) {
   }
   const rig::ControllerList list = app::controllersOf(document);
   for (const rig::Controller& controller : list.controllers) {
+    const std::optional<ImVec2> place = placeOfController(planOf(document.biped), controller);
+    if (!place) {
+      continue;
+    }
     std::vector<std::string> ids{controller.id}; // With what it holds: a fist is a key of the hand.
     for (const rig::Attribute& attribute : app::attributesHeldBy(list, controller)) {
       ids.push_back(attribute.id);
     }
     const bool selected = app::isControllerSelected(session, controller.id);
     controllers.push_back({controller.id,
+                           *place,
                            selected,
                            keyMarkOf(session, ids),
                            {capitalised(app::controllerTitle(document, controller.id)),
@@ -127,14 +180,17 @@ void selectForMenu(PanelContext& context, const std::string& limbId) {
 void chainChips(PanelContext& context) {
   app::Session& session = context.character();
   const WidgetContext widgets = widgetsOf(context);
-  for (const rig::Limb& chain : session.document().chains) {
+  for (const rig::Limb& chain : app::allLimbs(session.document())) {
+    if (chain.kind != rig::LimbKind::chain) {
+      continue;
+    }
     ButtonSpec chip;
     chip.id = "limb/" + chain.id;
     chip.icon = icon::link;
     chip.text = chain.id;
     chip.on = app::isSelected(session, chain.id);
     chip.width = ImGui::GetContentRegionAvail().x;
-    chip.help = {chain.id, "A chain of your own. Click selects it, Shift+click adds it.", {}};
+    chip.help = {chain.id, "A chain of joints. Click selects it, Shift+click adds it.", {}};
     if (button(widgets, chip)) {
       app::selectLimb(session, chain.id, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
     }
@@ -161,13 +217,37 @@ std::string limbSelectionText(const app::Session& session) {
   return capitalised(text);
 }
 
-void menuOfDiagram(PanelContext& context, const Rect& box,
-                   const std::array<BodyPartState, bodyPartCount>& parts) {
+void menuOfDiagram(PanelContext& context, const Rect& box, const std::vector<DiagramPart>& parts) {
   const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
-  const std::optional<BodyPart> under = bodyPartAt(box, ImGui::GetIO().MousePos);
-  if (asked && under && parts[static_cast<std::size_t>(*under)].found) {
-    selectForMenu(context, limbIds[static_cast<std::size_t>(*under)]);
+  const std::optional<std::size_t> under = partAt(box, parts, ImGui::GetIO().MousePos);
+  if (asked && under && parts[*under].found) {
+    selectForMenu(context, parts[*under].id);
   }
+}
+
+/// The body as its plan draws it; nothing for one without.
+void diagram(PanelContext& context) {
+  app::Session& session = context.character();
+  const rig::BodyPlan& plan = planOf(session.document().biped);
+  if (plan.limbs.empty()) {
+    return;
+  }
+  const DiagramFigure figure{diagramParts(context), diagramControllers(context),
+                             plan.view == rig::FigureView::front};
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = std::min(width * 1.22F, context.theme.px(248.0F));
+  const DiagramClick clicked = limbDiagram(widgetsOf(context), "limb", figure, height);
+  const bool add = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+  if (!clicked.controller.empty()) {
+    app::selectController(session, clicked.controller, add);
+  } else if (clicked.part && figure.parts[*clicked.part].found) {
+    app::selectLimb(session, figure.parts[*clicked.part].id, add);
+  } else if (clicked.part) {
+    context.ui.jointPick = {};
+    context.ui.jointPick.open = true;
+    context.ui.jointPick.limbId = figure.parts[*clicked.part].id;
+  }
+  menuOfDiagram(context, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, figure.parts);
 }
 
 } // namespace
@@ -179,28 +259,10 @@ void drawLimbPanel(PanelContext& context) {
     note(widgets, "The character's limbs appear here.");
     return;
   }
-  app::Session& session = context.character();
-  std::array<BodyPartState, bodyPartCount> parts;
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    parts[part] = stateOf(context, part);
-  }
+  const app::Session& session = context.character();
+  diagram(context);
   const float width = ImGui::GetContentRegionAvail().x;
-  const float height = std::min(width * 1.22F, context.theme.px(248.0F));
-  const DiagramClick clicked = limbDiagram(widgets, "limb", parts, diagramControllers(context), height);
-  if (!clicked.controller.empty()) {
-    app::selectController(session, clicked.controller, ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
-  } else if (clicked.part) {
-    const auto part = static_cast<std::size_t>(*clicked.part);
-    if (parts[part].found) {
-      app::selectLimb(session, limbIds[part], ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
-    } else {
-      context.ui.jointPick = {};
-      context.ui.jointPick.open = true;
-      context.ui.jointPick.limbId = limbIds[part];
-    }
-  }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  menuOfDiagram(context, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, parts);
   ImGui::Dummy({width, context.theme.px(20.0F)});
   drawText(
       widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},

@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <initializer_list>
+#include <vector>
 
 #include "app/commands/command_ids.h"
+#include "app/commands/selection.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
@@ -15,7 +16,7 @@ namespace {
 /// A menu's entries by command id; an empty id is a separator.
 struct Menu {
   const char* title;
-  std::initializer_list<const char*> commands;
+  std::vector<const char*> commands;
 };
 
 void recentFiles(PanelContext& context) {
@@ -130,41 +131,26 @@ void poseMenu(PanelContext& context) {
            false);
 }
 
+/// The limbs that the character has keys for; a biped's where none is open.
+std::vector<const char*> limbEntries(const PanelContext& context) {
+  constexpr std::size_t ofBiped = 6;
+  const app::Session* const character = context.open.character();
+  const std::size_t limbs = character == nullptr ? ofBiped : app::limbsByKey(character->document()).size();
+  const std::size_t shown = std::min(limbs, command::limbSlots.size());
+  return {command::limbSlots.begin(), command::limbSlots.begin() + static_cast<std::ptrdiff_t>(shown)};
+}
+
 void drawLimbMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context,
-           {"Limb",
-            {selectLeftArm,
-             selectRightArm,
-             selectLeftLeg,
-             selectRightLeg,
-             selectSpine,
-             selectNeck,
-             selectAllLimbs,
-             selectNone,
-             "",
-             weightToggle,
-             weightAll,
-             weightRemove,
-             "",
-             holdPin,
-             holdPinFeet,
-             holdMatch,
-             holdProp,
-             holdLetGo,
-             holdRemove,
-             "",
-             pickChain,
-             detectAgain,
-             "",
-             locatorsFit,
-             locatorsReset,
-             locatorsMirror,
-             locatorsSnap,
-             rigBuild,
-             rigBack,
-             bindMesh}},
-           false);
+  std::vector<const char*> entries = limbEntries(context);
+  for (const char* const id :
+       {selectAllLimbs, selectNone,  "",        weightToggle, weightAll,     weightRemove,   "",
+        holdPin,        holdPinFeet, holdMatch, holdProp,     holdLetGo,     holdRemove,     "",
+        pickChain,      detectAgain, "",        locatorsFit,  locatorsReset, locatorsMirror, locatorsSnap,
+        rigBuild,       rigBack,     bindMesh}) {
+    entries.push_back(id);
+  }
+  drawMenu(context, {"Limb", std::move(entries)}, false);
 }
 
 } // namespace

@@ -7,11 +7,13 @@
 #include "app/locators/fit_locators.h"
 #include "app/locators/locator_edits.h"
 #include "core/scene/scene.h"
+#include "rig/body/planned_body.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/transport.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/dropdown.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 
@@ -43,8 +45,29 @@ void fileSummary(PanelContext& context) {
   valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices");
   const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
   valueRow(widgets, "Rig", joints + ", " + shortNumber(document.biped.height) + " m tall",
-           {.title = document.biped.isBiped ? "A biped" : "No biped was recognised",
+           {.title = capitalised(planOf(document.biped).title),
             .text = "The height in the bind pose is what tolerances are measured against."});
+}
+
+/// Which body it is, and why; another one can be chosen.
+void planRow(PanelContext& context) {
+  const rig::Biped& body = context.character().document().biped;
+  std::vector<Choice> choices;
+  int selected = -1;
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    selected = plan.id == body.plan ? static_cast<int>(choices.size()) : selected;
+    choices.push_back({.text = capitalised(plan.title),
+                       .help = {capitalised(plan.title), "Its limbs are looked for in the skeleton.", {}}});
+  }
+  std::string reasons;
+  for (const std::string& reason : body.planReasons) {
+    reasons += (reasons.empty() ? "" : "; ") + reason;
+  }
+  const Help help{"Body plan", "Which limbs the body has: " + reasons + ".", {}};
+  const int chosen = dropdown(widgetsOf(context), "rig/plan", choices, selected, help);
+  if (chosen >= 0 && chosen != selected) {
+    request(context, command::planPrefix + rig::bodyPlans()[static_cast<std::size_t>(chosen)].id);
+  }
 }
 
 std::string rateText(const PanelContext& context) {
@@ -288,6 +311,7 @@ void drawRigPanel(PanelContext& context) {
            "one.");
   }
   if (section(widgets, "rig/limbs", "Limbs found", context.ui.closedSections)) {
+    planRow(context);
     limbList(context);
     limbTools(context);
   }

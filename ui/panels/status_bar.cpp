@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
@@ -123,9 +125,13 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
     addHint(context, hints, command::poseWholeClip, "whole clip");
   } else if (!limbChosen) {
     const std::string first = keyOf(context, command::selectLeftArm);
-    const std::string last = keyOf(context, command::selectNeck);
+    const std::size_t limbs = app::limbsByKey(session.document()).size();
+    const std::size_t slots = command::limbSlots.size();
+    const std::string last = keyOf(context, command::limbSlots[std::clamp<std::size_t>(limbs, 1, slots) - 1]);
     hints.push_back({first + ".." + last, "limb"});
-    addHint(context, hints, command::controllersOfHips, "hips");
+    if (limbs < slots) {
+      addHint(context, hints, command::controllerSlots[limbs], "hips");
+    }
   } else {
     addHint(context, hints, command::rangeStart, "range start");
     addHint(context, hints, command::rangeEnd, "end");

@@ -25,7 +25,7 @@ app::AxisLock lockOf(const HandlePart& part) {
 std::string pressedEnd(const ViewportContext& context) {
   const rig::Limb* const limb =
       app::findLimb(context.open.character()->document(), context.viewport.hoveredLimb);
-  const std::string id = limb == nullptr ? std::string() : rig::endController(limb->kind);
+  const std::string id = limb == nullptr ? std::string() : rig::endController(*limb);
   return findShown(context.viewport.controllers, id) == nullptr ? std::string() : id;
 }
 

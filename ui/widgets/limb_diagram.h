@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,45 +9,60 @@
 
 namespace stretch::ui {
 
-/// Parts of the drawn body, in the order of rig::LimbKind.
-enum class BodyPart { leftArm, rightArm, leftLeg, rightLeg, spine, neck };
-inline constexpr int bodyPartCount = 6;
+/// A round bone of the figure. The figure stands in a box 180 wide and 232 high; x = 0 is its middle, y grows
+/// downwards.
+struct DiagramBone {
+  ImVec2 from;
+  float fromRadius = 1.0F;
+  ImVec2 to;
+  float toRadius = 1.0F;
+};
 
-struct BodyPartState {
+/// A limb as the diagram shows it.
+struct DiagramPart {
+  std::string id = {}; ///< "left-arm": names the widget.
+  std::vector<DiagramBone> bones = {};
+  ImVec2 end = {}; ///< Where the limb ends: what a trail is drawn for.
+  ImVec2 key = {}; ///< Where its key is written.
   bool found = false;
   bool selected = false;
   bool lowConfidence = false;
   std::optional<ImU32> trail = {}; ///< Colour of the limb's trail.
   bool hasWeight = false;          ///< Gives way by its own load: marked with a weight.
-  std::string id = {};             ///< "left-arm": names the widget.
   std::string keyText = {};        ///< Shown at the limb.
   Help help = {};
 };
 
 /// A controller as the diagram shows it: a mark where it stands on the body.
 struct DiagramController {
-  std::string id = {}; ///< "left-hand": names the widget, "limb/left-hand". One that the figure has no
-                       ///< place for is not shown.
+  std::string id = {}; ///< "left-hand": names the widget, "limb/left-hand".
+  ImVec2 place = {};
   bool selected = false;
   KeyMark keys = KeyMark::none;
   Help help = {};
 };
 
+/// A body and what of it can be clicked.
+struct DiagramFigure {
+  std::vector<DiagramPart> parts;
+  std::vector<DiagramController> controllers;
+  bool leftIsOnTheRight = true; ///< As of a body that is seen from the front.
+};
+
 struct DiagramClick {
-  std::optional<BodyPart> part;
+  std::optional<std::size_t> part;
   std::string controller; ///< Empty: none.
 };
 
-/// A body seen from the front, as wide as available: the character's left is on the right. What was clicked;
-/// controllers lie over the parts.
+/// The figure, as wide as available. What was clicked; controllers lie over the parts.
 [[nodiscard]] DiagramClick limbDiagram(const WidgetContext& context, const std::string& id,
-                                       const std::array<BodyPartState, bodyPartCount>& parts,
-                                       const std::vector<DiagramController>& controllers, float height);
+                                       const DiagramFigure& figure, float height);
 
 /// The part under a point, for a diagram in this box; none beside the body.
-[[nodiscard]] std::optional<BodyPart> bodyPartAt(const Rect& box, const ImVec2& point);
+[[nodiscard]] std::optional<std::size_t> partAt(const Rect& box, const std::vector<DiagramPart>& parts,
+                                                const ImVec2& point);
 
 /// A point well inside the part, for a diagram in this box.
-[[nodiscard]] ImVec2 bodyPartCentre(const Rect& box, BodyPart part);
+[[nodiscard]] ImVec2 partCentre(const Rect& box, const DiagramPart& part);
 
 } // namespace stretch::ui

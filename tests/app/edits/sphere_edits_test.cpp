@@ -132,7 +132,7 @@ TEST_CASE("A limb corrected by hand takes the place of the one that was found") 
   corrected.joints = {NodeIndex(99)};
   CHECK_FALSE(correctLimb(document, corrected));
   rig::Limb leg = *findLimb(document, "left-arm");
-  leg.kind = rig::LimbKind::leftLeg;
+  static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
   const Result<Document> added = correctLimb(document, leg);
   REQUIRE(added);
   REQUIRE(added->biped.limbs.size() == document.biped.limbs.size() + 1);

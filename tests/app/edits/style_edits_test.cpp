@@ -6,9 +6,9 @@ using namespace stretch;
 
 namespace {
 
-rig::Limb limbOf(rig::LimbKind kind, const char* id) {
+rig::Limb limbOf(const rig::LimbPlace& place, const char* id) {
   rig::Limb limb;
-  limb.kind = kind;
+  static_cast<rig::LimbPlace&>(limb) = place;
   limb.id = id;
   return limb;
 }
@@ -24,8 +24,8 @@ rig::Trail trailOf(int id, const char* limb) {
 /// Trails 1 to 3 on an arm, a leg and the spine.
 app::Document threeTrails() {
   app::Document document;
-  document.biped.limbs = {limbOf(rig::LimbKind::leftArm, "left-arm"),
-                          limbOf(rig::LimbKind::leftLeg, "left-leg"), limbOf(rig::LimbKind::spine, "spine")};
+  document.biped.limbs = {limbOf(rig::biped::leftArm, "left-arm"), limbOf(rig::biped::leftLeg, "left-leg"),
+                          limbOf(rig::biped::spine, "spine")};
   document.trails = {trailOf(1, "left-arm"), trailOf(2, "left-leg"), trailOf(3, "spine")};
   return document;
 }

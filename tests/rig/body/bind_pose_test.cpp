@@ -89,7 +89,7 @@ TEST_CASE("rest length and estimated ends are in world units, whatever the armat
     body.armatureScale = scale;
     const BuiltBiped built = build(body);
     const Biped biped = detectBiped(built.scene);
-    const Limb* arm = findLimb(biped, LimbKind::leftArm);
+    const Limb* arm = findLimb(biped, biped::leftArm);
     REQUIRE(arm != nullptr);
     CHECK(arm->restLength == Approx(std::hypot(0.27, 0.01) + std::hypot(0.25, 0.01)));
     CHECK(biped.height == Approx(1.84).margin(0.01));

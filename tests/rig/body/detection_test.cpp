@@ -14,8 +14,8 @@ namespace {
 void checkLimbs(const BuiltBiped& built, const std::string& spine, const std::string& neck) {
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
-  CHECK(describe(built, biped, LimbKind::spine) == spine);
-  CHECK(describe(built, biped, LimbKind::neck) == neck);
+  CHECK(describe(built, biped, biped::spine) == spine);
+  CHECK(describe(built, biped, biped::neck) == neck);
 }
 
 const std::string threeSpines = "spine0 spine1 -> spine2";

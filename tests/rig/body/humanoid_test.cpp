@@ -41,10 +41,10 @@ TEST_CASE("the VRM humanoid table decides joints and sides, whatever names and f
   const BuiltBiped built = withTable();
   const Biped biped = detectBiped(built.scene);
   CHECK(biped.isBiped);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.r foreArm.r -> hand.r");
-  CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.l shin.l -> foot.l");
-  CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
-  CHECK(describe(built, biped, LimbKind::neck) == "neck0 -> head");
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, biped, biped::rightLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
   CHECK(biped.hips == built.node.at("hips"));
   CHECK(biped.head == built.node.at("head"));
 }
@@ -55,8 +55,8 @@ TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that en
     built.scene.humanoid.erase(bone);
   }
   const Biped biped = detectBiped(built.scene);
-  CHECK(describe(built, biped, LimbKind::neck) == "none");
-  CHECK(describe(built, biped, LimbKind::spine) == "spine0 -> head");
+  CHECK(describe(built, biped, biped::neck) == "none");
+  CHECK(describe(built, biped, biped::spine) == "spine0 -> head");
 }
 
 TEST_CASE(
@@ -64,8 +64,8 @@ TEST_CASE(
   BuiltBiped built = withTable();
   built.scene.humanoid["leftHand"] = NodeIndex(9999);
   const Biped biped = detectBiped(built.scene);
-  CHECK(describe(built, biped, LimbKind::rightArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, biped, biped::rightArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.r foreArm.r -> hand.r");
   REQUIRE_FALSE(biped.warnings.empty());
   CHECK(biped.warnings.front().find("humanoid table names no complete left-arm") != std::string::npos);
 }

@@ -70,8 +70,8 @@ TEST_CASE("limbs split in two keep the first half as their joint, disconnected d
     const BuiltBiped built = build(body);
     const Biped biped = detectBiped(built.scene);
     checkArmsAndLegs(built, biped);
-    CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
-    CHECK(describe(built, biped, LimbKind::neck) == "neck0 -> head");
+    CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
+    CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
   }
 }
 
@@ -85,8 +85,8 @@ TEST_CASE("clavicles under the neck and thighs under the spine leave spine and n
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
-  CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
-  CHECK(describe(built, biped, LimbKind::neck) == "neck0 -> head");
+  CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
   CHECK(biped.hips == built.node.at("hips"));
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("legs that hang from a pelvis beside the spine belong to the joint tha
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(biped.hips == built.node.at("hips"));
-  CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 -> spine2");
+  CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
 }
 
 TEST_CASE("limbs of two joints end where their mesh does") {
@@ -112,11 +112,11 @@ TEST_CASE("limbs of two joints end where their mesh does") {
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
   CHECK(biped.isBiped);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> estimated");
-  CHECK(describe(built, biped, LimbKind::rightLeg) == "thigh.r shin.r -> estimated");
-  const Vec3 wrist = endOf(built.scene, *findLimb(biped, LimbKind::leftArm));
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> estimated");
+  CHECK(describe(built, biped, biped::rightLeg) == "thigh.r shin.r -> estimated");
+  const Vec3 wrist = endOf(built.scene, *findLimb(biped, biped::leftArm));
   CHECK(wrist.x == Approx(0.72).margin(0.01));
-  const Vec3 ankle = endOf(built.scene, *findLimb(biped, LimbKind::rightLeg));
+  const Vec3 ankle = endOf(built.scene, *findLimb(biped, biped::rightLeg));
   CHECK(ankle.x == Approx(-0.1).margin(0.01));
   CHECK(ankle.y == Approx(0.03).margin(0.01));
 }
@@ -133,9 +133,8 @@ TEST_CASE("palms without a hand make the end of the arm their mean") {
   }
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> estimated");
-  CHECK(glm::distance(endOf(built.scene, *findLimb(biped, LimbKind::rightArm)), Vec3(-0.7, 1.43, 0.02)) <
-        1e-9);
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> estimated");
+  CHECK(glm::distance(endOf(built.scene, *findLimb(biped, biped::rightArm)), Vec3(-0.7, 1.43, 0.02)) < 1e-9);
 }
 
 TEST_CASE("a foot under the root is the leg's end all the same") {
@@ -199,8 +198,7 @@ TEST_CASE("names that agree win over feet whose mesh points back, the sides are 
   checkArmsAndLegs(built, biped);
   CHECK(warnsOf(biped, "are the sides right?"));
   const Biped sure = detectBiped(build(makeNamedBody("Mixamo")).scene);
-  CHECK(findLimb(biped, LimbKind::leftArm)->confidence <
-        0.85 * findLimb(sure, LimbKind::leftArm)->confidence);
+  CHECK(findLimb(biped, biped::leftArm)->confidence < 0.85 * findLimb(sure, biped::leftArm)->confidence);
 }
 
 TEST_CASE("two arms both named left are told apart by where they are, with a warning") {
@@ -240,9 +238,9 @@ TEST_CASE("a character with one arm has that arm only") {
   });
   const BuiltBiped built = build(body);
   const Biped biped = detectBiped(built.scene);
-  CHECK(describe(built, biped, LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, LimbKind::rightArm) == "none");
-  CHECK(describe(built, biped, LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, biped::rightArm) == "none");
+  CHECK(describe(built, biped, biped::leftLeg) == "thigh.l shin.l -> foot.l");
   CHECK(warnsOf(biped, "no right-arm found"));
 }
 
@@ -250,16 +248,16 @@ TEST_CASE("without a neck the head sits on the chest and there is no neck limb")
   const BuiltBiped built = build(makeNamedBody("Unreal", {.neckJoints = 0}));
   const Biped biped = detectBiped(built.scene);
   checkArmsAndLegs(built, biped);
-  CHECK(describe(built, biped, LimbKind::neck) == "none");
+  CHECK(describe(built, biped, biped::neck) == "none");
   CHECK(biped.head == built.node.at("head"));
 }
 
 TEST_CASE(
     "a spine of one joint ends at the base of the neck, a body without one starts its spine at the hips") {
   const BuiltBiped one = build(makeNamedBody("Unreal", {.spineJoints = 1}));
-  CHECK(describe(one, detectBiped(one.scene), LimbKind::spine) == "spine0 -> neck0");
+  CHECK(describe(one, detectBiped(one.scene), biped::spine) == "spine0 -> neck0");
   const BuiltBiped none = build(makeNamedBody("Unreal", {.spineJoints = 0}));
-  CHECK(describe(none, detectBiped(none.scene), LimbKind::spine) == "hips -> neck0");
+  CHECK(describe(none, detectBiped(none.scene), biped::spine) == "hips -> neck0");
 }
 
 TEST_CASE("a scene without a character gives an empty list and a warning") {

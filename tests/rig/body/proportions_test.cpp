@@ -64,8 +64,8 @@ TEST_CASE("limbs are found whatever the proportions, with names and without") {
             const BuiltBiped built = build(body);
             const Biped biped = detectBiped(built.scene);
             checkArmsAndLegs(built, biped);
-            CHECK(describe(built, biped, LimbKind::spine) == "spine0 spine1 spine2 -> spine3");
-            CHECK(describe(built, biped, LimbKind::neck) ==
+            CHECK(describe(built, biped, biped::spine) == "spine0 spine1 spine2 -> spine3");
+            CHECK(describe(built, biped, biped::neck) ==
                   (necks == 1 ? "neck0 -> head" : "neck0 neck1 -> head"));
           }
         }

@@ -339,6 +339,6 @@ TEST_CASE("a character has the controllers that its limbs allow, and other joint
   CHECK(!named("third-hand").ok());
   CHECK(!named(moving.scene.nodes[at(moving.node.at("foreArm.l"))].name).ok());
   std::vector<Limb> noArms = moving.biped.limbs;
-  std::erase_if(noArms, [](const Limb& limb) { return limb.kind == LimbKind::leftArm; });
+  std::erase_if(noArms, [](const Limb& limb) { return limb.id == "left-arm"; });
   CHECK(controllersOf(moving.scene, noArms, moving.biped.hips).controller("left-hand") == nullptr);
 }

@@ -103,9 +103,9 @@ TEST_CASE("trails of one limb act in the order of their starts, and a circle of 
   };
   hang(1, NodeIndex(0));
   hang(3, NodeIndex(2));
-  Limb one{LimbKind::chain, "one", {NodeIndex(1)}, NodeIndex(2), Vec3(0.0), 1.0, 1.0, {}}; // its end is above
-                                                                                           // the other's base
-  Limb other{LimbKind::leftArm, "other", {NodeIndex(3)}, NodeIndex(0), Vec3(0.0), 1.0, 1.0, {}};
+  Limb one{{}, "one", {NodeIndex(1)}, NodeIndex(2), Vec3(0.0), 1.0, 1.0, {}}; // its end is above
+                                                                              // the other's base
+  Limb other{biped::leftArm, "other", {NodeIndex(3)}, NodeIndex(0), Vec3(0.0), 1.0, 1.0, {}};
   CHECK(carries(scene, one, other));
   CHECK(carries(scene, other, one));
   CHECK_FALSE(carries(scene, one, one));

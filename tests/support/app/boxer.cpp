@@ -8,10 +8,10 @@ namespace stretch::test {
 
 namespace {
 
-rig::Limb makeLimb(rig::LimbKind kind, std::vector<NodeIndex> joints, NodeIndex end) {
+rig::Limb makeLimb(const rig::LimbPlace& place, std::vector<NodeIndex> joints, NodeIndex end) {
   rig::Limb limb;
-  limb.kind = kind;
-  limb.id = std::string(rig::limbName(kind));
+  static_cast<rig::LimbPlace&>(limb) = place;
+  limb.id = rig::limbName(place);
   limb.joints = std::move(joints);
   limb.endNode = end;
   limb.restLength = 0.6;
@@ -63,9 +63,9 @@ app::Document boxer() {
   document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{punch(leftArm)});
   document.biped.hips = hips;
   document.biped.height = 1.8;
-  document.biped.limbs = {makeLimb(rig::LimbKind::leftArm, {leftArm, leftElbow}, leftHand),
-                          makeLimb(rig::LimbKind::rightArm, {rightArm, rightElbow}, rightHand),
-                          makeLimb(rig::LimbKind::spine, {spine}, chest)};
+  document.biped.limbs = {makeLimb(rig::biped::leftArm, {leftArm, leftElbow}, leftHand),
+                          makeLimb(rig::biped::rightArm, {rightArm, rightElbow}, rightHand),
+                          makeLimb(rig::biped::spine, {spine}, chest)};
   return document;
 }
 

@@ -21,13 +21,14 @@ std::string keyOf(const BuiltBiped& built, NodeIndex node) {
 
 } // namespace
 
-const rig::Limb* findLimb(const rig::Biped& biped, rig::LimbKind kind) {
-  const auto found = std::ranges::find(biped.limbs, kind, &rig::Limb::kind);
+const rig::Limb* findLimb(const rig::Biped& biped, const rig::LimbPlace& place) {
+  const auto found =
+      std::ranges::find_if(biped.limbs, [&](const rig::LimbPlace& limb) { return limb == place; });
   return found == biped.limbs.end() ? nullptr : &*found;
 }
 
-std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::LimbKind kind) {
-  const rig::Limb* limb = findLimb(biped, kind);
+std::string describe(const BuiltBiped& built, const rig::Biped& biped, const rig::LimbPlace& place) {
+  const rig::Limb* limb = findLimb(biped, place);
   if (limb == nullptr) {
     return "none";
   }
@@ -40,10 +41,10 @@ std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::Limb
 
 void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped) {
   CHECK(biped.isBiped);
-  CHECK(describe(built, biped, rig::LimbKind::leftArm) == "upperArm.l foreArm.l -> hand.l");
-  CHECK(describe(built, biped, rig::LimbKind::rightArm) == "upperArm.r foreArm.r -> hand.r");
-  CHECK(describe(built, biped, rig::LimbKind::leftLeg) == "thigh.l shin.l -> foot.l");
-  CHECK(describe(built, biped, rig::LimbKind::rightLeg) == "thigh.r shin.r -> foot.r");
+  CHECK(describe(built, biped, rig::biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
+  CHECK(describe(built, biped, rig::biped::rightArm) == "upperArm.r foreArm.r -> hand.r");
+  CHECK(describe(built, biped, rig::biped::leftLeg) == "thigh.l shin.l -> foot.l");
+  CHECK(describe(built, biped, rig::biped::rightLeg) == "thigh.r shin.r -> foot.r");
 }
 
 Vec3 endOf(const Scene& scene, const rig::Limb& limb) {

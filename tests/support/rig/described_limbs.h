@@ -9,11 +9,12 @@
 namespace stretch::test {
 
 /// The limb of a kind; null where it was not found.
-[[nodiscard]] const rig::Limb* findLimb(const rig::Biped& biped, rig::LimbKind kind);
+[[nodiscard]] const rig::Limb* findLimb(const rig::Biped& biped, const rig::LimbPlace& place);
 
 /// Keys of a limb's joints and of its end: "upperArm.l foreArm.l -> hand.l"; "-> estimated" without an end
 /// joint, "none" without the limb.
-[[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Biped& biped, rig::LimbKind kind);
+[[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Biped& biped,
+                                   const rig::LimbPlace& place);
 
 /// Checks that the body is a biped whose arms and legs are found as in any biped that SyntheticBiped makes.
 void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/math/srgb.h"
+#include "rig/plan/body_plan.h"
 #include "ui/widgets/arithmetic.h"
 #include "ui/widgets/axis.h"
 #include "ui/widgets/curve_view.h"
@@ -55,13 +56,27 @@ TEST_CASE("A font that is not installed is not found") {
 
 TEST_CASE("Every part of the drawn body is hit at its own place") {
   const Rect box{{100.0F, 50.0F}, {340.0F, 330.0F}};
-  for (int i = 0; i < bodyPartCount; ++i) {
-    const auto part = static_cast<BodyPart>(i);
-    CHECK(bodyPartAt(box, bodyPartCentre(box, part)) == part);
-  }
-  CHECK_FALSE(bodyPartAt(box, {101.0F, 51.0F}));
-  SECTION("The character's left is on the right, as it faces us") {
-    CHECK(bodyPartCentre(box, BodyPart::leftArm).x > bodyPartCentre(box, BodyPart::rightArm).x);
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    CAPTURE(plan.id);
+    std::vector<DiagramPart> parts;
+    for (const rig::PlannedLimb& limb : plan.limbs) {
+      DiagramPart part{.id = limb.id};
+      for (const rig::FigureBone& bone : limb.bones) {
+        part.bones.push_back(
+            {{bone.fromX, bone.fromY}, bone.fromRadius, {bone.toX, bone.toY}, bone.toRadius});
+      }
+      parts.push_back(part);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      CAPTURE(parts[i].id);
+      CHECK(partAt(box, parts, partCentre(box, parts[i])) == i);
+      const bool onTheRight = partCentre(box, parts[i]).x > box.centre().x + 1.0F;
+      const bool isLeft = plan.limbs[i].place.side == rig::LimbSide::left;
+      if (plan.limbs[i].place.side != rig::LimbSide::middle) {
+        CHECK((onTheRight == isLeft) == (plan.view == rig::FigureView::front));
+      }
+    }
+    CHECK_FALSE(partAt(box, parts, {101.0F, 51.0F}));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "rig/body/body_plan.h"
+#include "rig/body/biped_reading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +174,8 @@ double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& 
 
 constexpr double missingPair = -1.5;
 
-void keepBetter(BodyPlan& best, const LimbPair* arms, const LimbPair* legs, double score, double relation) {
+void keepBetter(BipedReading& best, const LimbPair* arms, const LimbPair* legs, double score,
+                double relation) {
   if (score > best.score) {
     best.arms = arms != nullptr ? std::optional(*arms) : std::nullopt;
     best.legs = legs != nullptr ? std::optional(*legs) : std::nullopt;
@@ -203,10 +204,10 @@ Vec3 meanEnd(const LimbPair& pair) {
   return sum / std::max(1.0, static_cast<double>(limbs.size()));
 }
 
-BodyPlan planBody(const BodyView& view, const MirrorPlane& plane) {
+BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
   const std::vector<LimbPair> arms = likelyPairs(view, plane, Region::arm);
   const std::vector<LimbPair> legs = likelyPairs(view, plane, Region::leg);
-  BodyPlan best;
+  BipedReading best;
   best.score = 2.0 * missingPair;
   for (const LimbPair& leg : legs) {
     keepBetter(best, nullptr, &leg, leg.score + missingPair, 0.0);

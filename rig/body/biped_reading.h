@@ -16,7 +16,7 @@ struct LimbPair {
 };
 
 /// Which pair is the arms and which the legs.
-struct BodyPlan {
+struct BipedReading {
   std::optional<LimbPair> arms;
   std::optional<LimbPair> legs;
   double score = 0.0;
@@ -25,7 +25,7 @@ struct BodyPlan {
 
 /// The best reading of arms and legs together: each by itself, the two of a pair by symmetry, arms and legs
 /// by where they sit on the trunk (legs point away from the arms and end lowest, the head is near the arms).
-[[nodiscard]] BodyPlan planBody(const BodyView& view, const MirrorPlane& plane);
+[[nodiscard]] BipedReading readBiped(const BodyView& view, const MirrorPlane& plane);
 
 /// Mean position of the bases, or of the ends, of a pair.
 [[nodiscard]] Vec3 meanBase(const BodyView& view, const LimbPair& pair);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "rig/body/detection.h"
+#include "rig/plan/body_plan.h"
+
+namespace stretch::rig {
+
+/// The plan of a body; `other` where its id is none of a plan.
+[[nodiscard]] const BodyPlan& planOf(const Biped& body);
+
+/// The limbs of a plan that the user chose: what of it the character has. `other`: every chain between
+/// branchings.
+[[nodiscard]] Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan);
+
+/// "the character is a quadruped and has no left-arm; it has front-left-leg, ...": why the body has no such
+/// limb; empty for a biped, and where the plan has it.
+[[nodiscard]] std::string whyNoLimb(const Biped& body, std::string_view id);
+
+} // namespace stretch::rig

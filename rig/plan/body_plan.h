@@ -1,0 +1,67 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rig/limb.h"
+
+namespace stretch::rig {
+
+/// A round bone of a plan's figure: two circles and what lies between them.
+struct FigureBone {
+  float fromX = 0.0F, fromY = 0.0F, fromRadius = 0.0F;
+  float toX = 0.0F, toY = 0.0F, toRadius = 0.0F;
+};
+
+struct FigurePoint {
+  float x = 0.0F;
+  float y = 0.0F;
+};
+
+/// One limb of a plan, and how the plan's figure shows it. The figure stands in a box 180 wide and 232 high:
+/// x = 0 is its middle, y grows downwards.
+struct PlannedLimb {
+  std::string id;
+  LimbPlace place;
+  bool usual = true; ///< Shown, and told of, where it is missing.
+  std::vector<FigureBone> bones;
+  FigurePoint end; ///< Where the limb ends: what a trail is drawn for.
+  FigurePoint key; ///< Where its key is written.
+};
+
+struct PlannedController {
+  std::string id;
+  FigurePoint place;
+};
+
+/// From where the figure is seen: in front, its left is on the right; from above, on the left.
+enum class FigureView { front, above };
+
+/// What bodies of one sort have in common: data, and nothing else asks which plan it is (docs/body_plans.md).
+struct BodyPlan {
+  std::string id;                 ///< "quadruped".
+  std::string title;              ///< "a quadruped".
+  int legs = 0;                   ///< That it stands on.
+  std::vector<PlannedLimb> limbs; ///< In the order of LimbPlace, which is that of the keys 1 to 9.
+  std::vector<PlannedController> controllers;
+  FigureView view = FigureView::above;
+};
+
+/// All of them, the biped first, `other` last: it has no limbs of its own and fits every body.
+[[nodiscard]] const std::vector<BodyPlan>& bodyPlans();
+
+/// "biped, quadruped, ...".
+[[nodiscard]] std::string planIds();
+
+/// Null when there is none of the id.
+[[nodiscard]] const BodyPlan* planNamed(std::string_view id);
+
+/// Null when the plan has no limb of the id, or at the place.
+[[nodiscard]] const PlannedLimb* plannedLimb(const BodyPlan& plan, std::string_view id);
+[[nodiscard]] const PlannedLimb* plannedLimb(const BodyPlan& plan, const LimbPlace& place);
+
+/// The place of a limb; that of a chain where the plan has none of the id.
+[[nodiscard]] LimbPlace placeInPlan(const BodyPlan& plan, std::string_view id);
+
+} // namespace stretch::rig

@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+
+#include "rig/body/detection.h"
+#include "rig/body/planned_body.h"
+#include "tests/support/rig/creatures.h"
+#include "tests/support/rig/described_limbs.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+std::string limbsOf(const BuiltBiped& built, const Biped& body) {
+  std::string text;
+  for (const Limb& limb : body.limbs) {
+    text += limb.id + ": " + describe(built, body, limb) + "\n";
+  }
+  return text;
+}
+
+const char* const horseLimbs =
+    "front-left-leg: scapula.l forearmLeg.l frontKnee.l frontPastern.l -> frontHoof.l\n"
+    "front-right-leg: scapula.r forearmLeg.r frontKnee.r frontPastern.r -> frontHoof.r\n"
+    "hind-left-leg: thigh.l shin.l hock.l pastern.l -> hoof.l\n"
+    "hind-right-leg: thigh.r shin.r hock.r pastern.r -> hoof.r\n"
+    "spine: spine0 -> spine1\n"
+    "neck: neck0 neck1 -> head\n"
+    "tail: tail0 tail1 -> tail2\n";
+
+} // namespace
+
+TEST_CASE("Each sort of body is read as its plan, with names and without") {
+  for (const Creature& creature : creatures()) {
+    for (const bool named : {true, false}) {
+      SyntheticBiped body = creature.body;
+      if (!named) {
+        body.names.clear();
+      }
+      CAPTURE(creature.title, named);
+      const Biped read = detectBiped(build(body).scene);
+      CHECK(read.plan == creature.plan);
+      CHECK(read.planConfidence >= 0.5);
+      CHECK_FALSE(read.planReasons.empty());
+      CHECK_FALSE(read.isBiped);
+    }
+  }
+}
+
+TEST_CASE("A horse has four legs from the scapula or the hip to the hoof, a neck and a tail") {
+  SyntheticBiped body = makeHorse();
+  const bool named = GENERATE(true, false);
+  if (named) {
+    nameByKeys(body);
+  }
+  const BuiltBiped built = build(body);
+  CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+}
+
+TEST_CASE("Legs of an insect are counted from front to back, and its feelers are none") {
+  SyntheticBiped body = makeManyLegged(3);
+  const bool named = GENERATE(true, false);
+  if (named) {
+    nameByKeys(body);
+  }
+  const BuiltBiped built = build(body);
+  const Biped read = detectBiped(built.scene);
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) == "femur0.l tibia0.l -> tarsus0.l");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 3}) == "femur2.r tibia2.r -> tarsus2.r");
+  CHECK(findLimb(read, {LimbKind::leg, LimbSide::left, 1})->id == "left-leg");
+  CHECK(findLimb(read, {LimbKind::leg, LimbSide::right, 3})->id == "right-leg-3");
+  CHECK(findLimb(read, {LimbKind::feeler, LimbSide::left}) != nullptr);
+  CHECK(findLimb(read, {LimbKind::tail}) != nullptr);
+}
+
+TEST_CASE("A bird has wings, and its legs stand on their toes") {
+  SyntheticBiped body = makeBird();
+  const bool named = GENERATE(true, false);
+  if (named) {
+    nameByKeys(body);
+  }
+  const BuiltBiped built = build(body);
+  const Biped read = detectBiped(built.scene);
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left}) == "thigh.l shin.l ankle.l -> toe.l");
+  CHECK(describe(built, read, {LimbKind::wing, LimbSide::right}) == "wing0.r wing1.r wing2.r -> wing3.r");
+  CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
+}
+
+TEST_CASE("A body that lies or stands upside down in its bind pose is told, and read all the same") {
+  SyntheticBiped body = makeHorse();
+  const BuiltBiped upright = build(body);
+  REQUIRE(detectBiped(upright.scene).warnings.empty());
+  SECTION("upside down") {
+    moveJoints(body, [](const Vec3& at) { return Vec3(-at.x, -at.y, at.z); });
+  }
+  SECTION("on its nose") {
+    moveJoints(body, [](const Vec3& at) { return Vec3(at.x, at.z, -at.y); });
+  }
+  const BuiltBiped built = build(body);
+  const Biped read = detectBiped(built.scene);
+  CHECK(read.plan == "quadruped");
+  CHECK(read.limbs.size() == 7);
+  CHECK(read.warnings.size() == 1);
+}
+
+TEST_CASE("The size of a body does not count") {
+  for (const double size : {1e-4, 1e5}) {
+    SyntheticBiped body = makeHorse();
+    moveJoints(body, [&](const Vec3& at) { return size * at; });
+    const BuiltBiped built = build(body);
+    CAPTURE(size);
+    CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+  }
+}
+
+TEST_CASE("A skeleton without a mesh is read as one with") {
+  SyntheticBiped body = makeHorse();
+  body.withMesh = false;
+  const BuiltBiped built = build(body);
+  CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+}
+
+TEST_CASE("A body of no known plan has the rows of joints between branchings") {
+  SyntheticBiped body = makeCentaur();
+  nameByKeys(body);
+  const BuiltBiped built = build(body);
+  const Biped read = detectBiped(built.scene);
+  REQUIRE(read.plan == "other");
+  std::vector<std::string> ids;
+  for (const Limb& limb : read.limbs) {
+    CHECK(limb.kind == LimbKind::chain);
+    ids.push_back(limb.id);
+  }
+  CHECK(std::ranges::find(ids, "upperArm.l..hand.l") != ids.end());
+  CHECK(std::ranges::find(ids, "thigh.r..hoof.r") != ids.end());
+}
+
+TEST_CASE("A plan chosen by hand is kept to, however well it fits") {
+  const BuiltBiped built = build(makeHorse());
+  const Biped asOther = bodyAsPlan(built.scene, *planNamed("other"));
+  CHECK(asOther.plan == "other");
+  CHECK(asOther.planReasons == std::vector<std::string>{"chosen by hand"});
+  CHECK(findLimb(asOther, {LimbKind::leg, LimbSide::left, 1}) == nullptr);
+  const Biped again = bodyAsPlan(built.scene, *planNamed("quadruped"));
+  CHECK(limbsOf(built, again) == horseLimbs);
+}
