@@ -129,6 +129,11 @@ Status checkModuli(const std::vector<skinning::SegmentModuli::Range>& moduli, st
   return Success{};
 }
 
+Error inFile(Error error, const std::string& file) {
+  error.where = error.where.empty() ? file : error.where;
+  return error;
+}
+
 std::string withoutPlace(Error error) {
   error.where.clear();
   return error.line();

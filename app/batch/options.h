@@ -96,6 +96,9 @@ inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BAS
 /// What is wrong with the text of a range "A:B" that needs a length; empty when nothing is.
 [[nodiscard]] std::string problemOfRange(const std::string& text);
 
+/// The error with the file that it is about, where it does not say a place itself.
+[[nodiscard]] Error inFile(Error error, const std::string& file);
+
 /// The error as the command line tells it behind the option, which it names itself.
 [[nodiscard]] std::string withoutPlace(Error error);
 

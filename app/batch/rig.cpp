@@ -78,11 +78,6 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
   }
 }
 
-Error inFile(Error error, const std::string& file) {
-  error.where = error.where.empty() ? file : error.where;
-  return error;
-}
-
 Status runRig(const RigArguments& arguments) {
   if (Status apart = checkOutput(arguments.output, {arguments.input.file, arguments.locators}); !apart) {
     return apart;

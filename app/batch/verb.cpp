@@ -39,8 +39,9 @@ Status outputWritten() {
 } // namespace
 
 std::vector<Verb> batchVerbs() {
-  return {infoVerb(),       trailVerb(),  exaggerateVerb(), poseVerb(),     elasticVerb(), rigVerb(),
-          importClipVerb(), resaveVerb(), checkVerb(),      compressVerb(), compareVerb(), flattenVerb()};
+  return {infoVerb(),    trailVerb(),      exaggerateVerb(), poseVerb(),  elasticVerb(),
+          rigVerb(),     importClipVerb(), resaveVerb(),     checkVerb(), compressVerb(),
+          compareVerb(), flattenVerb(),    bindVerb()};
 }
 
 int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,

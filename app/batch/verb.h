@@ -36,5 +36,6 @@ struct Verb {
 [[nodiscard]] Verb compareVerb();
 [[nodiscard]] Verb elasticVerb();
 [[nodiscard]] Verb flattenVerb();
+[[nodiscard]] Verb bindVerb();
 
 } // namespace stretch::app

@@ -35,6 +35,7 @@ inline constexpr const char* locatorsMirror = "locators.mirror";
 inline constexpr const char* locatorsSnap = "locators.snap";
 inline constexpr const char* rigBuild = "rig.build";
 inline constexpr const char* rigBack = "rig.back";
+inline constexpr const char* bindMesh = "rig.bind";
 
 inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";

@@ -26,18 +26,6 @@ namespace stretch::app {
 
 namespace {
 
-std::vector<gltf::SkeletonJoint> jointsAt(const rig::Locators& locators) {
-  std::vector<gltf::SkeletonJoint> joints;
-  std::map<std::string, int, std::less<>> places;
-  for (const rig::Locator& locator : rig::inOrder(locators).list) {
-    const std::string_view parent = rig::parentLocator(locators, locator.name);
-    places[locator.name] = static_cast<int>(joints.size());
-    joints.push_back({locator.name, parent.empty() ? -1 : places.find(parent)->second, locator.position,
-                      locator.orientation});
-  }
-  return joints;
-}
-
 // Nodes, and a skin that names them as joints: no mesh uses it yet.
 gltf::Edits skeletonAt(const Scene& scene, const rig::Locators& locators) {
   const NodeIndex carrier = gltf::carrierOfSkeleton(scene, skinning::drawnMeshNodes(scene));
@@ -190,6 +178,18 @@ Result<Document> withLimbAt(const Document& document, const rig::Locators& locat
 }
 
 } // namespace
+
+std::vector<gltf::SkeletonJoint> jointsAt(const rig::Locators& locators) {
+  std::vector<gltf::SkeletonJoint> joints;
+  std::map<std::string, int, std::less<>> places;
+  for (const rig::Locator& locator : rig::inOrder(locators).list) {
+    const std::string_view parent = rig::parentLocator(locators, locator.name);
+    places[locator.name] = static_cast<int>(joints.size());
+    joints.push_back({locator.name, parent.empty() ? -1 : places.find(parent)->second, locator.position,
+                      locator.orientation});
+  }
+  return joints;
+}
 
 Result<Document> withRigAt(const Document& document, const rig::Locators& locators) {
   if (Status possible = checkUnrigged(document, locators); !possible) {

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "app/document.h"
 #include "core/base/result.h"
+#include "core/gltf/added_skeleton.h"
 #include "rig/body/locators.h"
 
 namespace stretch::app {
+
+/// The joints that are made at locators.
+[[nodiscard]] std::vector<gltf::SkeletonJoint> jointsAt(const rig::Locators& locators);
 
 /// The document with joints made at the locators, appended to its file as nodes: what the file has is not
 /// changed, no vertex follows them yet (docs/from_a_mesh.md). Its limbs are those that are found on them. The

@@ -18,30 +18,34 @@ double lengthInside(const VoxelBody& body, const Vec3& start, const Vec3& direct
 }
 
 // Where the bone of a last joint ends.
-Vec3 endOf(const VoxelBody& body, const BindJoint& joint, const Vec3& parentPlace) {
-  const Vec3 along = joint.place - parentPlace;
+Vec3 endOf(const VoxelBody& body, const Vec3& place, const Vec3& along) {
   const double length = glm::length(along);
   if (length <= 0.0) {
-    return joint.place;
+    return place;
   }
   constexpr double mostOfBody = 0.25;
   constexpr double share = 0.8; // what is beyond is the end's own roundness
   const int cubes = *std::max_element(body.grid.counts.begin(), body.grid.counts.end());
-  return joint.place +
-         along / length *
-             (share * lengthInside(body, joint.place, along / length, mostOfBody * cubes * body.grid.size));
+  return place + along / length *
+                     (share * lengthInside(body, place, along / length, mostOfBody * cubes * body.grid.size));
 }
 
 } // namespace
 
 std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints) {
+  return boneLines(joints, [&](const Vec3& place, const Vec3& along) { return endOf(body, place, along); });
+}
+
+std::vector<BoneLine> boneLines(const std::vector<BindJoint>& joints,
+                                const std::function<Vec3(const Vec3& place, const Vec3& along)>& endOfLast) {
   std::vector<BoneLine> lines;
   std::vector<bool> isLast(joints.size(), true);
   for (const BindJoint& joint : joints) {
     if (joint.parent >= 0) {
       const auto parent = static_cast<std::size_t>(joint.parent);
       isLast[parent] = false;
-      lines.push_back({static_cast<std::uint16_t>(parent), joints[parent].place, joint.place});
+      lines.push_back({static_cast<std::uint16_t>(parent), joints[parent].place, joint.place,
+                       static_cast<int>(&joint - joints.data())});
     }
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -49,7 +53,8 @@ std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoi
       const BindJoint& joint = joints[i];
       const Vec3 before =
           joint.parent < 0 ? joint.place : joints[static_cast<std::size_t>(joint.parent)].place;
-      lines.push_back({static_cast<std::uint16_t>(i), joint.place, endOf(body, joint, before)});
+      lines.push_back(
+          {static_cast<std::uint16_t>(i), joint.place, endOfLast(joint.place, joint.place - before)});
     }
   }
   return lines;
@@ -58,26 +63,29 @@ std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoi
 std::vector<BoneCell> boneCells(const VoxelBody& body, const std::vector<BoneLine>& lines) {
   constexpr int cubesAround = 3; // a joint may lie just outside of a thin part
   std::vector<BoneCell> cells;
-  for (const BoneLine& line : lines) {
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    const BoneLine& line = lines[index];
     const int steps =
         std::max(1, static_cast<int>(std::ceil(2.0 * glm::distance(line.start, line.end) / body.grid.size)));
     for (int i = 0; i <= steps; ++i) {
-      const Vec3 point = glm::mix(line.start, line.end, static_cast<double>(i) / steps);
+      const double along = static_cast<double>(i) / steps;
+      const Vec3 point = glm::mix(line.start, line.end, along);
       const std::int32_t cell = body.cellNear(point, cubesAround);
       if (cell != VoxelBody::outside) {
-        const auto index = static_cast<std::size_t>(cell);
-        cells.push_back({index, line.joint, glm::distance(point, body.middleOf(index))});
+        const auto met = static_cast<std::size_t>(cell);
+        cells.push_back({met, static_cast<std::uint32_t>(index), static_cast<float>(along),
+                         glm::distance(point, body.middleOf(met))});
       }
     }
   }
   return cells;
 }
 
-std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneCell>& cells,
-                              std::size_t jointCount) {
+std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneLine>& lines,
+                              const std::vector<BoneCell>& cells, std::size_t jointCount) {
   std::vector<std::vector<double>> depths(jointCount);
   for (const BoneCell& cell : cells) {
-    depths[cell.joint].push_back(static_cast<double>(body.depths[cell.cell]));
+    depths[lines[cell.line].joint].push_back(static_cast<double>(body.depths[cell.cell]));
   }
   std::vector<double> radii(jointCount, body.grid.size);
   for (std::size_t joint = 0; joint < jointCount; ++joint) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "skinning/bind/voxel_body.h"
@@ -19,18 +20,25 @@ struct BoneLine {
   std::uint16_t joint = 0;
   Vec3 start{0.0};
   Vec3 end{0.0};
+  int endJoint = -1; ///< The joint that stands at its end; -1: none, the bone is a last one.
 };
 
 /// From each joint to each of its children; that of a last joint goes on as the bone before it came, most of
 /// the way to the end of the body: through the head, the hand, the toes.
 [[nodiscard]] std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints);
 
+/// The same; `endOfLast` answers where the bone of a last joint ends, from its place and the bone before it.
+[[nodiscard]] std::vector<BoneLine>
+boneLines(const std::vector<BindJoint>& joints,
+          const std::function<Vec3(const Vec3& place, const Vec3& along)>& endOfLast);
+
 /// A cell that a bone passes.
 struct BoneCell {
   std::size_t cell = 0;
-  std::uint16_t joint = 0;
-  double distance = 0.0; ///< From the bone to the cell's middle; more than a cube where the bone runs
-                         ///< outside.
+  std::uint32_t line = 0; ///< Of the bone lines.
+  float along = 0.0F;     ///< 0 at the line's start, 1 at its end.
+  double distance = 0.0;  ///< From the bone to the cell's middle; more than a cube where the bone runs
+                          ///< outside.
 };
 
 /// The cells along all bones; a bone that runs far outside of the body has none.
@@ -38,7 +46,7 @@ struct BoneCell {
 
 /// Half the thickness of the body along each joint's bones: the median depth of the cells that they pass, one
 /// cube where there are none.
-[[nodiscard]] std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneCell>& cells,
-                                            std::size_t jointCount);
+[[nodiscard]] std::vector<double> boneRadii(const VoxelBody& body, const std::vector<BoneLine>& lines,
+                                            const std::vector<BoneCell>& cells, std::size_t jointCount);
 
 } // namespace stretch::skinning

@@ -1,17 +1,22 @@
 #include "skinning/bind/stiff_shells.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
-#include "skinning/bind/voxel_lines.h"
+#include <tbb/parallel_for.h>
+
+#include "skinning/bind/points_within.h"
+#include "skinning/bind/skeleton_ways.h"
+#include "skinning/bind/weight_row.h"
 
 namespace stretch::skinning {
 
 namespace {
-
-using Row = std::vector<double>;
 
 struct ShellBox {
   glm::vec3 low{std::numeric_limits<float>::max()};
@@ -25,129 +30,255 @@ struct ShellBox {
     const glm::vec3 extent = high - low;
     return static_cast<double>(std::max({extent.x, extent.y, extent.z}));
   }
-  [[nodiscard]] bool holds(const Vec3& point) const {
-    return glm::all(glm::greaterThanEqual(point, Vec3(low))) &&
-           glm::all(glm::lessThanEqual(point, Vec3(high)));
-  }
 };
 
 struct Shell {
   std::vector<std::size_t> vertices;
-  std::vector<Triangle> triangles;
   ShellBox box;
+  std::map<std::uint16_t, double> inside; // by joint: how much of its bones runs in the shell
 };
 
-std::vector<Shell> collect(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles) {
-  const std::vector<std::size_t> numbers = shellsOf(positions, triangles);
+std::vector<Shell> collect(std::span<const glm::vec3> positions, const std::vector<std::size_t>& numbers) {
   std::vector<Shell> shells(numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1);
   for (std::size_t v = 0; v < positions.size(); ++v) {
     shells[numbers[v]].vertices.push_back(v);
     shells[numbers[v]].box.take(positions[v]);
   }
-  for (const Triangle& triangle : triangles) {
-    shells[numbers[triangle[0]]].triangles.push_back(triangle);
-  }
   return shells;
 }
 
-// Joints whose bones run in the shell: with a part of their length, or for a part of the shell's.
-std::vector<std::uint16_t> runningIn(std::span<const glm::vec3> positions, const Shell& shell,
-                                     const std::vector<BoneLine>& lines, std::size_t joints) {
-  constexpr int samples = 12;
-  constexpr double partOfBone = 0.2;
-  constexpr double partOfShell = 0.1;
-  Row inside(joints, 0.0);
-  Row whole(joints, 0.0);
+constexpr std::size_t samplesOfBone = 12;
+
+// Which shells points along all bones lie within: samplesOfBone for each line.
+std::vector<std::vector<std::size_t>> shellsAlongBones(std::span<const glm::vec3> positions,
+                                                       const std::vector<Triangle>& triangles,
+                                                       const std::vector<std::size_t>& numbers,
+                                                       const std::vector<BoneLine>& lines) {
+  std::vector<Vec3> points;
   for (const BoneLine& line : lines) {
-    const double length = glm::distance(line.start, line.end) / samples;
-    for (int i = 0; i < samples; ++i) {
-      const Vec3 point = glm::mix(line.start, line.end, (i + 0.5) / samples);
-      whole[line.joint] += length;
-      if (shell.box.holds(point) && liesWithin(positions, shell.triangles, point)) {
-        inside[line.joint] += length;
-      }
+    for (std::size_t i = 0; i < samplesOfBone; ++i) {
+      points.push_back(glm::mix(line.start, line.end, (static_cast<double>(i) + 0.5) / samplesOfBone));
     }
   }
+  return shellsAround(positions, triangles, numbers, points);
+}
+
+// How much of each joint's bones runs in each shell; answers how long they are.
+std::vector<double> measureBones(const std::vector<std::vector<std::size_t>>& around,
+                                 const std::vector<BoneLine>& lines, std::size_t joints,
+                                 std::vector<Shell>& shells) {
+  std::vector<double> whole(joints, 0.0);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const BoneLine& line = lines[i / samplesOfBone];
+    const double length = glm::distance(line.start, line.end) / samplesOfBone;
+    whole[line.joint] += length;
+    for (const std::size_t shell : around[i]) {
+      shells[shell].inside[line.joint] += length;
+    }
+  }
+  return whole;
+}
+
+// Joints whose bones run in the shell: with a part of their length, or for a part of the shell's.
+std::vector<std::uint16_t> runningIn(const Shell& shell, const std::vector<double>& whole) {
+  constexpr double partOfBone = 0.2;
+  constexpr double partOfShell = 0.1;
   std::vector<std::uint16_t> running;
-  for (std::size_t joint = 0; joint < joints; ++joint) {
-    if (inside[joint] > std::min(partOfBone * whole[joint], partOfShell * shell.box.longest())) {
-      running.push_back(static_cast<std::uint16_t>(joint));
+  for (const auto& [joint, length] : shell.inside) {
+    if (length > std::min(partOfBone * whole[joint], partOfShell * shell.box.longest())) {
+      running.push_back(joint);
     }
   }
   return running;
 }
 
+Influences aloneOn(std::uint16_t joint) {
+  Influences row;
+  row.bones[0] = joint;
+  row.weights[0] = 1.0F;
+  return row;
+}
+
 // The one row that all of the shell follows; none: it bends.
-std::optional<Row> asOnePiece(const Shell& shell, const std::vector<std::uint16_t>& running,
-                              double bodyLength, const std::vector<Row>& weights) {
-  Row mean(weights.front().size(), 0.0);
+std::optional<Influences> asOnePiece(const Shell& shell, const std::vector<std::uint16_t>& running,
+                                     double bodyLength, const std::vector<Influences>& weights) {
+  WeightSum mean;
   for (const std::size_t v : shell.vertices) {
-    std::transform(mean.begin(), mean.end(), weights[v].begin(), mean.begin(), std::plus<>());
+    mean.add(weights[v], 1.0 / static_cast<double>(shell.vertices.size()));
   }
-  const double total = std::accumulate(mean.begin(), mean.end(), 0.0);
-  std::transform(mean.begin(), mean.end(), mean.begin(), [&](double weight) { return weight / total; });
-  Row alone(mean.size(), 0.0);
   constexpr double agreeing = 0.4; // of the shell follows the bone that runs in it
-  if (running.size() == 1 && mean[running.front()] > agreeing) {
-    alone[running.front()] = 1.0;
-    return alone;
+  if (running.size() == 1 && mean.of(running.front()) > agreeing) {
+    return aloneOn(running.front());
   }
   if (!running.empty()) {
     return std::nullopt;
   }
   constexpr double small = 0.2; // of the body
   if (shell.box.longest() < small * bodyLength) {
-    return mean;
+    return mean.strongest(Influences::capacity);
   }
   constexpr double ruling = 0.6;
-  const auto best = static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
-  alone[best] = 1.0;
-  return mean[best] > ruling ? std::optional<Row>(alone) : std::nullopt;
+  const std::uint16_t best = mean.strongest(1).bones[0];
+  return mean.of(best) > ruling ? std::optional(aloneOn(best)) : std::nullopt;
+}
+
+// Takes from vertices what they follow of bones that run in other shells alone where they are nearest: the
+// head does not follow an arm beside it, the sleeve not the chest.
+class Outsiders {
+public:
+  Outsiders(const std::vector<BoneLine>& lines, const std::vector<std::vector<std::size_t>>& around)
+      : lines_(lines), around_(around) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ofJoint_.resize(std::max<std::size_t>(ofJoint_.size(), lines[i].joint + std::size_t{1}));
+      ofJoint_[lines[i].joint].push_back(i);
+    }
+  }
+
+  [[nodiscard]] Influences without(const Influences& row, const Vec3& place, std::size_t shell) const {
+    WeightSum kept;
+    double total = 0.0;
+    for (std::size_t i = 0; i < Influences::capacity && row.weights[i] > 0.0F; ++i) {
+      if (!runsElsewhere(row.bones[i], place, shell)) {
+        kept.add(row.bones[i], static_cast<double>(row.weights[i]));
+        total += static_cast<double>(row.weights[i]);
+      }
+    }
+    constexpr double enough = 0.02;
+    return total > enough ? kept.strongest(Influences::capacity) : row;
+  }
+
+private:
+  [[nodiscard]] bool runsElsewhere(std::uint16_t joint, const Vec3& place, std::size_t shell) const {
+    const auto [on, distance] = nearestOnBones(lines_, ofJoint_[joint], place);
+    const auto sample = std::min(static_cast<std::size_t>(on.along * samplesOfBone), samplesOfBone - 1);
+    const std::size_t first = on.line * samplesOfBone;
+    bool isInAny = false;
+    for (std::size_t i = std::max<std::size_t>(sample, 1) - 1; i <= std::min(sample + 1, samplesOfBone - 1);
+         ++i) {
+      isInAny = isInAny || !around_[first + i].empty();
+      if (std::ranges::find(around_[first + i], shell) != around_[first + i].end()) {
+        return false;
+      }
+    }
+    return isInAny;
+  }
+
+  const std::vector<BoneLine>& lines_;
+  const std::vector<std::vector<std::size_t>>& around_;
+  std::vector<std::vector<std::size_t>> ofJoint_;
+};
+
+// How much of the mesh follows each joint.
+std::vector<double> followers(const std::vector<Influences>& weights, std::size_t joints) {
+  std::vector<double> sums(joints, 0.0);
+  for (const Influences& row : weights) {
+    for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      sums[row.bones[i]] += static_cast<double>(row.weights[i]);
+    }
+  }
+  return sums;
+}
+
+using Joints = std::set<std::uint16_t>;
+
+bool areNext(const std::vector<BoneLine>& lines, std::uint16_t a, std::uint16_t b) {
+  return std::ranges::any_of(lines, [&](const BoneLine& line) {
+    return (line.joint == a && line.endJoint == b) || (line.joint == b && line.endJoint == a);
+  });
+}
+
+// Joints that a small part of the shell follows, that have most of their followers in other shells, and that
+// are next to none which the shell follows in earnest.
+Joints guestsOf(const Shell& shell, const std::vector<double>& all, const std::vector<BoneLine>& lines,
+                const std::vector<Influences>& weights) {
+  constexpr double partOfJoint = 0.25;
+  constexpr double partOfShell = 0.4;
+  WeightSum here;
+  Joints followed;
+  for (const std::size_t v : shell.vertices) {
+    here.add(weights[v], 1.0);
+    followed.insert(weights[v].bones.begin(), weights[v].bones.end());
+  }
+  Joints own;
+  std::ranges::copy_if(followed, std::inserter(own, own.end()), [&](std::uint16_t joint) {
+    return here.of(joint) > 0.0 &&
+           (here.of(joint) >= partOfJoint * all[joint] ||
+            here.of(joint) >= partOfShell * static_cast<double>(shell.vertices.size()));
+  });
+  std::erase_if(followed, [&](std::uint16_t joint) {
+    return own.contains(joint) ||
+           std::ranges::any_of(own, [&](std::uint16_t other) { return areNext(lines, joint, other); });
+  });
+  return followed;
+}
+
+void dropGuests(const Shell& shell, const Joints& guests, std::vector<Influences>& weights) {
+  for (const std::size_t v : shell.vertices) {
+    WeightSum kept;
+    double total = 0.0;
+    for (std::size_t i = 0; i < Influences::capacity; ++i) {
+      if (!guests.contains(weights[v].bones[i])) {
+        kept.add(weights[v].bones[i], static_cast<double>(weights[v].weights[i]));
+        total += static_cast<double>(weights[v].weights[i]);
+      }
+    }
+    constexpr double enough = 0.02;
+    if (total > enough) {
+      weights[v] = kept.strongest(Influences::capacity);
+    }
+  }
 }
 
 } // namespace
 
-std::vector<std::size_t> shellsOf(std::span<const glm::vec3> positions,
+std::vector<std::size_t> shellsOf(const std::vector<std::uint32_t>& welded,
                                   const std::vector<Triangle>& triangles) {
-  std::vector<std::size_t> leaders(positions.size());
-  std::iota(leaders.begin(), leaders.end(), std::size_t{0});
-  const auto leaderOf = [&](std::size_t v) {
+  std::vector<std::uint32_t> leaders = welded;
+  const auto leaderOf = [&](std::uint32_t v) {
     while (leaders[v] != v) {
       leaders[v] = leaders[leaders[v]];
       v = leaders[v];
     }
     return v;
   };
-  std::map<std::array<float, 3>, std::size_t> places;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const auto [first, isNew] = places.try_emplace({positions[v].x, positions[v].y, positions[v].z}, v);
-    leaders[leaderOf(v)] = leaderOf(first->second);
-  }
   for (const Triangle& triangle : triangles) {
     leaders[leaderOf(triangle[0])] = leaderOf(triangle[1]);
     leaders[leaderOf(triangle[1])] = leaderOf(triangle[2]);
   }
-  std::map<std::size_t, std::size_t> numbers;
-  std::vector<std::size_t> shells(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
+  std::map<std::uint32_t, std::size_t> numbers;
+  std::vector<std::size_t> shells(welded.size());
+  for (std::uint32_t v = 0; v < welded.size(); ++v) {
     shells[v] = numbers.try_emplace(leaderOf(v), numbers.size()).first->second;
   }
   return shells;
 }
 
 void stiffenShells(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                   const std::vector<BoneLine>& lines, std::vector<std::vector<double>>& weights) {
-  const std::vector<Shell> shells = collect(positions, triangles);
+                   const std::vector<std::uint32_t>& welded, const std::vector<BoneLine>& lines,
+                   std::size_t joints, std::vector<Influences>& weights) {
+  const std::vector<std::size_t> numbers = shellsOf(welded, triangles);
+  std::vector<Shell> shells = collect(positions, numbers);
   if (shells.size() < 2) {
     return;
+  }
+  const auto around = shellsAlongBones(positions, triangles, numbers, lines);
+  const std::vector<double> whole = measureBones(around, lines, joints, shells);
+  const Outsiders outsiders(lines, around);
+  tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t v) {
+    if (!shells[numbers[v]].inside.empty()) {
+      weights[v] = outsiders.without(weights[v], Vec3(positions[v]), numbers[v]);
+    }
+  });
+  const std::vector<double> all = followers(weights, joints);
+  for (const Shell& shell : shells) {
+    dropGuests(shell, guestsOf(shell, all, lines, weights), weights);
   }
   ShellBox body;
   for (const glm::vec3& position : positions) {
     body.take(position);
   }
   for (const Shell& shell : shells) {
-    const std::vector<std::uint16_t> running = runningIn(positions, shell, lines, weights.front().size());
-    if (const std::optional<Row> row = asOnePiece(shell, running, body.longest(), weights)) {
+    if (const auto row = asOnePiece(shell, runningIn(shell, whole), body.longest(), weights)) {
       for (const std::size_t v : shell.vertices) {
         weights[v] = *row;
       }

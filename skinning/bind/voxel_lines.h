@@ -17,8 +17,4 @@ using Cubes = std::vector<std::uint8_t>;
 [[nodiscard]] Cubes votesOfLines(const VoxelGrid& grid, std::span<const glm::vec3> positions,
                                  const std::vector<Triangle>& triangles);
 
-/// Whether a point is inside triangles, by two of three lines through it.
-[[nodiscard]] bool liesWithin(std::span<const glm::vec3> positions, const std::vector<Triangle>& triangles,
-                              const Vec3& point);
-
 } // namespace stretch::skinning

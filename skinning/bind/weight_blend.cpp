@@ -15,13 +15,44 @@ namespace {
 
 using Neighbours = std::array<std::int32_t, 6>;
 
-std::vector<Neighbours> faceNeighboursOf(const VoxelBody& body) {
+// Whether what one cell follows may flow to another one beside it.
+class Borders {
+public:
+  Borders(const VoxelBody& body, const std::vector<BoneLine>& lines, const SkeletonWays& ways,
+          const std::vector<CellOwner>& owners)
+      : size_(body.grid.size), lines_(lines), ways_(ways), owners_(owners) {}
+
+  [[nodiscard]] bool areOpen(std::size_t cell, std::size_t beside) const {
+    const CellOwner& a = owners_[cell];
+    const CellOwner& b = owners_[beside];
+    if (lines_[a.line].joint == lines_[b.line].joint) {
+      return true;
+    }
+    const double across = static_cast<double>(a.distance) + static_cast<double>(b.distance) + size_;
+    constexpr double half = 0.5;
+    return ways_.kinship({a.line, static_cast<double>(a.along)}, {b.line, static_cast<double>(b.along)},
+                         across) > half;
+  }
+
+private:
+  double size_;
+  const std::vector<BoneLine>& lines_;
+  const SkeletonWays& ways_;
+  const std::vector<CellOwner>& owners_;
+};
+
+std::vector<Neighbours> faceNeighboursOf(const VoxelBody& body, const Borders& borders) {
   std::vector<Neighbours> all(body.cellCount());
   for (std::size_t cell = 0; cell < all.size(); ++cell) {
     const auto [x, y, z] = body.grid.placeOfIndex(body.cubeOf[cell]);
     const auto at = [&](int i, int j, int k) { return body.cellAt[body.grid.indexOf({i, j, k})]; };
     all[cell] = {at(x + 1, y, z), at(x - 1, y, z), at(x, y + 1, z),
                  at(x, y - 1, z), at(x, y, z + 1), at(x, y, z - 1)};
+    for (std::int32_t& beside : all[cell]) {
+      if (beside != VoxelBody::outside && !borders.areOpen(cell, static_cast<std::size_t>(beside))) {
+        beside = VoxelBody::outside;
+      }
+    }
   }
   return all;
 }
@@ -77,8 +108,8 @@ private:
 // One step of the flow. `rates`: the part of a cell's weights that goes to each of its neighbours.
 class Flow {
 public:
-  Flow(const VoxelBody& body, std::vector<float> rates)
-      : neighbours_(faceNeighboursOf(body)), rates_(std::move(rates)) {}
+  Flow(const VoxelBody& body, const Borders& borders, std::vector<float> rates)
+      : neighbours_(faceNeighboursOf(body, borders)), rates_(std::move(rates)) {}
 
   void step(const std::vector<CellWeights>& now, std::vector<CellWeights>& next) const {
     constexpr std::size_t atOnce = 1024;
@@ -119,28 +150,37 @@ private:
 
 } // namespace
 
-std::vector<std::uint16_t> boneRegions(const VoxelBody& body, const std::vector<BoneCell>& cells,
-                                       const std::vector<double>& radii, double sections) {
+std::vector<CellOwner> boneRegions(const VoxelBody& body, const std::vector<BoneLine>& lines,
+                                   const std::vector<BoneCell>& cells, const std::vector<double>& radii,
+                                   double sections) {
   std::vector<double> distances(body.cellCount(), std::numeric_limits<double>::max());
-  std::vector<std::uint16_t> owners(body.cellCount(), nobody);
+  std::vector<CellOwner> owners(body.cellCount());
   CellQueue open;
   for (const BoneCell& seed : cells) {
-    const double distance = seed.distance - sections * radii[seed.joint];
+    const double distance = seed.distance - sections * radii[lines[seed.line].joint];
     if (distance < distances[seed.cell]) {
       distances[seed.cell] = distance;
-      owners[seed.cell] = seed.joint;
+      owners[seed.cell] = {seed.line, seed.along, 0.0F};
       open.emplace(distance, static_cast<std::uint32_t>(seed.cell));
     }
   }
   spread(body, distances, open, [&](std::size_t from, std::size_t to) { owners[to] = owners[from]; });
+  for (std::size_t cell = 0; cell < owners.size(); ++cell) {
+    if (owners[cell].line != CellOwner::nobody) {
+      owners[cell].distance =
+          static_cast<float>(distances[cell] + sections * radii[lines[owners[cell].line].joint]);
+    }
+  }
   return owners;
 }
 
-std::vector<CellWeights> blendedRegions(const VoxelBody& body, const std::vector<std::uint16_t>& owners,
-                                        const std::vector<double>& radii, double blend) {
+std::vector<CellWeights> blendedRegions(const VoxelBody& body, const std::vector<BoneLine>& lines,
+                                        const SkeletonWays& ways, const std::vector<CellOwner>& owners,
+                                        const std::vector<double>& radii, double blend,
+                                        const Proceed& proceed) {
   double widest = 0.0;
-  for (const std::uint16_t owner : owners) {
-    widest = std::max(widest, radii[owner]);
+  for (const CellOwner& owner : owners) {
+    widest = std::max(widest, radii[lines[owner.line].joint]);
   }
   // A step with rate a spreads by the variance 2 a (in cubes); a below 1/6 keeps weights positive.
   constexpr double stepsOfVariance = 3.5;
@@ -152,14 +192,15 @@ std::vector<CellWeights> blendedRegions(const VoxelBody& body, const std::vector
   std::vector<CellWeights> now(owners.size());
   std::vector<float> rates(owners.size());
   for (std::size_t cell = 0; cell < owners.size(); ++cell) {
-    const double part = radii[owners[cell]] / widest;
+    const std::uint16_t joint = lines[owners[cell].line].joint;
+    const double part = radii[joint] / widest;
     rates[cell] = static_cast<float>(fullRate * part * part);
-    now[cell].joints[0] = owners[cell];
+    now[cell].joints[0] = joint;
     now[cell].weights[0] = 1.0F;
   }
-  const Flow flow(body, std::move(rates));
+  const Flow flow(body, Borders(body, lines, ways, owners), std::move(rates));
   std::vector<CellWeights> next(owners.size());
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < steps && (!proceed || proceed(static_cast<double>(step) / steps)); ++step) {
     flow.step(now, next);
     std::swap(now, next);
   }

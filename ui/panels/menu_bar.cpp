@@ -162,7 +162,8 @@ void drawLimbMenu(PanelContext& context) {
              locatorsMirror,
              locatorsSnap,
              rigBuild,
-             rigBack}},
+             rigBack,
+             bindMesh}},
            false);
 }
 

@@ -274,6 +274,7 @@ void askToQuit(Shell& shell) {
 void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
+  updateBinding(shell);
   updateClipImport(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {

@@ -41,6 +41,9 @@ EditorStatus statusOf(const Shell& shell) {
     status.busyText = "Importing " + shell.clipImport.file.filename().string();
   } else if (sequence != nullptr && sequence->isWorking()) {
     describeWork(*sequence, status);
+  } else if (shell.binding.job != nullptr) {
+    status.busyText = "Binding the mesh";
+    status.busyFraction = static_cast<float>(shell.binding.job->share());
   }
   return status;
 }

@@ -11,6 +11,7 @@
 #include "app/open_document.h"
 #include "app/sequence/job.h"
 #include "ui/panels/panel_context.h"
+#include "ui/shell/bind_work.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -37,6 +38,7 @@ struct Shell {
   ViewportState viewport;
   Tool tool;
   app::FileWork files;
+  BindWork binding;
   ClipImport clipImport;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};

@@ -15,6 +15,7 @@
 #include "app/commands/tables.h"
 #include "app/edits/offset_edits.h"
 #include "ui/panels/panel_support.h"
+#include "ui/shell/bind_work.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/key_pane.h"
@@ -469,6 +470,7 @@ std::vector<ShellCommand> editorCommands() {
   }
   append(all, toolCommands());
   append(all, sequenceFileCommands());
+  append(all, bindCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());

@@ -7,6 +7,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/place_trails.h"
+#include "ui/panels/panel_support.h"
 
 namespace stretch::ui {
 

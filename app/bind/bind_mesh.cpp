@@ -1,0 +1,258 @@
+#include "app/bind/bind_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/bind/body_to_bind.h"
+#include "app/edits/prop_file_edits.h"
+#include "core/gltf/added_file.h"
+#include "core/gltf/edits.h"
+#include "skinning/bind/bind_weights.h"
+#include "skinning/linear_blend_skinning.h"
+
+namespace stretch::app {
+
+namespace {
+
+// The slots of a skin by the joints of a skeleton: of the joint itself, else of the nearest one above it that
+// the skin has, else the first.
+std::vector<std::uint16_t> slotsOf(const Scene& scene, const Skin& skin, const SkeletonToBind& skeleton) {
+  std::map<NodeIndex, std::uint16_t> bySkin;
+  for (std::size_t slot = 0; slot < skin.joints.size(); ++slot) {
+    bySkin.try_emplace(skin.joints[slot], static_cast<std::uint16_t>(slot));
+  }
+  std::vector<std::uint16_t> slots;
+  for (NodeIndex node : skeleton.nodes) {
+    while (node.exists() && !bySkin.contains(node)) {
+      node = scene.nodes[at(node)].parent;
+    }
+    slots.push_back(node.exists() ? bySkin[node] : std::uint16_t{0});
+  }
+  return slots;
+}
+
+VertexInfluences inSlots(const skinning::Influences& row, const std::vector<std::uint16_t>& slots) {
+  VertexInfluences vertex;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < skinning::Influences::capacity && row.weights[i] > 0.0F; ++i) {
+    const std::uint16_t slot = slots.empty() ? row.bones[i] : slots[row.bones[i]];
+    const auto end = vertex.joints.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto known = std::find(vertex.joints.begin(), end, slot);
+    vertex.weights[static_cast<std::size_t>(known - vertex.joints.begin())] += row.weights[i];
+    if (known == end) {
+      vertex.joints[count++] = slot;
+    }
+  }
+  return vertex;
+}
+
+bool isSame(const Mat4& a, const Mat4& b) {
+  constexpr double rounding = 1e-4;
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      largest = std::max(largest, std::abs(a[column][row]));
+      difference = std::max(difference, std::abs(a[column][row] - b[column][row]));
+    }
+  }
+  return difference <= rounding * largest;
+}
+
+class Binding {
+public:
+  Binding(const Scene& scene, const SkeletonToBind& skeleton, const BodyToBind& body,
+          const std::vector<skinning::Influences>& rows)
+      : scene_(scene), skeleton_(skeleton), body_(body), rows_(rows) {}
+
+  gltf::Edits edits() {
+    gltf::Edits edits;
+    edits.addedNodes = skeleton_.added;
+    for (const MeshToBind& mesh : body_.meshes) {
+      const bool hasSkin = mesh.skin >= 0;
+      const std::vector<std::uint16_t> slots =
+          hasSkin ? slotsOf(scene_, scene_.skins[at(mesh.skin)], skeleton_) : std::vector<std::uint16_t>();
+      edits.boundMeshes.push_back({mesh.node, hasSkin ? mesh.skin : skinFor(mesh.toWorld, edits.addedSkins),
+                                   influences(mesh, slots)});
+      if (hasSkin) {
+        mendMatrices(mesh, edits);
+      }
+    }
+    return edits;
+  }
+
+private:
+  // Meshes that stand alike share a skin.
+  int skinFor(const Mat4& toWorld, std::vector<gltf::AddedSkin>& skins) {
+    const auto known = std::ranges::find(placements_, toWorld);
+    if (known == placements_.end()) {
+      gltf::AddedSkin skin;
+      skin.joints = skeleton_.nodes;
+      for (const Mat4& joint : skeleton_.worlds) {
+        skin.inverseBind.push_back(glm::inverse(joint) * toWorld);
+      }
+      skins.push_back(std::move(skin));
+      placements_.push_back(toWorld);
+      return static_cast<int>(scene_.skins.size() + skins.size()) - 1;
+    }
+    return static_cast<int>(scene_.skins.size()) + static_cast<int>(known - placements_.begin());
+  }
+
+  // Exporters leave matrices of joints that nothing follows unset: those that are followed now say where the
+  // joint was taken to stand.
+  void mendMatrices(const MeshToBind& mesh, gltf::Edits& edits) const {
+    const Skin& skin = scene_.skins[at(mesh.skin)];
+    std::set<std::uint16_t> followed;
+    for (const std::vector<VertexInfluences>& vertices : edits.boundMeshes.back().influences) {
+      for (const VertexInfluences& vertex : vertices) {
+        followed.insert(vertex.joints.begin(), vertex.joints.end());
+      }
+    }
+    for (std::size_t i = 0; i < skeleton_.nodes.size(); ++i) {
+      const auto slot =
+          static_cast<std::size_t>(std::ranges::find(skin.joints, skeleton_.nodes[i]) - skin.joints.begin());
+      const Mat4 wanted = glm::inverse(skeleton_.worlds[i]) * mesh.toWorld;
+      const bool isMended = std::ranges::any_of(edits.skinSlots, [&](const gltf::SkinSlot& known) {
+        return known.skin == mesh.skin && known.slot == static_cast<int>(slot);
+      });
+      if (slot < skin.joints.size() && !isMended && followed.contains(static_cast<std::uint16_t>(slot)) &&
+          !isSame(wanted, skin.inverseBind[slot])) {
+        edits.skinSlots.push_back({mesh.skin, static_cast<int>(slot), skeleton_.nodes[i], wanted});
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<std::vector<VertexInfluences>>
+  influences(const MeshToBind& mesh, const std::vector<std::uint16_t>& slots) const {
+    std::vector<std::vector<VertexInfluences>> ofPrimitives;
+    std::size_t next = mesh.firstVertex;
+    for (const Primitive& primitive : scene_.meshes[at(scene_.nodes[at(mesh.node)].mesh)].primitives) {
+      std::vector<VertexInfluences>& vertices = ofPrimitives.emplace_back();
+      for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+        vertices.push_back(inSlots(rows_[next++], slots));
+      }
+    }
+    return ofPrimitives;
+  }
+
+  const Scene& scene_;
+  const SkeletonToBind& skeleton_;
+  const BodyToBind& body_;
+  const std::vector<skinning::Influences>& rows_;
+  std::vector<Mat4> placements_;
+};
+
+std::string nameOf(const Scene& scene, NodeIndex node) {
+  return scene.nodes[at(node)].name.empty() ? fmt::format("#{}", node.value) : scene.nodes[at(node)].name;
+}
+
+// A bound mesh no longer follows its own node: motion of that node is told.
+std::vector<std::string> lostMotion(const Document& document, const BodyToBind& body,
+                                    const std::vector<gltf::AddedNode>& added) {
+  const Scene& scene = *document.scene;
+  std::vector<std::string> warnings;
+  for (const MeshToBind& mesh : body.meshes) {
+    const NodeIndex carrier = added.empty() ? NodeIndex::none : added.front().parent;
+    for (NodeIndex node = mesh.skin >= 0 ? NodeIndex::none : mesh.node; node.exists() && node != carrier;
+         node = scene.nodes[at(node)].parent) {
+      const bool isMoved = std::ranges::any_of(*document.clips, [&](const Clip& clip) {
+        return std::ranges::any_of(clip.tracks, [&](const auto& track) {
+          return track->node == node && track->channel != Channel::weights;
+        });
+      });
+      if (isMoved) {
+        warnings.push_back(fmt::format("{} is moved by a clip, which no longer moves its mesh {}",
+                                       nameOf(scene, node), nameOf(scene, mesh.node)));
+      }
+    }
+  }
+  return warnings;
+}
+
+Result<std::vector<NodeIndex>> unboundMeshes(const Scene& scene) {
+  std::vector<NodeIndex> nodes = meshNodesToBind(scene, {});
+  for (const NodeIndex node : nodes) {
+    if (scene.nodes[at(node)].skin >= 0) {
+      return Error{fmt::format("its mesh {} is bound to a skeleton already", nameOf(scene, node)), "",
+                   "bind it again at the file's own joints (--keep-joints)"};
+    }
+  }
+  return nodes;
+}
+
+Status checkRequest(const Document& document, const BindRequest& request) {
+  if (!document.addedFiles.empty()) {
+    return Error{"props from other files are added to it", "", "bind the mesh before props are added"};
+  }
+  const std::vector<std::string> missing =
+      request.locators ? rig::missingLocators(*request.locators) : std::vector<std::string>();
+  if (!missing.empty()) {
+    return Error{fmt::format("there is no locator for {}", missing.front()), "", "set it by hand"};
+  }
+  return Success{};
+}
+
+} // namespace
+
+Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& request,
+                               const skinning::Proceed& proceed) {
+  if (Status possible = checkRequest(document, request); !possible) {
+    return possible.error();
+  }
+  const Scene& scene = *document.scene;
+  std::vector<NodeIndex> nodes;
+  SkeletonToBind skeleton;
+  if (request.locators) {
+    Result<std::vector<NodeIndex>> unbound = unboundMeshes(scene);
+    if (!unbound) {
+      return unbound.error();
+    }
+    nodes = std::move(unbound).value();
+    skeleton = skeletonOf(*request.locators, scene, nodes);
+  } else {
+    skeleton = ownSkeleton(document);
+    nodes = meshNodesToBind(scene, skeleton.nodes);
+  }
+  const BodyToBind body = bodyToBind(scene, nodes);
+  if (body.triangles.empty()) {
+    return Error{"the file shows no mesh with triangles", "", "give a file with a body"};
+  }
+  if (skeleton.nodes.empty()) {
+    return Error{"the file has no skeleton to bind to", "", "give locators"};
+  }
+  const Result<skinning::BoundBody> bound =
+      request.way == BindWay::surface
+          ? skinning::bindWeightsOnSurface(body.positions, body.triangles, skeleton.joints)
+          : skinning::bindWeights(body.positions, body.triangles, skeleton.joints, {}, proceed);
+  if (!bound) {
+    return bound.error();
+  }
+  Result<gltf::Source> source =
+      gltf::patched(*document.source, Binding(scene, skeleton, body, bound->influences).edits());
+  if (!source) {
+    return source.error();
+  }
+  return BoundMeshes{std::make_shared<const gltf::Source>(std::move(source).value()),
+                     {skeleton.nodes.size(), body.meshes.size(), body.positions.size(), bound->cubes,
+                      bound->bytes, lostMotion(document, body, skeleton.added)}};
+}
+
+Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound) {
+  Result<std::shared_ptr<const Scene>> scene = gltf::sceneWith(*bound.source, {});
+  if (!scene) {
+    return scene.error();
+  }
+  document.source = bound.source;
+  document.scene = std::move(scene).value();
+  if (!document.limbsCorrected) {
+    document.biped = bodyOfSource(document);
+  }
+  return document;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,175 @@
+#include "app/bind/body_to_bind.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/locators/build_rig.h"
+#include "core/anim/sampling.h"
+#include "rig/body/bind_pose.h"
+#include "rig/body/detection.h"
+#include "skinning/linear_blend_skinning.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool holdsAnyMesh(const Scene& scene, NodeIndex node) {
+  return scene.nodes[at(node)].mesh >= 0;
+}
+
+// The joints of the skins that meshes use; of all skins where none does.
+std::set<NodeIndex> jointsOfSkins(const Scene& scene) {
+  std::set<int> used;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    if (scene.nodes[at(node)].skin >= 0) {
+      used.insert(scene.nodes[at(node)].skin);
+    }
+  }
+  std::set<NodeIndex> joints;
+  for (std::size_t skin = 0; skin < scene.skins.size(); ++skin) {
+    if (used.empty() || used.contains(static_cast<int>(skin))) {
+      joints.insert(scene.skins[skin].joints.begin(), scene.skins[skin].joints.end());
+    }
+  }
+  return joints;
+}
+
+// A joint beyond the limbs that nothing hangs on but rigid meshes: it holds a prop.
+bool isSocket(const Document& document, NodeIndex joint) {
+  const Scene& scene = *document.scene;
+  const rig::Biped& biped = document.biped;
+  const bool isOfBody =
+      joint == biped.head || std::ranges::any_of(biped.limbs, [&](const rig::Limb& limb) {
+        return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
+      });
+  const std::vector<NodeIndex>& children = scene.nodes[at(joint)].children;
+  return !isOfBody && !children.empty() && std::ranges::all_of(children, [&](NodeIndex child) {
+    return holdsAnyMesh(scene, child) && scene.nodes[at(child)].skin < 0;
+  });
+}
+
+std::set<NodeIndex> jointsToBind(const Document& document) {
+  const Scene& scene = *document.scene;
+  const NodeIndex hips = document.biped.hips;
+  std::set<NodeIndex> joints = jointsOfSkins(scene);
+  if (joints.empty() && hips.exists()) {
+    for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+      if (!holdsAnyMesh(scene, NodeIndex(node))) {
+        joints.insert(NodeIndex(node));
+      }
+    }
+  }
+  std::erase_if(joints, [&](NodeIndex joint) {
+    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) ||
+           (hips.exists() && !isAncestorOrSelf(scene, hips, joint));
+  });
+  return joints;
+}
+
+Mat4 toWorldOf(const Scene& scene, const rig::body::BindPose& pose, const std::vector<Mat4>& rest,
+               NodeIndex node) {
+  const int skin = scene.nodes[at(node)].skin;
+  return skin >= 0 ? pose.placements[at(skin)] : rest[at(node)];
+}
+
+void addPrimitive(const Scene& scene, NodeIndex node, const Primitive& primitive, const Mat4& toWorld,
+                  BodyToBind& body) {
+  const Node& holder = scene.nodes[at(node)];
+  const std::vector<float>& weights =
+      holder.morphWeights.empty() ? scene.meshes[at(holder.mesh)].morphWeights : holder.morphWeights;
+  const auto first = static_cast<std::uint32_t>(body.positions.size());
+  for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
+    body.positions.emplace_back(transformPoint(toWorld, skinning::morphedPosition(primitive, weights, v)));
+  }
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    body.triangles.push_back(
+        {first + primitive.indices[i], first + primitive.indices[i + 1], first + primitive.indices[i + 2]});
+  }
+}
+
+// Where a joint stands in the bind pose. Exporters leave matrices of joints that nothing follows unset: one
+// that would lie far from where it lies at rest, as seen from the joint above, stands as at rest.
+Mat4 bindWorld(const Mat4& bind, const Mat4& atRest, const Vec3& parent, double height) {
+  constexpr double times = 3.0;
+  constexpr double partOfHeight = 0.1;
+  const double most = times * glm::distance(positionOf(atRest), parent) + partOfHeight * height;
+  return glm::distance(positionOf(bind), parent) > most ? atRest : bind;
+}
+
+} // namespace
+
+SkeletonToBind ownSkeleton(const Document& document) {
+  const Scene& scene = *document.scene;
+  const std::set<NodeIndex> wanted = jointsToBind(document);
+  const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  SkeletonToBind skeleton;
+  std::map<NodeIndex, int> places;
+  for (const NodeIndex node : parentsFirst(scene)) {
+    if (!wanted.contains(node)) {
+      continue;
+    }
+    NodeIndex parent = scene.nodes[at(node)].parent;
+    while (parent.exists() && !places.contains(parent)) {
+      parent = scene.nodes[at(parent)].parent;
+    }
+    places[node] = static_cast<int>(skeleton.nodes.size());
+    Mat4 world = worlds[at(node)];
+    if (parent.exists()) {
+      const Mat4& above = skeleton.worlds[at(places[parent])];
+      world = bindWorld(world, above * glm::inverse(rest[at(parent)]) * rest[at(node)], positionOf(above),
+                        document.biped.height);
+    }
+    skeleton.nodes.push_back(node);
+    skeleton.worlds.push_back(world);
+    skeleton.joints.push_back({positionOf(world), parent.exists() ? places[parent] : -1});
+  }
+  return skeleton;
+}
+
+SkeletonToBind skeletonOf(const rig::Locators& locators, const Scene& scene,
+                          const std::vector<NodeIndex>& meshes) {
+  const std::vector<gltf::SkeletonJoint> joints = jointsAt(locators);
+  const NodeIndex carrier = gltf::carrierOfSkeleton(scene, meshes);
+  SkeletonToBind skeleton;
+  skeleton.added = gltf::skeletonNodes(scene, joints, carrier);
+  skeleton.worlds = gltf::skeletonWorlds(scene, joints, carrier);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    skeleton.nodes.emplace_back(scene.nodes.size() + i);
+    skeleton.joints.push_back({joints[i].place, joints[i].parent});
+  }
+  return skeleton;
+}
+
+std::vector<NodeIndex> meshNodesToBind(const Scene& scene, const std::vector<NodeIndex>& joints) {
+  const auto isCarried = [&](NodeIndex node) {
+    return std::ranges::any_of(joints, [&](NodeIndex joint) {
+      return at(joint) < scene.nodes.size() && isAncestorOrSelf(scene, joint, node);
+    });
+  };
+  std::vector<NodeIndex> nodes;
+  for (const NodeIndex node : skinning::drawnMeshNodes(scene)) {
+    if (!scene.meshes[at(scene.nodes[at(node)].mesh)].primitives.empty() &&
+        (scene.nodes[at(node)].skin >= 0 || !isCarried(node))) {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+BodyToBind bodyToBind(const Scene& scene, const std::vector<NodeIndex>& nodes) {
+  const rig::body::BindPose pose = rig::body::placeBindPose(scene);
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  BodyToBind body;
+  for (const NodeIndex node : nodes) {
+    const Mat4 toWorld = toWorldOf(scene, pose, rest, node);
+    body.meshes.push_back({node, scene.nodes[at(node)].skin, toWorld, body.positions.size()});
+    for (const Primitive& primitive : scene.meshes[at(scene.nodes[at(node)].mesh)].primitives) {
+      addPrimitive(scene, node, primitive, toWorld, body);
+    }
+  }
+  return body;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,138 @@
+#include "ui/shell/bind_work.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/commands/command_ids.h"
+#include "skinning/linear_blend_skinning.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+namespace {
+
+bool isBinding(const Shell& shell) {
+  return shell.binding.job != nullptr;
+}
+
+bool hasBoundMesh(const Scene& scene) {
+  return std::ranges::any_of(skinning::drawnMeshNodes(scene),
+                             [&](NodeIndex node) { return scene.nodes[at(node)].skin >= 0; });
+}
+
+bool hasJoints(const app::Document& document) {
+  return !document.scene->skins.empty() || document.biped.hips.exists();
+}
+
+// The document to bind: without the weights of the last binding, where joints were made at locators.
+app::Document documentToBind(const Shell& shell) {
+  app::Document document = shell.open.character()->document();
+  if (document.source == shell.binding.bound && shell.binding.unbound != nullptr) {
+    document.source = shell.binding.unbound;
+    document.scene = shell.binding.unboundScene;
+    document.biped = {};
+  }
+  return document;
+}
+
+app::BindRequest requestFor(const app::Document& document) {
+  app::BindRequest request;
+  if (!hasJoints(document) && !document.locators.empty()) {
+    request.locators = document.locators;
+  }
+  return request;
+}
+
+bool canBind(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr &&
+         (isBinding(shell) || hasJoints(session->document()) || !session->document().locators.empty());
+}
+
+Status bindOrStop(Shell& shell) {
+  BindWork& work = shell.binding;
+  if (isBinding(shell)) {
+    work.job->cancel();
+    return Success{};
+  }
+  work.from = documentToBind(shell);
+  work.job = std::make_unique<app::Job<app::BoundMeshes>>(
+      [document = work.from, request = requestFor(work.from)](const skinning::Proceed& proceed) {
+        return app::bindMeshes(document, request, proceed);
+      });
+  return Success{};
+}
+
+void takeUp(Shell& shell, const app::BoundMeshes& bound) {
+  BindWork& work = shell.binding;
+  app::Session& session = *shell.open.character();
+  const bool isAgain = hasBoundMesh(*session.document().scene);
+  Result<app::Document> changed = app::withBoundMeshes(session.document(), bound);
+  if (!changed) {
+    tellProblem(shell, changed.error());
+    return;
+  }
+  const bool atLocators = !hasJoints(work.from);
+  work.bound = bound.source;
+  work.unbound = atLocators ? work.from.source : nullptr;
+  work.unboundScene = atLocators ? work.from.scene : nullptr;
+  session.edit(std::move(changed).value(), isAgain ? "Bind again" : "Bind");
+  tell(shell, ToastKind::success,
+       fmt::format("Bound: {} vertices follow {} joints", bound.report.vertices, bound.report.joints));
+  for (const std::string& warning : bound.report.warnings) {
+    tell(shell, ToastKind::warning, warning);
+  }
+}
+
+std::string bindLabel(const Shell& shell) {
+  if (isBinding(shell)) {
+    return "Stop binding";
+  }
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && hasBoundMesh(*session->document().scene) ? "Bind again" : "Bind";
+}
+
+} // namespace
+
+void updateBinding(Shell& shell) {
+  BindWork& work = shell.binding;
+  if (!isBinding(shell) || !work.job->isFinished()) {
+    return;
+  }
+  const app::Session* const session = shell.open.character();
+  if (session != nullptr && session->isDragging()) {
+    return; // taken up when the drag is over
+  }
+  const bool isStopped = work.job->isCancelled();
+  const Result<app::BoundMeshes> made = work.job->take();
+  work.job.reset();
+  const bool isOpen = session != nullptr && documentToBind(shell).source == work.from.source;
+  if (isStopped || !isOpen) {
+    return; // another file, or another step of the history, is shown by now
+  }
+  if (!made) {
+    tellProblem(shell, made.error());
+    return;
+  }
+  takeUp(shell, *made);
+}
+
+std::vector<app::Command<Shell>> bindCommands() {
+  app::Command<Shell> bind;
+  bind.id = command::bindMesh;
+  bind.label = "Bind";
+  bind.help = "Makes the meshes follow the joints: weights by the way inside the body, beside the window. "
+              "Weights that are there are replaced. The same again stops it.";
+  bind.keys = {"Ctrl+B"};
+  bind.enabled = canBind;
+  bind.run = bindOrStop;
+  bind.labelNow = bindLabel;
+  bind.needs = [](const Shell& shell) -> std::string {
+    return canBind(shell) ? "" : "open a character with joints or locators first";
+  };
+  return {bind};
+}
+
+} // namespace stretch::ui
