@@ -134,36 +134,18 @@ void drawLimbMenu(PanelContext& context) {
   using namespace command;
   drawMenu(context,
            {"Limb",
-            {selectLeftArm,
-             selectRightArm,
-             selectLeftLeg,
-             selectRightLeg,
-             selectSpine,
-             selectNeck,
-             selectAllLimbs,
-             selectNone,
-             "",
-             weightToggle,
-             weightAll,
-             weightRemove,
-             "",
-             holdPin,
-             holdPinFeet,
-             holdMatch,
-             holdProp,
-             holdLetGo,
-             holdRemove,
-             "",
-             pickChain,
-             detectAgain,
-             "",
-             locatorsFit,
-             locatorsReset,
-             locatorsMirror,
-             locatorsSnap,
-             rigBuild,
-             rigBack,
-             bindMesh}},
+            {selectLeftArm, selectRightArm, selectLeftLeg, selectRightLeg, selectSpine, selectNeck,
+             selectAllLimbs, selectNone, "", weightToggle, weightAll, weightRemove, "", holdPin, holdPinFeet,
+             holdMatch, holdProp, holdLetGo, holdRemove}},
+           false);
+}
+
+void drawRigMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Rig",
+            {pickChain, detectAgain, "", locatorsFit, locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
+             rigBack, "", bindMesh}},
            false);
 }
 
@@ -194,6 +176,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
   drawLimbMenu(context);
+  drawRigMenu(context);
   poseMenu(context);
   drawMenu(context,
            {"Trail",
