@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfloat>
 #include <initializer_list>
 
 #include "app/commands/command_ids.h"
@@ -32,6 +33,9 @@ void recentFiles(PanelContext& context) {
 }
 
 void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
+  // One that is taller than the window would cover its own title, and so be closed at once: it scrolls instead.
+  const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, below});
   const bool open = ImGui::BeginMenu(menu.title);
   context.items.add(std::string("menu/") + menu.title, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   if (!open) {
