@@ -33,7 +33,8 @@ void recentFiles(PanelContext& context) {
 }
 
 void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
-  // One that is taller than the window would cover its own title, and so be closed at once: it scrolls instead.
+  // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
+  // instead.
   const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, below});
   const bool open = ImGui::BeginMenu(menu.title);
