@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -146,6 +148,50 @@ void settleClip(std::size_t index, Clip& clip) {
   }
 }
 
+// "Walk, Run and 7 more".
+std::string listOf(const std::vector<std::string>& names, std::size_t most) {
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  return names.size() > most ? list + fmt::format(" and {} more", names.size() - most) : list;
+}
+
+// What a clip moves and the character has not; empty where it has all of it.
+std::string leftText(const NewClip& clip) {
+  if (clip.left.empty()) {
+    return {};
+  }
+  constexpr std::size_t most = 6;
+  const std::string names = listOf(clip.left, most);
+  return clip.isRetargeted ? "left out what this character has no joints for: " + names
+                           : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
+                                         clip.left.size() == 1 ? "joint" : "joints", names);
+}
+
+// One line for all clips that lack the same.
+std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> clipsOfText;
+  for (const NewClip& clip : clips) {
+    const std::string text = leftText(clip);
+    if (text.empty()) {
+      continue;
+    }
+    auto known =
+        std::ranges::find(clipsOfText, text, [](const auto& one) -> const std::string& { return one.first; });
+    if (known == clipsOfText.end()) {
+      known = clipsOfText.insert(known, {text, {}});
+    }
+    known->second.push_back(clip.from);
+  }
+  constexpr std::size_t mostClips = 3;
+  std::vector<std::string> lines;
+  for (const auto& [text, names] : clipsOfText) {
+    lines.push_back(listOf(names, mostClips) + ": " + text);
+  }
+  return lines;
+}
+
 } // namespace
 
 Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request) {
@@ -180,10 +226,8 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
   if (brought.clips.empty()) {
     return *first;
   }
-  for (const NewClip& clip : brought.clips) {
-    if (const std::string left = leftText(clip); !left.empty()) {
-      brought.warnings.push_back(clip.from + ": " + left);
-    }
+  for (std::string& line : leftLines(brought.clips)) {
+    brought.warnings.push_back(std::move(line));
   }
   return brought;
 }
@@ -210,23 +254,6 @@ Result<Document> withNewClips(const Document& document, const std::vector<Clip>&
   }
   changed.importedClips += added.size();
   return changed;
-}
-
-std::string leftText(const NewClip& clip) {
-  if (clip.left.empty()) {
-    return {};
-  }
-  constexpr std::size_t most = 6;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(clip.left.size(), most); ++i) {
-    names += (i == 0 ? "" : ", ") + clip.left[i];
-  }
-  if (clip.left.size() > most) {
-    names += fmt::format(" and {} more", clip.left.size() - most);
-  }
-  return clip.isRetargeted ? "left out what this character has no joints for: " + names
-                           : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
-                                         clip.left.size() == 1 ? "joint" : "joints", names);
 }
 
 } // namespace stretch::app

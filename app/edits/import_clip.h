@@ -38,7 +38,4 @@ struct NewClips {
 /// The document with the clips behind its own, under names that no other clip has.
 [[nodiscard]] Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips);
 
-/// "12 joints are not in this character: a, b, c and 9 more": what a clip left behind; empty for nothing.
-[[nodiscard]] std::string leftText(const NewClip& clip);
-
 } // namespace stretch::app

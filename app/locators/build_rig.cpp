@@ -18,7 +18,6 @@
 #include "core/gltf/added_file.h"
 #include "core/gltf/added_skeleton.h"
 #include "core/gltf/edits.h"
-#include "core/gltf/json.h"
 #include "rig/body/limb_assembly.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -83,38 +82,6 @@ bool isRigUsed(const Document& document, std::size_t first) {
   });
   return isBound || isMoved || !document.trails.empty() || !document.adjustments.empty() ||
          !document.holds.empty() || !document.weights.empty();
-}
-
-void removeReferences(std::size_t first, gltf::Json& holder, const char* key) {
-  if (holder.contains(key)) {
-    gltf::Json kept = gltf::Json::array();
-    for (const gltf::Json& node : holder[key]) {
-      if (node.get<std::size_t>() < first) {
-        kept.push_back(node);
-      }
-    }
-    holder[key] = kept;
-    if (kept.empty()) {
-      holder.erase(key);
-    }
-  }
-}
-
-// With the skin that names them, which is the last one.
-void removeNodesFrom(std::size_t first, gltf::Json& json) {
-  gltf::Json::array_t& nodes = json["nodes"].get_ref<gltf::Json::array_t&>();
-  nodes.resize(first);
-  for (gltf::Json& node : nodes) {
-    removeReferences(first, node, "children");
-  }
-  for (gltf::Json& scene : json["scenes"]) {
-    removeReferences(first, scene, "nodes");
-  }
-  gltf::Json::array_t& skins = json["skins"].get_ref<gltf::Json::array_t&>();
-  skins.pop_back();
-  if (skins.empty()) {
-    json.erase("skins");
-  }
 }
 
 // The limbs that locators correct, with the locators of their base, middle and end.
@@ -226,7 +193,7 @@ Result<Document> withoutRig(const Document& document) {
                  "undo or delete that first"};
   }
   gltf::Source source = *document.source;
-  removeNodesFrom(*first, *source.json);
+  gltf::takeOutSkeleton(*first, *source.json);
   Document back = document;
   Result<std::shared_ptr<const Scene>> scene = gltf::sceneWith(source, {});
   if (!scene) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/anim/frame_state.h"
+#include "core/gltf/json.h"
 
 namespace stretch::gltf {
 
@@ -34,6 +36,24 @@ bool isAboveAll(const Scene& scene, NodeIndex node, const std::vector<NodeIndex>
 
 Mat4 worldOf(const Scene& scene, NodeIndex carrier) {
   return carrier.exists() ? restWorlds(scene)[at(carrier)] : Mat4(1.0);
+}
+
+// References to nodes from `firstNode` on; a list that is left empty goes as well.
+void takeOutReferences(std::size_t firstNode, Json& holder, const char* key) {
+  if (!holder.contains(key)) {
+    return;
+  }
+  Json kept = Json::array();
+  for (const Json& node : holder[key]) {
+    if (node.get<std::size_t>() < firstNode) {
+      kept.push_back(node);
+    }
+  }
+  if (kept.empty()) {
+    holder.erase(key);
+  } else {
+    holder[key] = std::move(kept);
+  }
 }
 
 } // namespace
@@ -77,6 +97,24 @@ std::vector<AddedNode> skeletonNodes(const Scene& scene, const std::vector<Skele
     nodes.push_back(std::move(node));
   }
   return nodes;
+}
+
+void takeOutSkeleton(std::size_t firstNode, Json& json) {
+  auto& nodes = json.at("nodes").get_ref<Json::array_t&>();
+  nodes.resize(std::min(firstNode, nodes.size()));
+  for (Json& node : nodes) {
+    takeOutReferences(firstNode, node, "children");
+  }
+  if (json.contains("scenes")) {
+    for (Json& scene : json["scenes"]) {
+      takeOutReferences(firstNode, scene, "nodes");
+    }
+  }
+  auto& skins = json.at("skins").get_ref<Json::array_t&>();
+  skins.pop_back();
+  if (skins.empty()) {
+    json.erase("skins");
+  }
 }
 
 } // namespace stretch::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,9 @@ skeletonNodes(const Scene& scene, const std::vector<SkeletonJoint>& joints, Node
 /// World matrices of the joints as `skeletonNodes` places them.
 [[nodiscard]] std::vector<Mat4> skeletonWorlds(const Scene& scene, const std::vector<SkeletonJoint>& joints,
                                                NodeIndex carrier);
+
+/// Takes a skeleton out again that nothing uses: the nodes from `firstNode` on, what refers to them, and the
+/// last skin, which names them.
+void takeOutSkeleton(std::size_t firstNode, Json& json);
 
 } // namespace stretch::gltf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include "skinning/locate/arm_joints.h"
@@ -151,6 +152,20 @@ std::vector<std::string> missing(const Found& found, bool isTurned) {
   return warnings;
 }
 
+// What stands on many legs gets a biped's joints all the same, but none of them is sure.
+void doubtOtherBodies(std::size_t legs, FittedBiped& fitted) {
+  constexpr std::size_t tooMany = 4; // a person may have a stick or a cloak to the ground beside the feet
+  constexpr double guess = 0.3;
+  if (legs < tooMany) {
+    return;
+  }
+  fitted.warnings.push_back(fmt::format(
+      "this is no biped: it stands on {} legs; the joints are only a guess, set all locators by hand", legs));
+  for (FittedJoint& joint : fitted.joints) {
+    joint.confidence = std::min(joint.confidence, guess);
+  }
+}
+
 // A sheet is one cube thick everywhere.
 bool hasVolume(const StandingBody& body) {
   constexpr double cubes = 2.5;
@@ -187,7 +202,9 @@ Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<
     return noBody("the mesh shows neither two legs nor two arms");
   }
   const BodyJoints joints = bodyJoints(*body, found);
-  return FittedBiped{named(joints, *upright), missing(found, joints.facing < 0.0)};
+  FittedBiped fitted{named(joints, *upright), missing(found, joints.facing < 0.0)};
+  doubtOtherBodies(legsUnder(*body), fitted);
+  return fitted;
 }
 
 } // namespace stretch::skinning

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -153,6 +154,29 @@ std::vector<LegPair> withFeet(const StandingBody& body, std::size_t first, std::
 }
 
 } // namespace
+
+std::size_t legsUnder(const StandingBody& body) {
+  constexpr double lowest = 0.04; // of the height: above feet and hoofs
+  constexpr double highest = 0.15;
+  constexpr double thin = 0.25; // of the cells of the thickest part
+  std::vector<std::size_t> counts;
+  for (const std::vector<SliceRegion>& layer : body.layers) {
+    const double height = body.layerHeight(static_cast<std::size_t>(&layer - body.layers.data()));
+    if (height < lowest || height > highest || layer.empty()) {
+      continue;
+    }
+    std::vector<std::size_t> cells;
+    for (const SliceRegion& region : layer) {
+      cells.push_back(static_cast<std::size_t>(
+          std::ranges::count_if(region.cells, [&](std::uint32_t cell) { return !body.isBridge(cell); })));
+    }
+    const auto least = thin * static_cast<double>(std::ranges::max(cells));
+    counts.push_back(static_cast<std::size_t>(std::ranges::count_if(
+        cells, [&](std::size_t count) { return static_cast<double>(count) >= least; })));
+  }
+  std::ranges::sort(counts);
+  return counts.empty() ? 0 : counts[counts.size() / 2];
+}
 
 LegLines legLines(const StandingBody& body) {
   constexpr double highestStart = 0.12; // feet may touch each other, shins do not

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "skinning/locate/standing_body.h"
@@ -26,5 +27,9 @@ struct LegLines {
 };
 
 [[nodiscard]] LegLines legLines(const StandingBody& body);
+
+/// On how many legs the body stands: parts of the lowest layers that do not touch each other, without what is
+/// thin beside the thickest. 0 for a body without such layers.
+[[nodiscard]] std::size_t legsUnder(const StandingBody& body);
 
 } // namespace stretch::skinning

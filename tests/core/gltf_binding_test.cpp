@@ -239,3 +239,10 @@ TEST_CASE("A binding that does not fit the file is refused") {
   }
   CHECK_FALSE(gltf::patched(*file.source, edits).ok());
 }
+
+TEST_CASE("A skeleton is taken out again of a file without scenes, and nothing is put in") {
+  gltf::Json json =
+      gltf::Json::parse(R"({"nodes":[{"children":[1]},{"name":"hips"}],"skins":[{"joints":[1]}]})");
+  gltf::takeOutSkeleton(1, json);
+  CHECK(json.dump() == R"({"nodes":[{}]})");
+}

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfloat>
 #include <vector>
 
 #include "app/commands/command_ids.h"
@@ -33,6 +34,10 @@ void recentFiles(PanelContext& context) {
 }
 
 void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
+  // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
+  // instead.
+  const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, below});
   const bool open = ImGui::BeginMenu(menu.title);
   context.items.add(std::string("menu/") + menu.title, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   if (!open) {
@@ -143,14 +148,20 @@ std::vector<const char*> limbEntries(const PanelContext& context) {
 void drawLimbMenu(PanelContext& context) {
   using namespace command;
   std::vector<const char*> entries = limbEntries(context);
-  for (const char* const id :
-       {selectAllLimbs, selectNone,  "",        weightToggle, weightAll,     weightRemove,   "",
-        holdPin,        holdPinFeet, holdMatch, holdProp,     holdLetGo,     holdRemove,     "",
-        pickChain,      detectAgain, "",        locatorsFit,  locatorsReset, locatorsMirror, locatorsSnap,
-        rigBuild,       rigBack,     bindMesh}) {
+  for (const char* const id : {selectAllLimbs, selectNone, "", weightToggle, weightAll, weightRemove, "",
+                               holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
     entries.push_back(id);
   }
   drawMenu(context, {"Limb", std::move(entries)}, false);
+}
+
+void drawRigMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Rig",
+            {pickChain, detectAgain, "", locatorsFit, locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
+             rigBack, "", bindMesh}},
+           false);
 }
 
 } // namespace
@@ -180,6 +191,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
            false);
   drawLimbMenu(context);
+  drawRigMenu(context);
   poseMenu(context);
   drawMenu(context,
            {"Trail",

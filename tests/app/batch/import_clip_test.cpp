@@ -116,6 +116,21 @@ TEST_CASE("import-clip says in one line what it cannot do, and writes nothing") 
   CHECK_THAT(refusal((folder / "box.glb").string()), Catch::Contains("no skeleton"));
 }
 
+TEST_CASE("Clips that lack the same are told in one line") {
+  const TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  const test::VerbAnswer answer =
+      test::runVerb({"import-clip", punchFile(folder), "-o", output, "--from", posedCharacter, "--json"});
+  REQUIRE(answer.exitCode == 0);
+  const Json report = Json::parse(answer.output);
+  REQUIRE(report["clips"].size() == 2);
+  REQUIRE(report["clips"][0]["left_out"] == report["clips"][1]["left_out"]);
+  REQUIRE(report["warnings"].size() == 1);
+  const std::string names =
+      report["clips"][0]["from"].get<std::string>() + ", " + report["clips"][1]["from"].get<std::string>();
+  CHECK(report["warnings"][0].get<std::string>().starts_with(names + ": left out"));
+}
+
 TEST_CASE("An imported clip is undone, and comes back after a crash, also where the file was saved with it") {
   const TemporaryFolder folder;
   const Document before = openedFile(posedCharacter);

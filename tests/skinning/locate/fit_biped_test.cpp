@@ -105,6 +105,23 @@ TEST_CASE("Arms that do not show are guessed, unsure, and named for setting them
   CHECK(glm::distance(jointOf(*fitted, "leftFoot").position, person.joints.at("leftFoot")) < goal * height);
 }
 
+TEST_CASE("A body on four legs gets joints that are no more than a guess, and is told", "[locators]") {
+  TubePerson centaur = tubePerson();
+  const auto first = static_cast<std::uint32_t>(centaur.positions.size());
+  for (const Vec3& position :
+       moved(centaur.positions, [](const Vec3& p) { return p - Vec3(0.0, 0.0, 0.6); })) {
+    centaur.positions.push_back(position);
+  }
+  for (const Triangle& triangle : std::vector<Triangle>(centaur.triangles)) {
+    centaur.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  }
+  const Result<FittedBiped> fitted = fitBiped(centaur.positions, centaur.triangles);
+  REQUIRE(fitted);
+  REQUIRE(fitted->warnings.size() == 1);
+  CHECK(fitted->warnings[0].find("it stands on 4 legs") != std::string::npos);
+  CHECK(jointOf(*fitted, "leftHand").confidence < 0.5);
+}
+
 TEST_CASE("What is no body is refused in one line that says what to do", "[locators]") {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<Triangle> plane{{0, 1, 2}, {0, 2, 3}};
