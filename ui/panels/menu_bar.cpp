@@ -4,6 +4,7 @@
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "rig/plan/body_plan.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
@@ -18,6 +19,7 @@ namespace {
 struct Menu {
   const char* title;
   std::vector<const char*> commands;
+  void (*afterFirst)(PanelContext&) = nullptr; ///< A menu of its own below the first entry.
 };
 
 void recentFiles(PanelContext& context) {
@@ -33,7 +35,20 @@ void recentFiles(PanelContext& context) {
   ImGui::EndMenu();
 }
 
-void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
+/// What the body is read as.
+void planMenu(PanelContext& context) {
+  const bool open = ImGui::BeginMenu("Body plan", context.open.character() != nullptr);
+  context.items.add("menu/body-plan", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  if (!open) {
+    return;
+  }
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    commandEntry(context, "menu/", (command::planPrefix + plan.id).c_str());
+  }
+  ImGui::EndMenu();
+}
+
+void drawMenu(PanelContext& context, const Menu& menu) {
   // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
   // instead.
   const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
@@ -50,8 +65,8 @@ void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
     } else {
       commandEntry(context, "menu/", id);
     }
-    if (first && withRecent) {
-      recentFiles(context);
+    if (first && menu.afterFirst != nullptr) {
+      menu.afterFirst(context);
     }
     first = false;
   }
@@ -132,8 +147,7 @@ void poseMenu(PanelContext& context) {
              poseKeyFlat,
              poseKeyLinear,
              poseKeyStepped,
-             poseKeyFree}},
-           false);
+             poseKeyFree}});
 }
 
 /// The limbs that the character has keys for; a biped's where none is open.
@@ -152,7 +166,7 @@ void drawLimbMenu(PanelContext& context) {
                                holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
     entries.push_back(id);
   }
-  drawMenu(context, {"Limb", std::move(entries)}, false);
+  drawMenu(context, {"Limb", std::move(entries)});
 }
 
 void drawRigMenu(PanelContext& context) {
@@ -160,8 +174,8 @@ void drawRigMenu(PanelContext& context) {
   drawMenu(context,
            {"Rig",
             {pickChain, detectAgain, "", locatorsFit, locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
-             rigBack, "", bindMesh}},
-           false);
+             rigBack, "", bindMesh},
+            planMenu});
 }
 
 } // namespace
@@ -173,8 +187,7 @@ void drawKeysMenu(PanelContext& context) {
   drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
                               keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
                               keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
-                              "",         keysRestore, keysRestoreAll}},
-           false);
+                              "",         keysRestore, keysRestoreAll}});
 }
 
 } // namespace
@@ -186,10 +199,9 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
-           true);
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
-           false);
+             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit},
+            recentFiles});
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}});
   drawLimbMenu(context);
   drawRigMenu(context);
   poseMenu(context);
@@ -216,22 +228,19 @@ void drawMenuBar(PanelContext& context) {
              sphereSmooth,
              "",
              trailDelete,
-             trailDeleteAll}},
-           false);
+             trailDeleteAll}});
   drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,    timeBack,       timeForward, timeFarBack, timeFarForward, timePreviousKey,
                      timeNextKey, timeStart,      timeEnd,     "",          rangeStart,     rangeEnd,
                      "",          timeEveryFrame, timeOnTwos,  "",          clipPrevious,   clipNext,
-                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}},
-           false);
+                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}});
   drawMenu(context,
            {"View",
             {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
              viewControllers, viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
-             viewFrameNumbers, viewGrid, viewSideBySide}},
-           false);
-  drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
+             viewFrameNumbers, viewGrid, viewSideBySide}});
+  drawMenu(context, {"Help", {palette, keys, tour, about}});
   openFileName(context);
   ImGui::PopStyleVar(2);
 }
