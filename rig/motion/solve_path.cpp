@@ -134,7 +134,7 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
 
 TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb, NodeIndex hips,
                          const Vec2& rangeFrames) {
-  if (!hips.exists()) {
+  if (!hips.exists() || limb.ledByFirst) {
     return TrailSpace::world;
   }
   std::vector<NodeIndex> nodes = limb.joints;

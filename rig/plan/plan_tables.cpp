@@ -119,7 +119,7 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
             {"", {LimbKind::leg, left, row}, true, leg, {78, foot}, {60, 0.5F * (knee + foot) + 12.0F}},
             "left-leg" + number, "right-leg" + number, plan.view);
   }
-  plan.limbs.push_back({"spine", biped::spine, true, {{0, 68, 13, 0, 108, 14}}, {0, 66}, {0, 90}});
+  plan.limbs.push_back({"spine", biped::spine, true, {{0, 68, 13, 0, 108, 14}}, {0, 66}, {20, 50}});
   plan.limbs.push_back({"neck", biped::neck, false, {{0, 44, 9, 0, 48, 10}}, {0, 44}, {0, 46}});
   plan.limbs.push_back({"tail",
                         {LimbKind::tail, middle},

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cfloat>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "app/commands/command_ids.h"
@@ -19,7 +21,6 @@ namespace {
 struct Menu {
   const char* title;
   std::vector<const char*> commands;
-  void (*afterFirst)(PanelContext&) = nullptr; ///< A menu of its own below the first entry.
 };
 
 void recentFiles(PanelContext& context) {
@@ -35,20 +36,7 @@ void recentFiles(PanelContext& context) {
   ImGui::EndMenu();
 }
 
-/// What the body is read as.
-void planMenu(PanelContext& context) {
-  const bool open = ImGui::BeginMenu("Body plan", context.open.character() != nullptr);
-  context.items.add("menu/body-plan", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-  if (!open) {
-    return;
-  }
-  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
-    commandEntry(context, "menu/", (command::planPrefix + plan.id).c_str());
-  }
-  ImGui::EndMenu();
-}
-
-void drawMenu(PanelContext& context, const Menu& menu) {
+void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
   // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
   // instead.
   const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
@@ -65,8 +53,8 @@ void drawMenu(PanelContext& context, const Menu& menu) {
     } else {
       commandEntry(context, "menu/", id);
     }
-    if (first && menu.afterFirst != nullptr) {
-      menu.afterFirst(context);
+    if (first && withRecent) {
+      recentFiles(context);
     }
     first = false;
   }
@@ -147,7 +135,8 @@ void poseMenu(PanelContext& context) {
              poseKeyFlat,
              poseKeyLinear,
              poseKeyStepped,
-             poseKeyFree}});
+             poseKeyFree}},
+           false);
 }
 
 /// The limbs that the character has keys for; a biped's where none is open.
@@ -166,16 +155,20 @@ void drawLimbMenu(PanelContext& context) {
                                holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
     entries.push_back(id);
   }
-  drawMenu(context, {"Limb", std::move(entries)});
+  drawMenu(context, {"Limb", std::move(entries)}, false);
 }
 
 void drawRigMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context,
-           {"Rig",
-            {pickChain, detectAgain, "", locatorsFit, locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
-             rigBack, "", bindMesh},
-            planMenu});
+  std::vector<std::string> plans;
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    plans.push_back(planPrefix + plan.id);
+  }
+  std::vector<const char*> entries{pickChain,     detectAgain,    "",           locatorsFit,
+                                   locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
+                                   rigBack,       "",             bindMesh,     ""};
+  std::ranges::transform(plans, std::back_inserter(entries), &std::string::c_str);
+  drawMenu(context, {"Rig", std::move(entries)}, false);
 }
 
 } // namespace
@@ -187,7 +180,8 @@ void drawKeysMenu(PanelContext& context) {
   drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
                               keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
                               keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
-                              "",         keysRestore, keysRestoreAll}});
+                              "",         keysRestore, keysRestoreAll}},
+           false);
 }
 
 } // namespace
@@ -199,9 +193,10 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"File",
             {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
-             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit},
-            recentFiles});
-  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}});
+             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
   drawLimbMenu(context);
   drawRigMenu(context);
   poseMenu(context);
@@ -228,19 +223,22 @@ void drawMenuBar(PanelContext& context) {
              sphereSmooth,
              "",
              trailDelete,
-             trailDeleteAll}});
+             trailDeleteAll}},
+           false);
   drawKeysMenu(context);
   drawMenu(context,
            {"Time", {timePlay,    timeBack,       timeForward, timeFarBack, timeFarForward, timePreviousKey,
                      timeNextKey, timeStart,      timeEnd,     "",          rangeStart,     rangeEnd,
                      "",          timeEveryFrame, timeOnTwos,  "",          clipPrevious,   clipNext,
-                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}});
+                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}},
+           false);
   drawMenu(context,
            {"View",
             {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
              viewControllers, viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
-             viewFrameNumbers, viewGrid, viewSideBySide}});
-  drawMenu(context, {"Help", {palette, keys, tour, about}});
+             viewFrameNumbers, viewGrid, viewSideBySide}},
+           false);
+  drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
   openFileName(context);
   ImGui::PopStyleVar(2);
 }

@@ -10,7 +10,7 @@ namespace stretch::test {
 
 /// A state of the program by name, as text; nothing for a name that there is not:
 /// dialog, dialog.folder, dialog.row, dialog.asks (whether to replace), dialog.joints, dialog.clips, file,
-/// unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), trail (of the selected
+/// unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), plan (of the body: "quadruped"), trail (of the selected
 /// one: trail.scale, trail.axes "xz", trail.start, trail.end, trail.pivot, trail.exaggerated,
 /// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in,
 /// trail.space, trail.view-axes "0 0 -1 0 1 0 1 0 0" of the document), spheres (selected), modal, undo, redo,
