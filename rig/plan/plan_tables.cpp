@@ -119,14 +119,14 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
             {"", {LimbKind::leg, left, row}, true, leg, {78, foot}, {60, 0.5F * (knee + foot) + 12.0F}},
             "left-leg" + number, "right-leg" + number, plan.view);
   }
-  plan.limbs.push_back({"spine", biped::spine, true, {{0, 68, 13, 0, 108, 14}}, {0, 66}, {20, 50}});
-  plan.limbs.push_back({"neck", biped::neck, false, {{0, 44, 9, 0, 48, 10}}, {0, 44}, {0, 46}});
+  plan.limbs.push_back({"spine", biped::spine, true, {{0, 62, 12, 0, 118, 11}}, {0, 62}, {0, 76}});
+  plan.limbs.push_back({"neck", biped::neck, false, {{0, 35, 9, 0, 39, 10}}, {0, 35}, {22, 38}});
   plan.limbs.push_back({"tail",
                         {LimbKind::tail, middle},
                         false,
-                        {{0, 140, 14, 0, 172, 18}, {0, 172, 18, 0, 196, 8}},
-                        {0, 196},
-                        {0, 160}});
+                        {{0, 146, 14, 0, 176, 18}, {0, 176, 18, 0, 198, 8}},
+                        {0, 198},
+                        {0, 164}});
   const Bones feeler{{5, 32, 2.5F, 14, 16, 2}, {14, 16, 2, 28, 8, 1.5F}};
   addPair(plan.limbs, {"", {LimbKind::feeler}, false, feeler, {28, 8}, {40, 14}}, "left-feeler",
           "right-feeler", plan.view);
