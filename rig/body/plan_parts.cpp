@@ -177,12 +177,18 @@ private:
     return high.x >= low.x ? glm::distance(low, high) : 0.0;
   }
 
+  [[nodiscard]] bool carriesLimb(int joint) const {
+    return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
+      return view_.isAboveOrSelf(joint, one.pair.positive.attach);
+    });
+  }
+
   // The last joint of a row, or the one before where the last one carries little: a jaw, a tip.
   [[nodiscard]] int lastOf(const std::vector<int>& row) const {
     constexpr double little = 0.4;
-    const bool hasTwo = row.size() > 1;
-    const int last = row.back();
-    return hasTwo && bulk(last) < little * bulk(row[row.size() - 2]) ? row[row.size() - 2] : last;
+    const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
+    const bool isTip = !carriesLimb(before) && bulk(row.back()) < little * bulk(before);
+    return isTip ? before : row.back();
   }
 
   // The last joint that is named head, else the one at which ears and jaws branch off, else the last one.
@@ -192,10 +198,7 @@ private:
     for (const int joint : row.path) {
       const NameEvidence& name = view_.name(joint);
       named = name.role(Role::head) >= 0.5 ? joint : named;
-      const bool carriesLimb = std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-        return view_.isAboveOrSelf(joint, one.pair.positive.attach);
-      });
-      if (branching < 0 && !carriesLimb && view_.childrenOf(joint).size() > 1) {
+      if (branching < 0 && !carriesLimb(joint) && view_.childrenOf(joint).size() > 1) {
         branching = joint;
       }
     }
