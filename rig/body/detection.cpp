@@ -163,7 +163,7 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
                                 ": found without it");
     }
   }
-  std::ranges::stable_sort(limbs, std::less<LimbPlace>());
+  std::ranges::stable_sort(limbs, std::less<>());
   result.limbs = std::move(limbs);
   result.hips = table.hips.exists() ? table.hips : result.hips;
   result.head = table.head.exists() ? table.head : result.head;
@@ -200,7 +200,7 @@ void warn(const Scene& scene, Finding& finding) {
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
-  result.warnings.push_back(
+  result.warnings.emplace_back(
       result.limbs.empty() && movesMorphTargets(scene)
           ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"

@@ -65,7 +65,7 @@ public:
       }
     }
     addTrunk(plan, reading.limbs);
-    std::ranges::stable_sort(reading.limbs, std::less<LimbPlace>());
+    std::ranges::stable_sort(reading.limbs, std::less<>());
     reading.hips = nodeOf(parts_.axis.hips);
     reading.head = nodeOf(parts_.axis.head);
     reading.confidence = confidence();
@@ -299,6 +299,7 @@ private:
       return;
     }
     std::vector<NodeIndex> joints;
+    joints.reserve(row.size());
     for (const int joint : row) {
       joints.push_back(nodeOf(joint));
     }
