@@ -74,6 +74,7 @@ std::vector<Mat4> skeletonWorlds(const Scene& scene, const std::vector<SkeletonJ
                                  NodeIndex carrier) {
   const Vec3 scale(glm::length(Vec3(worldOf(scene, carrier)[0])));
   std::vector<Mat4> worlds;
+  worlds.reserve(joints.size());
   for (const SkeletonJoint& joint : joints) {
     worlds.push_back(toMatrix({joint.place, glm::normalize(joint.orientation), scale}));
   }

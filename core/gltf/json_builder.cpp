@@ -42,6 +42,7 @@ public:
 
   [[nodiscard]] const std::optional<JsonFailure>& failure() const { return failure_; }
 
+  // NOLINTBEGIN(readability-identifier-naming): the library's names of its events
   bool null() { return add(nullptr); }
   bool boolean(bool value) { return add(value); }
   bool number_integer(Json::number_integer_t value) { return add(value); }
@@ -74,6 +75,7 @@ public:
     failure_ = {position, problem.id == numberOverflow};
     return false;
   }
+  // NOLINTEND(readability-identifier-naming)
 
 private:
   static constexpr std::size_t fewMembers = 4;

@@ -28,6 +28,7 @@ struct Finding {
   Biped result;
   int legs = 0; // that it stands on
   Vec3 bodyUp{0.0};
+  Vec3 legsReach{0.0}; // from the hips to the feet
 
   [[nodiscard]] double weight() const {
     double sum = 0.0;
@@ -87,6 +88,9 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
     result.warnings = sides.warnings;
   }
   finding.bodyUp = bodyUpOf(view, reading, trunk);
+  if (reading.legs) {
+    finding.legsReach = meanEnd(*reading.legs) - meanBase(view, *reading.legs);
+  }
   return finding;
 }
 
@@ -159,7 +163,7 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
                                 ": found without it");
     }
   }
-  std::ranges::stable_sort(limbs, std::less<LimbPlace>());
+  std::ranges::stable_sort(limbs, std::less<>());
   result.limbs = std::move(limbs);
   result.hips = table.hips.exists() ? table.hips : result.hips;
   result.head = table.head.exists() ? table.head : result.head;
@@ -196,7 +200,7 @@ void warn(const Scene& scene, Finding& finding) {
   for (Limb& limb : result.limbs) {
     limb.confidence = std::min(limb.confidence, doubtful);
   }
-  result.warnings.push_back(
+  result.warnings.emplace_back(
       result.limbs.empty() && movesMorphTargets(scene)
           ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
@@ -242,10 +246,21 @@ void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) 
   result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
 }
 
+// Head over hips, and legs that go on where the trunk ends.
 bool standsUpright(const Finding& finding) {
-  constexpr double leastRise = 0.75; // sine
+  constexpr double leastRise = 0.75;  // sine
+  constexpr double leastInLine = 0.8; // cosine
   const Vec3& up = finding.bodyUp;
-  return finding.result.isBiped && (up == Vec3(0.0) || std::abs(up.y) >= leastRise * glm::length(up));
+  const Vec3& legs = finding.legsReach;
+  const bool inLine = -glm::dot(up, legs) >= leastInLine * glm::length(up) * glm::length(legs);
+  return finding.result.isBiped && up.y >= leastRise * glm::length(up) && inLine;
+}
+
+// Whether a body that may be a biped in an odd pose is rather what it was read as: a bird's legs stand across
+// its trunk, and a biped that lies has no tail.
+bool isRather(const PlanReading& reading) {
+  const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
+  return reading.plan->legs == 2 || (reading.plan->legs == 4 && hasTail);
 }
 
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
@@ -257,8 +272,8 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
   constexpr double sure = 0.5;
   std::optional<PlanReading> reading =
       readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
-  const bool mayBe = reading && (!result.isBiped || reading->plan->legs == 2);
-  if (mayBe && reading->confidence >= sure) {
+  const bool fits = reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading));
+  if (fits) {
     takeReading(std::move(*reading), finding);
   } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
     takeChains(scene, bindPose, finding);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -52,10 +51,8 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
 // Joints farther from the mirror plane than this stand on a side; in sizes of the body.
 constexpr double offMiddle = 0.004;
 
-struct Traced {
-  std::vector<int> path;
-  double length = 0.0;
-};
+// No body has more limbs, ears and teeth on a side; keeps a file that is none from costing much.
+constexpr std::size_t mostOfOneSide = 64;
 
 class Dissection {
 public:
@@ -77,6 +74,9 @@ public:
         collect(joint, parent, sideSum_[index(joint)] > 0.0 ? left : right);
       }
     }
+    if (std::max(left.size(), right.size()) > mostOfOneSide) {
+      return result;
+    }
     result.pairs = pairUp(std::move(right), std::move(left));
     result.middle = middleRows();
     return result;
@@ -94,15 +94,14 @@ private:
     std::vector<double> most(sided_.size());
     sideSum_.assign(sided_.size(), 0.0);
     below_.assign(sided_.size(), 0.0);
-    std::vector<int> deepestFirst;
     for (int joint = 0; joint < view_.count(); ++joint) {
       const double lateral = plane_.lateral(view_.at(joint));
       least[index(joint)] = most[index(joint)] = sideSum_[index(joint)] = lateral;
-      deepestFirst.push_back(joint);
+      deepestFirst_.push_back(joint);
     }
-    std::ranges::stable_sort(deepestFirst, std::ranges::greater{},
+    std::ranges::stable_sort(deepestFirst_, std::ranges::greater{},
                              [&](int joint) { return view_.depth[index(joint)]; });
-    for (const int joint : deepestFirst) {
+    for (const int joint : deepestFirst_) {
       sided_[index(joint)] = (least[index(joint)] > -tolerance && most[index(joint)] > 3.0 * tolerance) ||
                              (most[index(joint)] < tolerance && least[index(joint)] < -3.0 * tolerance);
       const int parent = view_.parentOf(joint);
@@ -287,38 +286,65 @@ private:
     return sum / size + apart;
   }
 
+  struct Match {
+    double error = 0.0;
+    std::size_t negative = 0;
+    std::size_t positive = 0;
+  };
+
   // Best matches first; what is left over is no pair.
   [[nodiscard]] std::vector<ExtremityPair> pairUp(std::vector<Extremity> negative,
                                                   std::vector<Extremity> positive) {
     constexpr double mostError = 0.4;
-    std::vector<ExtremityPair> pairs;
-    while (!negative.empty() && !positive.empty()) {
-      double best = mostError;
-      std::size_t bestA = negative.size();
-      std::size_t bestB = 0;
-      for (std::size_t a = 0; a < negative.size(); ++a) {
-        for (std::size_t b = 0; b < positive.size(); ++b) {
-          const double error = mirrorError(negative[a], positive[b]);
-          if (error < best) {
-            best = error;
-            bestA = a;
-            bestB = b;
-          }
+    std::vector<Match> matches;
+    for (std::size_t a = 0; a < negative.size(); ++a) {
+      for (std::size_t b = 0; b < positive.size(); ++b) {
+        const double error = mirrorError(negative[a], positive[b]);
+        if (error < mostError) {
+          matches.push_back({error, a, b});
         }
       }
-      if (bestA == negative.size()) {
-        break;
-      }
-      pairs.push_back({negative[bestA], positive[bestB], best});
-      negative.erase(negative.begin() + static_cast<std::ptrdiff_t>(bestA));
-      positive.erase(positive.begin() + static_cast<std::ptrdiff_t>(bestB));
     }
+    std::ranges::stable_sort(matches, {}, &Match::error);
+    std::vector<bool> negativeTaken(negative.size(), false);
+    std::vector<bool> positiveTaken(positive.size(), false);
+    std::vector<ExtremityPair> pairs;
+    for (const Match& match : matches) {
+      if (!negativeTaken[match.negative] && !positiveTaken[match.positive]) {
+        negativeTaken[match.negative] = positiveTaken[match.positive] = true;
+        pairs.push_back({negative[match.negative], positive[match.positive], match.error});
+      }
+    }
+    markPaired(pairs);
+    return pairs;
+  }
+
+  // The joints of the pairs, and what hangs above and below them.
+  void markPaired(const std::vector<ExtremityPair>& pairs) {
+    std::vector<bool> paired(sided_.size(), false);
     for (const ExtremityPair& pair : pairs) {
       for (const Extremity* one : {&pair.negative, &pair.positive}) {
-        paired_.insert(one->path.begin(), one->path.end());
+        for (const int joint : one->path) {
+          paired[index(joint)] = true;
+        }
       }
     }
-    return pairs;
+    std::vector<bool> below = paired;
+    std::vector<bool> above = paired;
+    for (auto joint = deepestFirst_.rbegin(); joint != deepestFirst_.rend(); ++joint) {
+      const int parent = view_.parentOf(*joint);
+      below[index(*joint)] = below[index(*joint)] || (parent >= 0 && below[index(parent)]);
+    }
+    for (const int joint : deepestFirst_) {
+      const int parent = view_.parentOf(joint);
+      if (parent >= 0 && above[index(joint)]) {
+        above[index(parent)] = true;
+      }
+    }
+    carriesPaired_.resize(paired.size());
+    for (std::size_t joint = 0; joint < paired.size(); ++joint) {
+      carriesPaired_[joint] = below[joint] || above[joint];
+    }
   }
 
   // Of the joints on no side, and of the rows without a counterpart.
@@ -340,11 +366,7 @@ private:
   }
 
   // Whether the joint belongs to a row with a counterpart, or hangs above or below it on its side.
-  [[nodiscard]] bool carriesPaired(int joint) const {
-    return std::ranges::any_of(paired_, [&](int paired) {
-      return view_.isAboveOrSelf(paired, joint) || view_.isAboveOrSelf(joint, paired);
-    });
-  }
+  [[nodiscard]] bool carriesPaired(int joint) const { return carriesPaired_[index(joint)]; }
 
   const Scene& scene_;
   const BindPose& bindPose_;
@@ -354,7 +376,8 @@ private:
   std::vector<bool> sided_;
   std::vector<double> sideSum_; // of signed distances, of the joint and all below it
   std::vector<double> below_;   // length of the longest row below
-  std::set<int> paired_;
+  std::vector<int> deepestFirst_;
+  std::vector<bool> carriesPaired_;
 };
 
 } // namespace

@@ -51,7 +51,8 @@ struct Extremities {
 
 /// Takes a body apart: what stands on one side of the mirror plane only is traced to its free end, a joint of
 /// which several long rows start (the legs of a spider on one anchor) in several; what has no counterpart
-/// counts as middle. Heights are along `up`, unit.
+/// counts as middle. Heights are along `up`, unit. Where more stands out on a side than a body has limbs, no
+/// pair and no middle is told.
 [[nodiscard]] Extremities takeApart(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                                     const MirrorPlane& plane, const Vec3& up);
 

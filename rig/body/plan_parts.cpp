@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace stretch::rig::body {
@@ -78,6 +80,7 @@ private:
         ornaments_.push_back(&pair);
       }
     }
+    dropFlatLegs();
     if (legPairs_) {
       chooseLegs(static_cast<std::size_t>(*legPairs_));
     }
@@ -86,6 +89,22 @@ private:
       if (one.kind == LimbKind::chain) {
         one.kind = legs == 0 ? LimbKind::fin : legs >= 3 ? LimbKind::feeler : armOrWing(one.pair);
       }
+    }
+  }
+
+  // One pair alone carries the body only where it goes down: the fins of a fish that lies reach its lowest
+  // point as well.
+  void dropFlatLegs() {
+    constexpr double leastSteepness = 0.5; // sine
+    if (std::ranges::count(parts_.pairs, true, &KindredPair::stands) != 1) {
+      return;
+    }
+    KindredPair& only = *std::ranges::find(parts_.pairs, true, &KindredPair::stands);
+    const std::vector<Vec3>& points = only.pair.positive.points;
+    const Vec3 reach = points.back() - points.front();
+    if (-glm::dot(reach, up_) < leastSteepness * glm::length(reach)) {
+      only.stands = false;
+      only.kind = isNamed(only.pair, PartWord::leg) ? LimbKind::leg : LimbKind::chain;
     }
   }
 
@@ -147,6 +166,31 @@ private:
     }
   }
 
+  // Of the vertices that follow a joint.
+  [[nodiscard]] double bulk(int joint) const {
+    Vec3 low(std::numeric_limits<double>::max());
+    Vec3 high(std::numeric_limits<double>::lowest());
+    for (const Vec3& point : view_.points[index(joint)]) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+    return high.x >= low.x ? glm::distance(low, high) : 0.0;
+  }
+
+  [[nodiscard]] bool carriesLimb(int joint) const {
+    return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
+      return view_.isAboveOrSelf(joint, one.pair.positive.attach);
+    });
+  }
+
+  // The last joint of a row, or the one before where the last one carries little: a jaw, a tip.
+  [[nodiscard]] int lastOf(const std::vector<int>& row) const {
+    constexpr double little = 0.4;
+    const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
+    const bool isTip = !carriesLimb(before) && bulk(row.back()) < little * bulk(before);
+    return isTip ? before : row.back();
+  }
+
   // The last joint that is named head, else the one at which ears and jaws branch off, else the last one.
   [[nodiscard]] int headOf(const Extremity& row) const {
     int named = -1;
@@ -154,14 +198,11 @@ private:
     for (const int joint : row.path) {
       const NameEvidence& name = view_.name(joint);
       named = name.role(Role::head) >= 0.5 ? joint : named;
-      const bool carriesLimb = std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
-        return view_.isAboveOrSelf(joint, one.pair.positive.attach);
-      });
-      if (branching < 0 && !carriesLimb && view_.childrenOf(joint).size() > 1) {
+      if (branching < 0 && !carriesLimb(joint) && view_.childrenOf(joint).size() > 1) {
         branching = joint;
       }
     }
-    return named >= 0 ? named : branching >= 0 ? branching : row.path.back();
+    return named >= 0 ? named : branching >= 0 ? branching : lastOf(row.path);
   }
 
   [[nodiscard]] std::vector<const KindredPair*> legs() const {

@@ -16,6 +16,9 @@ namespace stretch::rig::body {
 
 namespace {
 
+// A longer row of joints is no limb, and would cost much at each frame.
+constexpr std::size_t mostJoints = 300;
+
 const char* rowWord(int row, int rows) {
   return rows < 2 ? "" : row == 1 ? ", in front" : row == rows ? ", behind" : ", between the others";
 }
@@ -62,7 +65,7 @@ public:
       }
     }
     addTrunk(plan, reading.limbs);
-    std::ranges::stable_sort(reading.limbs, std::less<LimbPlace>());
+    std::ranges::stable_sort(reading.limbs, std::less<>());
     reading.hips = nodeOf(parts_.axis.hips);
     reading.head = nodeOf(parts_.axis.head);
     reading.confidence = confidence();
@@ -131,11 +134,15 @@ private:
     }
     constexpr double steepest = 0.75; // sine
     const auto leg = std::ranges::find(parts_.pairs, LimbKind::leg, &KindredPair::kind);
-    const Vec3 trunk = view_.at(axis.head) - leg->pair.positive.points.front();
+    const std::vector<Vec3>& points = leg->pair.positive.points;
+    const Vec3 trunk = view_.at(axis.head) - points.front();
+    const Vec3 reach = points.back() - points.front();
     const bool lies = std::abs(glm::dot(trunk, up_)) < steepest * glm::length(trunk);
+    // The legs of a biped that lies go on where its trunk ends.
+    const bool across = glm::dot(trunk, reach) > -steepest * glm::length(trunk) * glm::length(reach);
     const bool hasWings =
         std::ranges::any_of(parts_.pairs, [](const KindredPair& one) { return one.kind == LimbKind::wing; });
-    return lies && (axis.tail || hasWings);
+    return lies && across && (axis.tail || hasWings);
   }
 
   [[nodiscard]] bool isLong() const {
@@ -145,8 +152,8 @@ private:
     for (const ExtremityPair& pair : parts_.extremities.pairs) {
       others = std::max(others, pair.length());
     }
-    return row != nullptr && row->path.size() >= leastJoints && row->length > 0.5 * view_.size &&
-           others < 0.6 * row->length;
+    return row != nullptr && row->path.size() >= leastJoints && row->path.size() <= mostJoints &&
+           row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {
@@ -292,6 +299,7 @@ private:
       return;
     }
     std::vector<NodeIndex> joints;
+    joints.reserve(row.size());
     for (const int joint : row) {
       joints.push_back(nodeOf(joint));
     }
@@ -480,7 +488,7 @@ std::vector<Limb> chainsOfTree(const Scene& scene, const BindPose& bindPose, con
     const std::string id = jointReference(scene, joints.front()) + ".." + jointReference(scene, last.node);
     Limb chain = makeLimb({}, std::move(joints), last, bindPose.worlds);
     chain.id = id;
-    if (isSound(chain) && chain.restLength > 0.03 * view.size) {
+    if (isSound(chain) && chain.joints.size() <= mostJoints && chain.restLength > 0.03 * view.size) {
       chain.confidence = 0.6;
       chain.reasons = {"a row of joints between branchings"};
       chains.push_back(std::move(chain));

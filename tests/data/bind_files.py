@@ -63,6 +63,11 @@ class Glb:
         primitive.pop("material", None)
 
 
+def character_file(data, name):
+    """Of the test data, else the bundled one."""
+    return next(iter(data.glob(f"biped/{name}.glb")), pathlib.Path(__file__).parents[2] / "assets" / f"{name}.glb")
+
+
 def without_weights(source, target):
     """The skin stays: it says where the joints are."""
     file = Glb(source)

@@ -20,7 +20,7 @@ import sys
 import tempfile
 import time
 
-from bind_files import cut, refined, without_weights
+from bind_files import character_file, cut, refined, without_weights
 from check_exaggeration import READERS, Reader, run
 
 # Files and the most that the mean and the 99th percentile may be, in percent of the height.
@@ -49,9 +49,6 @@ class Check:
         self.program, self.data, self.folder = program, data, folder
         self.reader, self.failed = Reader(), 0
 
-    def file_of(self, name):
-        return next(iter(self.data.glob(f"biped/{name}.glb")), pathlib.Path(__file__).parents[2] / "assets" / f"{name}.glb")
-
     def fail(self, what):
         self.failed += 1
         print(f"FAIL {what}", flush=True)
@@ -72,7 +69,7 @@ class Check:
     def sizes(self):
         for vertices, seconds, megabytes in SIZES:
             bare, bound = self.folder / "large.glb", self.folder / "bound.glb"
-            _, count = refined(self.file_of("human-addon-animations"), bare, vertices)
+            _, count = refined(character_file(self.data, "human-addon-animations"), bare, vertices)
             status, output, took, used = measured_run([self.program, "bind", bare, "-o", bound, "--keep-joints", "--json"])
             print(f"{count} vertices: {took:.1f} s, {used:.0f} MB", flush=True)
             if status != 0 or json.loads(output)["vertices"] < vertices:
@@ -92,7 +89,7 @@ def main():
         for character in GOALS:
             if wanted and not any(character.startswith(name) for name in wanted):
                 continue
-            source = check.file_of(character)
+            source = character_file(check.data, character)
             check.one(character, source, character)
             if character in CUT:
                 height = json.loads(run(check.program, "info", source, "--json"))["height"]

@@ -61,6 +61,16 @@ def chain(depth):
     return glb({"scene": 0, "scenes": [{"nodes": [0]}], "nodes": nodes, "skins": [{"joints": list(range(depth)), "skeleton": 0}]})
 
 
+def star(pairs):
+    """Very many limbs, each with a counterpart, on one joint."""
+    nodes = [{"children": list(range(1, 4 * pairs + 1, 2))}]
+    for i in range(2 * pairs):
+        side, along = 1 - 2 * (i % 2), i // 2
+        nodes += [{"translation": [side * (0.1 + along % 97 / 97), along % 89 / 89, along % 83 / 83 - 0.5], "children": [2 * i + 2]},
+                  {"translation": [side * 0.3, -0.2, 0.05]}]
+    return glb({"scene": 0, "scenes": [{"nodes": [0]}], "nodes": nodes})
+
+
 def long_clip(seconds, keys=2):
     times = struct.pack("<2f", 0.0, seconds)
     values = struct.pack("<6f", 0, 0, 0, 1, 1, 1)
@@ -99,6 +109,7 @@ def hostile():
     yield "pictures.glb", textured([png(4096, 4096 - i) for i in range(24)], 24)
     yield "picture_again.glb", textured([png(64, 64) + bytes(4 << 20)], 5000)
     yield "chain.glb", chain(50000)
+    yield "star.glb", star(700)
     yield "deep.gltf", b'{"asset":{"version":"2.0"},"extras":' + b"[" * 1000000 + b"]" * 1000000 + b"}"
     yield "lists.gltf", b'{"asset":{"version":"2.0"},"extras":[' + b"[]," * 2000000 + b"0]}"
     members = b",".join(b'"%d":%d' % (i, i) for i in range(300000))

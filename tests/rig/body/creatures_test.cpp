@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "core/math/rotation.h"
 #include "rig/body/detection.h"
 #include "rig/body/planned_body.h"
 #include "tests/support/rig/creatures.h"
@@ -22,8 +23,8 @@ std::string limbsOf(const BuiltBiped& built, const Biped& body) {
 const char* const horseLimbs =
     "front-left-leg: scapula.l forearmLeg.l frontKnee.l frontPastern.l -> frontHoof.l\n"
     "front-right-leg: scapula.r forearmLeg.r frontKnee.r frontPastern.r -> frontHoof.r\n"
-    "hind-left-leg: thigh.l shin.l hock.l pastern.l -> hoof.l\n"
-    "hind-right-leg: thigh.r shin.r hock.r pastern.r -> hoof.r\n"
+    "hind-left-leg: thigh.l calf.l hock.l pastern.l -> hoof.l\n"
+    "hind-right-leg: thigh.r calf.r hock.r pastern.r -> hoof.r\n"
     "spine: spine0 -> spine1\n"
     "neck: neck0 neck1 -> head\n"
     "tail: tail0 tail1 -> tail2\n";
@@ -81,7 +82,7 @@ TEST_CASE("A bird has wings, and its legs stand on their toes") {
   }
   const BuiltBiped built = build(body);
   const Biped read = detectBiped(built.scene);
-  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left}) == "thigh.l shin.l ankle.l -> toe.l");
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left}) == "thigh.l calf.l ankle.l -> toe.l");
   CHECK(describe(built, read, {LimbKind::wing, LimbSide::right}) == "wing0.r wing1.r wing2.r -> wing3.r");
   CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
 }
@@ -91,10 +92,16 @@ TEST_CASE("A body that lies or stands upside down in its bind pose is told, and 
   const BuiltBiped upright = build(body);
   REQUIRE(detectBiped(upright.scene).warnings.empty());
   SECTION("upside down") {
-    moveJoints(body, [](const Vec3& at) { return Vec3(-at.x, -at.y, at.z); });
+    body.turn = axisAngle(Vec3(0, 0, 1), pi);
   }
   SECTION("on its nose") {
-    moveJoints(body, [](const Vec3& at) { return Vec3(at.x, at.z, -at.y); });
+    body.turn = axisAngle(Vec3(1, 0, 0), pi / 2.0);
+  }
+  SECTION("on its tail") {
+    body.turn = axisAngle(Vec3(1, 0, 0), -pi / 2.0);
+  }
+  SECTION("on its side") {
+    body.turn = axisAngle(Vec3(0, 0, 1), pi / 2.0);
   }
   const BuiltBiped built = build(body);
   const Biped read = detectBiped(built.scene);
@@ -106,7 +113,7 @@ TEST_CASE("A body that lies or stands upside down in its bind pose is told, and 
 TEST_CASE("The size of a body does not count") {
   for (const double size : {1e-4, 1e5}) {
     SyntheticBiped body = makeHorse();
-    moveJoints(body, [&](const Vec3& at) { return size * at; });
+    body.size = size;
     const BuiltBiped built = build(body);
     CAPTURE(size);
     CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);

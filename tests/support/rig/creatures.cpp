@@ -32,8 +32,8 @@ void addHindQuarters(SyntheticBiped& body) {
   add(body, "tail1", "tail0", {0.0, 1.0, -1.05});
   add(body, "tail2", "tail1", {0.0, 0.7, -1.1});
   addBothSides(body, {{"thigh", "hips", {0.2, 1.2, -0.7}},
-                      {"shin", "thigh%", {0.2, 0.85, -0.5}},
-                      {"hock", "shin%", {0.2, 0.5, -0.8}},
+                      {"calf", "thigh%", {0.2, 0.85, -0.5}},
+                      {"hock", "calf%", {0.2, 0.5, -0.8}},
                       {"pastern", "hock%", {0.2, 0.18, -0.75}},
                       {"hoof", "pastern%", {0.2, 0.05, -0.7}}});
 }
@@ -126,8 +126,8 @@ SyntheticBiped makeBird() {
                       {"wing2", "wing1%", {0.95, 1.0, 0.4}},
                       {"wing3", "wing2%", {1.4, 1.0, 0.2}},
                       {"thigh", "hips", {0.14, 0.7, 0.0}},
-                      {"shin", "thigh%", {0.16, 0.45, 0.12}},
-                      {"ankle", "shin%", {0.16, 0.2, -0.08}},
+                      {"calf", "thigh%", {0.16, 0.45, 0.12}},
+                      {"ankle", "calf%", {0.16, 0.2, -0.08}},
                       {"toe", "ankle%", {0.16, 0.03, 0.05}},
                       {"claw", "toe%", {0.16, 0.01, 0.15}}});
   return body;
@@ -161,12 +161,6 @@ std::vector<Creature> creatures() {
 void nameByKeys(SyntheticBiped& body) {
   for (const SyntheticJoint& joint : body.joints) {
     body.names[joint.key] = joint.key;
-  }
-}
-
-void moveJoints(SyntheticBiped& body, const std::function<Vec3(const Vec3&)>& move) {
-  for (SyntheticJoint& joint : body.joints) {
-    joint.position = move(joint.position);
   }
 }
 

@@ -27,7 +27,4 @@ struct Creature {
 
 void nameByKeys(SyntheticBiped& body);
 
-/// Every joint moved, in its order: turned over, scaled.
-void moveJoints(SyntheticBiped& body, const std::function<Vec3(const Vec3&)>& move);
-
 } // namespace stretch::test

@@ -85,11 +85,11 @@ SyntheticJoint& find(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
-// Placement of the body's own coordinates in the armature's: turned, and unscaled so that the scale above
-// restores it.
+// Placement of the body's own coordinates in the armature's: turned and scaled, and unscaled so that the
+// scale above restores it.
 Vec3 placed(const SyntheticBiped& body, const Vec3& position) {
   const Vec3 turned = body.facesBackwards ? Vec3(-position.x, position.y, -position.z) : position;
-  return turned / body.armatureScale;
+  return body.turn * turned * (body.size / body.armatureScale);
 }
 
 int jointIndex(const SyntheticBiped& body, const std::string& key) {
@@ -132,8 +132,8 @@ void addWeight(Primitive& primitive, const SyntheticBiped& body, const Synthetic
   const std::string stem = joint.key.substr(0, joint.key.find('.'));
   const double sign = joint.position.x < 0.0 ? -1.0 : 1.0;
   if (stem == "head") {
-    include(Vec3(0.1, 1.8, 0.14));
-    include(Vec3(-0.1, 1.58, -0.1));
+    include(joint.position + Vec3(0.1, 0.22, 0.13));
+    include(joint.position + Vec3(-0.1, 0.0, -0.11));
   } else if (stem == "foot" || stem == "toe") {
     const double reach = stem == "foot" ? 0.1 : 0.18;
     include(Vec3(joint.position.x, 0.0, body.feetPointBack ? -2.0 * reach : reach));

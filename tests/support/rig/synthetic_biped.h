@@ -26,9 +26,11 @@ struct SyntheticBiped {
   bool facesBackwards = false; ///< Turned about Y: left is at -X.
   bool withMesh = true;
   bool withSkin = true;
-  bool shuffled = false;      ///< Node indices in another order than the tree's.
-  bool feetPointBack = false; ///< The mesh of the feet alone, as a mech's spurs.
-  bool posedAtRest = false;   ///< Rest rotations that are not the bind pose's.
+  bool shuffled = false;         ///< Node indices in another order than the tree's.
+  bool feetPointBack = false;    ///< The mesh of the feet alone, as a mech's spurs.
+  bool posedAtRest = false;      ///< Rest rotations that are not the bind pose's.
+  double size = 1.0;             ///< Of the whole, in the scene's units.
+  Quat turn{1.0, 0.0, 0.0, 0.0}; ///< Of the whole in the world; by quarters, or its boxes are no boxes.
 };
 
 struct BodyOptions {
