@@ -92,7 +92,7 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const std::optional
                 Document& document) {
   const std::vector<std::string> wanted = arguments.limbs.empty() ? allButTrunk(document) : arguments.limbs;
   if (wanted.empty()) {
-    return Error{"no arm or leg was found", document.source->path.string(),
+    return Error{"no limb but the trunk was found", document.source->path.string(),
                  "name a chain, such as --limb JOINT_A..JOINT_B"};
   }
   for (const std::string& name : wanted) {

@@ -28,8 +28,8 @@ rig::TrailSettings startingTrail(const Document& document, int clip, const rig::
   rig::TrailSettings settings = usualTrail(document, limb);
   settings.startFrame = rangeFrames.x;
   settings.endFrame = rangeFrames.y;
-  settings.space = rig::startingSpace(*document.scene, clipOf(document, clip), limb, document.biped.hips,
-                                      rangeFrames);
+  settings.space =
+      rig::startingSpace(*document.scene, clipOf(document, clip), limb, document.biped.hips, rangeFrames);
   if (mannerOf(document, limb.id).stands) {
     settings.stopAt = floorForLeg(document, clip, limb, rangeFrames.y);
   }

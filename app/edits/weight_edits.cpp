@@ -58,7 +58,8 @@ Result<Document> switchWeight(const Document& document, const std::vector<std::s
     if (present == nullptr && !on) {
       continue;
     }
-    WeightedLimb entry = present != nullptr ? *present : WeightedLimb{limb, clip, true, usualWeight(document, limb)};
+    WeightedLimb entry =
+        present != nullptr ? *present : WeightedLimb{limb, clip, true, usualWeight(document, limb)};
     entry.on = on;
     Result<Document> next = setWeight(changed, entry);
     if (!next) {

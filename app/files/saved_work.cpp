@@ -100,12 +100,12 @@ std::optional<rig::LimbPlace> placeFromJson(const Json& json) {
 
 Json limbToJson(const rig::Limb& limb) {
   Json json{{"limb", limb.id},
-          {"kind", placeToJson(limb)},
-          {"joints", numbersOf(limb.joints)},
-          {"end", limb.endNode.value},
-          {"end_offset", vectorToJson(limb.endOffset)},
-          {"rest_length", limb.restLength},
-          {"confidence", limb.confidence}};
+            {"kind", placeToJson(limb)},
+            {"joints", numbersOf(limb.joints)},
+            {"end", limb.endNode.value},
+            {"end_offset", vectorToJson(limb.endOffset)},
+            {"rest_length", limb.restLength},
+            {"confidence", limb.confidence}};
   if (limb.ledByFirst) {
     json["led_by_first"] = true;
   }

@@ -179,9 +179,10 @@ LimbManner mannerOf(LimbKind kind) {
   return {};
 }
 
+// Of limbs that the plan itself says nothing about.
 void setManners(BodyPlan& plan) {
   for (PlannedLimb& limb : plan.limbs) {
-    limb.manner = mannerOf(limb.place.kind);
+    limb.manner = limb.manner == LimbManner{} ? mannerOf(limb.place.kind) : limb.manner;
   }
 }
 

@@ -164,9 +164,9 @@ void drawRigMenu(PanelContext& context) {
   for (const rig::BodyPlan& plan : rig::bodyPlans()) {
     plans.push_back(planPrefix + plan.id);
   }
-  std::vector<const char*> entries{pickChain,     detectAgain,    "",           locatorsFit,
-                                   locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
-                                   rigBack,       "",             bindMesh,     ""};
+  std::vector<const char*> entries{
+      pickChain,    detectAgain, "",      locatorsFit, locatorsReset, locatorsMirror,
+      locatorsSnap, rigBuild,    rigBack, "",          bindMesh,      ""};
   std::ranges::transform(plans, std::back_inserter(entries), &std::string::c_str);
   drawMenu(context, {"Rig", std::move(entries)}, false);
 }

@@ -63,7 +63,8 @@ TEST_CASE("Weight that is switched on, and given by a recipe or the command line
   CHECK(heavy->weights.front().settings == usual);
 
   const std::string output = (file.folder / "out.glb").string();
-  REQUIRE(runVerb({"elastic", file.path, "-o", output, "--limb", "tail", "--stiffness", "0.9"}).exitCode == 0);
+  REQUIRE(runVerb({"elastic", file.path, "-o", output, "--limb", "tail", "--stiffness", "0.9"}).exitCode ==
+          0);
   const WeightSettings asked = openedFile(output).weights.front().settings;
   CHECK(asked.stiffness == 0.9);
   CHECK(asked.damping == usual.damping);
@@ -82,10 +83,12 @@ TEST_CASE("Weight that is switched on, and given by a recipe or the command line
 TEST_CASE("A trail that the command line gives to a hoof stops at the ground") {
   const CreatureOnDisk file(pawingHorse());
   const std::string output = (file.folder / "out.glb").string();
-  REQUIRE(
-      runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg", "--scale", "1.5"}).exitCode ==
-      0);
+  REQUIRE(runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg", "--scale", "1.5"})
+              .exitCode == 0);
   CHECK(openedFile(output).trails.front().settings.stopAt);
+  const VerbAnswer down = runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg",
+                                   "--range", "0:6", "--scale", "3", "--json"});
+  CHECK_THAT(down.output, Catch::Contains(R"("stopped": true)"));
 }
 
 TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan which ones there are") {
@@ -93,8 +96,8 @@ TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan 
   file.folder.write("recipe.json", R"({"version": 1, "trails": [{"limb": "left-arm", "scale": 2},
     {"limb": "right-leg", "scale": 2}, {"limb": "spine", "scale": 2}]})");
   const std::string output = (file.folder / "out.glb").string();
-  const VerbAnswer lacking = runVerb(
-      {"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
+  const VerbAnswer lacking =
+      runVerb({"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
   CHECK(lacking.exitCode == 1);
   CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks left-arm, right-leg"));
   const VerbAnswer centaur = runVerb({"info", file.path, "--plan", "centaur"});

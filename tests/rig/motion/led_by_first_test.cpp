@@ -46,8 +46,7 @@ TEST_CASE("A serpent's strike brings its head farther, straight as it was, and l
       const FrameState before = sourceAtFrame(snake, 12);
       const FrameState after = atFrame(snake, motion, 12);
       CHECK(lengthOf(spine, after) == Approx(scale * lengthOf(spine, before)).epsilon(1e-4));
-      CHECK(glm::distance(endPosition(spine, after), endPosition(spine, before)) <
-            1e-6 * snake.biped.height);
+      CHECK(glm::distance(endPosition(spine, after), endPosition(spine, before)) < 1e-6 * snake.biped.height);
       CHECK(std::abs(glm::dot(rotationOf(after.worlds[at(head)]), rotationOf(before.worlds[at(head)]))) ==
             Approx(1.0).margin(1e-9));
       const Vec3 bite = placeIn(before, jaw) - placeIn(before, head);

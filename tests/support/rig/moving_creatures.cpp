@@ -18,8 +18,8 @@ void addSwing(MovingBiped& creature, const std::string& key, const Vec3& axis,
   const NodeIndex node = creature.node.at(key);
   RotationKeys keys;
   for (std::size_t i = 0; i < degrees.size(); ++i) {
-    keys.emplace_back(0.25 * static_cast<double>(i),
-                      axisAngle(axis, degrees[i] * pi / 180.0) * creature.scene.nodes[at(node)].rest.rotation);
+    keys.emplace_back(0.25 * static_cast<double>(i), axisAngle(axis, degrees[i] * pi / 180.0) *
+                                                         creature.scene.nodes[at(node)].rest.rotation);
   }
   creature.clip.tracks.emplace_back(rotationTrack(node, Interpolation::linear, keys));
 }

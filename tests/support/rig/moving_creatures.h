@@ -5,8 +5,8 @@
 
 namespace stretch::test {
 
-/// The horse of creatures.h for one second: it stands on its right legs and swings the left ones, its tail and its
-/// neck.
+/// The horse of creatures.h for one second: it stands on its right legs and swings the left ones, its tail
+/// and its neck.
 [[nodiscard]] MovingBiped pawingHorse();
 
 /// A snake whose skeleton hangs on a joint behind its head, which carries a jaw beside it. In one second the
