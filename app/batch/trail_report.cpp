@@ -48,23 +48,23 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
       solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
   const double wanted = solved.settings.scale * reference;
   constexpr double tolerance = 1e-4;
-  const bool reached = solved.tip.outcome != rig::TipOutcome::nothingToScale &&
-                       std::abs(after - wanted) <= tolerance * wanted;
+  const bool reached =
+      solved.tip.outcome != rig::TipOutcome::nothingToScale && std::abs(after - wanted) <= tolerance * wanted;
   Json report{{"limb", solved.limb.id},
-          {"range", {solved.settings.startFrame, solved.settings.endFrame}},
-          {"space", spaceName(solved.settings.space)},
-          {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
-                                                       ? solved.path.samples.back()
-                                                       : solved.path.samples.front(),
-                                                   solved.tip.tip))},
-          {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
-          {"moved", solved.tip.moved},
-          {"reached", reached},
-          {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
-          {"release", solved.release.seconds() * motion.framesPerSecond},
-          {"limb_length_before", before},
-          {"limb_length_after", after},
-          {"warnings", std::move(warnings)}};
+              {"range", {solved.settings.startFrame, solved.settings.endFrame}},
+              {"space", spaceName(solved.settings.space)},
+              {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
+                                                           ? solved.path.samples.back()
+                                                           : solved.path.samples.front(),
+                                                       solved.tip.tip))},
+              {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
+              {"moved", solved.tip.moved},
+              {"reached", reached},
+              {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
+              {"release", solved.release.seconds() * motion.framesPerSecond},
+              {"limb_length_before", before},
+              {"limb_length_after", after},
+              {"warnings", std::move(warnings)}};
   if (!reached && solved.settings.stopAt) {
     report["stopped"] = true;
   }

@@ -133,7 +133,8 @@ TEST_CASE("A folder of meshes and a file that moves morph targets alone point to
   CHECK_THAT(biped.warnings.front(), Catch::Contains("compress"));
 }
 
-TEST_CASE("What is of no plan is stretched by name; what is doubtful is told by every verb that stretches") {
+TEST_CASE(
+    "What is of no plan is stretched by name, and what is doubtful is told by every verb that stretches") {
   const TemporaryFolder folder;
   armBuilder().write(folder / "arm.glb");
   SyntheticBiped body = namedBody();

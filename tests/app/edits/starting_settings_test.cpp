@@ -33,7 +33,8 @@ const rig::Limb& limbNamed(const Document& document, const std::string& id) {
 
 } // namespace
 
-TEST_CASE("A tail swings and a hoof stands where nothing else is asked; a biped keeps the program's own") {
+TEST_CASE(
+    "A tail swings and a hoof stands where nothing else is asked, and a biped keeps the program's own") {
   const CreatureOnDisk file(pawingHorse());
   const Document horse = openedFile(file.path);
   const rig::TrailSettings tail = startingTrail(horse, 0, limbNamed(horse, "tail"), {0, 12});
