@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <fmt/core.h>
@@ -41,10 +42,10 @@ VertexInfluences inSlots(const skinning::Influences& row, const std::vector<std:
   std::size_t count = 0;
   for (std::size_t i = 0; i < skinning::Influences::capacity && row.weights[i] > 0.0F; ++i) {
     const std::uint16_t slot = slots.empty() ? row.bones[i] : slots[row.bones[i]];
-    const auto end = vertex.joints.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto known = std::find(vertex.joints.begin(), end, slot);
-    vertex.weights[static_cast<std::size_t>(known - vertex.joints.begin())] += row.weights[i];
-    if (known == end) {
+    const std::span<const std::uint16_t> known = std::span(vertex.joints).first(count);
+    const auto place = static_cast<std::size_t>(std::ranges::find(known, slot) - known.begin());
+    vertex.weights[place] += row.weights[i];
+    if (place == count) {
       vertex.joints[count++] = slot;
     }
   }

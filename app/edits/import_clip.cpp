@@ -186,6 +186,7 @@ std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
   }
   constexpr std::size_t mostClips = 3;
   std::vector<std::string> lines;
+  lines.reserve(clipsOfText.size());
   for (const auto& [text, names] : clipsOfText) {
     lines.push_back(listOf(names, mostClips) + ": " + text);
   }
