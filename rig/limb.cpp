@@ -73,6 +73,27 @@ std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame) {
   return points;
 }
 
+Vec3 leadingPosition(const Limb& limb, const FrameState& frame) {
+  return limb.ledByFirst ? positionOf(frame.worlds[at(limb.joints.front())]) : endPosition(limb, frame);
+}
+
+Vec3 stayingPosition(const Limb& limb, const FrameState& frame) {
+  return limb.ledByFirst ? endPosition(limb, frame) : positionOf(frame.worlds[at(limb.joints.front())]);
+}
+
+std::vector<Vec3> pointsToLead(const Limb& limb, const FrameState& frame) {
+  std::vector<Vec3> points = limbPoints(limb, frame);
+  if (limb.ledByFirst) {
+    std::ranges::reverse(points);
+  }
+  return points;
+}
+
+NodeIndex stayingNode(const Limb& limb) {
+  const NodeIndex end = limb.endNode.exists() ? limb.endNode : limb.joints.back();
+  return limb.ledByFirst ? end : limb.joints.front();
+}
+
 double limbLength(const Limb& limb, const FrameState& frame) {
   return glm::length(endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]));
 }

@@ -84,6 +84,8 @@ struct Limb : LimbPlace {
   double restLength = 0.0; ///< Sum of the bone lengths in the bind pose, world units.
   double confidence = 1.0; ///< 0..1.
   std::vector<std::string> reasons; ///< Why these joints: for the user.
+  /// The first joint leads and the end stays: a serpent whose joints run from the head to the tail.
+  bool ledByFirst = false;
 
   friend bool operator==(const Limb&, const Limb&) = default;
 };
@@ -101,6 +103,16 @@ struct Limb : LimbPlace {
 /// it ends.
 [[nodiscard]] Vec3 endPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame);
+
+/// What a trail goes by: the place that leads, which is the limb's end where it is not led by its first
+/// joint, the place that stays, which is the other one, and the limb's points from there to the one that
+/// leads.
+[[nodiscard]] Vec3 leadingPosition(const Limb& limb, const FrameState& frame);
+[[nodiscard]] Vec3 stayingPosition(const Limb& limb, const FrameState& frame);
+[[nodiscard]] std::vector<Vec3> pointsToLead(const Limb& limb, const FrameState& frame);
+
+/// The node at the place that stays.
+[[nodiscard]] NodeIndex stayingNode(const Limb& limb);
 
 /// Straight distance from the limb's base to its end in a frame.
 [[nodiscard]] double limbLength(const Limb& limb, const FrameState& frame);

@@ -9,6 +9,7 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
+#include "app/edits/starting_settings.h"
 #include "app/edits/weight_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
@@ -41,8 +42,7 @@ Status readModuli(const std::string& path, WeightSettings& settings) {
   return Success{};
 }
 
-Result<WeightSettings> settingsOf(const ElasticArguments& arguments) {
-  WeightSettings settings;
+Result<WeightSettings> settingsOf(const ElasticArguments& arguments, WeightSettings settings) {
   if (!arguments.moduli.empty()) {
     if (const Status read = readModuli(arguments.moduli, settings); !read) {
       return read.error();
@@ -88,11 +88,11 @@ Result<std::string> cutToClip(const Document& document, int clip, WeightSettings
                      settings.rangeFrames->x, settings.rangeFrames->y);
 }
 
-Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSettings& settings,
+Status addLimbs(const ElasticArguments& arguments, int clip, const std::optional<Vec2>& rangeFrames,
                 Document& document) {
   const std::vector<std::string> wanted = arguments.limbs.empty() ? allButTrunk(document) : arguments.limbs;
   if (wanted.empty()) {
-    return Error{"no arm or leg was found", document.source->path.string(),
+    return Error{"no limb but the trunk was found", document.source->path.string(),
                  "name a chain, such as --limb JOINT_A..JOINT_B"};
   }
   for (const std::string& name : wanted) {
@@ -100,10 +100,15 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const WeightSetting
     if (!limb) {
       return limb.error();
     }
-    if (Status known = checkModuli(settings.moduli, limb->joints.size(), limb->id + ": moduli"); !known) {
+    Result<WeightSettings> settings = settingsOf(arguments, usualWeight(document, limb->id));
+    if (!settings) {
+      return settings.error();
+    }
+    settings->rangeFrames = rangeFrames;
+    if (Status known = checkModuli(settings->moduli, limb->joints.size(), limb->id + ": moduli"); !known) {
       return known;
     }
-    Result<Document> changed = setWeight(document, {limb->id, clip, true, settings});
+    Result<Document> changed = setWeight(document, {limb->id, clip, true, *settings});
     if (!changed) {
       return changed.error();
     }
@@ -124,7 +129,7 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!clip) {
     return clip.error();
   }
-  Result<WeightSettings> settings = settingsOf(arguments);
+  Result<WeightSettings> settings = settingsOf(arguments, {});
   if (!settings) {
     return settings.error();
   }
@@ -132,7 +137,7 @@ Status runElastic(const ElasticArguments& arguments) {
   if (!cut) {
     return cut.error();
   }
-  if (Status added = addLimbs(arguments, *clip, *settings, *document); !added) {
+  if (Status added = addLimbs(arguments, *clip, settings->rangeFrames, *document); !added) {
     return added;
   }
   Json report;
@@ -166,7 +171,7 @@ Verb elasticVerb() {
             addOutputArguments(line, arguments->output);
             addClipArguments(line, arguments->input);
             line.repeated("--limb", arguments->limbs,
-                          "A limb, as often as wanted; default: all arms and legs");
+                          "A limb, as often as wanted; default: all but those of the trunk");
             line.option("--range", arguments->range, "First and last frame, A:B; default: the whole clip")
                 .check(problemOfRange);
             addSettingOptions(line, weightSchema(), arguments->settings, "Weight");

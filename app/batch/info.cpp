@@ -47,12 +47,16 @@ Json limbJson(const Scene& scene, const rig::Limb& limb) {
     joints.push_back(jointJson(scene, limb.endNode));
   }
   const std::string end = limb.endNode.exists() ? scene.nodes[at(limb.endNode)].name : "estimated";
-  return {{"limb", limb.id},
-          {"joints", joints},
-          {"end", end},
-          {"rest_length", limb.restLength},
-          {"confidence", limb.confidence},
-          {"reasons", limb.reasons}};
+  Json json{{"limb", limb.id},
+            {"joints", joints},
+            {"end", end},
+            {"rest_length", limb.restLength},
+            {"confidence", limb.confidence},
+            {"reasons", limb.reasons}};
+  if (limb.ledByFirst) {
+    json["led_by"] = scene.nodes[at(limb.joints.front())].name;
+  }
+  return json;
 }
 
 Json controllersJson(const Document& document) {
@@ -256,8 +260,9 @@ void printInfo(const Json& info) {
   }
   printPlan(info["plan"]);
   for (const Json& limb : info["limbs"]) {
-    fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f})\n", limb["limb"].get<std::string>(),
-               jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>());
+    const std::string leads = limb.contains("led_by") ? ", led by " + limb["led_by"].get<std::string>() : "";
+    fmt::print("limb   {:<10} {} ({:.3f} long, confidence {:.2f}{})\n", limb["limb"].get<std::string>(),
+               jointNames(limb), limb["rest_length"].get<double>(), limb["confidence"].get<double>(), leads);
   }
   for (const Json& trail : info["trails"]) {
     fmt::print("trail  {}\n", trailLine(trail));

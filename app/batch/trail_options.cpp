@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/batch/options.h"
+#include "app/edits/starting_settings.h"
 #include "app/edits/trail_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
@@ -45,10 +46,7 @@ Result<rig::Trail> trailOf(const TrailRequest& request, int clip, Document& docu
   rig::Trail trail;
   trail.limb = limb->id;
   trail.clip = clip;
-  trail.settings.startFrame = range->x;
-  trail.settings.endFrame = range->y;
-  trail.settings.space =
-      rig::startingSpace(*document.scene, clipOf(document, clip), *limb, document.biped.hips, *range);
+  trail.settings = startingTrail(document, clip, *limb, *range);
   const Status set = setSettings(request, trail.settings);
   return set ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(set.error());
 }

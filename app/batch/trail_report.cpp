@@ -48,7 +48,9 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
       solved.settings.reference == rig::Reference::pose ? before : solved.limb.restLength;
   const double wanted = solved.settings.scale * reference;
   constexpr double tolerance = 1e-4;
-  return {{"limb", solved.limb.id},
+  const bool reached = solved.tip.outcome != rig::TipOutcome::nothingToScale &&
+                       std::abs(after - wanted) <= tolerance * wanted;
+  Json report{{"limb", solved.limb.id},
           {"range", {solved.settings.startFrame, solved.settings.endFrame}},
           {"space", spaceName(solved.settings.space)},
           {"tip", vectorToJson(solved.path.toWorld(solved.settings.pivot == rig::Pivot::start
@@ -57,13 +59,16 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
                                                    solved.tip.tip))},
           {"trail_scale", solved.tip.trailScale ? Json(*solved.tip.trailScale) : Json(nullptr)},
           {"moved", solved.tip.moved},
-          {"reached", solved.tip.outcome != rig::TipOutcome::nothingToScale &&
-                          std::abs(after - wanted) <= tolerance * wanted},
+          {"reached", reached},
           {"pulled", solved.tip.outcome == rig::TipOutcome::pulled},
           {"release", solved.release.seconds() * motion.framesPerSecond},
           {"limb_length_before", before},
           {"limb_length_after", after},
           {"warnings", std::move(warnings)}};
+  if (!reached && solved.settings.stopAt) {
+    report["stopped"] = true;
+  }
+  return report;
 }
 
 } // namespace
@@ -91,10 +96,11 @@ Json exaggerationJson(const Document& document, int clip, const std::vector<int>
 void printExaggeration(const Json& report) {
   for (const Json& trail : report["trails"]) {
     const auto space = trail["space"].get<std::string>();
-    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}\n", trail["limb"].get<std::string>(),
+    fmt::print("{}: frames {:g} to {:g}, {:.4g} -> {:.4g} long{}{}{}\n", trail["limb"].get<std::string>(),
                trail["range"][0].get<double>(), trail["range"][1].get<double>(),
                trail["limb_length_before"].get<double>(), trail["limb_length_after"].get<double>(),
-               trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "");
+               trail["pulled"].get<bool>() ? " (pulled)" : "", space == "root" ? ", seen from the hips" : "",
+               trail.contains("stopped") ? ", stopped on the way" : "");
     printWarnings(trail["warnings"]);
   }
   if (report.contains("elastic")) {

@@ -7,6 +7,7 @@
 #include "app/commands/selection.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/place_trails.h"
+#include "app/edits/starting_settings.h"
 #include "app/edits/trail_edits.h"
 #include "app/evaluate/way_back.h"
 #include "app/standing_floor.h"
@@ -167,23 +168,19 @@ void exaggerate(rig::Trail& trail) {
 } // namespace
 
 rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb, const Vec2& range) {
-  rig::TrailSettings settings;
-  if (isLeg(limb)) {
-    settings.stopAt = floorForLeg(session.document(), session.view().clip, limb, range.y);
+  const int clip = session.view().clip;
+  rig::TrailSettings settings = startingTrail(session.document(), clip, limb, range);
+  if (isLeg(limb) && !settings.stopAt) {
+    settings.stopAt = floorForLeg(session.document(), clip, limb, range.y);
   }
-  settings.startFrame = range.x;
-  settings.endFrame = range.y;
   settings.viewAxes = session.view().cameraAxes;
-  const Document& document = session.document();
-  settings.space = rig::startingSpace(*document.scene, clipOf(document, session.view().clip), limb,
-                                      document.biped.hips, range);
   return settings;
 }
 
 Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   const ViewState& view = session.view();
   if (view.selectedLimbs.empty()) {
-    return Error{"no limb is selected", "", "press 1 to 6, or click one"};
+    return Error{"no limb is selected", "", "press the key of one, or click it"};
   }
   if (!hasClip(session.document(), view.clip)) {
     return Error{"the file has no animation", "", "open a file with a clip"};

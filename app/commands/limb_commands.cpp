@@ -125,7 +125,7 @@ std::vector<DocumentCommand> limbCommands() {
       {[](const Session& session) { return !allLimbs(session.document()).empty(); }, "no limb was found"},
       selectAllLimbs));
   commands.push_back(entry(command::detectAgain, "Find the limbs again",
-                           "Forgets corrections made by hand and looks for arms, legs, spine and neck anew.",
+                           "Forgets corrections made by hand and looks for the body plan and its limbs anew.",
                            {}, {always}, detectAgain));
   return commands;
 }

@@ -60,6 +60,20 @@ Status takeWeightAway(Session& session) {
   return finish(session, changed, "Take the weight away");
 }
 
+/// "arms and legs", "legs and tail": of the limbs that are none of the trunk's.
+std::string outerKinds(const Session& session) {
+  const std::vector<rig::Limb>& limbs = session.document().biped.limbs;
+  std::vector<std::string> kinds;
+  for (const rig::Limb& limb : limbs) {
+    const bool isOne = std::ranges::count(limbs, limb.kind, &rig::Limb::kind) == 1;
+    const std::string kind = std::string(kindName(limb.kind)) + (isOne ? "" : "s");
+    if (!isTrunk(limb) && std::ranges::find(kinds, kind) == kinds.end()) {
+      kinds.push_back(kind);
+    }
+  }
+  return kinds.empty() ? "arms and legs" : listed(kinds);
+}
+
 Status weightForAll(Session& session) {
   std::vector<std::string> limbs;
   for (const rig::Limb& limb : session.document().biped.limbs) {
@@ -68,10 +82,10 @@ Status weightForAll(Session& session) {
     }
   }
   if (!viewsClip(session) || limbs.empty()) {
-    return Error{"there is no clip with arms or legs", "", "open a character with an animation"};
+    return Error{"there is no clip, or no limb beside the trunk", "", "open a character with an animation"};
   }
   return finish(session, switchWeight(session.document(), limbs, session.view().clip, true),
-                "Give arms and legs weight");
+                "Give all limbs weight");
 }
 
 } // namespace
@@ -82,9 +96,10 @@ std::vector<DocumentCommand> weightCommands() {
                    "Lets the selected limbs sag, squash and stretch by their own load, or stops that.", {},
                    {hasTargets, "select a limb first"}, toggleWeight),
              allTargetsHaveWeightOn),
-      entry(command::weightAll, "Weight for arms and legs",
-            "Lets all arms and legs of this clip sag, squash and stretch by their own load.", {},
-            clipNeeded(), weightForAll),
+      labelled(entry(command::weightAll, "Weight for arms and legs",
+                     "Lets all limbs of this clip but the trunk's sag, squash and stretch by their own load.",
+                     {}, clipNeeded(), weightForAll),
+               [](const Session& session) { return "Weight for " + outerKinds(session); }),
       entry(command::weightRemove, "Take the weight away",
             "Takes the weight of the selected limbs away, with its settings.", {},
             {targetsHaveWeight, "select a limb that has weight"}, takeWeightAway),

@@ -78,6 +78,7 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   } else {
     limbs.insert(place, std::move(limb));
   }
+  rig::setLeadingEnds(rig::bindPoseWorlds(*document.scene), changed.biped);
   return changed;
 }
 

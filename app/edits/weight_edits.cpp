@@ -4,6 +4,7 @@
 
 #include "app/document.h"
 #include "app/edits/place_trails.h"
+#include "app/edits/starting_settings.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
 
@@ -57,7 +58,8 @@ Result<Document> switchWeight(const Document& document, const std::vector<std::s
     if (present == nullptr && !on) {
       continue;
     }
-    WeightedLimb entry = present != nullptr ? *present : WeightedLimb{limb, clip, true, {}};
+    WeightedLimb entry =
+        present != nullptr ? *present : WeightedLimb{limb, clip, true, usualWeight(document, limb)};
     entry.on = on;
     Result<Document> next = setWeight(changed, entry);
     if (!next) {

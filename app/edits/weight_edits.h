@@ -14,7 +14,8 @@ namespace stretch::app {
 /// Takes the weight of a limb in a clip away; the clip is then as it was without it.
 [[nodiscard]] Document removeWeight(const Document& document, const std::string& limb, int clip);
 
-/// Turns the weight of limbs on or off in a clip; limbs that have none get the default one when it is on.
+/// Turns the weight of limbs on or off in a clip; limbs that have none get what is usual for them
+/// (starting_settings.h) when it is on.
 [[nodiscard]] Result<Document> switchWeight(const Document& document, const std::vector<std::string>& limbs,
                                             int clip, bool on);
 

@@ -36,7 +36,7 @@ std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTr
 }
 
 Vec3 reachOf(const rig::Limb& limb, const FrameState& frame) {
-  return rig::endPosition(limb, frame) - positionOf(frame.worlds[at(limb.joints.front())]);
+  return rig::leadingPosition(limb, frame) - rig::stayingPosition(limb, frame);
 }
 
 float squaredDistance(const glm::vec3& a, const glm::vec3& b) {
@@ -169,7 +169,7 @@ public:
         part_(*look.document_.scene, clipOf(look.document_, look.clip_), alone, look.nodes_) {
     step(trail_.tipSeconds);
     findings_.tipDisplacement =
-        glm::length(rig::endPosition(trail_.limb, after_) - rig::endPosition(trail_.limb, before_));
+        glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
   }
 
   [[nodiscard]] Findings all() {

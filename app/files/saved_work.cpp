@@ -99,13 +99,17 @@ std::optional<rig::LimbPlace> placeFromJson(const Json& json) {
 }
 
 Json limbToJson(const rig::Limb& limb) {
-  return {{"limb", limb.id},
-          {"kind", placeToJson(limb)},
-          {"joints", numbersOf(limb.joints)},
-          {"end", limb.endNode.value},
-          {"end_offset", vectorToJson(limb.endOffset)},
-          {"rest_length", limb.restLength},
-          {"confidence", limb.confidence}};
+  Json json{{"limb", limb.id},
+            {"kind", placeToJson(limb)},
+            {"joints", numbersOf(limb.joints)},
+            {"end", limb.endNode.value},
+            {"end_offset", vectorToJson(limb.endOffset)},
+            {"rest_length", limb.restLength},
+            {"confidence", limb.confidence}};
+  if (limb.ledByFirst) {
+    json["led_by_first"] = true;
+  }
+  return json;
 }
 
 Json limbsToJson(const std::vector<rig::Limb>& limbs) {
@@ -187,6 +191,7 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   limb.endNode = NodeIndex(json.at("end").get<int>());
   limb.restLength = json.at("rest_length").get<double>();
   limb.confidence = json.at("confidence").get<double>();
+  limb.ledByFirst = json.value("led_by_first", false);
   const Result<Vec3> offset = vectorFromJson(json.at("end_offset"), "limbs.end_offset");
   const bool hasNodes = !limb.joints.empty() && std::all_of(limb.joints.begin(), limb.joints.end(), exists) &&
                         !hasRepeats(limb.joints) && (limb.endNode == NodeIndex::none || exists(limb.endNode));

@@ -9,6 +9,7 @@
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/group_edits.h"
 #include "app/edits/rate_edits.h"
+#include "app/edits/starting_settings.h"
 #include "app/named.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/adjustment_json.h"
@@ -127,6 +128,7 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   rig::Trail trail;
   trail.limb = limb->id;
   trail.clip = clip;
+  trail.settings = usualTrail(document, *limb);
   const double lengthUnit = inMetres ? 1.0 : limb->restLength;
   Status read = trailFromJson(json, lengthUnit, {"limb", "colour", "group"}, trail.settings);
   if (read && json.contains("colour")) {
@@ -146,7 +148,7 @@ Result<WeightedLimb> weightOf(const Json& json, int clip, Document& document) {
   if (!limb) {
     return limb.error();
   }
-  WeightedLimb entry{limb->id, clip, true, {}};
+  WeightedLimb entry{limb->id, clip, true, usualWeight(document, limb->id)};
   const Status read = weightFromJson(json, {"limb"}, entry.settings);
   return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }

@@ -316,6 +316,7 @@ Biped detectBiped(const Scene& scene) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
+  setLeadingEnds(bindPose.worlds, finding.result);
   body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
@@ -341,6 +342,7 @@ Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
     }
   }
   Biped& result = finding.result;
+  setLeadingEnds(bindPose.worlds, result);
   result.warnings.clear();
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};

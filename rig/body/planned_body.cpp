@@ -1,10 +1,25 @@
 #include "rig/body/planned_body.h"
 
+#include <glm/geometric.hpp>
+
 namespace stretch::rig {
 
 const BodyPlan& planOf(const Biped& body) {
   const BodyPlan* const plan = planNamed(body.plan);
   return plan != nullptr ? *plan : bodyPlans().back();
+}
+
+void setLeadingEnds(const std::vector<Mat4>& bindWorlds, Biped& body) {
+  for (Limb& limb : body.limbs) {
+    const PlannedLimb* const planned = plannedLimb(planOf(body), limb);
+    limb.ledByFirst = false;
+    if (planned == nullptr || !planned->ledByHead || !body.head.exists()) {
+      continue;
+    }
+    const Vec3 head = positionOf(bindWorlds[at(body.head)]);
+    const std::vector<Vec3> points = limbPoints(limb, bindWorlds);
+    limb.ledByFirst = glm::distance(points.front(), head) < glm::distance(points.back(), head);
+  }
 }
 
 std::string whyNoLimb(const Biped& body, std::string_view id) {

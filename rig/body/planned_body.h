@@ -15,6 +15,10 @@ namespace stretch::rig {
 /// branchings.
 [[nodiscard]] Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan);
 
+/// Says of limbs that their plan has led by the head whether that is at their first joint. `bindWorlds`: of
+/// all nodes in the bind pose. Without a known head they are led by their ends, as all others are.
+void setLeadingEnds(const std::vector<Mat4>& bindWorlds, Biped& body);
+
 /// "the character is a quadruped and has no left-arm; it has front-left-leg, ...": why the body has no such
 /// limb; empty for a biped, and where the plan has it.
 [[nodiscard]] std::string whyNoLimb(const Biped& body, std::string_view id);

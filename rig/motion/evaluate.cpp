@@ -108,12 +108,12 @@ struct Carry {
 
 Carry carryOf(const Scene& scene, const SolvedTrail& solved, const LimbSample& sample,
               const FrameState& source, const FrameState& frame) {
-  const NodeIndex base = solved.limb.joints.front();
+  const NodeIndex base = stayingNode(solved.limb);
   const NodeIndex parent = scene.nodes[at(base)].parent;
   Carry carry;
   carry.still = solved.settings.stayInWorld || frame.worlds[at(base)] == source.worlds[at(base)];
   carry.baseBefore = sample.base;
-  carry.baseNow = positionOf(frame.worlds[at(base)]);
+  carry.baseNow = stayingPosition(solved.limb, frame);
   if (!carry.still && parent.exists()) {
     carry.turn = rotationOf(frame.worlds[at(parent)]) * glm::inverse(rotationOf(source.worlds[at(parent)]));
   }
@@ -141,7 +141,7 @@ Target targetIn(const FrameState& frame, const Carry& carry, const MotionState& 
                 const LimbSample& sample, const Amount& amount) {
   const SolvedTrail& solved = motion.trails[trail];
   Target target;
-  target.original = followsAnother(motion, trail, sample.timeSeconds) ? endPosition(solved.limb, frame)
+  target.original = followsAnother(motion, trail, sample.timeSeconds) ? leadingPosition(solved.limb, frame)
                                                                       : carry.point(sample.end);
   target.wanted = target.original + carry.vector(0.5 * solved.settings.blend * amount.offset);
   if (solved.settings.stopAt) {
@@ -158,7 +158,7 @@ bool hasNothingToDo(const MotionState& motion, std::size_t trail, const LimbSamp
   if (insideWindow(solved, wrapped(motion, solved, sample.timeSeconds))) {
     return false;
   }
-  const Vec3 baseNow = positionOf(frame.worlds[at(solved.limb.joints.front())]);
+  const Vec3 baseNow = stayingPosition(solved.limb, frame);
   return !solved.settings.stayInWorld || glm::length(baseNow - sample.base) <= 0.0 ||
          followsAnother(motion, trail, sample.timeSeconds);
 }
@@ -171,7 +171,7 @@ Amount amountOrNone(const MotionState& motion, const SolvedTrail& solved, const 
 LimbShapeProblem shapeProblem(const SolvedTrail& solved, const Amount& amount, const Vec3& target,
                               const FrameState& frame) {
   LimbShapeProblem problem;
-  problem.points = limbPoints(solved.limb, frame);
+  problem.points = pointsToLead(solved.limb, frame);
   problem.target = target;
   problem.bendNormal =
       solved.bend.at(problem.points, rotationOf(frame.worlds[at(solved.limb.joints.front())]));
@@ -239,7 +239,7 @@ void applyTrail(const Scene& scene, const MotionState& motion, std::size_t trail
   }
   const LimbShape shape = solveLimbShape(problem);
   if (!shape.isIdentity()) {
-    deformLimb(scene, solved.limb, solved.topology, limbPose(shape),
+    deformLimb(scene, solved.limb, solved.topology, poseToLead(solved.limb, shape, frame),
                {solved.settings.volume, solved.settings.turnEnd}, frame);
   }
 }

@@ -106,9 +106,22 @@ void refreshLimb(PoseWriter& writer, const Limb& limb, const LimbTopology& topol
       writer.refreshSubtree(topology.bones[i].joint);
     }
   }
+  if (topology.leader.exists()) {
+    writer.refreshSubtree(topology.leader);
+  }
   if (!topology.endIsDescendant) {
     writer.refreshSubtree(limb.endNode);
   }
+}
+
+// The head of a serpent, and all that it carries, by as much as the pose moves it; the rest of the limb is
+// placed from there.
+void moveLeader(PoseWriter& writer, NodeIndex leader, const Vec3& lead, const LimbPose& shape, bool turns) {
+  const Quat turn = turns ? shape.turns.front() : Quat(1.0, 0.0, 0.0, 0.0);
+  const Vec3 offset = positionOf(writer.worldBefore(leader)) - lead;
+  writer.turnInWorld(leader, turn);
+  writer.setWorldPosition(leader, lead + shape.baseMove + turn * offset);
+  writer.refreshSubtree(leader);
 }
 
 bool sameTurn(const Quat& a, const Quat& b) {
@@ -135,6 +148,16 @@ LimbPose limbPose(const LimbShape& shape) {
   return {shape.turns, std::vector<double>(shape.turns.size(), shape.stretch), Vec3(0.0), shape.end};
 }
 
+LimbPose poseToLead(const Limb& limb, const LimbShape& shape, const FrameState& frame) {
+  LimbPose pose = limbPose(shape);
+  if (limb.ledByFirst) {
+    std::ranges::reverse(pose.turns);
+    pose.baseMove = shape.end - leadingPosition(limb, frame);
+    pose.end = endPosition(limb, frame);
+  }
+  return pose;
+}
+
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame) {
   PoseWriter writer(scene, frame);
@@ -144,13 +167,18 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   for (const NodeIndex node : topology.staying) {
     kept.push_back({node, frame.worlds[at(node)]});
   }
-  for (std::size_t i = 0; i < topology.bones.size(); ++i) {
+  const bool isLed = topology.leader.exists();
+  if (isLed) {
+    moveLeader(writer, topology.leader, points.front(), shape, options.turnEnd);
+  }
+  for (std::size_t i = isLed ? 1 : 0; i < topology.bones.size(); ++i) {
     const BoneTopology& bone = topology.bones[i];
+    const bool isPlaced = isDetached(topology, i) || (isLed && i == 1);
     // A joint that turns exactly as its parent bone does keeps its local rotation.
-    if (i == 0 || isDetached(topology, i) || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
+    if (i == 0 || isPlaced || !sameTurn(shape.turns[i], shape.turns[i - 1])) {
       writer.turnInWorld(bone.joint, shape.turns[i]);
     }
-    if (isDetached(topology, i)) {
+    if (isPlaced) {
       const Vec3 start = positionOf(writer.world(topology.bones[i - 1].joint));
       writer.setWorldPosition(bone.joint, start + shape.stretches[i - 1] *
                                                       (shape.turns[i - 1] * (points[i] - points[i - 1])));
@@ -171,7 +199,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
     if (!topology.endIsDescendant) {
       moveDetachedEnd(writer, scene, limb, topology, shape.end);
     }
-    if (!options.turnEnd) {
+    if (!options.turnEnd && !isLed) {
       writer.turnInWorld(limb.endNode, options.endTurn);
     }
   }

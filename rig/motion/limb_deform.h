@@ -30,10 +30,14 @@ struct LimbPose {
 
 [[nodiscard]] LimbPose limbPose(const LimbShape& shape);
 
+/// The pose of a shape that was solved for pointsToLead of the limb in this frame.
+[[nodiscard]] LimbPose poseToLead(const Limb& limb, const LimbShape& shape, const FrameState& frame);
+
 /// Brings a limb's pose onto the character: turns the limb's joints, moves what hangs on its bones by K,
 /// puts K into FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and
 /// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is what the pose
-/// was solved for; its worlds are kept up to date.
+/// was solved for; its worlds are kept up to date. Where the first joint leads, it is the one that keeps its
+/// orientation, as a hand does, and its bone is not stretched: the head of a serpent stays a head.
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame);
 

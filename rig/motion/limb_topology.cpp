@@ -50,6 +50,17 @@ std::set<NodeIndex> jointsOfOthers(const Limb& limb, const std::vector<Limb>& ot
   return joints;
 }
 
+NodeIndex leaderOf(const Scene& scene, const Limb& limb) {
+  if (!limb.ledByFirst || limb.joints.size() < 2) {
+    return NodeIndex::none;
+  }
+  NodeIndex leader = limb.joints.front();
+  while (leader.exists() && !isAncestorOrSelf(scene, leader, limb.joints[1])) {
+    leader = scene.nodes[at(leader)].parent;
+  }
+  return leader;
+}
+
 std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
   std::set<NodeIndex> joints;
   for (const Limb& limb : limbs) {
@@ -65,6 +76,7 @@ std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {
 LimbTopology limbTopology(const Scene& scene, const Limb& limb, const std::vector<Limb>& others,
                           const BindPlaces& places) {
   LimbTopology topology;
+  topology.leader = leaderOf(scene, limb);
   const Riders riders(scene, limb, places, jointsOfOthers(limb, others));
   const std::set<NodeIndex> legs = isLeg(limb) ? std::set<NodeIndex>{} : legJoints(others);
   topology.endIsDescendant =
@@ -104,8 +116,10 @@ std::vector<NodeIndex> touchedNodes(const Limb& limb, const LimbTopology& topolo
   }
   nodes.insert(topology.staying.begin(), topology.staying.end());
   nodes.insert(topology.companions.begin(), topology.companions.end());
-  if (limb.endNode.exists()) {
-    nodes.insert(limb.endNode);
+  for (const NodeIndex node : {limb.endNode, topology.leader}) {
+    if (node.exists()) {
+      nodes.insert(node);
+    }
   }
   return {nodes.begin(), nodes.end()};
 }

@@ -36,6 +36,9 @@ struct LimbTopology {
   /// What has its mesh at the limb's end and does not hang on the end joint: a heel or a toe beside the foot,
   /// or under the root as the foot. It moves with the end as one piece; parents first.
   std::vector<NodeIndex> companions;
+  /// Of a limb that is led by its first joint: what carries that joint and the one after it, and moves as one
+  /// piece. None otherwise.
+  NodeIndex leader;
 };
 
 /// `others`: all limbs of the character, so that a limb hanging on a bone is not taken for a twist joint.

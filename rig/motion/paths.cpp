@@ -184,7 +184,7 @@ void layHeldPaths(const Scene& scene, const Clip& clip, const MotionState& motio
         if (solved.active && solved.limb.id == limb.id) {
           std::fill(drawn[i].exaggerated.begin() + (first - requests[i].frames.begin()),
                     drawn[i].exaggerated.begin() + (last - requests[i].frames.begin()),
-                    endPosition(limb, frame));
+                    leadingPosition(limb, frame));
         }
       }
     }

@@ -49,7 +49,8 @@ void setWeight(const MotionInput& input, std::vector<LimbWeight> weights, Motion
 [[nodiscard]] Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb);
 
 /// The space that a new trail over these frames starts in (docs/exaggeration.md, Spaces): root where the hips
-/// move by more than half of what the limb's end moves seen from its base, else world.
+/// move by more than half of what the limb's end moves seen from its base, else world. What is led by its
+/// first joint carries the hips itself: world.
 [[nodiscard]] TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb, NodeIndex hips,
                                        const Vec2& rangeFrames);
 

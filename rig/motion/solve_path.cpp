@@ -76,7 +76,8 @@ void samplePath(const MotionInput& input, FrameSource& frames, SolvedTrail& solv
        sampleTimes(solved.startSeconds, solved.endSeconds, input.clip->framesPerSecond, solved.keyTimes)) {
     const FrameState& frame = frames.at(time);
     solved.path.samples.push_back(limbSample(solved.limb, solved.settings.space, input.hips, frame));
-    solved.bend.add(limbPoints(solved.limb, frame), rotationOf(frame.worlds[at(solved.limb.joints.front())]));
+    solved.bend.add(pointsToLead(solved.limb, frame),
+                    rotationOf(frame.worlds[at(solved.limb.joints.front())]));
     const LimbSample& sample = solved.path.samples.back();
     points.push_back(solved.path.toSpace(sample, sample.end));
     times.push_back(time);
@@ -116,7 +117,7 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
   FrameState sampled;
   const auto reachAt = [&](double frame) {
     sampler.sample(frame / clip.framesPerSecond, sampled);
-    return endPosition(limb, sampled) - positionOf(sampled.worlds[at(limb.joints.front())]);
+    return leadingPosition(limb, sampled) - stayingPosition(limb, sampled);
   };
   const Vec3 begin = reachAt(0.0);
   double farthest = 0.0;
@@ -133,7 +134,7 @@ Vec2 defaultRange(const Scene& scene, const Clip& clip, const Limb& limb) {
 
 TrailSpace startingSpace(const Scene& scene, const Clip& clip, const Limb& limb, NodeIndex hips,
                          const Vec2& rangeFrames) {
-  if (!hips.exists()) {
+  if (!hips.exists() || limb.ledByFirst) {
     return TrailSpace::world;
   }
   std::vector<NodeIndex> nodes = limb.joints;

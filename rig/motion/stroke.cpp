@@ -36,8 +36,7 @@ std::vector<Vec3> reachOf(const Scene& scene, const Clip& clip, const Limb& limb
   std::vector<Vec3> reach;
   for (double frameNumber = 0.0; frameNumber <= last; frameNumber += 1.0) {
     sampler.sample(frameNumber / clip.framesPerSecond, frame);
-    const Vec3 base = positionOf(frame.worlds[at(limb.joints.front())]);
-    reach.push_back(endPosition(limb, frame) - base);
+    reach.push_back(leadingPosition(limb, frame) - stayingPosition(limb, frame));
   }
   double length = limb.restLength;
   for (const Vec3& point : reach) {

@@ -19,6 +19,18 @@ struct FigurePoint {
   float y = 0.0F;
 };
 
+/// How a limb moves where nothing else is asked: what a new trail and new weight of it start from. A biped's
+/// limbs keep the program's own.
+struct LimbManner {
+  bool stands = false;    ///< Its trails stop at the ground.
+  bool turnEnd = false;   ///< Its end turns with it: a tail's does, a foot keeps to the ground.
+  double overshoot = 0.0; ///< 0..1: how far its trails swing past the motion as they let go.
+  double stiffness = 1.0; ///< Of its weight.
+  double damping = 0.7;   ///< Of its weight: below 1 it swings over before it rests.
+
+  friend bool operator==(const LimbManner&, const LimbManner&) = default;
+};
+
 /// One limb of a plan, and how the plan's figure shows it. The figure stands in a box 180 wide and 232 high:
 /// x = 0 is its middle, y grows downwards.
 struct PlannedLimb {
@@ -28,6 +40,8 @@ struct PlannedLimb {
   std::vector<FigureBone> bones;
   FigurePoint end; ///< Where the limb ends: what a trail is drawn for.
   FigurePoint key; ///< Where its key is written.
+  LimbManner manner = {};
+  bool ledByHead = false; ///< Trails bring its head elsewhere, however the joints run; its other end stays.
 };
 
 struct PlannedController {

@@ -64,7 +64,7 @@ BodyPlan quadrupedPlan() {
   addPair(plan.limbs, {"", {LimbKind::leg, left, 2}, true, hind, {46, 179}, {61, 160}}, "hind-left-leg",
           "hind-right-leg", plan.view);
   plan.limbs.push_back(
-      {"spine", biped::spine, true, {{0, 80, 15, 0, 112, 13}, {0, 112, 13, 0, 140, 14}}, {0, 76}, {0, 120}});
+      {"spine", biped::spine, true, {{0, 80, 15, 0, 116, 13}, {0, 116, 13, 0, 140, 14}}, {0, 76}, {0, 98}});
   plan.limbs.push_back(
       {"neck", biped::neck, true, {{0, 50, 7, 0, 62, 9}, {0, 16, 8, 0, 32, 12}}, {0, 30}, {24, 26}});
   plan.limbs.push_back({"tail",
@@ -74,7 +74,7 @@ BodyPlan quadrupedPlan() {
                         {18, 220},
                         {-14, 200}});
   const Bones wing{{24, 100, 5, 56, 92, 5}, {56, 92, 5, 84, 112, 3.5F}, {58, 96, 3, 62, 124, 2}};
-  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {84, 112}, {78, 92}}, "left-wing", "right-wing",
+  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {84, 112}, {80, 92}}, "left-wing", "right-wing",
           plan.view);
   return plan;
 }
@@ -88,7 +88,7 @@ BodyPlan birdPlan() {
   addPair(plan.limbs, {"", {LimbKind::leg}, true, leg, {33, 174}, {48, 168}}, "left-leg", "right-leg",
           plan.view);
   plan.limbs.push_back(
-      {"spine", biped::spine, true, {{0, 90, 14, 0, 116, 16}, {0, 116, 16, 0, 138, 12}}, {0, 84}, {0, 120}});
+      {"spine", biped::spine, true, {{0, 86, 14, 0, 120, 16}, {0, 120, 16, 0, 140, 12}}, {0, 82}, {0, 103}});
   plan.limbs.push_back(
       {"neck", biped::neck, true, {{0, 52, 6, 0, 70, 8}, {0, 34, 10, 0, 20, 4}}, {0, 34}, {22, 34}});
   plan.limbs.push_back({"tail",
@@ -98,7 +98,7 @@ BodyPlan birdPlan() {
                         {0, 214},
                         {22, 206}});
   const Bones wing{{22, 92, 8, 50, 84, 6}, {50, 84, 6, 84, 112, 4}, {44, 92, 5, 66, 120, 3}};
-  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {84, 112}, {70, 88}}, "left-wing", "right-wing",
+  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {84, 112}, {76, 84}}, "left-wing", "right-wing",
           plan.view);
   return plan;
 }
@@ -119,19 +119,19 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
             {"", {LimbKind::leg, left, row}, true, leg, {78, foot}, {60, 0.5F * (knee + foot) + 12.0F}},
             "left-leg" + number, "right-leg" + number, plan.view);
   }
-  plan.limbs.push_back({"spine", biped::spine, true, {{0, 68, 13, 0, 108, 14}}, {0, 66}, {0, 90}});
-  plan.limbs.push_back({"neck", biped::neck, false, {{0, 44, 9, 0, 48, 10}}, {0, 44}, {0, 46}});
+  plan.limbs.push_back({"spine", biped::spine, true, {{0, 62, 12, 0, 118, 11}}, {0, 62}, {0, 76}});
+  plan.limbs.push_back({"neck", biped::neck, false, {{0, 35, 9, 0, 39, 10}}, {0, 35}, {22, 38}});
   plan.limbs.push_back({"tail",
                         {LimbKind::tail, middle},
                         false,
-                        {{0, 140, 14, 0, 172, 18}, {0, 172, 18, 0, 196, 8}},
-                        {0, 196},
-                        {0, 160}});
+                        {{0, 146, 14, 0, 176, 18}, {0, 176, 18, 0, 198, 8}},
+                        {0, 198},
+                        {0, 164}});
   const Bones feeler{{5, 32, 2.5F, 14, 16, 2}, {14, 16, 2, 28, 8, 1.5F}};
   addPair(plan.limbs, {"", {LimbKind::feeler}, false, feeler, {28, 8}, {40, 14}}, "left-feeler",
           "right-feeler", plan.view);
-  const Bones wing{{14, 96, 4, 40, 130, 8}, {40, 130, 8, 52, 160, 6}};
-  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {52, 160}, {62, 150}}, "left-wing", "right-wing",
+  const Bones wing{{16, 130, 4, 32, 168, 7}, {32, 168, 7, 42, 206, 5}};
+  addPair(plan.limbs, {"", {LimbKind::wing}, false, wing, {42, 206}, {58, 206}}, "left-wing", "right-wing",
           plan.view);
   return plan;
 }
@@ -141,13 +141,14 @@ BodyPlan serpentPlan() {
   plan.limbs.push_back({"spine",
                         biped::spine,
                         true,
-                        {{0, 40, 10, 16, 76, 11},
+                        {{0, 40, 13, 16, 76, 11},
                          {16, 76, 11, -16, 128, 10},
                          {-16, 128, 10, 14, 180, 7},
                          {14, 180, 7, 4, 218, 3}},
-                        {4, 218},
+                        {0, 40},
                         {0, 102}});
-  plan.limbs.push_back({"neck", biped::neck, false, {{0, 18, 9, 0, 26, 11}}, {0, 18}, {24, 20}});
+  plan.limbs.back().ledByHead = true;
+  plan.limbs.push_back({"neck", biped::neck, false, {{0, 12, 8, 0, 20, 9}}, {0, 12}, {24, 18}});
   plan.limbs.push_back(
       {"tail", {LimbKind::tail, middle}, false, {{4, 218, 3, 0, 228, 3}}, {0, 228}, {-16, 220}});
   const Bones front{{22, 66, 5, 48, 84, 4}, {48, 84, 4, 54, 96, 2.5F}};
@@ -157,6 +158,32 @@ BodyPlan serpentPlan() {
   addPair(plan.limbs, {"", {LimbKind::fin, left, 2}, false, hind, {40, 160}, {52, 150}}, "left-fin-2",
           "right-fin-2", plan.view);
   return plan;
+}
+
+// Of the plans that are no biped's: a tail swings, a hoof stands.
+LimbManner mannerOf(LimbKind kind) {
+  switch (kind) {
+  case LimbKind::leg:
+    return {.stands = true, .stiffness = 1.5, .damping = 1.0};
+  case LimbKind::tail:
+    return {.turnEnd = true, .overshoot = 0.3, .stiffness = 0.6, .damping = 0.3};
+  case LimbKind::wing:
+    return {.turnEnd = true, .overshoot = 0.15, .stiffness = 0.8, .damping = 0.5};
+  case LimbKind::fin:
+    return {.turnEnd = true, .overshoot = 0.2, .stiffness = 0.7, .damping = 0.4};
+  case LimbKind::feeler:
+    return {.turnEnd = true, .overshoot = 0.4, .stiffness = 0.5, .damping = 0.25};
+  default:
+    break;
+  }
+  return {};
+}
+
+// Of limbs that the plan itself says nothing about.
+void setManners(BodyPlan& plan) {
+  for (PlannedLimb& limb : plan.limbs) {
+    limb.manner = limb.manner == LimbManner{} ? mannerOf(limb.place.kind) : limb.manner;
+  }
 }
 
 } // namespace
@@ -171,6 +198,9 @@ std::vector<BodyPlan> planTables() {
                               {"other", "a body of no known plan", 0, {}, {}, FigureView::above}};
   for (BodyPlan& plan : plans) {
     std::ranges::stable_sort(plan.limbs, {}, &PlannedLimb::place);
+    if (plan.id != "biped") {
+      setManners(plan);
+    }
   }
   return plans;
 }

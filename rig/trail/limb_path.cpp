@@ -225,8 +225,8 @@ double LimbPath::ratioAt(double timeSeconds) const {
 LimbSample limbSample(const Limb& limb, TrailSpace space, NodeIndex hips, const FrameState& source) {
   LimbSample sample;
   sample.timeSeconds = source.timeSeconds;
-  sample.base = positionOf(source.worlds[at(limb.joints.front())]);
-  sample.end = endPosition(limb, source);
+  sample.base = stayingPosition(limb, source);
+  sample.end = leadingPosition(limb, source);
   if (space == TrailSpace::base) {
     sample.reference = sample.base;
   } else if (space == TrailSpace::root && hips.exists()) {

@@ -20,7 +20,7 @@ import pathlib
 import sys
 import tempfile
 
-from check_exaggeration import VERTEX_TOLERANCE, VERTICES_A_MESH, Reader, accelerations, clip_motion, misses, run, reaches_out
+from check_exaggeration import FOLDERS, VERTEX_TOLERANCE, VERTICES_A_MESH, Reader, accelerations, clip_motion, misses, run, reaches_out
 
 FOOT_TOLERANCE = 1e-3
 LENGTH_TOLERANCE = 1e-3  # of what was said
@@ -172,7 +172,7 @@ class Check:
 
     def file(self, file):
         info = json.loads(run(self.program, "info", file, "--json"))
-        limbs = [limb for limb in info["limbs"] if reaches_out(limb["limb"])]
+        limbs = [limb for limb in info["limbs"] if reaches_out(limb) and "led_by" not in limb]
         if not limbs:
             return
         moving = sorted((clip_motion(self.program, file, clip, limbs[0]["limb"]), clip) for clip in range(len(info["clips"])))
@@ -188,7 +188,7 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     check = Check(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]))
-    files = [pathlib.Path(name) for name in sys.argv[4:]] or sorted((check.data / "biped").glob("*.glb"))
+    files = [pathlib.Path(name) for name in sys.argv[4:]] or [file for folder in FOLDERS for file in sorted(check.data.glob(folder))]
     for file in files:
         if file.name != "valid-avatar-Asian_M_1_Busi.glb":  # needs meshopt, which is refused
             check.file(file)

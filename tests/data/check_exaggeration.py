@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Exaggerates every limb of every biped of a data folder and has three.js and the Khronos validator read the result.
+"""Exaggerates every limb of every biped, quadruped and other body of a data folder and has three.js and the Khronos validator read the result.
 
     check_exaggeration.py [--clips N|all] [--validate-every N] PROGRAM DUMP_VERTICES DATA_FOLDER [FILE...]
 
-For each arm and leg, in the N clips in which it moves most (default 2), with the default range and with the whole clip,
+For each limb that reaches out, and a serpent's body, in the N clips in which it moves most (default 2), with the default range and with the whole clip,
 scale 2 and scale 3 without Y:
 - the limb's length at the tip, measured by three.js, against S times the source's (1e-4 of it), and against what was said;
 - every vertex against the program's own, on frames of range and release (1e-4 of the height);
@@ -43,13 +43,14 @@ EDGE_WARNING = "an edge of the mesh is"
 TRUNK = ("spine", "neck")
 SETTINGS = (("scale 2", ["--scale", "2"], 2.0), ("scale 3 xz", ["--scale", "3", "--axes", "xz"], 3.0))
 VERTICES_A_MESH = 150
+FOLDERS = ("biped/*.glb", "quadruped/*.glb", "bodies/*-animations.glb")
 RUNS_OUTSIDE = 6
 LOOK_WARNINGS = ("times its own length", "points", "a vertex is", EDGE_WARNING, "above the head", "below")
 
 
 def reaches_out(limb):
-    """Whether it is an arm, a leg, a tail, a wing and the like, by its name."""
-    return limb not in TRUNK and ".." not in limb
+    """Whether it is an arm, a leg, a tail, a wing and the like, by its name, or a body that the head leads."""
+    return "led_by" in limb or (limb["limb"] not in TRUNK and ".." not in limb["limb"])
 
 
 def run(*command):
@@ -190,7 +191,8 @@ class Case:
         self.start, self.end = self.report["range"]
         self.stop = min(self.end + self.report["release"], self.last)
         self.step = max(1, max(mesh["vertices"] for mesh in info["meshes"]) // VERTICES_A_MESH)
-        self.nodes = [] if limb["end"] == "estimated" else [limb["joints"][0]["node"], limb["joints"][-1]["node"]]
+        ends = [limb["joints"][0]["node"], limb["joints"][-1]["node"]]  # the one that leads is the last
+        self.nodes = [] if limb["end"] == "estimated" else ends[::-1] if "led_by" in limb else ends
         self.warnings = self.report["warnings"]
 
     def measure(self, frames, step, nodes=()):
@@ -220,8 +222,8 @@ class Case:
             self.problems.append(f"length {after:.6g} instead of {self.scale:g} x {before:.6g}")
         if abs(after - self.report["limb_length_after"]) > LENGTH_TOLERANCE * after:
             self.problems.append(f"length {after:.6g}, said {self.report['limb_length_after']:.6g}")
-        if not self.report["reached"] and not self.warnings:
-            self.problems.append("not reached, and no warning says so")
+        if not self.report["reached"] and not self.warnings and not self.report.get("stopped"):
+            self.problems.append("not reached, and nothing says why")
 
     def inside(self):
         frames = sorted({round(2 * (self.start + (self.stop - self.start) * i / 12)) / 2 for i in range(13)} | {self.end})
@@ -301,7 +303,7 @@ class Check:
         row = {"file": file.name, "cases": 0, "passed": 0, "look": 0, "other": 0}
         self.rows.append(row)
         with tempfile.TemporaryDirectory() as folder:
-            for limb in (limb for limb in info["limbs"] if reaches_out(limb["limb"])):
+            for limb in (limb for limb in info["limbs"] if reaches_out(limb)):
                 moving = [(clip_motion(self.program, file, clip, limb["limb"]), clip) for clip in range(len(info["clips"]))]
                 moving = sorted((motion, clip) for motion, clip in moving if motion > 0.05 * limb["rest_length"])
                 for _, clip in moving if self.clips is None else moving[-self.clips:]:
@@ -338,7 +340,8 @@ def main():
     arguments = parser.parse_args()
     check = Check(arguments.program.resolve(), arguments.dump_vertices.resolve(), None if arguments.clips == "all" else int(arguments.clips),
                   arguments.validate_every)
-    for file in arguments.files or sorted((arguments.data / "biped").glob("*.glb")):
+    bodies = [file for folder in FOLDERS for file in sorted(arguments.data.glob(folder))]
+    for file in arguments.files or bodies:
         check.file(file)
     cases, passed = (sum(row[key] for row in check.rows) for key in ("cases", "passed"))
     print(f"{passed} of {cases} pass")

@@ -105,7 +105,7 @@ class Check:
     def exaggerated(self, file, info, folder):
         """The file with its most moving limb three times as long, and seconds of range and release."""
         moving = [(clip_motion(self.program, file, clip, limb["limb"]), clip, limb["limb"])
-                  for limb in info["limbs"] if reaches_out(limb["limb"]) for clip in range(len(info["clips"]))]
+                  for limb in info["limbs"] if reaches_out(limb) for clip in range(len(info["clips"]))]
         _, clip, limb = max(moving)
         report = json.loads(run(self.program, "exaggerate", file, "-o", folder / "out.glb", "--clip", f"#{clip}", "--limb", limb, "--scale", "3", "--clean", "--json"))
         trail, fps = report["trails"][0], info["clips"][clip]["fps"]

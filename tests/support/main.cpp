@@ -1,2 +1,5 @@
-#define CATCH_CONFIG_MAIN
-#include <catch2/catch.hpp>
+#include "tests/support/run_tests.h"
+
+int main(int argumentCount, char** arguments) {
+  return stretch::test::runTests(argumentCount, arguments);
+}

@@ -91,6 +91,16 @@ std::vector<DiagramPart> diagramParts(const PanelContext& context) {
   return parts;
 }
 
+/// Half-way along the bones of a limb.
+ImVec2 middleOf(const rig::PlannedLimb& limb) {
+  const std::vector<rig::FigureBone>& bones = limb.bones;
+  if (bones.size() > 1) {
+    return {bones[bones.size() / 2].fromX, bones[bones.size() / 2].fromY};
+  }
+  const rig::FigureBone& bone = bones.front();
+  return {0.5F * (bone.fromX + bone.toX), 0.5F * (bone.fromY + bone.toY)};
+}
+
 /// Where a controller stands on the figure: as the plan says, else at the joint of its limb's bones that it
 /// is for; nothing for one that the figure has no place for.
 std::optional<ImVec2> placeOfController(const rig::BodyPlan& plan, const rig::Controller& controller) {
@@ -108,12 +118,13 @@ std::optional<ImVec2> placeOfController(const rig::BodyPlan& plan, const rig::Co
   case rig::ControllerKind::spineLow:
     return ImVec2(last.toX, last.toY);
   case rig::ControllerKind::spineMiddle:
+    return middleOf(*limb);
   case rig::ControllerKind::pole:
     return ImVec2(first.toX, first.toY);
   case rig::ControllerKind::spineTop:
     return ImVec2(first.fromX, first.fromY);
   default:
-    return ImVec2(last.toX, last.toY);
+    return pointOf(limb->end);
   }
 }
 

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cfloat>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
+#include "rig/plan/body_plan.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/panel_support.h"
@@ -157,11 +160,15 @@ void drawLimbMenu(PanelContext& context) {
 
 void drawRigMenu(PanelContext& context) {
   using namespace command;
-  drawMenu(context,
-           {"Rig",
-            {pickChain, detectAgain, "", locatorsFit, locatorsReset, locatorsMirror, locatorsSnap, rigBuild,
-             rigBack, "", bindMesh}},
-           false);
+  std::vector<std::string> plans;
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    plans.push_back(planPrefix + plan.id);
+  }
+  std::vector<const char*> entries{
+      pickChain,    detectAgain, "",      locatorsFit, locatorsReset, locatorsMirror,
+      locatorsSnap, rigBuild,    rigBack, "",          bindMesh,      ""};
+  std::ranges::transform(plans, std::back_inserter(entries), &std::string::c_str);
+  drawMenu(context, {"Rig", std::move(entries)}, false);
 }
 
 } // namespace

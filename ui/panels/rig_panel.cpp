@@ -64,6 +64,7 @@ void planRow(PanelContext& context) {
     reasons += (reasons.empty() ? "" : "; ") + reason;
   }
   const Help help{"Body plan", "Which limbs the body has: " + reasons + ".", {}};
+  labelledRow(widgetsOf(context), "Body", help);
   const int chosen = dropdown(widgetsOf(context), "rig/plan", choices, selected, help);
   if (chosen >= 0 && chosen != selected) {
     request(context, command::planPrefix + rig::bodyPlans()[static_cast<std::size_t>(chosen)].id);

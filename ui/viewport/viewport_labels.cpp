@@ -136,7 +136,7 @@ void recordLimbs(ViewportContext& context, const FrameState& frame) {
 void recordEnds(ViewportContext& context, const FrameState& frame) {
   const float reach = context.theme.px(6.0F);
   for (const rig::Limb& limb : app::allLimbs(context.open.character()->document())) {
-    if (const auto place = placeOf(context.viewport, rig::endPosition(limb, frame))) {
+    if (const auto place = placeOf(context.viewport, rig::leadingPosition(limb, frame))) {
       context.items.add("viewport/end/" + limb.id, {place->x - reach, place->y - reach},
                         {place->x + reach, place->y + reach});
     }

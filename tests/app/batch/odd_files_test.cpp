@@ -133,21 +133,33 @@ TEST_CASE("A folder of meshes and a file that moves morph targets alone point to
   CHECK_THAT(biped.warnings.front(), Catch::Contains("compress"));
 }
 
-TEST_CASE("What is no biped is stretched by name, and told by every verb that does it") {
+TEST_CASE("What is of no plan is stretched by name; what is doubtful is told by every verb that stretches") {
   const TemporaryFolder folder;
-  armBuilder().write(folder / "in.glb");
-  const std::string file = (folder / "in.glb").string();
+  armBuilder().write(folder / "arm.glb");
+  SyntheticBiped body = namedBody();
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key.ends_with(".r") && (joint.key.find("Arm") != std::string::npos ||
+                                         joint.key.starts_with("hand") || joint.key.starts_with("clavicle"));
+  });
+  MovingBiped oneArmed = still(body);
+  addPunch(oneArmed, Interpolation::linear);
+  characterFile(oneArmed.scene, {oneArmed.clip}).write(folder / "one-armed.glb");
+  const std::string arm = (folder / "arm.glb").string();
+  const std::string biped = (folder / "one-armed.glb").string();
   const std::string output = (folder / "out.glb").string();
+  CHECK_THAT(runVerb({"info", arm, "--json"}).output, Catch::Contains(R"("plan": "other")"));
+  CHECK(runVerb({"exaggerate", arm, "-o", output, "--limb", "root..lower", "--scale", "2"}).exitCode == 0);
+  CHECK(runVerb({"elastic", arm, "-o", output, "--limb", "root..lower"}).exitCode == 0);
   const std::vector<std::vector<std::string>> verbs = {
-      {"elastic", file, "-o", output, "--limb", "root..lower"},
-      {"exaggerate", file, "-o", output, "--limb", "root..lower", "--clip", "wave", "--scale", "2"}};
+      {"elastic", biped, "-o", output, "--limb", "left-arm"},
+      {"exaggerate", biped, "-o", output, "--limb", "left-arm", "--scale", "2"}};
   for (const std::vector<std::string>& words : verbs) {
     CAPTURE(words.front());
     const VerbAnswer answer = runVerb(words);
     CHECK(answer.exitCode == 0);
-    CHECK_THAT(answer.told, Catch::Contains("no biped found"));
+    CHECK_THAT(answer.told, Catch::Contains("no right-arm found"));
     std::vector<std::string> json = words;
     json.emplace_back("--json");
-    CHECK_THAT(runVerb(json).output, Catch::Contains("no biped found"));
+    CHECK_THAT(runVerb(json).output, Catch::Contains("no right-arm found"));
   }
 }

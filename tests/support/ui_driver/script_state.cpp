@@ -297,6 +297,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
+      {"plan", [&] { return session.document().biped.plan; }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
       {"locators", [&] { return joined(view.selectedLocators); }},
       {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},

@@ -10,15 +10,15 @@ namespace stretch::test {
 
 /// A state of the program by name, as text; nothing for a name that there is not:
 /// dialog, dialog.folder, dialog.row, dialog.asks (whether to replace), dialog.joints, dialog.clips, file,
-/// unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), trail (of the selected
-/// one: trail.scale, trail.axes "xz", trail.start, trail.end, trail.pivot, trail.exaggerated,
-/// trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend, trail.release, trail.ease-in,
-/// trail.space, trail.view-axes "0 0 -1 0 1 0 1 0 0" of the document), spheres (selected), modal, undo, redo,
-/// ghosts, navigation, original, tip-ratio (length of the limb at the tip over the source's), group (limbs of
-/// the selected trail's), group.name, colours ("0 1", of all trails), rename.typed, on-a-two (the playhead
-/// stands on an even frame), scales ("3 2", of all trails), shown-spheres and tangents (of the selected
-/// trail), loops (the clip), warnings (in the panel), tip-ghost (the frame whose pose is shown, or none),
-/// tip-told-out (of the picture), tooltip, weight.limbs
+/// unsaved, saved-path, trails, frame, last-frame, playing, limbs ("left-arm spine"), plan (of the body:
+/// "quadruped"), trail (of the selected one: trail.scale, trail.axes "xz", trail.start, trail.end,
+/// trail.pivot, trail.exaggerated, trail.connected, trail.applied, trail.visible, trail.spheres, trail.blend,
+/// trail.release, trail.ease-in, trail.space, trail.view-axes "0 0 -1 0 1 0 1 0 0" of the document), spheres
+/// (selected), modal, undo, redo, ghosts, navigation, original, tip-ratio (length of the limb at the tip over
+/// the source's), group (limbs of the selected trail's), group.name, colours ("0 1", of all trails),
+/// rename.typed, on-a-two (the playhead stands on an even frame), scales ("3 2", of all trails),
+/// shown-spheres and tangents (of the selected trail), loops (the clip), warnings (in the panel), tip-ghost
+/// (the frame whose pose is shown, or none), tip-told-out (of the picture), tooltip, weight.limbs
 /// ("left-arm left-leg"), weight.stiffness (of the selected limb), busy, toast. While a mesh sequence is
 /// open: sequence (its name), sequence.frames, sequence.compressed, sequence.outdated, sequence.bones,
 /// sequence.original, sequence.skinned, sequence.look, sequence.skip, sequence.moduli; compressing.

@@ -1,0 +1,123 @@
+#include <catch2/catch.hpp>
+
+#include "app/commands/exaggerate.h"
+#include "app/edits/limb_edits.h"
+#include "app/edits/starting_settings.h"
+#include "app/edits/weight_edits.h"
+#include "app/files/saved_work.h"
+#include "core/gltf/json.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/app/run_verb.h"
+#include "tests/support/rig/moving_creatures.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace stretch;
+using namespace stretch::app;
+using namespace stretch::test;
+using gltf::Json;
+
+namespace {
+
+struct CreatureOnDisk {
+  explicit CreatureOnDisk(const MovingBiped& creature) { creatureFile(creature).write(path); }
+
+  TemporaryFolder folder;
+  std::string path = (folder / "creature.glb").string();
+};
+
+const rig::Limb& limbNamed(const Document& document, const std::string& id) {
+  const rig::Limb* const limb = findLimb(document, id);
+  REQUIRE(limb != nullptr);
+  return *limb;
+}
+
+} // namespace
+
+TEST_CASE("A tail swings and a hoof stands where nothing else is asked; a biped keeps the program's own") {
+  const CreatureOnDisk file(pawingHorse());
+  const Document horse = openedFile(file.path);
+  const rig::TrailSettings tail = startingTrail(horse, 0, limbNamed(horse, "tail"), {0, 12});
+  CHECK(tail.overshoot > 0.0);
+  CHECK(tail.turnEnd);
+  CHECK_FALSE(tail.stopAt);
+  const rig::TrailSettings hoof = startingTrail(horse, 0, limbNamed(horse, "hind-left-leg"), {0, 12});
+  CHECK(hoof.overshoot == 0.0);
+  CHECK(hoof.stopAt);
+  CHECK(usualWeight(horse, "tail").damping < usualWeight(horse, "hind-left-leg").damping);
+  CHECK(usualWeight(horse, "tail").stiffness < usualWeight(horse, "hind-left-leg").stiffness);
+
+  const Document biped = openedFile(posedCharacter);
+  for (const rig::Limb& limb : biped.biped.limbs) {
+    CAPTURE(limb.id);
+    CHECK(usualTrail(biped, limb) == rig::TrailSettings{});
+    CHECK(usualWeight(biped, limb.id) == WeightSettings{});
+  }
+}
+
+TEST_CASE("Weight that is switched on, and given by a recipe or the command line, starts from the plan") {
+  const CreatureOnDisk file(pawingHorse());
+  const Document horse = openedFile(file.path);
+  const WeightSettings usual = usualWeight(horse, "tail");
+  const Result<Document> heavy = switchWeight(horse, {"tail"}, 0, true);
+  REQUIRE(heavy);
+  CHECK(heavy->weights.front().settings == usual);
+
+  const std::string output = (file.folder / "out.glb").string();
+  REQUIRE(runVerb({"elastic", file.path, "-o", output, "--limb", "tail", "--stiffness", "0.9"}).exitCode ==
+          0);
+  const WeightSettings asked = openedFile(output).weights.front().settings;
+  CHECK(asked.stiffness == 0.9);
+  CHECK(asked.damping == usual.damping);
+
+  file.folder.write("recipe.json",
+                    R"({"version": 1, "trails": [{"limb": "tail", "range": [0, 6], "scale": 1.5}],
+                        "elastic": [{"limb": "tail", "damping": 0.9}]})");
+  REQUIRE(runVerb({"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()})
+              .exitCode == 0);
+  const Document made = openedFile(output);
+  CHECK(made.weights.front().settings.damping == 0.9);
+  CHECK(made.weights.front().settings.stiffness == usual.stiffness);
+  CHECK(made.trails.front().settings.overshoot == usualTrail(horse, limbNamed(horse, "tail")).overshoot);
+}
+
+TEST_CASE("A trail that the command line gives to a hoof stops at the ground") {
+  const CreatureOnDisk file(pawingHorse());
+  const std::string output = (file.folder / "out.glb").string();
+  REQUIRE(runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg", "--scale", "1.5"})
+              .exitCode == 0);
+  CHECK(openedFile(output).trails.front().settings.stopAt);
+  const VerbAnswer down = runVerb({"exaggerate", file.path, "-o", output, "--limb", "hind-left-leg",
+                                   "--range", "0:6", "--scale", "3", "--json"});
+  CHECK_THAT(down.output, Catch::Contains(R"("stopped": true)"));
+}
+
+TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan which ones there are") {
+  const CreatureOnDisk file(pawingHorse());
+  file.folder.write("recipe.json", R"({"version": 1, "trails": [{"limb": "left-arm", "scale": 2},
+    {"limb": "right-leg", "scale": 2}, {"limb": "spine", "scale": 2}]})");
+  const std::string output = (file.folder / "out.glb").string();
+  const VerbAnswer lacking =
+      runVerb({"exaggerate", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
+  CHECK(lacking.exitCode == 1);
+  CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks left-arm, right-leg"));
+  const VerbAnswer centaur = runVerb({"info", file.path, "--plan", "centaur"});
+  CHECK(centaur.exitCode != 0);
+  CHECK_THAT(centaur.told, Catch::Contains("biped, quadruped, bird, insect, spider, serpent, other"));
+}
+
+TEST_CASE("A file keeps which end of a serpent leads, also where its joints were chosen by hand") {
+  const CreatureOnDisk file(strikingSnake());
+  const Document snake = openedFile(file.path);
+  CHECK(snake.biped.plan == "serpent");
+  rig::Limb spine = limbNamed(snake, "spine");
+  REQUIRE(spine.ledByFirst);
+  spine.ledByFirst = false;
+  const Result<Document> corrected = correctLimb(snake, spine);
+  REQUIRE(corrected);
+  CHECK(limbNamed(*corrected, "spine").ledByFirst);
+  Document again = snake;
+  again.biped.limbs.clear();
+  REQUIRE(restoreWork(workOf(*corrected), again));
+  CHECK(limbNamed(again, "spine").ledByFirst);
+  CHECK_THAT(runVerb({"info", file.path, "--json"}).output, Catch::Contains(R"("led_by": "behindHead")"));
+}

@@ -1,0 +1,68 @@
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "tests/support/rig/creatures.h"
+#include "tests/support/rig/moving_creatures.h"
+#include "tests/support/rig/rekeyed_clip.h"
+
+using namespace stretch;
+using namespace stretch::rig;
+using namespace stretch::test;
+
+namespace {
+
+Vec3 placeIn(const FrameState& frame, NodeIndex node) {
+  return positionOf(frame.worlds[at(node)]);
+}
+
+} // namespace
+
+TEST_CASE("The head of a serpent leads, at whichever end of its joints it is") {
+  CHECK(strikingSnake().limb("spine").ledByFirst);
+  SyntheticBiped tailFirst = makeSnake();
+  nameByKeys(tailFirst);
+  CHECK_FALSE(still(tailFirst).limb("spine").ledByFirst);
+  const MovingBiped snake = strikingSnake();
+  CHECK(startingSpace(snake.scene, snake.clip, snake.limb("spine"), snake.biped.hips, {0, 12}) ==
+        TrailSpace::world);
+  for (const Limb& limb : pawingHorse().biped.limbs) {
+    CHECK_FALSE(limb.ledByFirst);
+  }
+}
+
+TEST_CASE("A serpent's strike brings its head farther, straight as it was, and leaves the end of its tail") {
+  const MovingBiped snake = strikingSnake();
+  const Limb& spine = snake.limb("spine");
+  const NodeIndex head = snake.node.at("head");
+  const NodeIndex jaw = snake.node.at("jaw");
+  for (const Bend bend : {Bend::keep, Bend::straighten}) {
+    for (const double scale : {0.8, 1.5, 2.0}) {
+      CAPTURE(bend == Bend::keep, scale);
+      Trail trail = connectedTrail("spine", 0, 12, scale);
+      trail.settings.bend = bend;
+      const MotionState motion = solved(snake, {trail});
+      const FrameState before = sourceAtFrame(snake, 12);
+      const FrameState after = atFrame(snake, motion, 12);
+      CHECK(lengthOf(spine, after) == Approx(scale * lengthOf(spine, before)).epsilon(1e-4));
+      CHECK(glm::distance(endPosition(spine, after), endPosition(spine, before)) < 1e-6 * snake.biped.height);
+      CHECK(std::abs(glm::dot(rotationOf(after.worlds[at(head)]), rotationOf(before.worlds[at(head)]))) ==
+            Approx(1.0).margin(1e-9));
+      const Vec3 bite = placeIn(before, jaw) - placeIn(before, head);
+      CHECK(glm::distance(placeIn(after, jaw) - placeIn(after, head), bite) < 1e-9);
+      const DrawnTrail drawn =
+          pathsAt(snake.scene, snake.clip, motion, 0, drawnFrames(snake.clip, motion.trails[0], 2));
+      for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+        const FrameState here = atFrame(snake, motion, drawn.frames[i]);
+        CHECK(glm::distance(leadingPosition(spine, here), drawn.exaggerated[i]) < 1e-5 * snake.biped.height);
+      }
+    }
+  }
+}
+
+TEST_CASE("A strike that is saved plays as it was shown") {
+  const MovingBiped snake = strikingSnake();
+  const Rekeyed rekeyed = rekeyedOf(snake, {connectedTrail("spine", 0, 12, 1.6)});
+  CHECK(worstMiss(snake, rekeyed, 0, 24) < 1e-4 * snake.biped.height);
+}
