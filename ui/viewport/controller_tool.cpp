@@ -75,6 +75,7 @@ std::string titleOf(const app::Document& document, const std::vector<app::HeldCo
 
 std::vector<std::string> idsOf(const std::vector<app::HeldController>& held) {
   std::vector<std::string> ids;
+  ids.reserve(held.size());
   for (const app::HeldController& one : held) {
     ids.push_back(one.placed.id);
   }
