@@ -36,6 +36,7 @@ inline constexpr const char* locatorsSnap = "locators.snap";
 inline constexpr const char* rigBuild = "rig.build";
 inline constexpr const char* rigBack = "rig.back";
 inline constexpr const char* bindMesh = "rig.bind";
+inline constexpr const char* workStop = "work.stop";
 
 inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";
@@ -82,6 +83,7 @@ inline constexpr const char* viewSkeleton = "view.skeleton";
 inline constexpr const char* viewWire = "view.wire";
 inline constexpr const char* viewJointNames = "view.joint-names";
 inline constexpr const char* viewHeatMap = "view.heat-map";
+inline constexpr const char* viewWeights = "view.weights";
 inline constexpr const char* viewGrid = "view.grid";
 inline constexpr const char* viewFrameNumbers = "view.frame-numbers";
 inline constexpr const char* viewSideBySide = "view.side-by-side";

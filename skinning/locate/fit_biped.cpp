@@ -180,7 +180,10 @@ Error noBody(const std::string& why) {
 
 } // namespace
 
-Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles) {
+Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                             const Proceed& proceed) {
+  const auto goesOn = [&](double share) { return !proceed || proceed(share); };
+  const Error stopped{"stopped before the locators were found", "", "fit them again"};
   if (triangles.empty()) {
     return noBody("no mesh with triangles is there to fit locators to");
   }
@@ -188,12 +191,18 @@ Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<
   if (!upright) {
     return noBody(upright.error().what);
   }
+  if (!goesOn(0.5)) {
+    return stopped;
+  }
   const Result<StandingBody> body = standingBody(positions, triangles, *upright);
   if (!body) {
     return body.error();
   }
   if (!hasVolume(*body)) {
     return noBody("the mesh encloses nothing that a body could be");
+  }
+  if (!goesOn(0.8)) {
+    return stopped;
   }
   Found found;
   found.legs = legLines(*body);

@@ -95,7 +95,7 @@ CommandIds entriesOf(MenuTarget target) {
                                    clipRate30, clipRateOwn,  "",      clipLoop};
   static constexpr CommandIds viewport{
       viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
-      viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
+      viewControllers, viewSkeleton,       viewWire, viewWeights, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
       viewNavigation};
   static constexpr MenuEntries menus[] = {{MenuTarget::limb, limbEntries},
                                           {MenuTarget::trail, trail},

@@ -47,6 +47,28 @@ std::size_t editedTrackCount(const app::Document& document, int clip) {
   return app::hasClip(document, clip) ? app::editedTracks(document, clip).size() : 0;
 }
 
+std::string placeText(const Vec3& place) {
+  const auto rounded = [](double x) { return std::round(1000.0 * x) / 1000.0 + 0.0; }; // No -0.
+  return fmt::format("{:.6g} {:.6g} {:.6g}", rounded(place.x), rounded(place.y), rounded(place.z));
+}
+
+std::string placeOfLocator(const app::Document& document, std::string_view name) {
+  const rig::Locator* const locator = rig::findLocator(document.locators, name);
+  return locator == nullptr ? "none" : placeText(locator->position);
+}
+
+std::string placeOfJoint(const Scene& scene, std::string_view name) {
+  const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
+  const auto found = std::ranges::find(scene.nodes, name, &Node::name);
+  return found == scene.nodes.end()
+             ? "none"
+             : placeText(positionOf(worlds[static_cast<std::size_t>(found - scene.nodes.begin())]));
+}
+
+bool hasBoundMesh(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
+}
+
 std::string axesOf(const rig::TrailSettings& settings) {
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -298,6 +320,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
+      {"locators-shown", [&] { return yesNo(app::showsLocators(session)); }},
+      {"bound", [&] { return yesNo(hasBoundMesh(*session.document().scene)); }},
       {"locators", [&] { return joined(view.selectedLocators); }},
       {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
@@ -338,6 +362,12 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second();
+  }
+  if (constexpr std::string_view locator = "locator."; name.starts_with(locator)) {
+    return placeOfLocator(session.document(), name.substr(locator.size()));
+  }
+  if (constexpr std::string_view joint = "joint."; name.starts_with(joint)) {
+    return placeOfJoint(*session.document().scene, name.substr(joint.size()));
   }
   if (constexpr std::string_view value = "value."; name.starts_with(value)) {
     return number(app::shownValue(session, std::string(name.substr(value.size()))));
@@ -469,6 +499,17 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
 
 } // namespace
 
+namespace {
+
+std::string weightsOf(const Shell& shell) {
+  const NodeIndex joint = shell.viewport.weightsOf;
+  return joint.exists() && shell.open.character() != nullptr
+             ? shell.open.character()->document().scene->nodes[at(joint)].name
+             : "none";
+}
+
+} // namespace
+
 std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
   using Kind = app::FileQuestion::Kind;
   const Kind asked = shell.files.question().kind;
@@ -513,6 +554,8 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
+      {"weights-of", weightsOf(shell)},
+      {"working", yesNo(isBusy(shell))},
       {"hovered-controller", shell.viewport.hoveredController},
       {"tooltip", yesNo(showsTooltip())},
       {"camera.distance", number(shell.viewport.camera.distance)},
