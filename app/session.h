@@ -39,9 +39,9 @@ struct ViewState {
   std::vector<std::string> selectedControllers;
   std::vector<std::string> selectedLocators; ///< Names; while one is selected nothing else is.
   bool mirrorLocators = true;                ///< What moves a locator moves its counterpart.
-  bool showLocators = false;                 ///< Also while joints stand at them: to be moved and bound again.
-  bool autoKey = true;                       ///< What is posed is keyed at once.
-  bool wholeClip = false; ///< First keys act on the whole clip, not in the working range alone.
+  bool showLocators = false; ///< Also while joints stand at them: to be moved and bound again.
+  bool autoKey = true;       ///< What is posed is keyed at once.
+  bool wholeClip = false;    ///< First keys act on the whole clip, not in the working range alone.
   UnkeyedPose unkeyed;
   double rangeStart = 0.0;   ///< The working range, for new trails.
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.

@@ -153,8 +153,9 @@ void addMoves(const Document& document, const std::vector<JointMove>& moves, glt
       const std::vector<NodeIndex>& joints = scene.skins[skin].joints;
       for (std::size_t slot = 0; slot < joints.size(); ++slot) {
         if (joints[slot] == move.node) {
-          edits.skinSlots.push_back({static_cast<int>(skin), static_cast<int>(slot), move.node,
-                                     glm::inverse(move.to) * move.from * scene.skins[skin].inverseBind[slot]});
+          edits.skinSlots.push_back(
+              {static_cast<int>(skin), static_cast<int>(slot), move.node,
+               glm::inverse(move.to) * move.from * scene.skins[skin].inverseBind[slot]});
         }
       }
     }

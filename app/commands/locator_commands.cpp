@@ -115,14 +115,15 @@ std::vector<DocumentCommand> locatorCommands() {
                       "fit locators first; where joints were made at them, bind again"},
                      build),
                buildLabel),
-      labelled(entry(command::rigBack, "Back to locators",
-                     "Shows the locators again, to be moved and bound again; joints that nothing uses yet are "
-                     "taken away.",
-                     {},
-                     {[](const Session& session) { return isRigBuilt(session.document()); },
-                      "no joints were made at locators"},
-                     showOrHide),
-               showOrHideLabel),
+      labelled(
+          entry(command::rigBack, "Back to locators",
+                "Shows the locators again, to be moved and bound again; joints that nothing uses yet are "
+                "taken away.",
+                {},
+                {[](const Session& session) { return isRigBuilt(session.document()); },
+                 "no joints were made at locators"},
+                showOrHide),
+          showOrHideLabel),
   };
 }
 

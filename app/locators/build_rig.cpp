@@ -16,9 +16,9 @@
 #include "app/edits/limb_edits.h"
 #include "app/edits/prop_file_edits.h"
 #include "app/locators/fit_locators.h"
+#include "core/anim/sampling.h"
 #include "core/gltf/added_file.h"
 #include "core/gltf/added_skeleton.h"
-#include "core/anim/sampling.h"
 #include "core/gltf/edits.h"
 #include "rig/body/limb_assembly.h"
 #include "skinning/linear_blend_skinning.h"
@@ -256,7 +256,8 @@ bool areLocatorsMoved(const Document& document) {
   const rig::Locators& locators = document.locators;
   const std::vector<NodeIndex> joints =
       locators.empty() ? std::vector<NodeIndex>() : jointsOfLocators(*document.scene, locators);
-  const std::vector<Mat4> worlds = joints.empty() ? std::vector<Mat4>() : rig::bindPoseWorlds(*document.scene);
+  const std::vector<Mat4> worlds =
+      joints.empty() ? std::vector<Mat4>() : rig::bindPoseWorlds(*document.scene);
   double size = 0.0;
   double apart = 0.0;
   double turned = 0.0;

@@ -113,8 +113,7 @@ rig::Locators ofNamedJoints(const Scene& scene) {
     }
   }
   locators = rig::inOrder(std::move(locators));
-  const bool areAll =
-      rig::missingLocators(locators).empty() && !jointsOfLocators(scene, locators).empty();
+  const bool areAll = rig::missingLocators(locators).empty() && !jointsOfLocators(scene, locators).empty();
   return areAll ? locators : rig::Locators();
 }
 

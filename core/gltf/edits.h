@@ -77,8 +77,8 @@ struct Edits {
                      ///< none (a clean file).
 
   [[nodiscard]] bool empty() const {
-    return addedFiles.empty() && addedNodes.empty() && movedNodes.empty() && skinSlots.empty() && addedSkins.empty() &&
-           boundMeshes.empty() && clips.empty() && work.isNull();
+    return addedFiles.empty() && addedNodes.empty() && movedNodes.empty() && skinSlots.empty() &&
+           addedSkins.empty() && boundMeshes.empty() && clips.empty() && work.isNull();
   }
 };
 

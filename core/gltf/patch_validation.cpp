@@ -159,10 +159,10 @@ Status validateClips(const Json& json, const Edits& edits) {
 } // namespace
 
 Status validateEdits(const Source& source, const Edits& edits) {
-  for (const Status& status : {validateNodes(source.json, edits.addedNodes),
-                               validateMoved(source.json, edits),
-                               validateSlots(source.json, edits), validateSkins(source.json, edits),
-                               validateBound(source.json, edits), validateClips(source.json, edits)}) {
+  for (const Status& status :
+       {validateNodes(source.json, edits.addedNodes), validateMoved(source.json, edits),
+        validateSlots(source.json, edits), validateSkins(source.json, edits),
+        validateBound(source.json, edits), validateClips(source.json, edits)}) {
     if (!status) {
       return status;
     }

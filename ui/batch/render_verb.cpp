@@ -391,8 +391,9 @@ app::Verb renderVerb() {
         line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
             .between(0, 20);
         line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
-        line.option("--weights", arguments->weights,
-                    "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
+        line.option(
+            "--weights", arguments->weights,
+            "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
         addSequenceOptions(line, *arguments);
         return [arguments] { return runRender(*arguments); };
       }};

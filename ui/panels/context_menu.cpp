@@ -93,10 +93,24 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
-  static constexpr CommandIds viewport{
-      viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
-      viewControllers, viewSkeleton,       viewWire, viewWeights, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
-      viewNavigation};
+  static constexpr CommandIds viewport{viewFrameAll,
+                                       viewFrameSelection,
+                                       "",
+                                       viewFront,
+                                       viewSide,
+                                       viewTop,
+                                       viewPerspective,
+                                       "",
+                                       viewControllers,
+                                       viewSkeleton,
+                                       viewWire,
+                                       viewWeights,
+                                       viewHeatMap,
+                                       viewGhosts,
+                                       viewGrid,
+                                       viewSideBySide,
+                                       "",
+                                       viewNavigation};
   static constexpr MenuEntries menus[] = {{MenuTarget::limb, limbEntries},
                                           {MenuTarget::trail, trail},
                                           {MenuTarget::group, group},

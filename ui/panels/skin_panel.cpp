@@ -39,10 +39,9 @@ void useLocators(PanelContext& context) {
   const app::Document& document = context.character().document();
   const float width = columnWidth(2);
   if (app::isRigBuilt(document)) {
-    commandButton(context, {.command = command::bindMesh,
-                            .icon = icon::link,
-                            .emphasis = Emphasis::primary,
-                            .width = width});
+    commandButton(
+        context,
+        {.command = command::bindMesh, .icon = icon::link, .emphasis = Emphasis::primary, .width = width});
     ImGui::SameLine();
     commandButton(context,
                   {.command = command::rigBack, .icon = icon::hidden, .text = "Hide", .width = width});
@@ -55,10 +54,9 @@ void useLocators(PanelContext& context) {
                             .width = ImGui::GetContentRegionAvail().x});
     return;
   }
-  commandButton(context, {.command = command::bindMesh,
-                          .icon = icon::link,
-                          .emphasis = Emphasis::primary,
-                          .width = width});
+  commandButton(
+      context,
+      {.command = command::bindMesh, .icon = icon::link, .emphasis = Emphasis::primary, .width = width});
   ImGui::SameLine();
   commandButton(context, {.command = command::rigBuild, .icon = icon::cube, .width = width});
 }
@@ -185,12 +183,13 @@ void weightPart(PanelContext& context) {
     const bool isTaken = std::ranges::find(choices, name, &Choice::text) != choices.end();
     choices.push_back({isTaken ? name + " #" + std::to_string(joint.value) : name});
   }
-  const int chosen = dropdown(widgets, "weights/of", choices, static_cast<int>(shown - joints.begin()),
-                              {"Weights of",
-                               "How much the mesh follows this joint: yellow wholly, grey not at all. A click "
-                               "on the mesh takes the joint that it follows most there.",
-                               {}},
-                              0.0F, "", &context.ui.weights.filter);
+  const int chosen =
+      dropdown(widgets, "weights/of", choices, static_cast<int>(shown - joints.begin()),
+               {"Weights of",
+                "How much the mesh follows this joint: yellow wholly, grey not at all. A click "
+                "on the mesh takes the joint that it follows most there.",
+                {}},
+               0.0F, "", &context.ui.weights.filter);
   if (chosen >= 0) {
     showWeightsOf(context.ui.weights, session, joints[static_cast<std::size_t>(chosen)]);
   }

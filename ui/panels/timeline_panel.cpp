@@ -254,8 +254,9 @@ void noClip(PanelContext& context) {
                "Open a character with an animation to see its time and curves here.");
     return;
   }
-  emptyState(widgets, icon::clock, "No clip",
-             "This character has no animation. Import a clip of another file: time and curves are then here.");
+  emptyState(
+      widgets, icon::clock, "No clip",
+      "This character has no animation. Import a clip of another file: time and curves are then here.");
   const float width = context.theme.px(160.0F);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
   commandButton(

@@ -206,10 +206,10 @@ struct JointPick {
 
 /// Whose weights the viewport shows (ui/panels/weight_view.h).
 struct WeightView {
-  NodeIndex joint;                          ///< None, or one that no mesh follows: the first that one does.
-  std::vector<std::string> limbs = {};      ///< That were selected when it was chosen,
+  NodeIndex joint;                           ///< None, or one that no mesh follows: the first that one does.
+  std::vector<std::string> limbs = {};       ///< That were selected when it was chosen,
   std::vector<std::string> controllers = {}; ///< and controllers.
-  std::string filter = {};                  ///< Typed into the list of joints.
+  std::string filter = {};                   ///< Typed into the list of joints.
 };
 
 enum class FilePurpose {

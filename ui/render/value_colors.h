@@ -14,7 +14,7 @@ namespace stretch::ui {
 /// Colours of values from nothing to the largest shown; the lightness changes with them, so that they read
 /// without colour too.
 enum class ValueScale {
-  error,    ///< Calm grey, then yellow to vermilion.
+  error,     ///< Calm grey, then yellow to vermilion.
   thickness, ///< Dark blue, bluish green, yellow.
   weight     ///< Calm grey for nothing; from the least on blue, purple, orange, yellow.
 };

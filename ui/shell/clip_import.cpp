@@ -73,8 +73,8 @@ void importClip(Shell& shell, const ClipAnswer& wanted) {
   import.job = std::make_unique<app::Job<app::NewClips>>(
       [document, request](const skinning::Proceed& proceed) {
         return app::clipsFromFile(document, request, proceed);
-      });
-}
+});
+} // namespace stretch::ui
 
 void updateClipImport(Shell& shell) {
   ClipImport& import = shell.clipImport;

@@ -21,8 +21,7 @@ Status startFitting(Shell& shell, const std::string& label) {
 
 bool isMeshAlone(const Shell& shell) {
   const app::Session* const session = shell.open.character();
-  return session != nullptr && !session->document().biped.isBiped &&
-         session->document().scene->skins.empty();
+  return session != nullptr && !session->document().biped.isBiped && session->document().scene->skins.empty();
 }
 
 bool canStop(const Shell& shell) {
@@ -54,8 +53,7 @@ void fitBesideWindow(std::vector<app::Command<Shell>>& commands) {
     if (fit.id != app::command::locatorsFit && fit.id != app::command::locatorsReset) {
       continue;
     }
-    const std::string label =
-        fit.id == app::command::locatorsFit ? "Fit locators" : "Reset the locators";
+    const std::string label = fit.id == app::command::locatorsFit ? "Fit locators" : "Reset the locators";
     fit.enabled = [enabled = fit.enabled](const Shell& shell) {
       return shell.fitting.job == nullptr && enabled(shell);
     };

@@ -410,10 +410,11 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),
       switchCommand(command::viewHeatMap, "Stretch colours", "Colours the mesh by how much it is stretched.",
                     {}),
-      switchCommand(command::viewWeights, "Weights",
-                    "Colours the mesh by how much it follows one joint: the one that is clicked, or chosen in "
-                    "the panel Character.",
-                    {"Shift+W"}),
+      switchCommand(
+          command::viewWeights, "Weights",
+          "Colours the mesh by how much it follows one joint: the one that is clicked, or chosen in "
+          "the panel Character.",
+          {"Shift+W"}),
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),

@@ -113,8 +113,7 @@ std::vector<ShownController> shownLocators(const rig::Locators& locators) {
 } // namespace
 
 const std::vector<std::string>& selectedHandles(const app::Session& session) {
-  return app::showsLocators(session) ? session.view().selectedLocators
-                                                : session.view().selectedControllers;
+  return app::showsLocators(session) ? session.view().selectedLocators : session.view().selectedControllers;
 }
 
 bool showsControllers(const app::Session& session, const ViewportOverlays& overlays) {

@@ -133,8 +133,8 @@ void drawScale(ViewportContext& context, float bottom, const char* id, const Col
 void drawWeightLegend(ViewportContext& context, float bottom) {
   const Scene& scene = *context.open.character()->document().scene;
   drawScale(context, bottom, "viewport/weight-legend",
-            {"Weights of " + nodeName(scene, context.viewport.weightsOf), "0", "1", "grey: follows other joints",
-             [](double share) {
+            {"Weights of " + nodeName(scene, context.viewport.weightsOf), "0", "1",
+             "grey: follows other joints", [](double share) {
                const std::uint32_t hex = valueColorHex(ValueScale::weight, share);
                return packed(rgba(hex));
              }});

@@ -89,8 +89,7 @@ namespace {
 Document boundPerson(const test::TemporaryFolder& folder) {
   Session session = personSession();
   REQUIRE(runCommand(session, command::locatorsFit));
-  const Result<BoundMeshes> bound =
-      bindMeshes(session.document(), {.locators = session.document().locators});
+  const Result<BoundMeshes> bound = bindMeshes(session.document(), {.locators = session.document().locators});
   REQUIRE(bound);
   const Result<Document> made = withBoundMeshes(session.document(), *bound);
   REQUIRE(made);
@@ -123,12 +122,12 @@ Document bent(Document document) {
   const auto f = [](double x) { return static_cast<float>(x); };
   Clip clip;
   clip.name = "Bend";
-  clip.tracks.emplace_back(track(elbow, Channel::rotation,
-                                 {f(rest.x), f(rest.y), f(rest.z), f(rest.w), f(bend.x), f(bend.y), f(bend.z),
-                                  f(bend.w)}));
-  clip.tracks.emplace_back(track(
-      hips, Channel::translation,
-      {f(place.x), f(place.y), f(place.z), f(place.x), f(place.y + 0.25), f(place.z)}));
+  clip.tracks.emplace_back(
+      track(elbow, Channel::rotation,
+            {f(rest.x), f(rest.y), f(rest.z), f(rest.w), f(bend.x), f(bend.y), f(bend.z), f(bend.w)}));
+  clip.tracks.emplace_back(
+      track(hips, Channel::translation,
+            {f(place.x), f(place.y), f(place.z), f(place.x), f(place.y + 0.25), f(place.z)}));
   Result<Document> with = withNewClips(document, {clip});
   REQUIRE(with);
   return std::move(*with);
@@ -143,13 +142,15 @@ Mat4 atEnd(const Document& document, const char* joint) {
 
 Mat4 atRest(const Document& document, const char* joint) {
   const auto found = std::ranges::find(document.scene->nodes, joint, &Node::name);
-  return worldMatrices(*document.scene, restPose(
-      *document.scene))[static_cast<std::size_t>(found - document.scene->nodes.begin())];
+  return worldMatrices(
+      *document.scene,
+      restPose(*document.scene))[static_cast<std::size_t>(found - document.scene->nodes.begin())];
 }
 
 } // namespace
 
-TEST_CASE("Locators of a bound file that was opened again are shown, moved, and bound again at their new places") {
+TEST_CASE(
+    "Locators of a bound file that was opened again are shown, moved, and bound again at their new places") {
   const test::TemporaryFolder folder;
   Session session(boundPerson(folder));
   const std::size_t nodes = session.document().scene->nodes.size();
@@ -173,8 +174,8 @@ TEST_CASE("Locators of a bound file that was opened again are shown, moved, and 
     const Vec3 wanted = rig::findLocator(before.locators, joint)->position;
     CHECK(glm::distance(positionOf(atRest(*again, joint)), wanted) < 1e-6);
   }
-  const std::vector<Vec3> stood = skinning::skinnedPositions(
-      *before.scene, frameOf(*before.scene, restPose(*before.scene), 0.0));
+  const std::vector<Vec3> stood =
+      skinning::skinnedPositions(*before.scene, frameOf(*before.scene, restPose(*before.scene), 0.0));
   const std::vector<Vec3> stands =
       skinning::skinnedPositions(*again->scene, frameOf(*again->scene, restPose(*again->scene), 0.0));
   REQUIRE(stood.size() == stands.size());
@@ -192,17 +193,21 @@ TEST_CASE("A clip turns the mesh as before about joints that were moved") {
   const Result<Document> again = withBoundMeshes(moved, *bound);
   REQUIRE(again);
   for (const char* joint : {"leftLowerArm", "leftHand", "hips", "head"}) {
-    const Quat turnedBefore = rotationOf(atEnd(before, joint)) * glm::inverse(rotationOf(atRest(before, joint)));
-    const Quat turnedAgain = rotationOf(atEnd(*again, joint)) * glm::inverse(rotationOf(atRest(*again, joint)));
+    const Quat turnedBefore =
+        rotationOf(atEnd(before, joint)) * glm::inverse(rotationOf(atRest(before, joint)));
+    const Quat turnedAgain =
+        rotationOf(atEnd(*again, joint)) * glm::inverse(rotationOf(atRest(*again, joint)));
     INFO(joint);
     CHECK(std::abs(glm::dot(turnedBefore, turnedAgain)) > 1.0 - 1e-9);
   }
   const Vec3 carried = positionOf(atEnd(*again, "hips")) - positionOf(atRest(*again, "hips"));
-  CHECK(glm::distance(carried, positionOf(atEnd(before, "hips")) - positionOf(atRest(before, "hips"))) < 1e-5);
+  CHECK(glm::distance(carried, positionOf(atEnd(before, "hips")) - positionOf(atRest(before, "hips"))) <
+        1e-5);
   REQUIRE(saveDocument(*again, folder / "again.glb", {}));
   const Result<Document> reopened = openDocument(folder / "again.glb");
   REQUIRE(reopened);
-  CHECK(glm::distance(positionOf(atEnd(*reopened, "leftHand")), positionOf(atEnd(*again, "leftHand"))) < 1e-5);
+  CHECK(glm::distance(positionOf(atEnd(*reopened, "leftHand")), positionOf(atEnd(*again, "leftHand"))) <
+        1e-5);
 }
 
 TEST_CASE("Fitting locators to a bound file without its work takes them from its joints") {
