@@ -71,6 +71,19 @@ TEST_CASE("A moved locator takes its counterpart along as the mirror image", "[l
         0.01);
 }
 
+TEST_CASE("Reset puts moved locators back to where they were fitted, as one step") {
+  Session session = personSession();
+  REQUIRE(runCommand(session, command::locatorsFit));
+  const rig::Locators fitted = session.document().locators;
+  session.edit(moveLocators(session.document(), {"leftHand", "spine"}, {0.1, 0.2, 0.05}, true), "Move");
+  const rig::Locators moved = session.document().locators;
+  REQUIRE(moved != fitted);
+  REQUIRE(runCommand(session, command::locatorsReset));
+  CHECK(session.document().locators == fitted);
+  session.undo();
+  CHECK(session.document().locators == moved);
+}
+
 TEST_CASE("A locator that is off goes to the middle of the limb around it", "[locators]") {
   Session session = personSession();
   REQUIRE(runCommand(session, command::locatorsFit));

@@ -320,8 +320,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
-      {"locators-shown", [&] { return yesNo(app::showsLocators(session)); }},
-      {"bound", [&] { return yesNo(hasBoundMesh(*session.document().scene)); }},
       {"locators", [&] { return joined(view.selectedLocators); }},
       {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
@@ -362,12 +360,6 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
   };
   if (const auto found = states.find(name); found != states.end()) {
     return found->second();
-  }
-  if (constexpr std::string_view locator = "locator."; name.starts_with(locator)) {
-    return placeOfLocator(session.document(), name.substr(locator.size()));
-  }
-  if (constexpr std::string_view joint = "joint."; name.starts_with(joint)) {
-    return placeOfJoint(*session.document().scene, name.substr(joint.size()));
   }
   if (constexpr std::string_view value = "value."; name.starts_with(value)) {
     return number(app::shownValue(session, std::string(name.substr(value.size()))));
@@ -477,7 +469,35 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::string weightsOf(const Shell& shell) {
+  const NodeIndex joint = shell.viewport.weightsOf;
+  return joint.exists() ? shell.open.character()->document().scene->nodes[at(joint)].name : "none";
+}
+
+/// States of locators, joints and weights.
+std::optional<std::string> skinState(const Shell& shell, std::string_view name) {
+  const app::Session& session = *shell.open.character();
+  const Scene& scene = *session.document().scene;
+  if (constexpr std::string_view locator = "locator."; name.starts_with(locator)) {
+    return placeOfLocator(session.document(), name.substr(locator.size()));
+  }
+  if (constexpr std::string_view joint = "joint."; name.starts_with(joint)) {
+    return placeOfJoint(scene, name.substr(joint.size()));
+  }
+  const std::map<std::string_view, std::string> states{
+      {"locators-shown", yesNo(app::showsLocators(session))},
+      {"bound", yesNo(hasBoundMesh(scene))},
+      {"weights-of", weightsOf(shell)},
+      {"working", yesNo(isBusy(shell))},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  if (std::optional<std::string> skin = skinState(shell, name)) {
+    return skin;
+  }
   const std::optional<std::string> key = keyState(shell, name);
   return key ? key : sessionState(shell, name);
 }
@@ -495,17 +515,6 @@ std::optional<std::string> messageState(const Shell& shell, std::string_view nam
   };
   const auto found = states.find(name);
   return found == states.end() ? std::nullopt : std::optional(found->second);
-}
-
-} // namespace
-
-namespace {
-
-std::string weightsOf(const Shell& shell) {
-  const NodeIndex joint = shell.viewport.weightsOf;
-  return joint.exists() && shell.open.character() != nullptr
-             ? shell.open.character()->document().scene->nodes[at(joint)].name
-             : "none";
 }
 
 } // namespace
@@ -554,8 +563,6 @@ std::optional<std::string> stateOf(Shell& shell, std::string_view name) {
       {"on-twos", yesNo(shell.ui.timeline.onTwos)},
       {"left-pane", yesNo(shell.panes.leftOpen)},
       {"hovered-limb", shell.viewport.hoveredLimb},
-      {"weights-of", weightsOf(shell)},
-      {"working", yesNo(isBusy(shell))},
       {"hovered-controller", shell.viewport.hoveredController},
       {"tooltip", yesNo(showsTooltip())},
       {"camera.distance", number(shell.viewport.camera.distance)},
