@@ -97,7 +97,7 @@ const std::vector<rig::ControllerShape>& Session::controllerShapes() {
 
 const FrameState& Session::shownAt(double frame) {
   if (!showsLocators(document(), view_.showLocators)) {
-    return view_.showOriginal ? originalAt(frame) : frameAt(frame);
+    return frameAt(frame);
   }
   const std::shared_ptr<const Scene>& scene = document().scene;
   if (bindPoseOf_ != scene) {

@@ -67,8 +67,7 @@ public:
   /// The character at a frame of the viewed clip, trails and weight included, at the playhead with what is
   /// posed there without a key; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
-  /// What is looked at: in the bind pose while locators are shown, which stand there; else as frameAt says,
-  /// or originalAt while the original is shown.
+  /// What is looked at: the bind pose while locators are shown, which stand there; else as frameAt says.
   [[nodiscard]] const FrameState& shownAt(double frame);
   /// The same without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);

@@ -254,6 +254,12 @@ void noClip(PanelContext& context) {
                "Open a character with an animation to see its time and curves here.");
     return;
   }
+  const app::Document& document = context.character().document();
+  if (!document.biped.isBiped && document.scene->skins.empty()) {
+    emptyState(widgets, icon::clock, "No clip",
+               "This mesh has no joints yet. Fit locators and bind it; then import a clip of another file.");
+    return;
+  }
   emptyState(
       widgets, icon::clock, "No clip",
       "This character has no animation. Import a clip of another file: time and curves are then here.");

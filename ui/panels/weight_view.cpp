@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/edits/adjustment_edits.h"
+#include "app/locators/build_rig.h"
 #include "rig/controllers/controller.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -19,9 +20,22 @@ NodeIndex ownJoint(const Scene& scene, NodeIndex node) {
   return node;
 }
 
+// Of controllers and locators one kind alone is ever selected.
+const std::vector<std::string>& chosenHandles(const app::ViewState& view) {
+  return view.selectedLocators.empty() ? view.selectedControllers : view.selectedLocators;
+}
+
 NodeIndex jointOfSelection(const app::Session& session) {
   const app::Document& document = session.document();
   const app::ViewState& view = session.view();
+  if (!view.selectedLocators.empty()) {
+    const std::vector<NodeIndex> joints = app::jointsOfLocators(*document.scene, document.locators);
+    const auto named = [&](NodeIndex joint) {
+      return document.scene->nodes[at(joint)].name == view.selectedLocators.back();
+    };
+    const auto found = std::ranges::find_if(joints, named);
+    return found == joints.end() ? NodeIndex::none : *found;
+  }
   if (!view.selectedControllers.empty()) {
     const Result<rig::Controller> controller =
         rig::controllerNamed(*document.scene, app::allLimbs(document), document.biped.hips,
@@ -67,7 +81,7 @@ std::vector<float> sharesOf(const Scene& scene, NodeIndex joint) {
 void showWeightsOf(WeightView& view, const app::Session& session, NodeIndex joint) {
   view.joint = joint;
   view.limbs = session.view().selectedLimbs;
-  view.controllers = session.view().selectedControllers;
+  view.controllers = chosenHandles(session.view());
 }
 
 NodeIndex weightsShownOf(UiState& ui, const app::Session& session) {
@@ -77,7 +91,7 @@ NodeIndex weightsShownOf(UiState& ui, const app::Session& session) {
   }
   const std::vector<NodeIndex> joints = weightedJoints(*session.document().scene);
   const auto isWeighted = [&](NodeIndex node) { return std::ranges::find(joints, node) != joints.end(); };
-  if (view.limbs != session.view().selectedLimbs || view.controllers != session.view().selectedControllers) {
+  if (view.limbs != session.view().selectedLimbs || view.controllers != chosenHandles(session.view())) {
     const NodeIndex selected = jointOfSelection(session);
     showWeightsOf(view, session, isWeighted(selected) ? selected : view.joint);
   }

@@ -62,7 +62,7 @@ LimbUnderMouse limbOfHit(const Scene& scene, const SurfaceHit& hit, const LimbHo
 LimbUnderMouse limbUnderMouse(app::Session& session, const View& view, const Vec2& mousePixels,
                               LimbHover& hover) {
   const double frame = session.view().frame;
-  const FrameState& pose = session.shownAt(frame);
+  const FrameState& pose = session.view().showOriginal ? session.originalAt(frame) : session.shownAt(frame);
   updateSurface(session, pose, hover);
   const Scene& scene = *session.document().scene;
   if (const auto hit = pickSurface(view, scene, hover.surface, mousePixels)) {

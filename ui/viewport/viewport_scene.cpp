@@ -34,7 +34,7 @@ PictureContent workPicture(app::Session& session, const ViewportState& viewport,
                            const ViewportOverlays& overlays, const Palette& palette,
                            const SceneMeasures& measures) {
   const double at = session.view().frame;
-  const FrameState& pose = session.shownAt(at);
+  const FrameState& pose = session.view().showOriginal ? session.originalAt(at) : session.shownAt(at);
   if (app::showsLocators(session)) { // nothing moves
     PictureContent content =
         assembleBare({session.document(), session.motion(), viewport.shown, at, pose, measures},

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
-
 #include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
