@@ -141,7 +141,7 @@ Status previewLocators(app::Session& session, const ControllerTool& tool) {
 } // namespace
 
 Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start) {
-  if (app::showsLocators(session.document())) {
+  if (app::showsLocators(session)) {
     return startLocators(session, start);
   }
   const bool moves = start.motion == app::ControllerMotion::move;
