@@ -10,6 +10,8 @@
 #include "app/edits/sphere_edits.h"
 #include "app/files/save.h"
 #include "app/locators/locator_edits.h"
+#include "core/anim/sampling.h"
+#include "rig/body/detection.h"
 
 namespace stretch::app {
 
@@ -91,6 +93,19 @@ const std::vector<rig::PlacedController>& Session::controllersAt(double frame) {
 
 const std::vector<rig::ControllerShape>& Session::controllerShapes() {
   return cache_.shapes(document(), view_.clip);
+}
+
+const FrameState& Session::shownAt(double frame) {
+  if (!showsLocators(document(), view_.showLocators)) {
+    return frameAt(frame);
+  }
+  const std::shared_ptr<const Scene>& scene = document().scene;
+  if (bindPoseOf_ != scene) {
+    bindPose_ = frameOf(*scene, restPose(*scene), 0.0);
+    bindPose_.worlds = rig::bindPoseWorlds(*scene);
+    bindPoseOf_ = scene;
+  }
+  return bindPose_;
 }
 
 const FrameState& Session::originalAt(double frame) {
@@ -266,7 +281,7 @@ void Session::documentChanged() {
                 [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
   keepControllers();
   std::erase_if(view_.selectedLocators, [&](const std::string& name) {
-    return !showsLocators(shown) || rig::findLocator(shown.locators, name) == nullptr;
+    return !showsLocators(shown, view_.showLocators) || rig::findLocator(shown.locators, name) == nullptr;
   });
   keepPickedKeys();
   followSelection();

@@ -39,8 +39,9 @@ struct ViewState {
   std::vector<std::string> selectedControllers;
   std::vector<std::string> selectedLocators; ///< Names; while one is selected nothing else is.
   bool mirrorLocators = true;                ///< What moves a locator moves its counterpart.
-  bool autoKey = true;                       ///< What is posed is keyed at once.
-  bool wholeClip = false; ///< First keys act on the whole clip, not in the working range alone.
+  bool showLocators = false; ///< Also while joints stand at them: to be moved and bound again.
+  bool autoKey = true;       ///< What is posed is keyed at once.
+  bool wholeClip = false;    ///< First keys act on the whole clip, not in the working range alone.
   UnkeyedPose unkeyed;
   double rangeStart = 0.0;   ///< The working range, for new trails.
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
@@ -66,6 +67,8 @@ public:
   /// The character at a frame of the viewed clip, trails and weight included, at the playhead with what is
   /// posed there without a key; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
+  /// What is looked at: the bind pose while locators are shown, which stand there; else as frameAt says.
+  [[nodiscard]] const FrameState& shownAt(double frame);
   /// The same without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
   /// Where every controller stands at a frame of the viewed clip, as frameAt shows it, and what each is drawn
@@ -132,6 +135,8 @@ private:
 
   ViewState view_;
   EvaluationCache cache_;
+  FrameState bindPose_; ///< Of this scene:
+  std::shared_ptr<const Scene> bindPoseOf_;
   std::optional<Posed> posed_;
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.

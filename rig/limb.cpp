@@ -31,11 +31,11 @@ std::string limbName(const LimbPlace& limb) {
   return std::string(side).append(kindName(limb.kind));
 }
 
-LimbPlace mirrored(LimbPlace limb) {
-  limb.side = limb.side == LimbSide::left    ? LimbSide::right
-              : limb.side == LimbSide::right ? LimbSide::left
-                                             : LimbSide::middle;
-  return limb;
+LimbPlace mirrored(const LimbPlace& limb) {
+  const LimbSide side = limb.side == LimbSide::left    ? LimbSide::right
+                        : limb.side == LimbSide::right ? LimbSide::left
+                                                       : LimbSide::middle;
+  return {limb.kind, side, limb.row};
 }
 
 const Limb* limbAt(const std::vector<Limb>& limbs, const LimbPlace& place) {

@@ -70,7 +70,7 @@ inline constexpr LimbPlace neck{LimbKind::neck};
 }
 
 /// The place on the other side of the body; the same in the middle.
-[[nodiscard]] LimbPlace mirrored(LimbPlace limb);
+[[nodiscard]] LimbPlace mirrored(const LimbPlace& limb);
 
 /// A chain of joints that is stretched as one.
 struct Limb : LimbPlace {

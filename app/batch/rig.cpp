@@ -91,7 +91,7 @@ Status runRig(const RigArguments& arguments) {
     return inFile(fitted.error(), arguments.input.file);
   }
   if (arguments.locatorsOnly) {
-    const Status written = writeText(arguments.output.path, locatorsToJson(fitted->locators).dump(2) + "\n");
+    Status written = writeText(arguments.output.path, locatorsToJson(fitted->locators).dump(2) + "\n");
     if (written) {
       report(arguments, *fitted, nullptr);
     }
@@ -101,7 +101,7 @@ Status runRig(const RigArguments& arguments) {
   if (!built) {
     return inFile(built.error(), arguments.input.file);
   }
-  const Status saved = saveDocument(*built, arguments.output.path, {});
+  Status saved = saveDocument(*built, arguments.output.path, {});
   if (saved) {
     report(arguments, *fitted, &*built);
   }

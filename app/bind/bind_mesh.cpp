@@ -4,12 +4,14 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "app/bind/body_to_bind.h"
 #include "app/edits/prop_file_edits.h"
+#include "app/locators/build_rig.h"
 #include "core/gltf/added_file.h"
 #include "core/gltf/edits.h"
 #include "skinning/bind/bind_weights.h"
@@ -41,10 +43,10 @@ VertexInfluences inSlots(const skinning::Influences& row, const std::vector<std:
   std::size_t count = 0;
   for (std::size_t i = 0; i < skinning::Influences::capacity && row.weights[i] > 0.0F; ++i) {
     const std::uint16_t slot = slots.empty() ? row.bones[i] : slots[row.bones[i]];
-    const auto end = vertex.joints.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto known = std::find(vertex.joints.begin(), end, slot);
-    vertex.weights[static_cast<std::size_t>(known - vertex.joints.begin())] += row.weights[i];
-    if (known == end) {
+    const std::span<const std::uint16_t> known = std::span(vertex.joints).first(count);
+    const auto place = static_cast<std::size_t>(std::ranges::find(known, slot) - known.begin());
+    vertex.weights[place] += row.weights[i];
+    if (place == count) {
       vertex.joints[count++] = slot;
     }
   }
@@ -70,8 +72,7 @@ public:
           const std::vector<skinning::Influences>& rows)
       : scene_(scene), skeleton_(skeleton), body_(body), rows_(rows) {}
 
-  gltf::Edits edits() {
-    gltf::Edits edits;
+  gltf::Edits edits(gltf::Edits edits) {
     edits.addedNodes = skeleton_.added;
     for (const MeshToBind& mesh : body_.meshes) {
       const bool hasSkin = mesh.skin >= 0;
@@ -199,26 +200,48 @@ Status checkRequest(const Document& document, const BindRequest& request) {
 
 } // namespace
 
+namespace {
+
+struct JointsAndMeshes {
+  SkeletonToBind skeleton;
+  std::vector<NodeIndex> meshes;
+  std::vector<JointMove> moves;
+};
+
+Result<JointsAndMeshes> jointsAndMeshes(const Document& document, const BindRequest& request) {
+  const Scene& scene = *document.scene;
+  JointsAndMeshes made;
+  const bool areThere = request.locators && !jointsOfLocators(scene, *request.locators).empty();
+  if (!request.locators || areThere) {
+    made.skeleton = ownSkeleton(document);
+    made.meshes = meshNodesToBind(scene, made.skeleton.nodes);
+    made.moves = areThere ? movesTo(scene, *request.locators) : std::vector<JointMove>();
+    made.skeleton = moved(std::move(made.skeleton), made.moves);
+    return made;
+  }
+  Result<std::vector<NodeIndex>> unbound = unboundMeshes(scene);
+  if (!unbound) {
+    return unbound.error();
+  }
+  made.meshes = std::move(unbound).value();
+  made.skeleton = skeletonOf(*request.locators, scene, made.meshes);
+  return made;
+}
+
+} // namespace
+
 Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& request,
                                const skinning::Proceed& proceed) {
   if (Status possible = checkRequest(document, request); !possible) {
     return possible.error();
   }
   const Scene& scene = *document.scene;
-  std::vector<NodeIndex> nodes;
-  SkeletonToBind skeleton;
-  if (request.locators) {
-    Result<std::vector<NodeIndex>> unbound = unboundMeshes(scene);
-    if (!unbound) {
-      return unbound.error();
-    }
-    nodes = std::move(unbound).value();
-    skeleton = skeletonOf(*request.locators, scene, nodes);
-  } else {
-    skeleton = ownSkeleton(document);
-    nodes = meshNodesToBind(scene, skeleton.nodes);
+  Result<JointsAndMeshes> found = jointsAndMeshes(document, request);
+  if (!found) {
+    return found.error();
   }
-  const BodyToBind body = bodyToBind(scene, nodes);
+  const SkeletonToBind& skeleton = found->skeleton;
+  const BodyToBind body = bodyToBind(scene, found->meshes);
   if (body.triangles.empty()) {
     return Error{"the file shows no mesh with triangles", "", "give a file with a body"};
   }
@@ -232,12 +255,15 @@ Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& requ
   if (!bound) {
     return bound.error();
   }
-  Result<gltf::Source> source =
-      gltf::patched(*document.source, Binding(scene, skeleton, body, bound->influences).edits());
+  gltf::Edits moving;
+  addMoves(document, found->moves, moving);
+  Result<gltf::Source> source = gltf::patched(
+      *document.source, Binding(scene, skeleton, body, bound->influences).edits(std::move(moving)));
   if (!source) {
     return source.error();
   }
   return BoundMeshes{std::make_shared<const gltf::Source>(std::move(source).value()),
+                     std::move(found->moves),
                      {skeleton.nodes.size(), body.meshes.size(), body.positions.size(), bound->cubes,
                       bound->bytes, lostMotion(document, body, skeleton.added)}};
 }
@@ -249,6 +275,8 @@ Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound) {
   }
   document.source = bound.source;
   document.scene = std::move(scene).value();
+  document.clips = withMovedJoints(document.clips, bound.moves);
+  document.sourceClips = withMovedJoints(document.sourceClips, bound.moves);
   if (!document.limbsCorrected) {
     document.biped = bodyOfSource(document);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bind/moved_joints.h"
 #include "app/document.h"
 #include "core/base/result.h"
 #include "rig/body/locators.h"
@@ -17,8 +18,9 @@ namespace stretch::app {
 enum class BindWay { volume, surface };
 
 struct BindRequest {
-  std::optional<rig::Locators> locators; ///< Where the joints are made. Nothing: at the joints that the file
-                                         ///< has.
+  /// Where the joints are made, or, where the file has joints for them (jointsOfLocators), moved to. Nothing:
+  /// at the joints that the file has.
+  std::optional<rig::Locators> locators;
   BindWay way = BindWay::volume;
 };
 
@@ -33,6 +35,7 @@ struct BindReport {
 
 struct BoundMeshes {
   std::shared_ptr<const gltf::Source> source; ///< The document's, patched: nothing of it is renumbered.
+  std::vector<JointMove> moves;               ///< Of joints that were there already.
   BindReport report;
 };
 
@@ -43,7 +46,8 @@ struct BoundMeshes {
 [[nodiscard]] Result<BoundMeshes> bindMeshes(const Document& document, const BindRequest& request,
                                              const skinning::Proceed& proceed = {});
 
-/// The document on the bound source, its limbs found again unless they were corrected by hand.
+/// The document on the bound source, its limbs found again unless they were corrected by hand, its clips
+/// fitted to joints that were moved.
 [[nodiscard]] Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound);
 
 } // namespace stretch::app

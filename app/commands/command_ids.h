@@ -46,6 +46,7 @@ inline constexpr const char* rigBuild = "rig.build";
 inline constexpr const char* rigBack = "rig.back";
 inline constexpr const char* bindMesh = "rig.bind";
 inline constexpr const char* planPrefix = "rig.plan-"; ///< And the plan's id.
+inline constexpr const char* workStop = "work.stop";
 
 inline constexpr const char* rangeStart = "range.start";
 inline constexpr const char* rangeEnd = "range.end";
@@ -92,6 +93,7 @@ inline constexpr const char* viewSkeleton = "view.skeleton";
 inline constexpr const char* viewWire = "view.wire";
 inline constexpr const char* viewJointNames = "view.joint-names";
 inline constexpr const char* viewHeatMap = "view.heat-map";
+inline constexpr const char* viewWeights = "view.weights";
 inline constexpr const char* viewGrid = "view.grid";
 inline constexpr const char* viewFrameNumbers = "view.frame-numbers";
 inline constexpr const char* viewSideBySide = "view.side-by-side";

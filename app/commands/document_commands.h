@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/commands/command.h"
+#include "rig/body/locators.h"
 
 namespace stretch::app {
 
@@ -26,5 +28,8 @@ namespace stretch::app {
 [[nodiscard]] std::vector<DocumentCommand> keyCommands();
 [[nodiscard]] std::vector<DocumentCommand> weightCommands();
 [[nodiscard]] std::vector<DocumentCommand> sequenceCommands();
+
+/// Puts locators that were fitted into the document, shown, as one step of this name.
+void takeLocators(Session& session, rig::Locators locators, const std::string& label);
 
 } // namespace stretch::app

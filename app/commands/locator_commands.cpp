@@ -14,7 +14,7 @@ namespace stretch::app {
 namespace {
 
 bool hasShownLocators(const Session& session) {
-  return showsLocators(session.document());
+  return showsLocators(session);
 }
 
 Status fitAnew(Session& session, const char* label) {
@@ -22,17 +22,38 @@ Status fitAnew(Session& session, const char* label) {
   if (!fitted) {
     return fitted.error();
   }
-  selectLocators(session, {});
-  Document changed = session.document();
-  changed.locators = std::move(fitted->locators);
-  session.edit(std::move(changed), label);
+  takeLocators(session, std::move(fitted->locators), label);
   return Success{};
+}
+
+// Joints that nothing uses are taken away; others stay while their locators are shown.
+Status showOrHide(Session& session) {
+  ViewState& view = session.view();
+  if (hasShownLocators(session) && areLocatorsMoved(session.document())) {
+    return Error{"locators were moved away from their joints", "", "bind again, or reset them"};
+  }
+  if (hasShownLocators(session)) {
+    selectLocators(session, {});
+    view.showLocators = false;
+    return Success{};
+  }
+  if (Result<Document> without = withoutRig(session.document())) {
+    return finish(session, std::move(without), "Back to locators");
+  }
+  view.showLocators = true;
+  return Success{};
+}
+
+std::string showOrHideLabel(const Session& session) {
+  return isRigBuilt(session.document()) && hasShownLocators(session) ? "Hide the locators"
+                                                                     : "Back to locators";
 }
 
 // Joints for a mesh without a skeleton; else the limbs go by the locators, which are done with then.
 Status build(Session& session) {
   const Document& document = session.document();
   selectLocators(session, {});
+  session.view().showLocators = false;
   if (!document.biped.isBiped) {
     return finish(session, withRigAt(document, document.locators), "Build the rig");
   }
@@ -54,6 +75,14 @@ std::string buildLabel(const Session& session) {
 }
 
 } // namespace
+
+void takeLocators(Session& session, rig::Locators locators, const std::string& label) {
+  selectLocators(session, {});
+  Document changed = session.document();
+  changed.locators = std::move(locators);
+  session.view().showLocators = true;
+  session.edit(std::move(changed), label);
+}
 
 std::vector<DocumentCommand> locatorCommands() {
   const Need shown{hasShownLocators, "fit locators first"};
@@ -80,14 +109,21 @@ std::vector<DocumentCommand> locatorCommands() {
             snap),
       labelled(entry(command::rigBuild, "Build rig",
                      "Makes joints at the locators; where there is a skeleton its limbs go by them.", {},
-                     shown, build),
+                     {[](const Session& session) {
+                        return hasShownLocators(session) && !isRigBuilt(session.document());
+                      },
+                      "fit locators first; where joints were made at them, bind again"},
+                     build),
                buildLabel),
-      entry(command::rigBack, "Back to locators", "Takes the joints away again and shows their locators.", {},
-            {[](const Session& session) { return isRigBuilt(session.document()); },
-             "no rig was built from locators"},
-            [](Session& session) {
-              return finish(session, withoutRig(session.document()), "Back to locators");
-            }),
+      labelled(
+          entry(command::rigBack, "Back to locators",
+                "Shows the locators again, to be moved and bound again; joints that nothing uses yet are "
+                "taken away.",
+                {},
+                {[](const Session& session) { return isRigBuilt(session.document()); },
+                 "no joints were made at locators"},
+                showOrHide),
+          showOrHideLabel),
   };
 }
 

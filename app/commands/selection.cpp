@@ -1,5 +1,7 @@
 #include "app/commands/selection.h"
 
+#include "app/locators/locator_edits.h"
+
 #include <algorithm>
 
 #include "app/commands/frames.h"
@@ -279,6 +281,10 @@ void selectControllers(Session& session, std::vector<std::string> ids) {
     view.selectedTrail = 0;
     session.followSelection();
   }
+}
+
+bool showsLocators(const Session& session) {
+  return showsLocators(session.document(), session.view().showLocators);
 }
 
 void selectLocators(Session& session, std::vector<std::string> names) {

@@ -47,6 +47,9 @@ void clearControllers(Session& session);
 [[nodiscard]] bool isControllerSelected(const Session& session, const std::string& id);
 [[nodiscard]] bool hasControllers(const Session& session); ///< At least one is selected.
 
+/// Whether locators are shown and can be moved.
+[[nodiscard]] bool showsLocators(const Session& session);
+
 /// Selects a locator alone, or adds it (again: takes it away). Nothing else is then selected.
 void selectLocator(Session& session, const std::string& name, bool add);
 /// Selects these locators and nothing else.

@@ -101,7 +101,8 @@ Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Do
 }
 
 Result<NewClip> broughtOver(const Donor& donor, int index, const Document& document,
-                            const std::optional<rig::Skeleton>& own, const std::string& file) {
+                            const std::optional<rig::Skeleton>& own, const std::string& file,
+                            const std::function<bool(double)>& proceed) {
   const Clip& clip = clipOf(donor.document, index);
   const std::string title = titleOfClip(donor.document, index);
   rig::CopiedTracks copied = rig::copyTracks(*donor.document.scene, clip, *document.scene);
@@ -116,7 +117,7 @@ Result<NewClip> broughtOver(const Donor& donor, int index, const Document& docum
   if (!canRetarget) {
     return cannotFollow(donor, copied, document, file);
   }
-  Result<rig::Retargeted> brought = rig::retarget(*donor.skeleton, clip, *own);
+  Result<rig::Retargeted> brought = rig::retarget(*donor.skeleton, clip, *own, proceed);
   if (!brought) {
     return Error{brought.error().what, file + ": " + title, brought.error().remedy};
   }
@@ -186,6 +187,7 @@ std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
   }
   constexpr std::size_t mostClips = 3;
   std::vector<std::string> lines;
+  lines.reserve(clipsOfText.size());
   for (const auto& [text, names] : clipsOfText) {
     lines.push_back(listOf(names, mostClips) + ": " + text);
   }
@@ -194,7 +196,8 @@ std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
 
 } // namespace
 
-Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request) {
+Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request,
+                               const std::function<bool(double)>& proceed) {
   const std::string file = request.file.string();
   const Result<Donor> donor = readDonor(request.file);
   if (!donor) {
@@ -211,8 +214,18 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
   const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.biped);
   NewClips brought;
   std::optional<Error> first;
+  double done = 0.0;
+  bool isStopped = false;
+  const auto goesOn = [&](double share) {
+    isStopped = isStopped || (proceed && !proceed((done + share) / static_cast<double>(wanted->size())));
+    return !isStopped;
+  };
   for (const int index : *wanted) {
-    Result<NewClip> clip = broughtOver(*donor, index, document, own, file);
+    if (!goesOn(0.0)) {
+      return Error{"stopped before the clips were brought over", file, "import them again"};
+    }
+    Result<NewClip> clip = broughtOver(*donor, index, document, own, file, goesOn);
+    done += 1.0;
     if (!clip) {
       first = first ? first : clip.error();
       brought.warnings.push_back(clip.error().line());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ struct NewClips {
 /// Reads the clips and brings them to the character: copied where joints of the same names stand alike, else
 /// retargeted by limbs (docs/import_clip.md). The document is not changed: withNewClips does that, with
 /// this one or one that was edited since. An error, one line, for a file that cannot be read, holds no clip
-/// or no skeleton, or whose skeleton the character cannot follow.
-[[nodiscard]] Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request);
+/// or no skeleton, or whose skeleton the character cannot follow. `proceed` is told the share that is done,
+/// 0..1, and answers whether to go on: else an error.
+[[nodiscard]] Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request,
+                                             const std::function<bool(double)>& proceed = {});
 
 /// The document with the clips behind its own, under names that no other clip has.
 [[nodiscard]] Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips);

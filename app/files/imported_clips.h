@@ -11,6 +11,6 @@ namespace stretch::app {
 
 /// The document, as its file has it, with the clips of an autosave that the file lacks. An error names what
 /// cannot be understood.
-[[nodiscard]] Result<Document> withImportedClips(const Document& document, const gltf::Json& clips);
+[[nodiscard]] Result<Document> withImportedClips(const Document& document, const gltf::Json& list);
 
 } // namespace stretch::app

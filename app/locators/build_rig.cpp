@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "app/edits/limb_edits.h"
 #include "app/edits/prop_file_edits.h"
 #include "app/locators/fit_locators.h"
+#include "core/anim/sampling.h"
 #include "core/gltf/added_file.h"
 #include "core/gltf/added_skeleton.h"
 #include "core/gltf/edits.h"
@@ -53,7 +55,7 @@ Status checkUnrigged(const Document& document, const rig::Locators& locators) {
   return Success{};
 }
 
-// The joints that were made are the last nodes, in the order of the locators.
+// Joints that can be taken out again are the last nodes, in the order of the locators.
 std::optional<std::size_t> firstBuiltNode(const Document& document) {
   const std::vector<rig::Locator>& list = document.locators.list;
   const std::vector<Node>& nodes = document.scene->nodes;
@@ -179,8 +181,95 @@ Result<Document> withRigAt(const Document& document, const rig::Locators& locato
   return built;
 }
 
+namespace {
+
+// The one joint of the name; none where there are several.
+NodeIndex jointNamed(const Scene& scene, const std::set<NodeIndex>& joints, const std::string& name) {
+  NodeIndex found;
+  for (const NodeIndex joint : joints) {
+    if (scene.nodes[at(joint)].name == name) {
+      if (found.exists()) {
+        return NodeIndex::none;
+      }
+      found = joint;
+    }
+  }
+  return found;
+}
+
+// The nearest of the joints above a node.
+NodeIndex jointAbove(const Scene& scene, const std::vector<NodeIndex>& joints, NodeIndex node) {
+  do {
+    node = scene.nodes[at(node)].parent;
+  } while (node.exists() && std::ranges::find(joints, node) == joints.end());
+  return node;
+}
+
+bool hangAsLocators(const Scene& scene, const rig::Locators& locators, const std::vector<NodeIndex>& joints) {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string_view parent = rig::parentLocator(locators, locators.list[i].name);
+    const NodeIndex above = jointAbove(scene, joints, joints[i]);
+    const std::string name = above.exists() ? scene.nodes[at(above)].name : std::string();
+    if (name != parent) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Of the way from the first to the farthest joint: what places may differ by and be the same.
+constexpr double samePlace = 1e-4;
+
+bool restInBindPose(const Scene& scene, const std::vector<NodeIndex>& joints) {
+  const std::vector<Mat4> bind = rig::bindPoseWorlds(scene);
+  const std::vector<Mat4> rest = worldMatrices(scene, restPose(scene));
+  double size = 0.0;
+  double apart = 0.0;
+  for (const NodeIndex joint : joints) {
+    size = std::max(size, glm::distance(positionOf(bind[at(joint)]), positionOf(bind[at(joints.front())])));
+    apart = std::max(apart, glm::distance(positionOf(bind[at(joint)]), positionOf(rest[at(joint)])));
+  }
+  return apart <= samePlace * size;
+}
+
+} // namespace
+
+std::vector<NodeIndex> jointsOfLocators(const Scene& scene, const rig::Locators& locators) {
+  const std::set<NodeIndex> ofSkins = skinJoints(scene);
+  std::vector<NodeIndex> joints;
+  for (const rig::Locator& locator : locators.list) {
+    joints.push_back(jointNamed(scene, ofSkins, locator.name));
+    if (!joints.back().exists()) {
+      return {};
+    }
+  }
+  const bool areThose = hangAsLocators(scene, locators, joints) && restInBindPose(scene, joints);
+  return areThose ? joints : std::vector<NodeIndex>();
+}
+
 bool isRigBuilt(const Document& document) {
-  return firstBuiltNode(document).has_value();
+  return !document.locators.empty() && !jointsOfLocators(*document.scene, document.locators).empty();
+}
+
+bool areLocatorsMoved(const Document& document) {
+  constexpr double sameTurn = 1e-4; // radians, about
+  const rig::Locators& locators = document.locators;
+  const std::vector<NodeIndex> joints =
+      locators.empty() ? std::vector<NodeIndex>() : jointsOfLocators(*document.scene, locators);
+  const std::vector<Mat4> worlds =
+      joints.empty() ? std::vector<Mat4>() : rig::bindPoseWorlds(*document.scene);
+  double size = 0.0;
+  double apart = 0.0;
+  double turned = 0.0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const rig::Locator& locator = locators.list[i];
+    const Mat4& world = worlds[at(joints[i])];
+    const Quat turn = toTransform(world).rotation;
+    size = std::max(size, glm::distance(locator.position, locators.list.front().position));
+    apart = std::max(apart, glm::distance(locator.position, positionOf(world)));
+    turned = std::max(turned, 1.0 - std::abs(glm::dot(turn, glm::normalize(locator.orientation))));
+  }
+  return apart > samePlace * size || turned > sameTurn * sameTurn;
 }
 
 Result<Document> withoutRig(const Document& document) {

@@ -18,8 +18,16 @@ namespace stretch::app {
 /// character has limbs already.
 [[nodiscard]] Result<Document> withRigAt(const Document& document, const rig::Locators& locators);
 
-/// Whether the joints at the document's locators are made.
+/// The joints of the character that stand for these locators, in their order: of the same names, named by
+/// skins, each below the one that it hangs on, at rest where the bind pose has them. Empty unless there is
+/// one for each.
+[[nodiscard]] std::vector<NodeIndex> jointsOfLocators(const Scene& scene, const rig::Locators& locators);
+
+/// Whether there are joints for the document's locators: made at them, or found by fitting.
 [[nodiscard]] bool isRigBuilt(const Document& document);
+
+/// Whether such joints are there, and a locator was moved away from its own.
+[[nodiscard]] bool areLocatorsMoved(const Document& document);
 
 /// The document before its rig was built: without the joints, with the locators. Error: no rig was built, or
 /// something uses it: a mesh that is bound to it, a clip, trails, adjustments or holds.

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "app/locators/build_rig.h"
 #include "core/anim/sampling.h"
 #include "rig/body/detection.h"
 #include "skinning/linear_blend_skinning.h"
@@ -18,9 +19,9 @@ namespace {
 constexpr double unsureBelow = 0.5;
 constexpr double guess = 0.2;
 
-Result<FittedLocators> ofMeshes(const Scene& scene) {
+Result<FittedLocators> ofMeshes(const Scene& scene, const skinning::Proceed& proceed) {
   const MeshesInWorld meshes = meshesAtRest(scene);
-  Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles);
+  Result<skinning::FittedBiped> fitted = skinning::fitBiped(meshes.positions, meshes.triangles, proceed);
   if (!fitted) {
     return fitted.error();
   }
@@ -100,7 +101,26 @@ private:
   rig::Locators locators_;
 };
 
+// Joints that have the names of locators say themselves where these belong, and how they are turned.
+rig::Locators ofNamedJoints(const Scene& scene) {
+  const std::vector<Mat4> worlds = rig::bindPoseWorlds(scene);
+  rig::Locators locators;
+  for (const NodeIndex joint : skinJoints(scene)) {
+    const std::string& name = scene.nodes[at(joint)].name;
+    if (rig::findBipedJoint(name) != nullptr && rig::findLocator(locators, name) == nullptr) {
+      const Transform place = toTransform(worlds[at(joint)]);
+      locators.list.push_back({name, place.translation, glm::normalize(place.rotation), 1.0});
+    }
+  }
+  locators = rig::inOrder(std::move(locators));
+  const bool areAll = rig::missingLocators(locators).empty() && !jointsOfLocators(scene, locators).empty();
+  return areAll ? locators : rig::Locators();
+}
+
 Result<FittedLocators> ofLimbs(const Document& document) {
+  if (rig::Locators named = ofNamedJoints(*document.scene); !named.empty()) {
+    return FittedLocators{std::move(named), true, {}};
+  }
   LimbLocators locators(document);
   for (const std::string side : {"left", "right"}) {
     locators.addLimb(side + "-arm", {side + "UpperArm", side + "LowerArm", side + "Hand"});
@@ -131,7 +151,7 @@ MeshesInWorld meshesAtRest(const Scene& scene) {
   return meshes;
 }
 
-Result<FittedLocators> fitLocators(const Document& document) {
+Result<FittedLocators> fitLocators(const Document& document, const skinning::Proceed& proceed) {
   if (document.biped.isBiped) {
     return ofLimbs(document);
   }
@@ -139,7 +159,7 @@ Result<FittedLocators> fitLocators(const Document& document) {
     return Error{"the file has a skeleton in which no biped is found", "",
                  "correct its limbs in the editor, or give a mesh without a skeleton"};
   }
-  return ofMeshes(*document.scene);
+  return ofMeshes(*document.scene, proceed);
 }
 
 std::vector<std::string> unsureLocators(const rig::Locators& locators) {

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
 #include "rig/body/locators.h"
+#include "skinning/fit/alternate.h"
 
 namespace stretch::app {
 
@@ -25,7 +26,8 @@ struct FittedLocators {
 
 /// Locators at the limbs of the character where it has a skeleton, else fitted to its meshes as they stand
 /// (docs/from_a_mesh.md, Locators). Error, one line: a skeleton that is no biped's, what fitBiped refuses.
-[[nodiscard]] Result<FittedLocators> fitLocators(const Document& document);
+[[nodiscard]] Result<FittedLocators> fitLocators(const Document& document,
+                                                 const skinning::Proceed& proceed = {});
 
 /// Names of the locators that are guessed rather than found.
 [[nodiscard]] std::vector<std::string> unsureLocators(const rig::Locators& locators);

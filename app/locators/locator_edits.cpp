@@ -58,8 +58,8 @@ Document changed(const Document& document, const std::vector<std::string>& names
 
 } // namespace
 
-bool showsLocators(const Document& document) {
-  return !document.locators.empty() && !isRigBuilt(document);
+bool showsLocators(const Document& document, bool evenAtJoints) {
+  return !document.locators.empty() && (evenAtJoints || !isRigBuilt(document) || areLocatorsMoved(document));
 }
 
 Document moveLocators(const Document& document, const std::vector<std::string>& names, const Vec3& change,

@@ -7,8 +7,9 @@
 
 namespace stretch::app {
 
-/// Whether locators are shown and can be moved: the document has some, and no joints are made at them.
-[[nodiscard]] bool showsLocators(const Document& document);
+/// Whether locators are shown and can be moved: the document has some, and no joints stand at them, or they
+/// are to be shown even so.
+[[nodiscard]] bool showsLocators(const Document& document, bool evenAtJoints);
 
 /// Moves locators by a vector of the world; they are then sure. `mirror`: the counterpart of each on the
 /// other side, where it is not among them, moves as its mirror image, and what is in the middle stays there.

@@ -16,10 +16,10 @@ uniform bool solidPart; // Of a blended surface: the pixels that hide what is be
 uniform float alphaCutoff;
 uniform bool unlit;
 
-uniform int shading; // 0 material, 1 stretch heat-map, 2 highlight as weights, 3 clay
+uniform int shading; // 0 material, 1 stretch heat-map, 2 weights, 3 clay
 uniform sampler2D stretchColors;
 uniform vec2 stretchRange; // log2 of the ratios at the ends of stretchColors
-uniform vec3 highlightColor;
+uniform sampler2D weightColors; // From weight 0 to 1.
 uniform vec3 selectionLine;
 uniform vec3 selectionGround;
 uniform float linePixels; // Half the width of the line.
@@ -109,7 +109,7 @@ vec3 albedoFor(vec4 material) {
     return stretchColor();
   }
   if (shading == 2) {
-    return mix(clay, toLinear(highlightColor), clamp(surfaceAttributes.y, 0.0, 1.0));
+    return texture(weightColors, vec2(clamp(surfaceAttributes.y, 0.002, 0.998), 0.5)).rgb;
   }
   return shading == 3 ? clay : material.rgb;
 }

@@ -20,6 +20,12 @@ struct AddedNode {
   bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
 };
 
+/// A node of the source that stands elsewhere at rest, or is turned otherwise; its scale stays.
+struct MovedNode {
+  NodeIndex node;
+  Transform rest;
+};
+
 /// Slot of a skin that follows another node than in the source.
 struct SkinSlot {
   int skin = -1;
@@ -62,6 +68,7 @@ struct ClipTracks {
 struct Edits {
   std::vector<AddedFile> addedFiles; ///< Their nodes come behind those of the source, before addedNodes.
   std::vector<AddedNode> addedNodes;
+  std::vector<MovedNode> movedNodes;
   std::vector<SkinSlot> skinSlots;
   std::vector<AddedSkin> addedSkins;
   std::vector<BoundMesh> boundMeshes;
@@ -70,8 +77,8 @@ struct Edits {
                      ///< none (a clean file).
 
   [[nodiscard]] bool empty() const {
-    return addedFiles.empty() && addedNodes.empty() && skinSlots.empty() && addedSkins.empty() &&
-           boundMeshes.empty() && clips.empty() && work.isNull();
+    return addedFiles.empty() && addedNodes.empty() && movedNodes.empty() && skinSlots.empty() &&
+           addedSkins.empty() && boundMeshes.empty() && clips.empty() && work.isNull();
   }
 };
 

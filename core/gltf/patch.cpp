@@ -62,6 +62,7 @@ Result<Source> patched(const Source& source, const Edits& edits) {
   }
   AppendedData data(journal, buffer, start + bytes.size());
   patchNodes(edits.addedNodes, journal);
+  moveNodes(edits.movedNodes, journal);
   if (!edits.skinSlots.empty()) {
     Problems known; // of a file that was read
     const std::optional<PlainSource> plain = withPlainViews(base, known);

@@ -111,4 +111,18 @@ void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal) {
   }
 }
 
+void moveNodes(const std::vector<MovedNode>& nodes, Journal& journal) {
+  for (const MovedNode& moved : nodes) {
+    const Pointer node = Pointer("/nodes") / at(moved.node);
+    const Transform& rest = moved.rest;
+    if (journal.json().at(node).contains("matrix")) {
+      journal.erase(node / "matrix");
+      journal.set(node / "scale", {rest.scale.x, rest.scale.y, rest.scale.z});
+    }
+    const Quat turn = glm::normalize(rest.rotation);
+    journal.set(node / "translation", {rest.translation.x, rest.translation.y, rest.translation.z});
+    journal.set(node / "rotation", {turn.x, turn.y, turn.z, turn.w});
+  }
+}
+
 } // namespace stretch::gltf

@@ -13,6 +13,9 @@ namespace stretch::gltf {
 /// Appends the nodes, moves meshes to them, extends the children of their parents.
 void patchNodes(const std::vector<AddedNode>& nodes, Journal& journal);
 
+/// Gives the nodes their new places.
+void moveNodes(const std::vector<MovedNode>& nodes, Journal& journal);
+
 inline constexpr std::size_t matrixSize = 16; ///< Numbers of a matrix in an accessor.
 
 /// Writes a matrix column by column; its last row is that of an affine one.

@@ -59,6 +59,15 @@ Status validateSlots(const Json& json, const Edits& edits) {
   return Success{};
 }
 
+Status validateMoved(const Json& json, const Edits& edits) {
+  for (const MovedNode& moved : edits.movedNodes) {
+    if (!isIndex(moved.node.value, sizeOf(json, "nodes")) || !isFinite(toMatrix(moved.rest))) {
+      return unfit(fmt::format("the new place of node {}", moved.node.value));
+    }
+  }
+  return Success{};
+}
+
 Status validateSkins(const Json& json, const Edits& edits) {
   const std::size_t nodes = sizeOf(json, "nodes") + edits.addedNodes.size();
   for (const AddedSkin& skin : edits.addedSkins) {
@@ -150,9 +159,10 @@ Status validateClips(const Json& json, const Edits& edits) {
 } // namespace
 
 Status validateEdits(const Source& source, const Edits& edits) {
-  for (const Status& status : {validateNodes(source.json, edits.addedNodes),
-                               validateSlots(source.json, edits), validateSkins(source.json, edits),
-                               validateBound(source.json, edits), validateClips(source.json, edits)}) {
+  for (const Status& status :
+       {validateNodes(source.json, edits.addedNodes), validateMoved(source.json, edits),
+        validateSlots(source.json, edits), validateSkins(source.json, edits),
+        validateBound(source.json, edits), validateClips(source.json, edits)}) {
     if (!status) {
       return status;
     }

@@ -69,17 +69,28 @@ public:
       : from_(from), clip_(clip), to_(to), pairs_(pairJoints(from, to)), poser_(to, pairs_.pairs),
         times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)) {}
 
-  Result<Retargeted> run() {
+  Result<Retargeted> run(const std::function<bool(double)>& proceed) {
+    const Error stopped{"stopped before the clip was brought over", clip_.name, "import it again"};
     if (times_.empty()) {
       return Error{"the clip is too long", clip_.name, "give a shorter one"};
     }
-    for (const double time : times_) {
-      follow(time);
+    const auto goesOn = [&](double from, double to, std::size_t frame) {
+      const double share = static_cast<double>(frame) / static_cast<double>(times_.size());
+      return !proceed || proceed(from + (to - from) * share);
+    };
+    for (std::size_t frame = 0; frame < times_.size(); ++frame) {
+      if (!goesOn(0.0, 0.3, frame)) {
+        return stopped;
+      }
+      follow(times_[frame]);
     }
     holdFeet();
     std::vector<BodyPose> poses;
     poses.reserve(times_.size());
     for (std::size_t frame = 0; frame < times_.size(); ++frame) {
+      if (!goesOn(0.3, 0.9, frame)) {
+        return stopped;
+      }
       poses.push_back(posed(frame));
     }
     return finished(poses);
@@ -310,8 +321,9 @@ private:
 
 } // namespace
 
-Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to) {
-  return Retargeting(from, clip, to).run();
+Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
+                            const std::function<bool(double)>& proceed) {
+  return Retargeting(from, clip, to).run(proceed);
 }
 
 } // namespace stretch::rig

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Retargeted {
 /// The clip of one biped on another (docs/import_clip.md): joints turn from the bind pose as the source's do,
 /// the body travels by the ratio of the legs' lengths, feet that stand in the source stand. Finite for every
 /// file that was read; an error where the clip is too long, or nothing in it can be followed.
-[[nodiscard]] Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to);
+/// `proceed` is told the share that is done, 0..1, and answers whether to go on: else an error.
+[[nodiscard]] Result<Retargeted> retarget(const Skeleton& from, const Clip& clip, const Skeleton& to,
+                                          const std::function<bool(double)>& proceed = {});
 
 } // namespace stretch::rig

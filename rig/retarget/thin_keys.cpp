@@ -47,7 +47,7 @@ std::vector<std::size_t> keptKeys(std::size_t count, const Misses& misses) {
 }
 
 double shareOf(const std::vector<float>& times, std::size_t from, std::size_t to, std::size_t i) {
-  const double start = static_cast<double>(times[from]);
+  const auto start = static_cast<double>(times[from]);
   return (static_cast<double>(times[i]) - start) / (static_cast<double>(times[to]) - start);
 }
 

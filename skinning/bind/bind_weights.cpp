@@ -190,6 +190,7 @@ Result<BoundBody> bindWeightsOnSurface(std::span<const glm::vec3> positions,
         "bind by the volume instead"};
   }
   std::vector<Triangle> whole;
+  whole.reserve(triangles.size());
   for (const Triangle& t : triangles) {
     whole.push_back({welded[t[0]], welded[t[1]], welded[t[2]]});
   }
@@ -197,6 +198,7 @@ Result<BoundBody> bindWeightsOnSurface(std::span<const glm::vec3> positions,
     return place + 0.5 * along; // half as long as the bone before
   });
   std::vector<BoneSegment> segments;
+  segments.reserve(lines.size());
   for (const BoneLine& line : lines) {
     segments.push_back({line.start, line.end});
   }

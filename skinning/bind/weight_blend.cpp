@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -70,14 +71,13 @@ public:
     CellWeights kept;
     float total = 0.0F;
     for (std::size_t slot = 0; slot < CellWeights::capacity && slot < count_; ++slot) {
-      const auto from = entries_.begin() + static_cast<std::ptrdiff_t>(slot);
-      const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(count_);
-      std::iter_swap(from, std::max_element(from, end, [](const Entry& a, const Entry& b) {
-                       return a.weight < b.weight || (a.weight == b.weight && a.joint > b.joint);
-                     }));
-      kept.joints[slot] = from->joint;
-      kept.weights[slot] = from->weight;
-      total += from->weight;
+      const std::span<Entry> left = std::span(entries_).subspan(slot, count_ - slot);
+      std::swap(left.front(), *std::ranges::max_element(left, [](const Entry& a, const Entry& b) {
+                  return a.weight < b.weight || (a.weight == b.weight && a.joint > b.joint);
+                }));
+      kept.joints[slot] = left.front().joint;
+      kept.weights[slot] = left.front().weight;
+      total += left.front().weight;
     }
     for (float& weight : kept.weights) {
       weight /= total;

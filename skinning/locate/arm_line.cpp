@@ -61,10 +61,8 @@ Tip tipOf(const StandingBody& body, const LegLines& legs, const std::vector<doub
 // Means and sizes of what is gathered section by section.
 class Sections {
 public:
-  Sections(std::size_t count, double step, double size) : sections_(count), counts_(count, 0.0) {
-    step_ = step;
-    cube_ = size * size * size;
-  }
+  Sections(std::size_t count, double step, double size)
+      : sections_(count), counts_(count, 0.0), step_(step), cube_(size * size * size) {}
   void add(double way, const Vec3& place) {
     const auto section = static_cast<std::size_t>(std::max(way, 0.0) / step_);
     if (section < sections_.size()) {
@@ -86,8 +84,8 @@ public:
 private:
   std::vector<ArmSection> sections_;
   std::vector<double> counts_;
-  double step_ = 1.0;
-  double cube_ = 1.0;
+  double step_;
+  double cube_;
 };
 
 // The direction in which a heap of places is longest, the way that `start` points.

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "skinning/locate/arm_joints.h"
+#include "skinning/locate/body_ends.h"
 #include "skinning/locate/leg_joints.h"
 #include "skinning/locate/trunk_joints.h"
 
@@ -14,7 +15,7 @@ namespace stretch::skinning {
 
 namespace {
 
-constexpr const char* byHand = "set the locators by hand: rig --locators takes them";
+constexpr const char* byHand = "set all locators by hand and give them: --locators";
 
 // A body with its limbs, in its own space; "left" is +X whichever way it faces.
 struct BodyJoints {
@@ -152,15 +153,20 @@ std::vector<std::string> missing(const Found& found, bool isTurned) {
   return warnings;
 }
 
-// What stands on many legs gets a biped's joints all the same, but none of them is sure.
-void doubtOtherBodies(std::size_t legs, FittedBiped& fitted) {
-  constexpr std::size_t tooMany = 4; // a person may have a stick or a cloak to the ground beside the feet
+// What has more limbs than a person gets a biped's joints all the same, but none of them is sure.
+void doubtOtherBodies(const StandingBody& body, FittedBiped& fitted) {
+  constexpr std::size_t tooManyLegs = 4; // a person may have a stick or a cloak to the ground beside the feet
+  constexpr std::size_t tooManyEnds = 8; // head, hands, feet, and two ears or a sword
   constexpr double guess = 0.3;
-  if (legs < tooMany) {
+  const std::size_t legs = legsUnder(body);
+  const std::size_t ends = endsOf(body);
+  if (legs < tooManyLegs && ends < tooManyEnds) {
     return;
   }
-  fitted.warnings.push_back(fmt::format(
-      "this is no biped: it stands on {} legs; the joints are only a guess, set all locators by hand", legs));
+  const std::string why = legs < tooManyLegs ? fmt::format("{} limbs or tips reach out of it", ends)
+                                             : fmt::format("it stands on {} legs", legs);
+  fitted.warnings.push_back(
+      fmt::format("this is no biped: {}; the joints are only a guess, set all locators by hand", why));
   for (FittedJoint& joint : fitted.joints) {
     joint.confidence = std::min(joint.confidence, guess);
   }
@@ -180,7 +186,10 @@ Error noBody(const std::string& why) {
 
 } // namespace
 
-Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles) {
+Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<Triangle>& triangles,
+                             const Proceed& proceed) {
+  const auto goesOn = [&](double share) { return !proceed || proceed(share); };
+  const Error stopped{"stopped before the locators were found", "", "fit them again"};
   if (triangles.empty()) {
     return noBody("no mesh with triangles is there to fit locators to");
   }
@@ -188,12 +197,18 @@ Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<
   if (!upright) {
     return noBody(upright.error().what);
   }
+  if (!goesOn(0.5)) {
+    return stopped;
+  }
   const Result<StandingBody> body = standingBody(positions, triangles, *upright);
   if (!body) {
     return body.error();
   }
   if (!hasVolume(*body)) {
     return noBody("the mesh encloses nothing that a body could be");
+  }
+  if (!goesOn(0.8)) {
+    return stopped;
   }
   Found found;
   found.legs = legLines(*body);
@@ -203,7 +218,7 @@ Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<
   }
   const BodyJoints joints = bodyJoints(*body, found);
   FittedBiped fitted{named(joints, *upright), missing(found, joints.facing < 0.0)};
-  doubtOtherBodies(legsUnder(*body), fitted);
+  doubtOtherBodies(*body, fitted);
   return fitted;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/math/types.h"
 #include "core/scene/mesh_sequence.h"
+#include "skinning/fit/alternate.h"
 
 namespace stretch::skinning {
 
@@ -25,8 +26,9 @@ struct FittedBiped {
 /// Finds the joints of a biped in a mesh that has no skeleton (docs/from_a_mesh.md, How locators are found):
 /// any triangles, in any units, standing, lying or upside down, arms sideways or hanging with a gap. What
 /// does not show is placed by proportions, with a warning. Error: no triangle, nothing that has an extent,
-/// places that are no numbers, a mesh that shows neither legs nor arms.
+/// places that are no numbers, a mesh that shows neither legs nor arms, told to stop.
 [[nodiscard]] Result<FittedBiped> fitBiped(std::span<const Vec3> positions,
-                                           const std::vector<Triangle>& triangles);
+                                           const std::vector<Triangle>& triangles,
+                                           const Proceed& proceed = {});
 
 } // namespace stretch::skinning

@@ -166,6 +166,7 @@ std::size_t legsUnder(const StandingBody& body) {
       continue;
     }
     std::vector<std::size_t> cells;
+    cells.reserve(layer.size());
     for (const SliceRegion& region : layer) {
       cells.push_back(static_cast<std::size_t>(
           std::ranges::count_if(region.cells, [&](std::uint32_t cell) { return !body.isBridge(cell); })));

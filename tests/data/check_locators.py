@@ -6,7 +6,8 @@ where the artists put the joints.
 - Every character: each joint within 5 % of the height of the artist's, the mean of them within 2.5 % (LOOSER says which may be farther).
 - The same body lying, upside down, turned, in units of 1e-4 and 1e5: the same joints.
 - A mesh of 200,000 triangles and one of 500,000 in SECONDS_AT_MOST.
-- A file without a mesh, a triangle, a plane: one line, nothing written.
+- A file without a mesh, a triangle, a plane: one line, nothing written, by rig and by bind.
+- Bodies that are no bipeds are told so; the dummy is bound however it lies and whatever its units are.
 - rig builds joints in which the program finds all six limbs; moved locators given back are where the joints then are.
 
 """
@@ -30,6 +31,8 @@ CHARACTERS = ["biped/CesiumMan.glb", "biped/mannequiny-0.3.0.glb", "biped/human-
               "biped/rpg-lowpoly-skeleton.glb", "biped/boxman.glb", "biped/robot.glb", "biped/kenney-platformer-character/character.glb",
               "vrm/cryptovoxels.vrm", "bodies/model-human.glb"]
 SKELETONS = {"bodies/model-human.glb": "bodies/rig-human.glb"}
+# Not bipeds: told so, or refused.
+OTHER_BODIES = ["bodies/model-spider.glb", "bodies/spider-animations.glb", "bodies/snake-animations.glb", "bodies/dragon-animations.glb", "quadruped/Fox.glb"]
 # What the fit does not reach: (each, mean) in percent of the height.
 LOOSER = {"rpg-lowpoly-skeleton": (7.0, 3.0), "Knight": (EACH, 3.5), "boxman": (5.5, 3.5), "character": (EACH, 4.5), "robot": (14.0, 5.5)}
 
@@ -70,8 +73,8 @@ def mesh_and_joints(program, data, name, folder):
 
 def fitted(program, mesh, output):
     status, _, told = run(program, "rig", mesh, "-o", output, "--locators-only", "--tolerant")
-    if status != 0:
-        raise RuntimeError(told)
+    if status != 0 or "no biped" in told:
+        raise RuntimeError(f"{mesh.name}: {told}")
     return {entry["name"]: entry["position"] for entry in json.loads(output.read_text())["locators"]}
 
 
@@ -199,9 +202,38 @@ def refusal_problems(program, folder):
 
 
 def refused(program, file, output, what):
-    status, _, told = run(program, "rig", file, "-o", output)
-    isRight = status == 1 and told.count("\n") == 1 and "by hand" in told and not output.exists()
-    return [] if isRight else [f"{what}: status {status}, told {told!r}, written {output.exists()}"]
+    problems = []
+    for verb in ("rig", "bind"):
+        status, _, told = run(program, verb, file, "-o", output)
+        if status != 1 or told.count("\n") != 1 or "by hand" not in told or output.exists():
+            problems.append(f"{verb}, {what}: status {status}, told {told!r}, written {output.exists()}")
+    return problems
+
+
+def doubt_problems(program, data, folder):
+    problems = []
+    for name in OTHER_BODIES:
+        mesh = folder / "other.gltf"
+        unskinned(data / name, mesh)
+        for verb in ("rig", "bind"):
+            status, _, told = run(program, verb, mesh, "-o", folder / "other.glb")
+            if "no biped" not in told and "neither two legs nor two arms" not in told:
+                problems.append(f"{verb}, {name}: taken for a biped, status {status}, told {told!r}")
+    return problems
+
+
+def bind_problems(program, dummy, folder):
+    """However the dummy lies and whatever its units are, it is bound, and its limbs are found in the result."""
+    mesh, _, _ = mesh_and_joints(program, None, dummy, folder)
+    problems = []
+    for what, matrix in MOVES.items():
+        output = folder / "bound.glb"
+        status, _, told = run(program, "bind", moved_copy(mesh, folder / "moved.gltf", matrix), "-o", output)
+        limbs = json.loads(run(program, "info", output, "--json")[1])["limbs"] if status == 0 else []
+        if len(limbs) != 6:
+            problems.append(f"bind, {what}: status {status}, told {told!r}, {len(limbs)} limbs")
+        output.unlink(missing_ok=True)
+    return problems
 
 
 def building_problems(program, dummy, folder):
@@ -237,6 +269,8 @@ def main():
             problems += character_problems(program, arguments.data, character, folder, rows)
         problems += move_problems(program, dummy, folder)
         problems += refusal_problems(program, folder)
+        problems += doubt_problems(program, arguments.data, folder)
+        problems += bind_problems(program, dummy, folder)
         problems += building_problems(program, dummy, folder)
         problems += size_problems(program, dummy, folder)
     print("\n".join(["| character | joints | mean % | worst % | which |", "|---|---|---|---|---|", *rows]))

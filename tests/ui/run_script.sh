@@ -4,6 +4,7 @@
 # "#! first start" (the tour is shown), "#! beside PATH" (another file in the folder of the first),
 # "#! sequence NAME" (a folder of frames made by the program make-sequence, opened instead of a file),
 # "#! creature NAME" (a file of that name made by the program make-creature, opened instead of a file),
+# "#! statue NAME.gltf" (a person without a skeleton made by the program make-statue, opened instead of a file),
 # "#! plays as RECIPE" (what was saved beside the file plays as the recipe makes it in batch, within 1e-5 of the picture's size),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
 set -u
@@ -17,7 +18,7 @@ export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state HOME=$work LIBGL_
 setting() { sed -n "s/^#! $1 //p" "$2" | head -n 1; }
 
 run() {
-  local file beside size scale screen sequence creature first
+  local file beside size scale screen sequence creature statue first
   file=$(setting file "$1")
   size=$(setting size "$1")
   scale=$(setting scale "$1")
@@ -38,6 +39,11 @@ run() {
   if [ -n "$creature" ]; then
     file=$creature.glb
     [ -e "$work/$file" ] || "$(dirname "$program")/make-creature" "$creature" "$work/$file" || return 1
+  fi
+  statue=$(setting statue "$1")
+  if [ -n "$statue" ]; then
+    [ -e "$work/$statue" ] || "$(dirname "$program")/make-statue" "$work/$statue" || return 1
+    file=$statue
   fi
   (cd "$work" && STRETCH_UI_SIZE=${size:-1280x720} STRETCH_UI_SCALE=${scale:-1} STRETCH_UI_FIRST=${first:-} \
     "$root/tests/ui/on_screen.sh" "${screen:-2560x1440}" timeout 300 "$program" "$1" ${file:+"$work/$(basename "$file")"})

@@ -20,6 +20,7 @@
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
 #include "ui/panels/view_schema.h"
+#include "ui/panels/weight_view.h"
 #include "ui/render/image_edits.h"
 #include "ui/render/picture.h"
 
@@ -38,6 +39,7 @@ struct RenderArguments {
   std::string view = "three-quarter";
   std::string trails;
   std::string over;
+  std::string weights;
   int ghosts = 0;
   int bones = 0; ///< 0: as many as the editor begins with.
   bool sheet = false;
@@ -291,6 +293,19 @@ Status renderSequence(const RenderArguments& arguments) {
   return draw(arguments, pictures->drawing->scene(), *frames, pictures->pictures, *options);
 }
 
+/// None where no weights are asked for.
+Result<NodeIndex> weightJoint(const Scene& scene, const std::string& name) {
+  if (name.empty()) {
+    return NodeIndex::none;
+  }
+  for (const NodeIndex joint : weightedJoints(scene)) {
+    if (scene.nodes[at(joint)].name == name) {
+      return joint;
+    }
+  }
+  return Error{"no mesh follows a joint '" + name + "'", "--weights", "info --json lists the joints"};
+}
+
 Status renderCharacter(const RenderArguments& arguments) {
   Result<app::Document> document = app::openDocument(arguments.input);
   const Result<PictureOptions> options = optionsOf(arguments);
@@ -315,9 +330,14 @@ Status renderCharacter(const RenderArguments& arguments) {
   if (!frames) {
     return frames.error();
   }
+  const Result<NodeIndex> joint = weightJoint(*document->scene, arguments.weights);
+  if (!joint) {
+    return joint.error();
+  }
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
   const CharacterLook look{.skeleton = arguments.skeleton,
                            .ghosts = arguments.ghosts,
+                           .weightsOf = *joint,
                            .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet)};
   return draw(arguments, *document->scene, *frames, picturesOfCharacter(*document, motion, *frames, look),
               *options);
@@ -371,6 +391,9 @@ app::Verb renderVerb() {
         line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
             .between(0, 20);
         line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");
+        line.option(
+            "--weights", arguments->weights,
+            "A joint: the mesh is coloured by how much it follows it, yellow wholly, grey not at all");
         addSequenceOptions(line, *arguments);
         return [arguments] { return runRender(*arguments); };
       }};

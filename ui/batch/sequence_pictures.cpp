@@ -156,6 +156,7 @@ std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,
   overlays.ghostsAfter = look.ghosts;
   PictureSelection selection;
   selection.everyTrail = true;
+  selection.weightsOf = look.weightsOf;
   const ShownTrails trails =
       shownTrails(motion, motion->trails.empty() ? std::vector<app::TrailPaths>{}
                                                  : app::trailPaths(document, *motion, pathSamplesPerFrame));

@@ -40,7 +40,8 @@ struct SequenceExtras {
 /// What pictures of a character show beyond its trails.
 struct CharacterLook {
   bool skeleton = false;
-  int ghosts = 0; ///< Before and after.
+  int ghosts = 0;                        ///< Before and after.
+  NodeIndex weightsOf = NodeIndex::none; ///< Joint whose weights colour the mesh.
   bool labelled = false;
 };
 

@@ -52,6 +52,25 @@ constexpr CommandIds limbEntries{
     command::copyTrail,       command::pasteTrail,         command::mirrorTrail,  "",
     command::trailDeleteAll,  command::viewFrameSelection, command::selectNone};
 
+constexpr CommandIds viewportEntries{command::viewFrameAll,
+                                     command::viewFrameSelection,
+                                     "",
+                                     command::viewFront,
+                                     command::viewSide,
+                                     command::viewTop,
+                                     command::viewPerspective,
+                                     "",
+                                     command::viewControllers,
+                                     command::viewSkeleton,
+                                     command::viewWire,
+                                     command::viewWeights,
+                                     command::viewHeatMap,
+                                     command::viewGhosts,
+                                     command::viewGrid,
+                                     command::viewSideBySide,
+                                     "",
+                                     command::viewNavigation};
+
 /// After what is done with the one hold.
 constexpr CommandIds holdEntryIds{"", command::holdPin,    command::holdPinFeet, command::holdMatch,
                                   "", command::rangeStart, command::rangeEnd,    command::rangeDefault};
@@ -93,10 +112,6 @@ CommandIds entriesOf(MenuTarget target) {
   static constexpr CommandIds time{timePlay,   timeStart,    timeEnd, "",         rangeStart,
                                    rangeEnd,   rangeDefault, "",      clipRate24, clipRate25,
                                    clipRate30, clipRateOwn,  "",      clipLoop};
-  static constexpr CommandIds viewport{
-      viewFrameAll,    viewFrameSelection, "",       viewFront,   viewSide,   viewTop,  viewPerspective, "",
-      viewControllers, viewSkeleton,       viewWire, viewHeatMap, viewGhosts, viewGrid, viewSideBySide,  "",
-      viewNavigation};
   static constexpr MenuEntries menus[] = {{MenuTarget::limb, limbEntries},
                                           {MenuTarget::trail, trail},
                                           {MenuTarget::group, group},
@@ -111,7 +126,7 @@ CommandIds entriesOf(MenuTarget target) {
       return menu.ids;
     }
   }
-  return viewport;
+  return viewportEntries;
 }
 
 /// What is about a moment of the timeline: the playhead goes there when one of its entries is chosen.

@@ -267,7 +267,7 @@ void drawGraphPanel(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   if (!hasViewedClip(context)) {
     emptyState(widgets, icon::graph, "No curves",
-               "Open a character with an animation to see its curves here.");
+               "Open a character with an animation, or import a clip, to see its curves here.");
     return;
   }
   if (context.ui.bottomTab == BottomTab::dopeSheet) {

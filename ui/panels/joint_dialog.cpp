@@ -128,8 +128,10 @@ Result<rig::Limb> chainOf(const Scene& scene, const JointPick& pick) {
 
 rig::LimbPlace placeOf(const app::Document& document, const std::string& limbId) {
   const rig::Limb* const present = app::findLimb(document, limbId);
-  return present != nullptr ? rig::LimbPlace(*present)
-                            : rig::placeInPlan(rig::planOf(document.biped), limbId);
+  if (present != nullptr) {
+    return {present->kind, present->side, present->row};
+  }
+  return rig::placeInPlan(rig::planOf(document.biped), limbId);
 }
 
 Result<app::Document> changedDocument(const app::Document& document, const JointPick& pick) {

@@ -235,7 +235,7 @@ void drawMenuBar(PanelContext& context) {
   drawMenu(context,
            {"View",
             {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
-             viewControllers, viewSkeleton, viewWire, viewJointNames, viewHeatMap, viewGhosts,
+             viewControllers, viewSkeleton, viewWire, viewJointNames, viewWeights, viewHeatMap, viewGhosts,
              viewFrameNumbers, viewGrid, viewSideBySide}},
            false);
   drawMenu(context, {"Help", {palette, keys, tour, about}}, false);

@@ -9,6 +9,7 @@ namespace stretch::ui {
 namespace {
 
 void characterLeft(PanelContext& context) {
+  drawSkinPanel(context);
   drawLimbPanel(context);
   drawRigPanel(context);
 }

@@ -12,7 +12,9 @@ void beginPanels(PanelContext& context);
 
 void drawMenuBar(PanelContext& context);     ///< Inside BeginMainMenuBar/EndMainMenuBar or a menu bar of a
                                              ///< window.
-void drawRigPanel(PanelContext& context);    ///< Left, top.
+void drawSkinPanel(PanelContext& context);   ///< Left, top: locators that are set, whose weights are shown;
+                                             ///< else nothing.
+void drawRigPanel(PanelContext& context);    ///< Left: the file, its clip, the limbs that were found.
 void drawLimbPanel(PanelContext& context);   ///< Left: the limb diagram.
 void drawTrailsPanel(PanelContext& context); ///< Right, top: list of trails and what can be done with them.
 void drawTrailSettingsPanel(PanelContext& context); ///< Right.

@@ -170,6 +170,7 @@ void drawDropQuestion(PanelContext& context) {
   paragraph(dropText(context, ui.dropped));
   const std::vector<DropChoice> choices = dropChoices(ui.dropped);
   std::vector<ButtonSpec> buttons;
+  buttons.reserve(choices.size());
   for (const DropChoice& choice : choices) {
     buttons.push_back({.id = "", .text = choice.text});
   }

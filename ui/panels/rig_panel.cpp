@@ -3,9 +3,6 @@
 #include "app/commands/command_ids.h"
 #include "app/commands/selection.h"
 #include "app/edits/rate_edits.h"
-#include "app/locators/build_rig.h"
-#include "app/locators/fit_locators.h"
-#include "app/locators/locator_edits.h"
 #include "core/scene/scene.h"
 #include "rig/body/planned_body.h"
 #include "ui/panels/context_menu.h"
@@ -226,67 +223,6 @@ void limbTools(PanelContext& context) {
       {.command = command::detectAgain, .icon = icon::refresh, .text = "Find again", .width = width});
 }
 
-void locatorNews(PanelContext& context) {
-  const WidgetContext widgets = widgetsOf(context);
-  const std::vector<std::string> unsure = app::unsureLocators(context.character().document().locators);
-  if (unsure.empty()) {
-    note(widgets, "Click a locator and drag it, or press G or R. Then build the rig.");
-    return;
-  }
-  std::string names;
-  for (const std::string& name : unsure) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  notice(widgets, NoticeKind::warning, "Guessed, and drawn dashed; move them: " + names);
-}
-
-void moveLocatorTools(PanelContext& context) {
-  commandButton(context,
-                {.command = command::rigBuild,
-                 .icon = icon::cube,
-                 .text = context.character().document().biped.isBiped ? "Correct the limbs" : "Build rig",
-                 .emphasis = Emphasis::primary,
-                 .width = ImGui::GetContentRegionAvail().x});
-  const float width = columnWidth(2);
-  commandButton(context,
-                {.command = command::locatorsReset, .icon = icon::refresh, .text = "Reset", .width = width});
-  ImGui::SameLine();
-  commandButton(
-      context,
-      {.command = command::locatorsSnap, .icon = icon::cube, .text = "To the middle", .width = width});
-  const WidgetContext widgets = widgetsOf(context);
-  app::ViewState& view = context.character().view();
-  if (toggle(widgets, "locators/mirror", "Mirror", view.mirrorLocators,
-             {"Mirror locators", "What moves a locator moves its counterpart on the other side.", {}})) {
-    view.mirrorLocators = !view.mirrorLocators;
-  }
-}
-
-/// What a file without a skeleton needs first, and what goes on once its locators are there.
-void locatorSection(PanelContext& context) {
-  const app::Document& document = context.character().document();
-  const WidgetContext widgets = widgetsOf(context);
-  const float width = ImGui::GetContentRegionAvail().x;
-  if (app::showsLocators(document)) {
-    if (section(widgets, "rig/locators", "Locators", context.ui.closedSections)) {
-      moveLocatorTools(context);
-      locatorNews(context);
-    }
-  } else if (app::isRigBuilt(document)) {
-    commandButton(
-        context,
-        {.command = command::rigBack, .icon = icon::refresh, .text = "Back to locators", .width = width});
-  } else if (!document.biped.isBiped && document.scene->skins.empty()) {
-    commandButton(context, {.command = command::locatorsFit,
-                            .icon = icon::cube,
-                            .text = "Fit locators",
-                            .emphasis = Emphasis::primary,
-                            .width = width});
-    note(widgets, "This mesh has no skeleton. Fit locators finds where its joints belong; move what is off, "
-                  "then build the rig.");
-  }
-}
-
 } // namespace
 
 void drawRigPanel(PanelContext& context) {
@@ -303,7 +239,6 @@ void drawRigPanel(PanelContext& context) {
     return;
   }
   fileSummary(context);
-  locatorSection(context);
   if (hasViewedClip(context)) {
     clipRows(context);
   } else {

@@ -105,6 +105,9 @@ void addHint(const PanelContext& context, std::vector<KeyHint>& hints, const cha
 /// What the keys do outside of tools: the next steps with what is selected, from the real keys.
 std::vector<KeyHint> usualHints(const PanelContext& context) {
   std::vector<KeyHint> hints;
+  if (!context.status.busyText.empty()) {
+    addHint(context, hints, command::workStop, "stop");
+  }
   if (context.open.sequence() != nullptr) {
     addHint(context, hints, command::sequenceCompress, "compress");
     addHint(context, hints, command::fileExportClean, "export");

@@ -246,12 +246,35 @@ void tabs(PanelContext& context) {
   context.ui.bottomTab = chosen >= 0 ? static_cast<BottomTab>(chosen) : context.ui.bottomTab;
 }
 
+/// A character without a clip is offered one.
+void noClip(PanelContext& context) {
+  const WidgetContext widgets = widgetsOf(context);
+  if (!hasCharacter(context)) {
+    emptyState(widgets, icon::clock, "No clip",
+               "Open a character with an animation to see its time and curves here.");
+    return;
+  }
+  const app::Document& document = context.character().document();
+  if (!document.biped.isBiped && document.scene->skins.empty()) {
+    emptyState(widgets, icon::clock, "No clip",
+               "This mesh has no joints yet. Fit locators and bind it; then import a clip of another file.");
+    return;
+  }
+  emptyState(
+      widgets, icon::clock, "No clip",
+      "This character has no animation. Import a clip of another file: time and curves are then here.");
+  const float width = context.theme.px(160.0F);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
+  commandButton(
+      context,
+      {.command = command::clipImport, .icon = icon::film, .emphasis = Emphasis::primary, .width = width});
+}
+
 } // namespace
 
 void drawBottomPanel(PanelContext& context) {
   if (!hasViewedClip(context)) {
-    emptyState(widgetsOf(context), icon::clock, "No clip",
-               "Open a character with an animation to see its time and curves here.");
+    noClip(context);
     return;
   }
   followClip(context);

@@ -29,6 +29,7 @@ struct ViewportOverlays {
   bool wire = false;
   bool jointNames = false;
   bool heatMap = false; ///< Stretch of the mesh as colour.
+  bool weights = false; ///< Of one joint (WeightView), as colour.
   bool ghosts = false;
   bool grid = true;
   bool trailFrameNumbers = false;
@@ -201,6 +202,14 @@ struct JointPick {
   NodeIndex endNode;
   std::string filter;
   std::string message; ///< Why the last try was refused.
+};
+
+/// Whose weights the viewport shows (ui/panels/weight_view.h).
+struct WeightView {
+  NodeIndex joint;                           ///< None, or one that no mesh follows: the first that one does.
+  std::vector<std::string> limbs = {};       ///< That were selected when it was chosen,
+  std::vector<std::string> controllers = {}; ///< and controllers.
+  std::string filter = {};                   ///< Typed into the list of joints.
 };
 
 enum class FilePurpose {
@@ -376,6 +385,7 @@ struct UiState {
   TakenStyle takenStyle;
   BottomTab bottomTab = BottomTab::timeline;
   JointPick jointPick;
+  WeightView weights;
   FileDialogState fileDialog;
   PaletteState palette;
   KeysOverviewState keys;

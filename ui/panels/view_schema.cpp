@@ -16,6 +16,7 @@ app::Schema<ViewportOverlays> shownThings() {
       setting<V>({.name = "wire", .help = "The edges of the mesh."}, &V::wire),
       setting<V>({.name = "joint_names", .help = "The name of each joint."}, &V::jointNames),
       setting<V>({.name = "heat_map", .help = "Stretch of the mesh as colour."}, &V::heatMap),
+      setting<V>({.name = "weights", .help = "How much the mesh follows one joint, as colour."}, &V::weights),
       setting<V>({.name = "ghosts", .help = "The character at frames before and after."}, &V::ghosts),
       setting<V>({.name = "grid", .help = "The floor."}, &V::grid),
       setting<V>({.name = "side_by_side", .help = "The original beside the exaggerated character."},

@@ -32,11 +32,12 @@ void displayPopup(PanelContext& context) {
 } // namespace
 
 void drawViewportBar(PanelContext& context) {
-  constexpr std::array<std::array<const char*, 3>, 9> switches{
+  constexpr std::array<std::array<const char*, 3>, 10> switches{
       {{command::viewControllers, icon::controllers, "Co"},
        {command::viewSkeleton, icon::skeleton, "Sk"},
        {command::viewWire, icon::wire, "Wi"},
        {command::viewJointNames, icon::tag, "Na"},
+       {command::viewWeights, icon::brush, "We"},
        {command::viewHeatMap, icon::fire, "He"},
        {command::viewGhosts, icon::ghosts, "Gh"},
        {command::viewFrameNumbers, icon::numbers, "12"},

@@ -19,7 +19,6 @@ Palette darkPalette() {
   palette.floorLine = rgb(0x4A4E55);
   palette.shadow = rgb(0x0E0F11);
   palette.wire = rgba(0x0B0C0E, 0.55F);
-  palette.highlight = rgb(okabe::orange);
   palette.selectionLine = rgba(0xFFFFFF);
   palette.selectionGround = rgba(0x0B0C0E);
   palette.bone = rgba(0xD8DADF, 0.9F);
@@ -37,7 +36,6 @@ Palette lightPalette() {
   palette.floorLine = rgb(0xA7ABB2);
   palette.shadow = rgb(0x6A6E76);
   palette.wire = rgba(0x1E1F22, 0.5F);
-  palette.highlight = rgb(okabe::vermilion);
   palette.selectionLine = rgba(0x1E1F22);
   palette.selectionGround = rgba(0xFFFFFF);
   palette.ghostTip = rgba(0xB0309A);
@@ -59,7 +57,6 @@ Palette highContrastPalette() {
   palette.floorLine = rgb(0x606060);
   palette.shadow = rgb(0x000000);
   palette.wire = rgba(0x000000, 0.8F);
-  palette.highlight = rgb(okabe::yellow);
   palette.selectionLine = rgba(0xFFFFFF);
   palette.selectionGround = rgba(0x000000);
   palette.ghostTip = rgba(0xFF6BE0);

@@ -31,7 +31,6 @@ struct Palette {
   glm::vec3 floorLine{};
   glm::vec3 shadow{};
   glm::vec4 wire{};
-  glm::vec3 highlight{};       ///< Weights of the joints that are looked at.
   glm::vec4 selectionLine{};   ///< Around a selected limb,
   glm::vec4 selectionGround{}; ///< and around that line: of opposite lightness.
   glm::vec4 bone{};

@@ -18,6 +18,7 @@ constexpr int baseColorUnit = 0;
 constexpr int stretchColorUnit = 1;
 constexpr int shadowUnit = 2;
 constexpr int emissiveUnit = 3;
+constexpr int weightColorUnit = 4;
 constexpr std::size_t wrapCount = 3;
 
 const Material plainMaterial{}; // what a primitive without a material looks like
@@ -71,15 +72,14 @@ std::vector<GlSampler> makeSamplers() {
   return samplers;
 }
 
-GlTexture makeStretchColors() {
+// A row of colours for 0..1; `colorAt` says them.
+template <typename ColorAt>
+GlTexture makeRamp(const ColorAt& colorAt) {
   constexpr int width = 256;
   std::vector<glm::vec3> colors;
-  const double first = std::log2(smallestShownStretch);
-  const double last = std::log2(largestShownStretch);
   colors.reserve(width);
-
   for (int i = 0; i < width; ++i) {
-    colors.push_back(stretchColor(std::exp2(first + (last - first) * (i + 0.5) / width)));
+    colors.push_back(colorAt((i + 0.5) / width));
   }
   GlTexture texture = GlTexture::create();
   glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -88,6 +88,16 @@ GlTexture makeStretchColors() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   return texture;
+}
+
+GlTexture makeStretchColors() {
+  const double first = std::log2(smallestShownStretch);
+  const double last = std::log2(largestShownStretch);
+  return makeRamp([&](double share) { return stretchColor(std::exp2(first + (last - first) * share)); });
+}
+
+GlTexture makeWeightColors() {
+  return makeRamp([](double share) { return glm::vec3(valueColor(ValueScale::weight, share)); });
 }
 
 void bindTexture(int unit, unsigned texture) {
@@ -144,6 +154,7 @@ Result<SurfacePass> SurfacePass::create() {
   }
   pass.samplers_ = makeSamplers();
   pass.stretchColors_ = makeStretchColors();
+  pass.weightColors_ = makeWeightColors();
   return pass;
 }
 
@@ -152,19 +163,20 @@ void SurfacePass::begin(const View& view, const StudioLights& lights, const Surf
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   bindTexture(stretchColorUnit, stretchColors_.name());
+  bindTexture(weightColorUnit, weightColors_.name());
   bindTexture(shadowUnit, look.shadows->depthTexture);
   surface_.use();
   setEye(surface_, view);
   surface_.set("baseColorTexture", baseColorUnit);
   surface_.set("emissiveTexture", emissiveUnit);
   surface_.set("stretchColors", stretchColorUnit);
+  surface_.set("weightColors", weightColorUnit);
   surface_.set("shadowMap", shadowUnit);
   surface_.set("hasShadow", look.shadows->depthTexture != 0);
   surface_.set("shadowMatrix", glm::mat4(look.shadows->worldToDepth));
   surface_.set("shadowTexel", static_cast<float>(look.shadows->depthTexelSize));
   surface_.set("shading", static_cast<int>(look.shading));
   surface_.set("stretchRange", glm::vec2(std::log2(smallestShownStretch), std::log2(largestShownStretch)));
-  surface_.set("highlightColor", look.palette.highlight);
   surface_.set("selectionLine", glm::vec3(look.palette.selectionLine));
   surface_.set("selectionGround", glm::vec3(look.palette.selectionGround));
   surface_.set("linePixels", static_cast<float>(view.viewport.pixelsPerPoint));

@@ -48,6 +48,7 @@ private:
   ShaderProgram wire_;
   std::vector<GlSampler> samplers_; ///< One for each way to use a texture.
   GlTexture stretchColors_;
+  GlTexture weightColors_;
 };
 
 } // namespace stretch::ui

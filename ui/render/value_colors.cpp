@@ -26,8 +26,28 @@ constexpr std::array<ShareStop, 4> errorStops{
 constexpr std::array<ShareStop, 4> thicknessStops{
     {{0.0, 0x2B2F77}, {0.4, 0x0072B2}, {0.7, 0x35B779}, {1.0, 0xF0E442}}};
 
+// The step at the beginning tells the least weight from none.
+constexpr std::array<ShareStop, 6> weightStops{{{0.0, 0x4D525B},
+                                                {0.004, 0x4D525B},
+                                                {0.01, 0x3F55C4},
+                                                {0.35, 0x9C4FB8},
+                                                {0.65, 0xE9764A},
+                                                {1.0, 0xFBE95C}}};
+
+std::span<const ShareStop> stopsOf(ValueScale scale) {
+  switch (scale) {
+  case ValueScale::error:
+    return errorStops;
+  case ValueScale::thickness:
+    return thicknessStops;
+  case ValueScale::weight:
+    break;
+  }
+  return weightStops;
+}
+
 glm::vec4 srgbColor(ValueScale scale, double share) {
-  const auto& stops = scale == ValueScale::error ? errorStops : thicknessStops;
+  const std::span<const ShareStop> stops = stopsOf(scale);
   const double place = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
   for (std::size_t i = 1; i < stops.size(); ++i) {
     if (place <= stops[i].share) {

@@ -14,8 +14,9 @@ namespace stretch::ui {
 /// Colours of values from nothing to the largest shown; the lightness changes with them, so that they read
 /// without colour too.
 enum class ValueScale {
-  error,    ///< Calm grey, then yellow to vermilion.
-  thickness ///< Dark blue, bluish green, yellow.
+  error,     ///< Calm grey, then yellow to vermilion.
+  thickness, ///< Dark blue, bluish green, yellow.
+  weight     ///< Calm grey for nothing; from the least on blue, purple, orange, yellow.
 };
 
 /// Colour (linear light) of a share of the largest shown value; shares outside 0..1 keep the end's colour.

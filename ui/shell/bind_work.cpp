@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 
 #include "app/commands/command_ids.h"
+#include "app/commands/selection.h"
+#include "app/locators/build_rig.h"
 #include "skinning/linear_blend_skinning.h"
 #include "ui/shell/shell.h"
 
@@ -26,20 +28,11 @@ bool hasJoints(const app::Document& document) {
   return !document.scene->skins.empty() || document.biped.hips.exists();
 }
 
-// The document to bind: without the weights of the last binding, where joints were made at locators.
-app::Document documentToBind(const Shell& shell) {
-  app::Document document = shell.open.character()->document();
-  if (document.source == shell.binding.bound && shell.binding.unbound != nullptr) {
-    document.source = shell.binding.unbound;
-    document.scene = shell.binding.unboundScene;
-    document.biped = {};
-  }
-  return document;
-}
-
+// Joints are made at the locators, or moved to them where they are there already.
 app::BindRequest requestFor(const app::Document& document) {
   app::BindRequest request;
-  if (!hasJoints(document) && !document.locators.empty()) {
+  const bool areAsked = !hasJoints(document) || app::areLocatorsMoved(document);
+  if (areAsked && !document.locators.empty()) {
     request.locators = document.locators;
   }
   return request;
@@ -57,7 +50,7 @@ Status bindOrStop(Shell& shell) {
     work.job->cancel();
     return Success{};
   }
-  work.from = documentToBind(shell);
+  work.from = shell.open.character()->document();
   work.job = std::make_unique<app::Job<app::BoundMeshes>>(
       [document = work.from, request = requestFor(work.from)](const skinning::Proceed& proceed) {
         return app::bindMeshes(document, request, proceed);
@@ -74,10 +67,8 @@ void takeUp(Shell& shell, const app::BoundMeshes& bound) {
     tellProblem(shell, changed.error());
     return;
   }
-  const bool atLocators = !hasJoints(work.from);
-  work.bound = bound.source;
-  work.unbound = atLocators ? work.from.source : nullptr;
-  work.unboundScene = atLocators ? work.from.scene : nullptr;
+  session.view().showLocators = false;
+  app::selectLocators(session, {});
   session.edit(std::move(changed).value(), isAgain ? "Bind again" : "Bind");
   tell(shell, ToastKind::success,
        fmt::format("Bound: {} vertices follow {} joints", bound.report.vertices, bound.report.joints));
@@ -108,7 +99,7 @@ void updateBinding(Shell& shell) {
   const bool isStopped = work.job->isCancelled();
   const Result<app::BoundMeshes> made = work.job->take();
   work.job.reset();
-  const bool isOpen = session != nullptr && documentToBind(shell).source == work.from.source;
+  const bool isOpen = session != nullptr && session->document().source == work.from.source;
   if (isStopped || !isOpen) {
     return; // another file, or another step of the history, is shown by now
   }

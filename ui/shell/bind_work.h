@@ -11,14 +11,10 @@ namespace stretch::ui {
 
 struct Shell;
 
-/// A binding that is made beside the window, and what the last one began from: locators that were moved bind
-/// that mesh again.
+/// A binding that is made beside the window.
 struct BindWork {
   std::unique_ptr<app::Job<app::BoundMeshes>> job; ///< Null: none is being made.
   app::Document from;                              ///< What it was started with.
-  std::shared_ptr<const gltf::Source> bound;       ///< What was made last, of:
-  std::shared_ptr<const gltf::Source> unbound;
-  std::shared_ptr<const Scene> unboundScene;
 };
 
 /// Once per frame: takes up a binding that is finished, as one edit.

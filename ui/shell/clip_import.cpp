@@ -71,7 +71,8 @@ void importClip(Shell& shell, const ClipAnswer& wanted) {
   import.file = wanted.file;
   import.scene = document.scene;
   import.job = std::make_unique<app::Job<app::NewClips>>(
-      [document, request](const skinning::Proceed&) { return app::clipsFromFile(document, request);
+      [document, request](const skinning::Proceed& proceed) {
+        return app::clipsFromFile(document, request, proceed);
 });
 } // namespace stretch::ui
 
@@ -82,8 +83,12 @@ void updateClipImport(Shell& shell) {
   if (import.job == nullptr || !import.job->isFinished() || isDragging) {
     return;
   }
+  const bool isStopped = import.job->isCancelled();
   const Result<app::NewClips> brought = import.job->take();
   const ClipImport done = std::exchange(import, {});
+  if (isStopped) {
+    return;
+  }
   if (!brought) {
     tell(shell, ToastKind::error, brought.error().line());
   } else if (session == nullptr || session->document().scene != done.scene) {

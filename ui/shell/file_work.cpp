@@ -1,5 +1,7 @@
 #include "ui/shell/file_work.h"
 
+#include "ui/shell/fit_work.h"
+
 #include <fmt/format.h>
 
 #include "app/bundled_files.h"
@@ -275,6 +277,7 @@ void updateFileWork(Shell& shell, const InputQueue& input, double nowSeconds) {
   WindowUser user(shell);
   updateSequence(shell);
   updateBinding(shell);
+  updateFitting(shell);
   updateClipImport(shell);
   takeAnswers(shell);
   if (!input.drops.empty()) {

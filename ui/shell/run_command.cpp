@@ -275,6 +275,15 @@ void pressKeyOfTool(Shell& shell, const app::KeyPress& press) {
 
 } // namespace
 
+namespace {
+
+bool isEnabled(const Shell& shell, std::string_view commandId) {
+  const app::Command<Shell>* const command = findCommandOf(shell, commandId);
+  return command != nullptr && command->enabled(shell);
+}
+
+} // namespace
+
 void dispatchKey(Shell& shell, const KeyInput& input) {
   const app::Chord& chord = input.press.chord;
   if (!input.down) {
@@ -296,7 +305,7 @@ void dispatchKey(Shell& shell, const KeyInput& input) {
   if (commandId == command::trailShowOriginal && shell.open.character() != nullptr) {
     shell.open.character()->view().showOriginal = true;
     shell.heldKey = chord.key;
-  } else if (!commandId.empty()) {
+  } else if (!commandId.empty() && (commandId != command::workStop || isEnabled(shell, commandId))) {
     runCommand(shell, commandId);
   }
 }

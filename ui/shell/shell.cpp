@@ -39,8 +39,12 @@ EditorStatus statusOf(const Shell& shell) {
     status.busyFraction = shell.files.openingShare();
   } else if (shell.clipImport.job != nullptr) {
     status.busyText = "Importing " + shell.clipImport.file.filename().string();
+    status.busyFraction = static_cast<float>(shell.clipImport.job->share());
   } else if (sequence != nullptr && sequence->isWorking()) {
     describeWork(*sequence, status);
+  } else if (shell.fitting.job != nullptr) {
+    status.busyText = "Fitting locators";
+    status.busyFraction = static_cast<float>(shell.fitting.job->share());
   } else if (shell.binding.job != nullptr) {
     status.busyText = "Binding the mesh";
     status.busyFraction = static_cast<float>(shell.binding.job->share());

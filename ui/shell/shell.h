@@ -12,6 +12,7 @@
 #include "app/sequence/job.h"
 #include "ui/panels/panel_context.h"
 #include "ui/shell/bind_work.h"
+#include "ui/shell/fit_work.h"
 #include "ui/shell/pane_layout.h"
 #include "ui/shell/user_settings.h"
 #include "ui/viewport/tools.h"
@@ -39,6 +40,7 @@ struct Shell {
   Tool tool;
   app::FileWork files;
   BindWork binding;
+  FitWork fitting;
   ClipImport clipImport;
   std::vector<app::Command<Shell>> commands;
   app::Keymap keymap{{}};

@@ -17,6 +17,7 @@
 #include "ui/panels/panel_support.h"
 #include "ui/shell/bind_work.h"
 #include "ui/shell/file_work.h"
+#include "ui/shell/fit_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/playback.h"
@@ -75,6 +76,7 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
       {command::viewWire, &overlays.wire},
       {command::viewJointNames, &overlays.jointNames},
       {command::viewHeatMap, &overlays.heatMap},
+      {command::viewWeights, &overlays.weights},
       {command::viewGrid, &overlays.grid},
       {command::viewFrameNumbers, &overlays.trailFrameNumbers},
       {command::viewSideBySide, &overlays.sideBySide},
@@ -408,6 +410,11 @@ std::vector<ShellCommand> viewCommands() {
       switchCommand(command::viewJointNames, "Joint names", "Writes the joints' names beside them.", {}),
       switchCommand(command::viewHeatMap, "Stretch colours", "Colours the mesh by how much it is stretched.",
                     {}),
+      switchCommand(
+          command::viewWeights, "Weights",
+          "Colours the mesh by how much it follows one joint: the one that is clicked, or chosen in "
+          "the panel Character.",
+          {"Shift+W"}),
       switchCommand(command::viewGrid, "Floor", "Shows the floor with its grid.", {}),
       switchCommand(command::viewFrameNumbers, "Frame numbers",
                     "Writes the frame beside every control sphere.", {}),
@@ -468,9 +475,11 @@ std::vector<ShellCommand> editorCommands() {
   for (const app::DocumentCommand& command : app::documentCommands()) {
     all.push_back(fromDocument(command));
   }
+  fitBesideWindow(all);
   append(all, toolCommands());
   append(all, sequenceFileCommands());
   append(all, bindCommands());
+  append(all, stopCommands());
   append(all, keyPaneCommands());
   append(all, viewCommands());
   append(all, helpCommands());

@@ -5,6 +5,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "rig/limb_nodes.h"
+#include "ui/panels/weight_view.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {
@@ -51,6 +52,10 @@ SceneStyle sceneStyleOf(const PictureSubject& subject, const PictureSelection& s
   style.floor = overlays.grid;
   style.measures = subject.measures;
   style.highlight = highlightOf(subject.document, selection);
+  if (selection.weightsOf.exists()) {
+    style.shading = SurfaceShading::jointWeights;
+    style.highlight = sharesOf(*subject.document.scene, selection.weightsOf);
+  }
   return style;
 }
 
@@ -201,6 +206,12 @@ PictureContent assembleBare(const PictureSubject& subject, const PictureSelectio
   return content;
 }
 
+void addHandles(const PictureSelection& selection, PictureContent& content) {
+  content.controllers = selection.controllers;
+  content.controllerHandles = selection.controllerHandles;
+  content.activeHandle = selection.activeHandle;
+}
+
 PictureContent assemblePicture(const PictureSubject& subject, const PictureSelection& selection,
                                const ViewportOverlays& overlays, const Palette& palette) {
   PictureContent content = assembleBare(subject, selection, overlays, palette);
@@ -209,7 +220,7 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
     addGhost(subject, *selection.tipFrame, glm::vec4(glm::vec3(palette.ghostTip), tipGhostOpacity),
              content.ghosts);
   }
-  content.skeleton = overlays.skeleton;
+  content.skeleton = overlays.skeleton || selection.weightsOf.exists();
   for (const ShownTrail& trail : subject.trails.trails) {
     const rig::Trail* source = app::findTrail(subject.document, trail.id);
     if (source != nullptr && isDrawn(*source, selection.limbs, overlays)) {
@@ -217,9 +228,7 @@ PictureContent assemblePicture(const PictureSubject& subject, const PictureSelec
                                 trailStyleOf(trail, selection, overlays, palette)});
     }
   }
-  content.controllers = selection.controllers;
-  content.controllerHandles = selection.controllerHandles;
-  content.activeHandle = selection.activeHandle;
+  addHandles(selection, content);
   content.handles = handlesOf(subject.trails, selection.trail, selection.spheres);
   content.activeAxis = selection.hoveredAxis;
   return content;

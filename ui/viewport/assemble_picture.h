@@ -36,6 +36,7 @@ struct PictureSelection {
   std::vector<ControllerPicture> controllers = {};
   std::optional<ControllerHandles> controllerHandles = std::nullopt;
   std::optional<HandlePart> activeHandle = std::nullopt; ///< Of these, under the mouse.
+  NodeIndex weightsOf = NodeIndex::none;         ///< Joint whose weights colour the mesh; none: nothing does.
   std::optional<double> tipFrame = std::nullopt; ///< Where a trail's tip is: the pose there is a ghost.
 };
 
@@ -45,6 +46,9 @@ struct PictureSelection {
 /// The character alone in the same look: what stands beside the work for comparison.
 [[nodiscard]] PictureContent assembleBare(const PictureSubject& subject, const PictureSelection& selection,
                                           const ViewportOverlays& overlays, const Palette& palette);
+
+/// Puts controllers or locators over it, and what they are taken by.
+void addHandles(const PictureSelection& selection, PictureContent& content);
 
 /// Whether a trail is drawn: visible, and pinned, on a selected limb, or everything is.
 [[nodiscard]] bool isDrawn(const rig::Trail& trail, const std::vector<std::string>& selectedLimbs,

@@ -69,7 +69,7 @@ bool pressController(ViewportContext& context, bool add) {
   // Pressing one of several keeps them all, so that they can be dragged together.
   const std::vector<std::string>& selected = selectedHandles(session);
   if (add || std::ranges::find(selected, viewport.hoveredController) == selected.end()) {
-    const auto select = app::showsLocators(session.document()) ? app::selectLocator : app::selectController;
+    const auto select = app::showsLocators(session) ? app::selectLocator : app::selectController;
     select(session, viewport.hoveredController, add);
   }
   viewport.gesture = add ? ViewportGesture::none : ViewportGesture::pressController;
@@ -108,7 +108,7 @@ bool selectControllersInBox(ViewportContext& context, const Vec2& low, const Vec
       wanted.push_back(std::move(id));
     }
   }
-  const bool areLocators = app::showsLocators(session.document());
+  const bool areLocators = app::showsLocators(session);
   (areLocators ? app::selectLocators : app::selectControllers)(session, std::move(wanted));
   return true;
 }

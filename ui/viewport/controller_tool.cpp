@@ -75,6 +75,7 @@ std::string titleOf(const app::Document& document, const std::vector<app::HeldCo
 
 std::vector<std::string> idsOf(const std::vector<app::HeldController>& held) {
   std::vector<std::string> ids;
+  ids.reserve(held.size());
   for (const app::HeldController& one : held) {
     ids.push_back(one.placed.id);
   }
@@ -140,7 +141,7 @@ Status previewLocators(app::Session& session, const ControllerTool& tool) {
 } // namespace
 
 Result<ControllerTool> startControllers(app::Session& session, const ControllerStart& start) {
-  if (app::showsLocators(session.document())) {
+  if (app::showsLocators(session)) {
     return startLocators(session, start);
   }
   const bool moves = start.motion == app::ControllerMotion::move;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/commands/selection.h"
 #include "rig/limb_nodes.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/viewport_scene.h"
@@ -16,11 +17,14 @@ void updateSurface(app::Session& session, const FrameState& pose, LimbHover& hov
   const app::Document& document = session.document();
   const auto motion = session.sharedMotion();
   const bool original = session.view().showOriginal;
-  if (hover.motion != motion || hover.frame != session.view().frame || hover.original != original) {
+  const bool inBindPose = app::showsLocators(session);
+  if (hover.motion != motion || hover.frame != session.view().frame || hover.original != original ||
+      hover.inBindPose != inBindPose) {
     hover.surface = posedSurface(*document.scene, pose);
     hover.motion = motion;
     hover.frame = session.view().frame;
     hover.original = original;
+    hover.inBindPose = inBindPose;
   }
   std::vector<rig::Limb> limbs = app::allLimbs(document);
   if (hover.limbs != limbs || hover.limbOfNode.size() != document.scene->nodes.size()) {
@@ -33,6 +37,7 @@ void updateSurface(app::Session& session, const FrameState& pose, LimbHover& hov
 LimbUnderMouse limbOfHit(const Scene& scene, const SurfaceHit& hit, const LimbHover& hover) {
   std::vector<double> carried(hover.limbs.size(), 0.0);
   std::vector<double> carriedByEnd(hover.limbs.size(), 0.0);
+  const NodeIndex joint = std::ranges::max_element(hit.shares, {}, &SurfaceShare::weight)->node;
   double nobody = 0.0;
   for (const SurfaceShare& share : hit.shares) {
     const int owner = hover.limbOfNode[at(share.node)];
@@ -46,10 +51,10 @@ LimbUnderMouse limbOfHit(const Scene& scene, const SurfaceHit& hit, const LimbHo
   }
   const auto most = std::max_element(carried.begin(), carried.end());
   if (most == carried.end() || *most <= nobody) {
-    return {};
+    return {{}, false, joint};
   }
   const auto limb = static_cast<std::size_t>(most - carried.begin());
-  return {hover.limbs[limb].id, carriedByEnd[limb] > 0.5 * *most};
+  return {hover.limbs[limb].id, carriedByEnd[limb] > 0.5 * *most, joint};
 }
 
 } // namespace
@@ -57,7 +62,7 @@ LimbUnderMouse limbOfHit(const Scene& scene, const SurfaceHit& hit, const LimbHo
 LimbUnderMouse limbUnderMouse(app::Session& session, const View& view, const Vec2& mousePixels,
                               LimbHover& hover) {
   const double frame = session.view().frame;
-  const FrameState& pose = session.view().showOriginal ? session.originalAt(frame) : session.frameAt(frame);
+  const FrameState& pose = session.view().showOriginal ? session.originalAt(frame) : session.shownAt(frame);
   updateSurface(session, pose, hover);
   const Scene& scene = *session.document().scene;
   if (const auto hit = pickSurface(view, scene, hover.surface, mousePixels)) {
@@ -65,7 +70,7 @@ LimbUnderMouse limbUnderMouse(app::Session& session, const View& view, const Vec
   }
   const LimbBones bones = limbBones(session.document(), pose);
   const auto bone = pickBone(view, bones.bones, mousePixels, nearBonePoints);
-  return bone ? LimbUnderMouse{bones.limbOf[*bone], false} : LimbUnderMouse{};
+  return bone ? LimbUnderMouse{bones.limbOf[*bone], false, bones.bones[*bone].node} : LimbUnderMouse{};
 }
 
 } // namespace stretch::ui

@@ -13,6 +13,7 @@ namespace stretch::ui {
 struct LimbUnderMouse {
   std::string limb;   ///< Limb id; empty for none.
   bool atEnd = false; ///< On its hand, foot or head, which can be pulled.
+  NodeIndex joint;    ///< That most of the place follows, whatever limb it is of.
 
   friend bool operator==(const LimbUnderMouse&, const LimbUnderMouse&) = default;
 };
@@ -22,6 +23,7 @@ struct LimbHover {
   std::shared_ptr<const rig::MotionState> motion; ///< What the surface is posed by.
   double frame = 0.0;
   bool original = false;
+  bool inBindPose = false; ///< Locators are shown.
   PosedSurface surface;
   std::vector<int> limbOfNode;  ///< Index into allLimbs.
   std::vector<rig::Limb> limbs; ///< That limbOfNode was made for.

@@ -113,8 +113,7 @@ std::vector<ShownController> shownLocators(const rig::Locators& locators) {
 } // namespace
 
 const std::vector<std::string>& selectedHandles(const app::Session& session) {
-  return app::showsLocators(session.document()) ? session.view().selectedLocators
-                                                : session.view().selectedControllers;
+  return app::showsLocators(session) ? session.view().selectedLocators : session.view().selectedControllers;
 }
 
 bool showsControllers(const app::Session& session, const ViewportOverlays& overlays) {
@@ -122,7 +121,7 @@ bool showsControllers(const app::Session& session, const ViewportOverlays& overl
 }
 
 std::vector<ShownController> shownControllers(app::Session& session, const ViewportOverlays& overlays) {
-  if (app::showsLocators(session.document())) {
+  if (app::showsLocators(session)) {
     return shownLocators(session.document().locators);
   }
   std::vector<ShownController> shown;

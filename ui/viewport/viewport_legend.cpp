@@ -9,6 +9,7 @@
 
 #include "app/commands/selection.h"
 #include "ui/panels/panel_support.h"
+#include "ui/render/palette.h"
 #include "ui/render/value_colors.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
@@ -118,11 +119,29 @@ float drawTrailLegend(ViewportContext& context, float bottom) {
   return corner.y - theme.unit();
 }
 
+/// A legend in the lower right corner, above what ends at `bottom`; none where the picture is narrow.
+void drawScale(ViewportContext& context, float bottom, const char* id, const ColorLegend& legend) {
+  const ImVec2 size = legendSize(context.theme, legend);
+  const Rect& box = context.viewport.box;
+  if (box.width() >= 1.5F * size.x) {
+    drawColorLegend({context.theme, context.items}, id,
+                    {box.max.x - context.theme.unit() * 1.5F - size.x, bottom - size.y}, legend);
+  }
+}
+
+/// What the colours of weights say, and whose they are.
+void drawWeightLegend(ViewportContext& context, float bottom) {
+  const Scene& scene = *context.open.character()->document().scene;
+  drawScale(context, bottom, "viewport/weight-legend",
+            {"Weights of " + nodeName(scene, context.viewport.weightsOf), "0", "1",
+             "grey: follows other joints", [](double share) {
+               const std::uint32_t hex = valueColorHex(ValueScale::weight, share);
+               return packed(rgba(hex));
+             }});
+}
+
 /// What the stretch colours say.
 void drawHeatLegend(ViewportContext& context, float bottom) {
-  if (!context.ui.overlays.heatMap) {
-    return;
-  }
   const ColorLegend legend{"Stretch", fmt::format("\xC3\x97{:g}", smallestShownStretch),
                            fmt::format("\xC3\x97{:g}", largestShownStretch), "grey: as long as at rest",
                            [](double share) {
@@ -130,20 +149,19 @@ void drawHeatLegend(ViewportContext& context, float bottom) {
                                                   std::pow(largestShownStretch / smallestShownStretch, share);
                              return packed(stretchColorSrgb(ratio));
                            }};
-  const ImVec2 size = legendSize(context.theme, legend);
-  const Rect& box = context.viewport.box;
-  if (box.width() < 1.5F * size.x) {
-    return;
-  }
-  drawColorLegend({context.theme, context.items}, "viewport/stretch-legend",
-                  {box.max.x - context.theme.unit() * 1.5F - size.x, bottom - size.y}, legend);
+  drawScale(context, bottom, "viewport/stretch-legend", legend);
 }
 
 } // namespace
 
 void drawLegends(ViewportContext& context) {
   const float bottom = context.viewport.box.max.y - context.theme.unit() * 1.5F;
-  drawHeatLegend(context, drawTrailLegend(context, bottom));
+  const float left = drawTrailLegend(context, bottom);
+  if (context.viewport.weightsOf.exists()) {
+    drawWeightLegend(context, left);
+  } else if (context.ui.overlays.heatMap) {
+    drawHeatLegend(context, left);
+  }
 }
 
 void drawAxisMarker(ViewportContext& context) {

@@ -8,6 +8,7 @@
 #include "app/commands/selection.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/panel_support.h"
+#include "ui/panels/weight_view.h"
 #include "ui/render/picking.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/viewport/controller_mouse.h"
@@ -146,6 +147,9 @@ void pressLeft(ViewportContext& context) {
     viewport.gesture = viewport.hoveredEnd && !add ? ViewportGesture::pressEnd : ViewportGesture::none;
   } else {
     viewport.gesture = ViewportGesture::boxSelect;
+  }
+  if (viewport.hoveredJoint.exists()) {
+    showWeightsOf(context.ui.weights, session, viewport.hoveredJoint);
   }
 }
 
@@ -337,6 +341,7 @@ void hoverLimbs(ViewportContext& context) {
       limbUnderMouse(*context.open.character(), viewport.view, viewport.mousePixels, viewport.limbs);
   viewport.hoveredLimb = found.limb;
   viewport.hoveredEnd = found.atEnd;
+  viewport.hoveredJoint = found.joint;
 }
 
 /// On a mesh sequence nothing can be picked: the left button alone turns the view as well, and a right click
@@ -377,6 +382,7 @@ void updateHover(ViewportContext& context) {
   viewport.hoveredTrail = 0;
   viewport.hoveredLimb.clear();
   viewport.hoveredEnd = false;
+  viewport.hoveredJoint = NodeIndex::none;
   if (!viewport.hovered || context.open.character() == nullptr) {
     return;
   }

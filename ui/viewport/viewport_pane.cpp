@@ -10,6 +10,7 @@
 #include "core/base/hash.h"
 #include "ui/panels/panel_support.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/weight_view.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"
@@ -164,6 +165,7 @@ void drawPictureArea(ViewportContext& context, ViewportGpu& gpu) {
     updateShownTrails(*context.open.character(), viewport.shown);
     updateTangents(*context.open.character(), viewport.view, viewport.tangents);
     viewport.controllers = shownControllers(*context.open.character(), context.ui.overlays);
+    viewport.weightsOf = weightsShownOf(context.ui, *context.open.character());
   };
   updateShown();
   handleViewportMouse(context, hovered, held);
@@ -188,7 +190,7 @@ std::optional<Rect> figureIn(const ViewportContext& context) {
   };
   if (session != nullptr) {
     for (const BoneSegment& bone :
-         limbBones(session->document(), session->frameAt(session->view().frame)).bones) {
+         limbBones(session->document(), session->shownAt(session->view().frame)).bones) {
       add(bone.fromWorld);
       add(bone.toWorld);
     }
@@ -274,7 +276,7 @@ void frameCamera(ViewportContext& context, ViewportGpu& gpu, bool everything) {
   updateShownTrails(session, context.viewport.shown);
   Box box = everything ? Box{} : selectionBox(session, context.viewport.shown);
   if (box.empty() && gpu.bounds) {
-    box = gpu.bounds->boxOf(*session.document().scene, session.frameAt(session.view().frame));
+    box = gpu.bounds->boxOf(*session.document().scene, session.shownAt(session.view().frame));
     box.add(everything ? selectionBox(session, context.viewport.shown) : Box{});
   }
   context.viewport.camera = fitted(context.viewport.camera, context.viewport.view.viewport, box, 0.1);

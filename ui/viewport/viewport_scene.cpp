@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/frames.h"
+#include "app/commands/selection.h"
 #include "app/edits/mirror_edits.h"
 #include "rig/limb.h"
 
@@ -25,6 +26,7 @@ PictureSelection selectionOf(const app::Session& session, const ViewportState& v
   selection.controllerHandles = controllerHandles(session, viewport.controllers);
   selection.activeHandle = viewport.hoveredHandle;
   selection.tipFrame = viewport.tipFrame;
+  selection.weightsOf = viewport.weightsOf;
   return selection;
 }
 
@@ -32,7 +34,15 @@ PictureContent workPicture(app::Session& session, const ViewportState& viewport,
                            const ViewportOverlays& overlays, const Palette& palette,
                            const SceneMeasures& measures) {
   const double at = session.view().frame;
-  const FrameState& pose = session.view().showOriginal ? session.originalAt(at) : session.frameAt(at);
+  const FrameState& pose = session.view().showOriginal ? session.originalAt(at) : session.shownAt(at);
+  if (app::showsLocators(session)) { // nothing moves
+    PictureContent content =
+        assembleBare({session.document(), session.motion(), viewport.shown, at, pose, measures},
+                     selectionOf(session, viewport), overlays, palette);
+    content.skeleton = overlays.skeleton || viewport.weightsOf.exists();
+    addHandles(selectionOf(session, viewport), content);
+    return content;
+  }
   return assemblePicture({session.document(), session.motion(), viewport.shown, at, pose, measures},
                          selectionOf(session, viewport), overlays, palette);
 }
@@ -90,7 +100,7 @@ Box controllerBox(app::Session& session) {
 Box selectionBox(app::Session& session, const ShownTrails& shown) {
   Box box = controllerBox(session);
   const app::Document& document = session.document();
-  const FrameState& frame = session.frameAt(session.view().frame);
+  const FrameState& frame = session.shownAt(session.view().frame);
   const LimbBones bones = limbBones(document, frame);
   const auto& limbs = session.view().selectedLimbs;
   for (std::size_t i = 0; i < bones.bones.size(); ++i) {

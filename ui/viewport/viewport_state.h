@@ -41,6 +41,7 @@ struct ViewportState {
   ShownTrails shown;
   ShownTangents tangents;
   std::vector<ShownController> controllers; ///< Empty while they are not shown.
+  NodeIndex weightsOf;                      ///< Joint whose weights are drawn; none: they are not.
 
   ViewportGesture gesture = ViewportGesture::none;
   Vec2 pressPixels{0.0};
@@ -58,6 +59,7 @@ struct ViewportState {
   int hoveredTrail = 0;
   std::string hoveredLimb;
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
+  NodeIndex hoveredJoint;  ///< That most of the place under the mouse follows.
   LimbHover limbs;
   std::optional<Rect> figure;     ///< Where the character stood when the messages on show began to come.
   std::optional<double> tipFrame; ///< Whose pose stands as a ghost (tipGhostFrame).

@@ -56,7 +56,7 @@ struct DiagramClick {
 
 /// The figure, as wide as available. What was clicked; controllers lie over the parts.
 [[nodiscard]] DiagramClick limbDiagram(const WidgetContext& context, const std::string& id,
-                                       const DiagramFigure& figure, float height);
+                                       const DiagramFigure& body, float height);
 
 /// The part under a point, for a diagram in this box; none beside the body.
 [[nodiscard]] std::optional<std::size_t> partAt(const Rect& box, const std::vector<DiagramPart>& parts,

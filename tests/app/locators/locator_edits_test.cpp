@@ -1,13 +1,23 @@
+#include <algorithm>
+#include <utility>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/bind/bind_mesh.h"
 #include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
+#include "app/commands/selection.h"
+#include "app/edits/import_clip.h"
+#include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/locators/build_rig.h"
 #include "app/locators/locator_edits.h"
 #include "app/open_document.h"
+#include "core/anim/sampling.h"
 #include "core/gltf/json.h"
+#include "core/math/rotation.h"
+#include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/mesh_file.h"
 #include "tests/support/skinning/tube_person.h"
 #include "tests/support/temporary_folder.h"
@@ -61,6 +71,19 @@ TEST_CASE("A moved locator takes its counterpart along as the mirror image", "[l
         0.01);
 }
 
+TEST_CASE("Reset puts moved locators back to where they were fitted, as one step") {
+  Session session = personSession();
+  REQUIRE(runCommand(session, command::locatorsFit));
+  const rig::Locators fitted = session.document().locators;
+  session.edit(moveLocators(session.document(), {"leftHand", "spine"}, {0.1, 0.2, 0.05}, true), "Move");
+  const rig::Locators moved = session.document().locators;
+  REQUIRE(moved != fitted);
+  REQUIRE(runCommand(session, command::locatorsReset));
+  CHECK(session.document().locators == fitted);
+  session.undo();
+  CHECK(session.document().locators == moved);
+}
+
 TEST_CASE("A locator that is off goes to the middle of the limb around it", "[locators]") {
   Session session = personSession();
   REQUIRE(runCommand(session, command::locatorsFit));
@@ -73,18 +96,171 @@ TEST_CASE("A locator that is off goes to the middle of the limb around it", "[lo
   CHECK(snapLocators(off, {"leftLowerArm"}, false).locators.list == off.locators.list);
 }
 
+namespace {
+
+/// The person bound at its locators, saved, and opened again.
+Document boundPerson(const test::TemporaryFolder& folder) {
+  Session session = personSession();
+  REQUIRE(runCommand(session, command::locatorsFit));
+  const Result<BoundMeshes> bound = bindMeshes(session.document(), {.locators = session.document().locators});
+  REQUIRE(bound);
+  const Result<Document> made = withBoundMeshes(session.document(), *bound);
+  REQUIRE(made);
+  REQUIRE(saveDocument(*made, folder / "bound.glb", {}));
+  Result<Document> reopened = openDocument(folder / "bound.glb");
+  REQUIRE(reopened);
+  return std::move(*reopened);
+}
+
+/// With a clip that bends the left elbow and carries the hips, by keys of every kind.
+Document bent(Document document) {
+  const auto node = [&](const char* name) {
+    const auto found = std::ranges::find(document.scene->nodes, name, &Node::name);
+    return NodeIndex(static_cast<std::size_t>(found - document.scene->nodes.begin()));
+  };
+  const auto track = [](NodeIndex of, Channel channel, const std::vector<float>& values) {
+    Track made;
+    made.node = of;
+    made.channel = channel;
+    made.width = channel == Channel::rotation ? 4 : 3;
+    made.times = {0.0F, 1.0F};
+    made.values = values;
+    return made;
+  };
+  const NodeIndex elbow = node("leftLowerArm");
+  const NodeIndex hips = node("hips");
+  const Quat rest = document.scene->nodes[at(elbow)].rest.rotation;
+  const Quat bend = glm::normalize(rest * axisAngle(Vec3(1.0, 0.0, 0.0), 1.0));
+  const Vec3 place = document.scene->nodes[at(hips)].rest.translation;
+  const auto f = [](double x) { return static_cast<float>(x); };
+  Clip clip;
+  clip.name = "Bend";
+  clip.tracks.emplace_back(
+      track(elbow, Channel::rotation,
+            {f(rest.x), f(rest.y), f(rest.z), f(rest.w), f(bend.x), f(bend.y), f(bend.z), f(bend.w)}));
+  clip.tracks.emplace_back(
+      track(hips, Channel::translation,
+            {f(place.x), f(place.y), f(place.z), f(place.x), f(place.y + 0.25), f(place.z)}));
+  Result<Document> with = withNewClips(document, {clip});
+  REQUIRE(with);
+  return std::move(*with);
+}
+
+/// World turns and places of a joint at the end of the clip.
+Mat4 atEnd(const Document& document, const char* joint) {
+  const FrameState frame = evaluateOriginal(document, 0, 1.0);
+  const auto found = std::ranges::find(document.scene->nodes, joint, &Node::name);
+  return frame.worlds[static_cast<std::size_t>(found - document.scene->nodes.begin())];
+}
+
+Mat4 atRest(const Document& document, const char* joint) {
+  const auto found = std::ranges::find(document.scene->nodes, joint, &Node::name);
+  return worldMatrices(
+      *document.scene,
+      restPose(*document.scene))[static_cast<std::size_t>(found - document.scene->nodes.begin())];
+}
+
+} // namespace
+
+TEST_CASE(
+    "Locators of a bound file that was opened again are shown, moved, and bound again at their new places") {
+  const test::TemporaryFolder folder;
+  Session session(boundPerson(folder));
+  const std::size_t nodes = session.document().scene->nodes.size();
+  CHECK(isRigBuilt(session.document()));
+  CHECK_FALSE(showsLocators(session));
+  REQUIRE(runCommand(session, command::rigBack));
+  CHECK(showsLocators(session));
+  CHECK(session.document().scene->nodes.size() == nodes); // the mesh follows the joints: they stay
+  CHECK_FALSE(areLocatorsMoved(session.document()));
+  session.edit(moveLocators(session.document(), {"leftLowerArm"}, {-0.05, 0.0, 0.02}, true), "Move");
+  CHECK(areLocatorsMoved(session.document()));
+  const Document before = session.document();
+  const Result<BoundMeshes> bound = bindMeshes(before, {.locators = before.locators});
+  REQUIRE(bound);
+  const Result<Document> again = withBoundMeshes(before, *bound);
+  REQUIRE(again);
+  CHECK(again->scene->nodes.size() == nodes);
+  CHECK(again->scene->skins.size() == before.scene->skins.size());
+  CHECK_FALSE(areLocatorsMoved(*again));
+  for (const char* joint : {"leftLowerArm", "rightLowerArm", "leftHand", "hips"}) {
+    const Vec3 wanted = rig::findLocator(before.locators, joint)->position;
+    CHECK(glm::distance(positionOf(atRest(*again, joint)), wanted) < 1e-6);
+  }
+  const std::vector<Vec3> stood =
+      skinning::skinnedPositions(*before.scene, frameOf(*before.scene, restPose(*before.scene), 0.0));
+  const std::vector<Vec3> stands =
+      skinning::skinnedPositions(*again->scene, frameOf(*again->scene, restPose(*again->scene), 0.0));
+  REQUIRE(stood.size() == stands.size());
+  for (std::size_t v = 0; v < stood.size(); ++v) {
+    REQUIRE(glm::distance(stood[v], stands[v]) < 1e-5);
+  }
+}
+
+TEST_CASE("A clip turns the mesh as before about joints that were moved") {
+  const test::TemporaryFolder folder;
+  const Document before = bent(boundPerson(folder));
+  Document moved = moveLocators(before, {"leftLowerArm", "hips"}, {0.03, 0.04, 0.02}, false);
+  const Result<BoundMeshes> bound = bindMeshes(moved, {.locators = moved.locators});
+  REQUIRE(bound);
+  const Result<Document> again = withBoundMeshes(moved, *bound);
+  REQUIRE(again);
+  for (const char* joint : {"leftLowerArm", "leftHand", "hips", "head"}) {
+    const Quat turnedBefore =
+        rotationOf(atEnd(before, joint)) * glm::inverse(rotationOf(atRest(before, joint)));
+    const Quat turnedAgain =
+        rotationOf(atEnd(*again, joint)) * glm::inverse(rotationOf(atRest(*again, joint)));
+    INFO(joint);
+    CHECK(std::abs(glm::dot(turnedBefore, turnedAgain)) > 1.0 - 1e-9);
+  }
+  const Vec3 carried = positionOf(atEnd(*again, "hips")) - positionOf(atRest(*again, "hips"));
+  CHECK(glm::distance(carried, positionOf(atEnd(before, "hips")) - positionOf(atRest(before, "hips"))) <
+        1e-5);
+  REQUIRE(saveDocument(*again, folder / "again.glb", {}));
+  const Result<Document> reopened = openDocument(folder / "again.glb");
+  REQUIRE(reopened);
+  CHECK(glm::distance(positionOf(atEnd(*reopened, "leftHand")), positionOf(atEnd(*again, "leftHand"))) <
+        1e-5);
+}
+
+TEST_CASE("Fitting locators to a bound file without its work takes them from its joints") {
+  const test::TemporaryFolder folder;
+  Document document = boundPerson(folder);
+  const rig::Locators kept = std::exchange(document.locators, {});
+  Session session(std::move(document));
+  REQUIRE(runCommand(session, command::locatorsFit));
+  CHECK(showsLocators(session));
+  CHECK(isRigBuilt(session.document()));
+  CHECK_FALSE(areLocatorsMoved(session.document()));
+  CHECK(session.document().locators.list.size() == kept.list.size());
+}
+
+TEST_CASE("While locators are shown the character is looked at in its bind pose") {
+  const test::TemporaryFolder folder;
+  Session session(bent(boundPerson(folder)));
+  const auto hand = std::ranges::find(session.document().scene->nodes, "leftHand", &Node::name);
+  const auto index = static_cast<std::size_t>(hand - session.document().scene->nodes.begin());
+  const double end = 30.0;
+  const Vec3 bind = rig::findLocator(session.document().locators, "leftHand")->position;
+  CHECK(glm::distance(positionOf(session.shownAt(end).worlds[index]), bind) > 0.1);
+  REQUIRE(runCommand(session, command::rigBack));
+  CHECK(glm::distance(positionOf(session.shownAt(end).worlds[index]), bind) < 1e-5);
+  REQUIRE(runCommand(session, command::rigBack));
+  CHECK(glm::distance(positionOf(session.shownAt(end).worlds[index]), bind) > 0.1);
+}
+
 TEST_CASE("A rig is built, taken apart to its locators, and built again", "[locators]") {
   Session session = personSession();
   const std::size_t nodes = session.document().scene->nodes.size();
   const gltf::Json before = *session.document().source->json;
   REQUIRE(runCommand(session, command::locatorsFit));
-  CHECK(showsLocators(session.document()));
+  CHECK(showsLocators(session));
   REQUIRE(runCommand(session, command::rigBuild));
   CHECK(session.document().biped.limbs.size() == 6);
-  CHECK_FALSE(showsLocators(session.document()));
+  CHECK_FALSE(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes + 22);
   REQUIRE(runCommand(session, command::rigBack));
-  CHECK(showsLocators(session.document()));
+  CHECK(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes);
   CHECK(session.document().biped.limbs.empty());
   CHECK((*session.document().source->json)["nodes"] == before["nodes"]);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -200,6 +201,19 @@ TEST_CASE("Tracks go to the joints of the same names, key for key, and missing j
   REQUIRE((from >= 0 && to >= 0));
   CHECK(copied.clip.tracks[at(to)]->values == moving.clip.tracks[at(from)]->values);
   CHECK(copied.clip.tracks[at(to)]->times == moving.clip.tracks[at(from)]->times);
+}
+
+TEST_CASE("A copied track follows the name of its joint, wherever that stands in the file") {
+  const MovingBiped moving = test::punchingBiped();
+  MovingBiped other = bodyOf();
+  const NodeIndex left = moving.node.at("upperArm.l");
+  const NodeIndex right = moving.node.at("upperArm.r");
+  std::swap(other.scene.nodes[at(left)].name, other.scene.nodes[at(right)].name);
+  const CopiedTracks copied = copyTracks(moving.scene, moving.clip, other.scene);
+  const int from = findTrack(moving.clip, left, Channel::rotation);
+  const int to = findTrack(copied.clip, right, Channel::rotation);
+  REQUIRE((from >= 0 && to >= 0));
+  CHECK(copied.clip.tracks[at(to)]->values == moving.clip.tracks[at(from)]->values);
 }
 
 TEST_CASE("Bones of the same names and other lengths are not the same bones") {

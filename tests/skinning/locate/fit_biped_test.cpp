@@ -122,6 +122,26 @@ TEST_CASE("A body on four legs gets joints that are no more than a guess, and is
   CHECK(jointOf(*fitted, "leftHand").confidence < 0.5);
 }
 
+TEST_CASE("A body with as many limbs as a spider is told to be no biped, whichever way it seems to stand",
+          "[locators]") {
+  TubePerson creature = tubePerson();
+  const auto first = static_cast<std::uint32_t>(creature.positions.size());
+  // A second one, upside down on its shoulders: four hands and four feet.
+  for (const Vec3& position :
+       moved(creature.positions, [](const Vec3& p) { return Vec3(-p.x, 3.2 - p.y, p.z); })) {
+    creature.positions.push_back(position);
+  }
+  for (const Triangle& triangle : std::vector<Triangle>(creature.triangles)) {
+    creature.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  }
+  const Result<FittedBiped> fitted = fitBiped(creature.positions, creature.triangles);
+  REQUIRE(fitted);
+  REQUIRE_FALSE(fitted->warnings.empty());
+  CHECK(fitted->warnings.back().find("8 limbs or tips") != std::string::npos);
+  CHECK(jointOf(*fitted, "leftHand").confidence < 0.5);
+  CHECK(fitBiped(tubePerson().positions, tubePerson().triangles)->warnings.empty());
+}
+
 TEST_CASE("What is no body is refused in one line that says what to do", "[locators]") {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<Triangle> plane{{0, 1, 2}, {0, 2, 3}};

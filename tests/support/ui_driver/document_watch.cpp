@@ -16,7 +16,8 @@ void DocumentWatch::look(Shell& shell) {
   if (character == nullptr) {
     opened_.reset();
     beforeUndo_.reset();
-  } else if (!opened_ || opened_->source != character->document().source) {
+  } else if (!opened_ ||
+             (opened_->source != character->document().source && !character->history().canUndo())) {
     opened_ = character->document();
     beforeUndo_.reset();
   }

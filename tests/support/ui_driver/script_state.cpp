@@ -47,6 +47,28 @@ std::size_t editedTrackCount(const app::Document& document, int clip) {
   return app::hasClip(document, clip) ? app::editedTracks(document, clip).size() : 0;
 }
 
+std::string placeText(const Vec3& place) {
+  const auto rounded = [](double x) { return std::round(1000.0 * x) / 1000.0 + 0.0; }; // No -0.
+  return fmt::format("{:.6g} {:.6g} {:.6g}", rounded(place.x), rounded(place.y), rounded(place.z));
+}
+
+std::string placeOfLocator(const app::Document& document, std::string_view name) {
+  const rig::Locator* const locator = rig::findLocator(document.locators, name);
+  return locator == nullptr ? "none" : placeText(locator->position);
+}
+
+std::string placeOfJoint(const Scene& scene, std::string_view name) {
+  const std::vector<Mat4> worlds = worldMatrices(scene, restPose(scene));
+  const auto found = std::ranges::find(scene.nodes, name, &Node::name);
+  return found == scene.nodes.end()
+             ? "none"
+             : placeText(positionOf(worlds[static_cast<std::size_t>(found - scene.nodes.begin())]));
+}
+
+bool hasBoundMesh(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
+}
+
 std::string axesOf(const rig::TrailSettings& settings) {
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -448,7 +470,35 @@ std::string dialogRow(const FileDialogState& dialog) {
   return dialog.factsPath.filename().string();
 }
 
+std::string weightsOf(const Shell& shell) {
+  const NodeIndex joint = shell.viewport.weightsOf;
+  return joint.exists() ? shell.open.character()->document().scene->nodes[at(joint)].name : "none";
+}
+
+/// States of locators, joints and weights.
+std::optional<std::string> skinState(const Shell& shell, std::string_view name) {
+  const app::Session& session = *shell.open.character();
+  const Scene& scene = *session.document().scene;
+  if (constexpr std::string_view locator = "locator."; name.starts_with(locator)) {
+    return placeOfLocator(session.document(), name.substr(locator.size()));
+  }
+  if (constexpr std::string_view joint = "joint."; name.starts_with(joint)) {
+    return placeOfJoint(scene, name.substr(joint.size()));
+  }
+  const std::map<std::string_view, std::string> states{
+      {"locators-shown", yesNo(app::showsLocators(session))},
+      {"bound", yesNo(hasBoundMesh(scene))},
+      {"weights-of", weightsOf(shell)},
+      {"working", yesNo(isBusy(shell))},
+  };
+  const auto found = states.find(name);
+  return found == states.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::optional<std::string> characterState(Shell& shell, std::string_view name) {
+  if (std::optional<std::string> skin = skinState(shell, name)) {
+    return skin;
+  }
   const std::optional<std::string> key = keyState(shell, name);
   return key ? key : sessionState(shell, name);
 }

@@ -31,9 +31,11 @@ namespace stretch::test {
 /// the end). Of poses: controllers (that are selected), adjusted (ids in the clip), moved and turned ("0 -0.1
 /// 0" and degrees, of the first selected one at the playhead), offset-keys (how many the selection has),
 /// auto-key, value.ID (of an attribute at the playhead), pins ("left-arm 21 to 27, left-leg 3 to 9", of the
-/// clip). toasts-in-picture (they cover nothing else), toasts-on-figure (one covers the
-/// character), tour.share (of the picture's height, that of the tour's card), menu-over-bars (the menu at the
-/// mouse covers a bar), menu-in-window.
+/// clip), working (beside the window), locator.NAME (where it stands, "0.1 1.2 0"), joint.NAME (where a joint
+/// stands at rest), bound (whether a mesh follows a skin),
+/// locators-shown, weights-of (the joint whose weights are drawn, or none). toasts-in-picture (they cover
+/// nothing else), toasts-on-figure (one covers the character), tour.share (of the picture's height, that of
+/// the tour's card), menu-over-bars (the menu at the mouse covers a bar), menu-in-window.
 [[nodiscard]] std::optional<std::string> stateOf(ui::Shell& shell, std::string_view name);
 
 /// Whether two states are the same: as numbers within a thousandth, else as text.

@@ -60,6 +60,11 @@ const Overlays overlays[] = {
     {"wire", [](GuiStage& stage) { stage.ui.overlays.wire = true; }},
     {"joint-names", [](GuiStage& stage) { stage.ui.overlays.jointNames = true; }},
     {"heat-map", [](GuiStage& stage) { stage.ui.overlays.heatMap = true; }},
+    {"weights",
+     [](GuiStage& stage) {
+       stage.ui.overlays.weights = true;
+       app::selectLimb(*stage.open.character(), "right-leg", false);
+     }},
     {"ghosts", [](GuiStage& stage) { stage.ui.overlays.ghosts = true; }},
     {"grid-off", [](GuiStage& stage) { stage.ui.overlays.grid = false; }},
     {"limb-selected", [](GuiStage& stage) { app::selectLimb(*stage.open.character(), "right-leg", false); }},

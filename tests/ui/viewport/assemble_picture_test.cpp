@@ -1,10 +1,16 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+
 #include "app/commands/selection.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
+#include "tests/support/ui/panel_driver.h"
 #include "ui/batch/sequence_pictures.h"
+#include "ui/panels/weight_view.h"
 #include "ui/render/image_edits.h"
 #include "ui/viewport/viewport_scene.h"
 
@@ -41,6 +47,62 @@ std::vector<std::uint8_t> drawn(const Scene& scene, const PictureContent& conten
 }
 
 } // namespace
+
+namespace {
+
+/// The mean row, as a share of the height, of pixels that are yellow or orange as the weights from a half on
+/// are; nothing where there are none.
+std::optional<double> rowOfWeights(const app::Document& document, NodeIndex joint) {
+  const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(document, 0));
+  const auto pictures = picturesOfCharacter(document, motion, {0.0}, {.weightsOf = joint});
+  PictureOptions options;
+  options.widthPixels = 160;
+  options.heightPixels = 160;
+  const Result<Image> image = renderFrame(*document.scene, pictures.front(), options);
+  REQUIRE(image);
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t pixel = 0; pixel < image->rgba.size() / 4; ++pixel) {
+    const auto channel = [&](std::size_t i) { return static_cast<int>(image->rgba[4 * pixel + i]); };
+    if (channel(0) > 120 && 2 * channel(2) < channel(0)) {
+      sum += static_cast<double>(pixel / 160) / 160.0;
+      ++count;
+    }
+  }
+  return count < 10 ? std::nullopt : std::optional(sum / count);
+}
+
+NodeIndex nodeNamed(const Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.nodes, name, &Node::name);
+  REQUIRE(found != scene.nodes.end());
+  return NodeIndex(static_cast<std::size_t>(found - scene.nodes.begin()));
+}
+
+} // namespace
+
+TEST_CASE("Weights colour what follows the joint, and nothing else") {
+  const app::Document document = test::PanelDriver::bundledCharacter();
+  const Scene& scene = *document.scene;
+  const std::optional<double> head = rowOfWeights(document, nodeNamed(scene, "Head"));
+  const std::optional<double> foot = rowOfWeights(document, nodeNamed(scene, "LeftFoot"));
+  REQUIRE(head);
+  REQUIRE(foot);
+  CHECK(*head < 0.35);
+  CHECK(*foot > 0.65);
+}
+
+TEST_CASE("A thing that a joint carries counts as its weight, and other joints do not") {
+  Scene scene = *test::PanelDriver::bundledCharacter().scene;
+  const NodeIndex hand = nodeNamed(scene, "LeftHand");
+  const NodeIndex sword(scene.nodes.size());
+  scene.nodes.push_back({.name = "Sword", .parent = hand});
+  scene.nodes[at(hand)].children.push_back(sword);
+  const std::vector<float> shares = sharesOf(scene, hand);
+  CHECK(shares[at(hand)] == 1.0F);
+  CHECK(shares[at(sword)] == 1.0F);
+  CHECK(shares[at(nodeNamed(scene, "LeftHandThumb1"))] == 0.0F);
+  CHECK(shares[at(nodeNamed(scene, "LeftForeArm"))] == 0.0F);
+}
 
 TEST_CASE("The window and the verb render make the same picture, ghosts, trails and skeleton included") {
   Window window;

@@ -1,0 +1,98 @@
+#include <chrono>
+#include <thread>
+
+#include <catch2/catch.hpp>
+
+#include "app/commands/command_ids.h"
+#include "app/open_document.h"
+#include "tests/support/app/mesh_file.h"
+#include "tests/support/skinning/tube_person.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/ui/panel_driver.h"
+#include "ui/shell/clip_import.h"
+#include "ui/shell/shell_commands.h"
+
+using namespace stretch;
+using namespace stretch::ui;
+
+namespace {
+
+/// The editor with a character, whose work goes on beside the window.
+struct Working {
+  explicit Working(app::Document document) {
+    shell.open.open(app::Opened{std::move(document)});
+    shell.commands = editorCommands();
+    shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
+  }
+
+  void press(const char* key) {
+    KeyInput input;
+    input.press.chord = *app::parseChord(key);
+    input.down = true;
+    dispatchKey(shell, input);
+  }
+  void waitUntilDone() {
+    while (isBusy(shell)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      updateBinding(shell);
+      updateFitting(shell);
+      updateClipImport(shell);
+    }
+  }
+  [[nodiscard]] const app::Session& session() const { return *shell.open.character(); }
+
+  Shell shell;
+};
+
+app::Document statue() {
+  const test::TemporaryFolder folder;
+  const test::TubePerson person = test::tubePerson();
+  test::writeMeshFile(folder / "person.gltf", person.positions, person.triangles);
+  Result<app::Document> document = app::openDocument(folder / "person.gltf");
+  REQUIRE(document);
+  return std::move(*document);
+}
+
+bool changesNothingWhenStopped(Working& working) {
+  REQUIRE(isBusy(working.shell));
+  working.press("Esc");
+  working.waitUntilDone();
+  return !working.session().history().canUndo();
+}
+
+} // namespace
+
+TEST_CASE("Esc stops fitting locators, and the same again finds them") {
+  Working working(statue());
+  runCommand(working.shell, command::locatorsFit);
+  CHECK(changesNothingWhenStopped(working));
+  CHECK(working.session().document().locators.empty());
+  runCommand(working.shell, command::locatorsFit);
+  working.waitUntilDone();
+  CHECK(working.session().document().locators.list.size() == 22);
+}
+
+TEST_CASE("Esc stops binding, and the mesh keeps its weights") {
+  Working working(test::PanelDriver::bundledCharacter());
+  const auto source = working.session().document().source;
+  working.press("Ctrl+B");
+  CHECK(changesNothingWhenStopped(working));
+  CHECK(working.session().document().source == source);
+}
+
+TEST_CASE("Esc stops importing a clip, and no clip is added") {
+  Working working(test::PanelDriver::bundledCharacter());
+  const std::size_t clips = working.session().document().clips->size();
+  importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});
+  CHECK(changesNothingWhenStopped(working));
+  CHECK(working.session().document().clips->size() == clips);
+  importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});
+  working.waitUntilDone();
+  CHECK(working.session().document().clips->size() > clips);
+}
+
+TEST_CASE("Esc says nothing while nothing is in progress") {
+  Working working(test::PanelDriver::bundledCharacter());
+  working.press("Esc");
+  CHECK(working.shell.ui.toasts.empty());
+}

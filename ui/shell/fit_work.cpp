@@ -1,0 +1,101 @@
+#include "ui/shell/fit_work.h"
+
+#include <utility>
+
+#include "app/commands/command_ids.h"
+#include "app/commands/document_commands.h"
+#include "ui/shell/shell.h"
+
+namespace stretch::ui {
+
+namespace {
+
+Status startFitting(Shell& shell, const std::string& label) {
+  const app::Document& document = shell.open.character()->document();
+  shell.fitting.scene = document.scene;
+  shell.fitting.label = label;
+  shell.fitting.job = std::make_unique<app::Job<app::FittedLocators>>(
+      [document](const skinning::Proceed& proceed) { return app::fitLocators(document, proceed); });
+  return Success{};
+}
+
+bool isMeshAlone(const Shell& shell) {
+  const app::Session* const session = shell.open.character();
+  return session != nullptr && !session->document().biped.isBiped && session->document().scene->skins.empty();
+}
+
+bool canStop(const Shell& shell) {
+  const app::SequenceSession* const sequence = shell.open.sequence();
+  return shell.fitting.job != nullptr || shell.binding.job != nullptr || shell.clipImport.job != nullptr ||
+         (sequence != nullptr && sequence->isWorking());
+}
+
+Status stop(Shell& shell) {
+  const auto cancel = [](auto& job) {
+    if (job != nullptr) {
+      job->cancel();
+    }
+  };
+  cancel(shell.fitting.job);
+  cancel(shell.binding.job);
+  cancel(shell.clipImport.job);
+  if (shell.open.sequence() != nullptr) {
+    shell.open.sequence()->cancelWork();
+  }
+  tell(shell, ToastKind::info, "Stopped: nothing was changed");
+  return Success{};
+}
+
+} // namespace
+
+void fitBesideWindow(std::vector<app::Command<Shell>>& commands) {
+  for (app::Command<Shell>& fit : commands) {
+    if (fit.id != app::command::locatorsFit && fit.id != app::command::locatorsReset) {
+      continue;
+    }
+    const std::string label = fit.id == app::command::locatorsFit ? "Fit locators" : "Reset the locators";
+    fit.enabled = [enabled = fit.enabled](const Shell& shell) {
+      return shell.fitting.job == nullptr && enabled(shell);
+    };
+    fit.run = [label, run = fit.run](Shell& shell) {
+      return isMeshAlone(shell) ? startFitting(shell, label) : run(shell);
+    };
+  }
+}
+
+void updateFitting(Shell& shell) {
+  FitWork& work = shell.fitting;
+  app::Session* const session = shell.open.character();
+  if (work.job == nullptr || !work.job->isFinished() || (session != nullptr && session->isDragging())) {
+    return;
+  }
+  const bool isStopped = work.job->isCancelled();
+  Result<app::FittedLocators> fitted = work.job->take();
+  const FitWork done = std::exchange(work, {});
+  if (isStopped || session == nullptr || session->document().scene != done.scene) {
+    return; // another file, or another step of the history, is shown by now
+  }
+  if (!fitted) {
+    tellProblem(shell, fitted.error());
+    return;
+  }
+  app::takeLocators(*session, std::move(fitted->locators), done.label);
+  for (const std::string& warning : fitted->warnings) {
+    tell(shell, ToastKind::warning, warning);
+  }
+}
+
+std::vector<app::Command<Shell>> stopCommands() {
+  app::Command<Shell> command;
+  command.id = app::command::workStop;
+  command.label = "Stop what is in progress";
+  command.help = "Ends binding, fitting locators, importing a clip, compressing or exporting before it is "
+                 "done; what is open stays as it is.";
+  command.keys = {"Esc"};
+  command.enabled = canStop;
+  command.run = stop;
+  command.needs = [](const Shell&) -> std::string { return "nothing is in progress"; };
+  return {command};
+}
+
+} // namespace stretch::ui
