@@ -93,7 +93,7 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const std::optional
   const std::vector<std::string> wanted = arguments.limbs.empty() ? allButTrunk(document) : arguments.limbs;
   if (wanted.empty()) {
     return Error{"no limb but the trunk was found", document.source->path.string(),
-                 "name a chain, such as --limb JOINT_A..JOINT_B"};
+                 "name a limb of the trunk or a chain, such as --limb JOINT_A..JOINT_B"};
   }
   for (const std::string& name : wanted) {
     const Result<rig::Limb> limb = findOrAddLimb(document, name, "--limb");
