@@ -62,9 +62,11 @@ void useLocators(PanelContext& context) {
 }
 
 void moveTools(PanelContext& context) {
-  commandButton(
-      context,
-      {.command = command::locatorsReset, .icon = icon::refresh, .text = "Reset", .width = columnWidth(2)});
+  constexpr float resetShare = 0.42F; // the switch beside it is wider
+  commandButton(context, {.command = command::locatorsReset,
+                          .icon = icon::refresh,
+                          .text = "Reset",
+                          .width = resetShare * ImGui::GetContentRegionAvail().x});
   ImGui::SameLine();
   app::ViewState& view = context.character().view();
   if (toggle(widgetsOf(context), "locators/mirror", "Mirror", view.mirrorLocators,
