@@ -62,18 +62,21 @@ void useLocators(PanelContext& context) {
 }
 
 void moveTools(PanelContext& context) {
-  const float width = columnWidth(2);
-  commandButton(context,
-                {.command = command::locatorsReset, .icon = icon::refresh, .text = "Reset", .width = width});
+  constexpr float resetShare = 0.42F; // the switch beside it is wider
+  commandButton(context, {.command = command::locatorsReset,
+                          .icon = icon::refresh,
+                          .text = "Reset",
+                          .width = resetShare * ImGui::GetContentRegionAvail().x});
   ImGui::SameLine();
-  commandButton(
-      context,
-      {.command = command::locatorsSnap, .icon = icon::target, .text = "To the middle", .width = width});
   app::ViewState& view = context.character().view();
   if (toggle(widgetsOf(context), "locators/mirror", "Mirror", view.mirrorLocators,
              {"Mirror locators", "What moves a locator moves its counterpart on the other side.", {}})) {
     view.mirrorLocators = !view.mirrorLocators;
   }
+  commandButton(context, {.command = command::locatorsSnap,
+                          .icon = icon::target,
+                          .text = "To the middle",
+                          .width = ImGui::GetContentRegionAvail().x});
 }
 
 /// From the hips to the head: what steps and decimals are measured by.

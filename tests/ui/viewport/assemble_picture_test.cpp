@@ -95,7 +95,8 @@ TEST_CASE("A thing that a joint carries counts as its weight, and other joints d
   Scene scene = *test::PanelDriver::bundledCharacter().scene;
   const NodeIndex hand = nodeNamed(scene, "LeftHand");
   const NodeIndex sword(scene.nodes.size());
-  scene.nodes.push_back({.name = "Sword", .parent = hand});
+  scene.nodes.emplace_back().name = "Sword";
+  scene.nodes.back().parent = hand;
   scene.nodes[at(hand)].children.push_back(sword);
   const std::vector<float> shares = sharesOf(scene, hand);
   CHECK(shares[at(hand)] == 1.0F);
