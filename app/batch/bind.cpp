@@ -144,7 +144,8 @@ Verb bindVerb() {
             addFileArguments(line, arguments->input);
             addOutputFile(line, arguments->output, "The .glb or .gltf to write");
             line.option("--locators", arguments->locators,
-                        "Where the joints are made (JSON, as `rig --locators-only` writes it) instead of the "
+                        "Where the joints are made, or moved to in a bound file (JSON, as `rig "
+                        "--locators-only` writes it) instead of the "
                         "fitted places");
             line.flag("--keep-joints", arguments->keepJoints,
                       "Bind to the joints that the file has; weights that it has are replaced");

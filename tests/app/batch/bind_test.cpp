@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/document.h"
@@ -113,6 +114,37 @@ TEST_CASE("A statue bound at locators stands as it stood, and its limbs are foun
   const Json& json = after.source->json;
   CHECK(json["nodes"][1]["name"] == "hips");
   CHECK(json["materials"] == (*before.source->json)["materials"]);
+}
+
+TEST_CASE("Locators that are given for a bound file move its joints, and it is bound again at them") {
+  const TemporaryFolder folder;
+  const std::string bound = (folder / "bound.glb").string();
+  const std::string places = (folder / "places.json").string();
+  const std::string again = (folder / "again.glb").string();
+  REQUIRE(runVerb({"bind", statue(folder), "-o", bound, "--locators", locatorsOf(folder)}).exitCode == 0);
+  REQUIRE(runVerb({"rig", bound, "-o", places, "--locators-only"}).exitCode == 0);
+  Json json = Json::parse(*readText(places));
+  Json& hand =
+      *std::ranges::find_if(json["locators"], [](const Json& one) { return one["name"] == "leftHand"; });
+  const Vec3 wanted(hand["position"][0].get<double>(), hand["position"][1].get<double>() + 0.05,
+                    hand["position"][2].get<double>());
+  hand["position"][1] = wanted.y;
+  REQUIRE(writeText(places, json.dump()));
+  const Json report = reportOf(runVerb({"bind", bound, "-o", again, "--locators", places, "--json"}));
+  const Document before = openedFile(bound);
+  const Document after = openedFile(again);
+  CHECK(report["joints"] == before.scene->skins[0].joints.size());
+  CHECK(after.scene->nodes.size() == before.scene->nodes.size());
+  CHECK(after.scene->skins.size() == 1);
+  const std::vector<Mat4> worlds = rig::bindPoseWorlds(*after.scene);
+  const auto joint = std::ranges::find(after.scene->nodes, "leftHand", &Node::name);
+  CHECK(glm::distance(positionOf(worlds[static_cast<std::size_t>(joint - after.scene->nodes.begin())]),
+                      wanted) < 1e-5);
+  const std::vector<Vec3> stood = atRest(before);
+  const std::vector<Vec3> stands = atRest(after);
+  for (std::size_t v = 0; v < stood.size(); ++v) {
+    REQUIRE(glm::distance(stood[v], stands[v]) < 1e-4);
+  }
 }
 
 TEST_CASE("Binding again at the file's own joints changes weights and nothing else") {
