@@ -23,21 +23,20 @@ bool sameClips(const Document& a, const Document& b) {
 
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.addedFiles == b.addedFiles && sameClips(a, b) &&
-         a.biped.limbs == b.biped.limbs && a.biped.hips == b.biped.hips &&
-         a.limbsCorrected == b.limbsCorrected && a.locators == b.locators && a.chains == b.chains &&
-         a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
-         a.weights == b.weights && a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips &&
-         a.rates == b.rates;
+         a.body.limbs == b.body.limbs && a.body.hips == b.body.hips && a.limbsCorrected == b.limbsCorrected &&
+         a.locators == b.locators && a.chains == b.chains && a.trails == b.trails &&
+         a.adjustments == b.adjustments && a.holds == b.holds && a.weights == b.weights &&
+         a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips && a.rates == b.rates;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {
-  std::vector<rig::Limb> limbs = document.biped.limbs;
+  std::vector<rig::Limb> limbs = document.body.limbs;
   limbs.insert(limbs.end(), document.chains.begin(), document.chains.end());
   return limbs;
 }
 
 const rig::Limb* findLimb(const Document& document, const std::string& limbId) {
-  for (const std::vector<rig::Limb>* limbs : {&document.biped.limbs, &document.chains}) {
+  for (const std::vector<rig::Limb>* limbs : {&document.body.limbs, &document.chains}) {
     const auto found =
         std::find_if(limbs->begin(), limbs->end(), [&](const rig::Limb& limb) { return limb.id == limbId; });
     if (found != limbs->end()) {

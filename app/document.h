@@ -61,7 +61,7 @@ struct Document {
   std::vector<std::string> warnings;        ///< Of opening the file and those that were added.
   bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
-  rig::Biped biped;              ///< Limbs as found, or as corrected by hand.
+  rig::Body body;                ///< Limbs as found, or as corrected by hand.
   bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
   rig::Locators locators;        ///< Where joints of a body without a skeleton are to stand; empty: none.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.

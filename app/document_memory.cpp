@@ -104,7 +104,7 @@ std::size_t bytesBeyond(const Document& document, const Document& other) {
   });
   bytes += bytesOf(document.followingKeys, [](const FollowingKeys& keys) { return bytesOf(keys.keys); });
   bytes += bytesOf(document.warnings, [](const std::string& warning) { return warning.size(); });
-  return bytes + bytesOfLimbs(document.biped.limbs) + bytesOfLimbs(document.chains) +
+  return bytes + bytesOfLimbs(document.body.limbs) + bytesOfLimbs(document.chains) +
          bytesOfHolds(document.holds) + bytesOf(document.loopingClips) + bytesOf(document.rates);
 }
 

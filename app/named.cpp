@@ -11,7 +11,7 @@ namespace {
 
 std::string limbList(const Document& document) {
   std::string list;
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     list += (list.empty() ? "" : ", ") + limb.id;
   }
   return list.empty() ? "none was found" : list;
@@ -65,10 +65,10 @@ Result<rig::Limb> findOrAddLimb(Document& document, const std::string& text, con
     return *limb;
   }
   const std::size_t dots = text.find("..");
-  if (dots == std::string::npos && document.biped.limbs.empty() && !document.biped.warnings.empty()) {
-    return Error{"there is no limb '" + text + "'", where, document.biped.warnings.back()};
+  if (dots == std::string::npos && document.body.limbs.empty() && !document.body.warnings.empty()) {
+    return Error{"there is no limb '" + text + "'", where, document.body.warnings.back()};
   }
-  if (const std::string why = dots == std::string::npos ? rig::whyNoLimb(document.biped, text) : "";
+  if (const std::string why = dots == std::string::npos ? rig::whyNoLimb(document.body, text) : "";
       !why.empty()) {
     return Error{"there is no limb '" + text + "'", where, why};
   }

@@ -60,7 +60,7 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
   const Scene& scene = *document.scene;
   const auto carriesIt = [&](NodeIndex other) { return isAncestorOrSelf(scene, other, node); };
   const bool isOfBody =
-      carriesIt(document.biped.hips) || std::ranges::any_of(allLimbs(document), [&](const rig::Limb& limb) {
+      carriesIt(document.body.hips) || std::ranges::any_of(allLimbs(document), [&](const rig::Limb& limb) {
         return carriesIt(limb.joints.front());
       });
   return !isOfBody && !isHeldIn(document, clip, node) && scene.nodes[at(node)].mesh >= 0 &&
@@ -73,7 +73,7 @@ bool isBlock(const Document& document, int clip, NodeIndex node) {
 
 std::optional<double> standingAnkles(const Document& document, int clip) {
   std::optional<double> lowest;
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     const std::optional<double> height =
         isLeg(limb) ? rig::standingHeight(*document.scene, clipOf(document, clip), limb) : std::nullopt;
     lowest = height ? std::optional(std::min(lowest.value_or(*height), *height)) : lowest;
@@ -127,7 +127,7 @@ std::optional<double> floorHeight(const Document& document, int clip) {
   }
   const rig::BindPlaces places = rig::bindPlaces(*document.scene);
   double depth = 0.0;
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     depth = isLeg(limb) ? std::max(depth, soleDepth(*document.scene, limb, places)) : depth;
   }
   return *ankles - depth;

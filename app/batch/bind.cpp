@@ -70,7 +70,7 @@ Result<BindRequest> requestOf(const BindArguments& arguments, const Document& do
 
 gltf::Json reportOf(const Document& document, const BindReport& report, double seconds) {
   gltf::Json limbs = gltf::Json::array();
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     limbs.push_back(limb.id);
   }
   return {{"joints", report.joints},

@@ -63,7 +63,7 @@ Result<WeightSettings> settingsOf(const ElasticArguments& arguments, WeightSetti
 
 std::vector<std::string> allButTrunk(const Document& document) {
   std::vector<std::string> limbs;
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     if (!isTrunk(limb)) {
       limbs.push_back(limb.id);
     }

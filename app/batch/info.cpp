@@ -171,13 +171,13 @@ Json infoOf(const Document& document) {
                              {"keys", keyCount(clip)},
                              {"fps", clip.framesPerSecond}});
   }
-  info["biped"] = document.biped.isBiped;
-  info["plan"] = {{"plan", document.biped.plan},
-                  {"confidence", document.biped.planConfidence},
-                  {"reasons", document.biped.planReasons}};
-  info["height"] = document.biped.height;
+  info["biped"] = document.body.isBiped;
+  info["plan"] = {{"plan", document.body.plan},
+                  {"confidence", document.body.planConfidence},
+                  {"reasons", document.body.planReasons}};
+  info["height"] = document.body.height;
   info["limbs"] = Json::array();
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     info["limbs"].push_back(limbJson(scene, limb));
   }
   info["controllers"] = controllersJson(document);

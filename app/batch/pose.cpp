@@ -110,7 +110,7 @@ Json poseJson(const Document& document, const Recipe& recipe) {
       const std::optional<Json> place = placesAt(document, motion, adjustment.controller, key.frame);
       keys.push_back(place.value_or(Json{{"frame", key.frame}}));
       if (place) {
-        warnOfMiss(adjustment.controller, *place, document.biped.height, report["warnings"]);
+        warnOfMiss(adjustment.controller, *place, document.body.height, report["warnings"]);
       }
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});

@@ -30,7 +30,7 @@ Result<FittedLocators> locatorsOf(const RigArguments& arguments, const Document&
     return fitLocators(document);
   }
   Result<rig::Locators> given = loadLocators(arguments.locators);
-  return given ? Result<FittedLocators>(FittedLocators{std::move(*given), document.biped.isBiped, {}})
+  return given ? Result<FittedLocators>(FittedLocators{std::move(*given), document.body.isBiped, {}})
                : Result<FittedLocators>(given.error());
 }
 
@@ -50,7 +50,7 @@ void report(const RigArguments& arguments, const FittedLocators& fitted, const D
   const std::vector<std::string> unsure = unsureLocators(fitted.locators);
   std::vector<std::string> limbs;
   if (document != nullptr) {
-    for (const rig::Limb& limb : document->biped.limbs) {
+    for (const rig::Limb& limb : document->body.limbs) {
       limbs.push_back(limb.id);
     }
   }

@@ -119,7 +119,7 @@ gltf::Json addedFilesToJson(const Document& document) {
 
 gltf::Json documentWarnings(const Document& document) {
   gltf::Json warnings = document.warnings;
-  for (const std::string& warning : document.biped.warnings) {
+  for (const std::string& warning : document.body.warnings) {
     warnings.push_back(warning);
   }
   return warnings;

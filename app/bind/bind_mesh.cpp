@@ -278,7 +278,7 @@ Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound) {
   document.clips = withMovedJoints(document.clips, bound.moves);
   document.sourceClips = withMovedJoints(document.sourceClips, bound.moves);
   if (!document.limbsCorrected) {
-    document.biped = bodyOfSource(document);
+    document.body = bodyOfSource(document);
   }
   return document;
 }

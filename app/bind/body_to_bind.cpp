@@ -38,7 +38,7 @@ std::set<NodeIndex> jointsOfSkins(const Scene& scene) {
 // A joint beyond the limbs that nothing hangs on but rigid meshes: it holds a prop.
 bool isSocket(const Document& document, NodeIndex joint) {
   const Scene& scene = *document.scene;
-  const rig::Biped& biped = document.biped;
+  const rig::Body& biped = document.body;
   const bool isOfBody =
       joint == biped.head || std::ranges::any_of(biped.limbs, [&](const rig::Limb& limb) {
         return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
@@ -51,7 +51,7 @@ bool isSocket(const Document& document, NodeIndex joint) {
 
 std::set<NodeIndex> jointsToBind(const Document& document) {
   const Scene& scene = *document.scene;
-  const NodeIndex hips = document.biped.hips;
+  const NodeIndex hips = document.body.hips;
   std::set<NodeIndex> joints = jointsOfSkins(scene);
   if (joints.empty() && hips.exists()) {
     for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
@@ -119,7 +119,7 @@ SkeletonToBind ownSkeleton(const Document& document) {
     if (parent.exists()) {
       const Mat4& above = skeleton.worlds[at(places[parent])];
       world = bindWorld(world, above * glm::inverse(rest[at(parent)]) * rest[at(node)], positionOf(above),
-                        document.biped.height);
+                        document.body.height);
     }
     skeleton.nodes.push_back(node);
     skeleton.worlds.push_back(world);

@@ -57,7 +57,7 @@ Need heldTargetNeeded() {
 
 bool hasClipAndLegs(const Session& session) {
   return clipNeeded().holds(session) &&
-         std::ranges::any_of(session.document().biped.limbs,
+         std::ranges::any_of(session.document().body.limbs,
                              [](const rig::Limb& limb) { return isLeg(limb); });
 }
 
@@ -80,7 +80,7 @@ rig::Pin pinHere(Session& session, const std::string& limbId) {
       rig::adjustedFrame(*document.scene, clip, session.motion(), frame / clip.framesPerSecond);
   const rig::HeldPlace seen = rig::endPlace(limb, session.frameAt(frame));
   constexpr double unseen = 1e-6; // of the height
-  if (glm::length(seen.position - endPosition(limb, adjusted)) > unseen * document.biped.height) {
+  if (glm::length(seen.position - endPosition(limb, adjusted)) > unseen * document.body.height) {
     pin.place = seen;
   }
   return pin;
@@ -109,7 +109,7 @@ Status pinPlantedFeet(Session& session) {
 std::string otherHand(const Document& document, const std::string& limbId) {
   const rig::Limb* const limb = findLimb(document, limbId);
   const bool isPaired = limb != nullptr && hasHandOrFoot(*limb);
-  const rig::Limb* const other = isPaired ? limbAt(document.biped.limbs, mirrored(*limb)) : nullptr;
+  const rig::Limb* const other = isPaired ? limbAt(document.body.limbs, mirrored(*limb)) : nullptr;
   return other != nullptr ? other->id : std::string();
 }
 

@@ -68,7 +68,7 @@ DocumentCommand planCommand(const rig::BodyPlan& plan) {
               return finish(session, *std::move(changed), "Change the body plan");
             });
   command.id = command::planPrefix + id;
-  command.checked = [id](const Session& session) { return session.document().biped.plan == id; };
+  command.checked = [id](const Session& session) { return session.document().body.plan == id; };
   return command;
 }
 
@@ -99,7 +99,7 @@ Status selectAllLimbs(Session& session) {
 
 Status detectAgain(Session& session) {
   Document changed = session.document();
-  changed.biped = bodyOfSource(changed);
+  changed.body = bodyOfSource(changed);
   changed.limbsCorrected = false;
   return finish(session, changed, "Find the limbs again");
 }

@@ -54,7 +54,7 @@ Status build(Session& session) {
   const Document& document = session.document();
   selectLocators(session, {});
   session.view().showLocators = false;
-  if (!document.biped.isBiped) {
+  if (!document.body.isBiped) {
     return finish(session, withRigAt(document, document.locators), "Build the rig");
   }
   Result<Document> corrected = withLimbsAt(document, document.locators);
@@ -71,7 +71,7 @@ Status snap(Session& session) {
 }
 
 std::string buildLabel(const Session& session) {
-  return session.document().biped.isBiped ? "Correct the limbs" : "Build rig";
+  return session.document().body.isBiped ? "Correct the limbs" : "Build rig";
 }
 
 } // namespace

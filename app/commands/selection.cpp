@@ -191,13 +191,13 @@ std::vector<PlacedSphere> placedSpheres(Session& session, int trailId) {
 
 std::vector<std::string> limbsByKey(const Document& document) {
   std::vector<std::string> ids;
-  const rig::BodyPlan& plan = planOf(document.biped);
+  const rig::BodyPlan& plan = planOf(document.body);
   for (const rig::PlannedLimb& limb : plan.limbs) {
     if (limb.usual || findLimb(document, limb.id) != nullptr) {
       ids.push_back(limb.id);
     }
   }
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     if (plannedLimb(plan, limb.id) == nullptr) {
       ids.push_back(limb.id);
     }
@@ -248,7 +248,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 double nudgeUnits(const Document& document) {
-  return document.biped.height / 200.0;
+  return document.body.height / 200.0;
 }
 
 bool hasSelectedTrail(const Session& session) {

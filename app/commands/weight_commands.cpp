@@ -62,7 +62,7 @@ Status takeWeightAway(Session& session) {
 
 /// "arms and legs", "legs and tail": of the limbs that are none of the trunk's.
 std::string outerKinds(const Session& session) {
-  const std::vector<rig::Limb>& limbs = session.document().biped.limbs;
+  const std::vector<rig::Limb>& limbs = session.document().body.limbs;
   std::vector<std::string> kinds;
   for (const rig::Limb& limb : limbs) {
     const bool isOne = std::ranges::count(limbs, limb.kind, &rig::Limb::kind) == 1;
@@ -76,7 +76,7 @@ std::string outerKinds(const Session& session) {
 
 Status weightForAll(Session& session) {
   std::vector<std::string> limbs;
-  for (const rig::Limb& limb : session.document().biped.limbs) {
+  for (const rig::Limb& limb : session.document().body.limbs) {
     if (!isTrunk(limb)) {
       limbs.push_back(limb.id);
     }

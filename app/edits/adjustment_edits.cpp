@@ -103,7 +103,7 @@ Status checkKeys(const Document& document, const rig::ControllerList& list,
       return Error{"a number of a key is not finite", adjustment.controller, "give a number"};
     }
     Status fits = attribute != nullptr ? checkValueOf(key, *attribute)
-                                       : checkOffset(key, *controller, document.biped.height);
+                                       : checkOffset(key, *controller, document.body.height);
     if (!fits) {
       return fits;
     }
@@ -124,16 +124,16 @@ Status checkAdjustment(const Document& document, const rig::ControllerList& list
 } // namespace
 
 rig::ControllerList controllersOf(const Document& document) {
-  return rig::controllersOf(*document.scene, document.biped.limbs, document.biped.hips);
+  return rig::controllersOf(*document.scene, document.body.limbs, document.body.hips);
 }
 
 std::vector<rig::Controller> jointControllersOf(const Document& document) {
-  return rig::jointControllers(*document.scene, document.biped.limbs, document.biped.hips);
+  return rig::jointControllers(*document.scene, document.body.limbs, document.body.hips);
 }
 
 Result<rig::Controller> findController(const Document& document, const rig::ControllerList& list,
                                        const std::string& id) {
-  return rig::controllerNamed(*document.scene, document.biped.limbs, document.biped.hips, list, id);
+  return rig::controllerNamed(*document.scene, document.body.limbs, document.body.hips, list, id);
 }
 
 Result<Document> placeAdjustments(const Document& document, std::span<const rig::Adjustment> wanted,

@@ -87,7 +87,7 @@ Status checkPlace(const Document& document, const rig::HeldPlace& place, const s
   if (!isFinite(place.position) || !std::isfinite(length) || !(length > 0.5 && length < 2.0)) {
     return Error{"its place is not finite, or its orientation no unit quaternion", who, "give numbers"};
   }
-  if (glm::length(place.position) > farthest * document.biped.height) {
+  if (glm::length(place.position) > farthest * document.body.height) {
     return Error{"its place is out of proportion", who,
                  "give one within a thousand heights of the character from the origin"};
   }
@@ -125,7 +125,7 @@ Status checkHold(const Document& document, const rig::Grip& grip, Entry entry) {
 }
 
 bool isLimbJoint(const Document& document, NodeIndex node) {
-  return std::ranges::any_of(document.biped.limbs, [&](const rig::Limb& limb) {
+  return std::ranges::any_of(document.body.limbs, [&](const rig::Limb& limb) {
     return limb.endNode == node || std::ranges::find(limb.joints, node) != limb.joints.end();
   });
 }
@@ -141,7 +141,7 @@ Status checkNode(const Document& document, const rig::Prop& prop) {
                  "give a node of a thing that a hand can hold"};
   }
   const bool carriesBody =
-      isLimbJoint(document, node) || node == document.biped.hips ||
+      isLimbJoint(document, node) || node == document.body.hips ||
       std::ranges::any_of(prop.hands, [&](const rig::PropHand& hand) {
         const rig::Limb* const limb = findLimb(document, hand.limb);
         return limb != nullptr &&
@@ -185,7 +185,7 @@ Status checkBinding(const Document& document, const rig::Prop& prop, Entry entry
   constexpr double mostTurns = 100.0;
   constexpr double farthest = 1000.0; // heights of the character
   const bool isUsable = isFinite(prop.move) && isFinite(prop.turn) &&
-                        glm::length(prop.move) <= farthest * document.biped.height &&
+                        glm::length(prop.move) <= farthest * document.body.height &&
                         glm::length(prop.turn) <= mostTurns * 2.0 * pi;
   if (!isUsable) {
     return Error{"the offset at its binding is out of proportion", prop.node,

@@ -46,11 +46,11 @@ Result<Donor> readDonor(const std::filesystem::path& file) {
   donor.document.scene = loaded->scene;
   donor.document.source = loaded->source;
   donor.document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
-  donor.document.biped = rig::detectBiped(*donor.document.scene);
+  donor.document.body = rig::detectBody(*donor.document.scene);
   if (donor.document.clips->empty()) {
     return Error{"the file holds no clip", file.string(), "give a file with an animation"};
   }
-  donor.skeleton = rig::skeletonOf(*donor.document.scene, donor.document.biped);
+  donor.skeleton = rig::skeletonOf(*donor.document.scene, donor.document.body);
   return donor;
 }
 
@@ -90,14 +90,14 @@ Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Do
                    const std::string& file) {
   const std::string names = fmt::format("{} of its {} animated joints have names of this character",
                                         copied.joints, animatedNodes(copied));
-  if (donor.document.scene->skins.empty() && donor.document.biped.limbs.empty() && copied.joints == 0) {
+  if (donor.document.scene->skins.empty() && donor.document.body.limbs.empty() && copied.joints == 0) {
     return {"the file holds no skeleton that this character could follow", file,
             "give a clip of a biped, or of joints with the same names"};
   }
   const char* const who = !donor.skeleton ? "its body is no biped" : "this character is no biped";
   return {fmt::format("the clip cannot be brought to this character: {}, and {}", who, names), file,
-          document.biped.isBiped ? "give a clip of a biped, or of joints with the same names"
-                                 : "give a clip of joints with the same names"};
+          document.body.isBiped ? "give a clip of a biped, or of joints with the same names"
+                                : "give a clip of joints with the same names"};
 }
 
 Result<NewClip> broughtOver(const Donor& donor, int index, const Document& document,
@@ -211,7 +211,7 @@ Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& requ
     return Error{fmt::format("{} clips cannot have one name", wanted->size()), file,
                  "name the clip that is wanted"};
   }
-  const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.biped);
+  const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.body);
   NewClips brought;
   std::optional<Error> first;
   double done = 0.0;

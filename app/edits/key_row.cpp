@@ -187,7 +187,7 @@ Result<Document> writeOffsets(const Document& document, int clip, const KeyedRow
 Status checkTrack(const Document& document, const Track& track) {
   constexpr double farthest = 1000.0; // heights of the character, or times the size
   constexpr double longestSeconds = 1e5;
-  const double most = track.channel == Channel::translation ? farthest * document.biped.height : farthest;
+  const double most = track.channel == Channel::translation ? farthest * document.body.height : farthest;
   const auto sound = [&](float value) { return std::isfinite(value); };
   const bool isCubic = track.interpolation == Interpolation::cubicSpline;
   const auto width = static_cast<std::size_t>(track.width);

@@ -29,7 +29,7 @@ void dropWhatIsWithoutLimb(Document& document) {
   std::erase_if(document.weights, [&](const WeightedLimb& entry) { return isMissing(entry.limb); });
   std::erase_if(document.adjustments, [&](const rig::Adjustment& adjustment) {
     return list.attribute(adjustment.controller) == nullptr &&
-           !rig::controllerNamed(*document.scene, document.biped.limbs, document.biped.hips, list,
+           !rig::controllerNamed(*document.scene, document.body.limbs, document.body.hips, list,
                                  adjustment.controller);
   });
   rig::Holds& holds = document.holds;
@@ -49,7 +49,7 @@ Result<Document> changePlan(const Document& document, const std::string& plan) {
     return Error{"there is no body plan '" + plan + "'", "plan", "give one of: " + rig::planIds()};
   }
   Document changed = document;
-  changed.biped = bodyOfSource(document, *wanted);
+  changed.body = bodyOfSource(document, *wanted);
   changed.limbsCorrected = true;
   dropWhatIsWithoutLimb(changed);
   return changed;
@@ -64,12 +64,12 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   }
   Document changed = document;
   changed.limbsCorrected = true;
-  if (const rig::PlannedLimb* const planned = plannedLimb(planOf(document.biped), limb)) {
+  if (const rig::PlannedLimb* const planned = plannedLimb(planOf(document.body), limb)) {
     limb.id = planned->id;
   }
   limb.confidence = 1.0;
   limb.reasons = {"set by hand"};
-  auto& limbs = changed.biped.limbs;
+  auto& limbs = changed.body.limbs;
   const rig::LimbPlace& wanted = limb;
   const auto place =
       std::find_if(limbs.begin(), limbs.end(), [&](const rig::LimbPlace& other) { return other >= wanted; });
@@ -78,7 +78,7 @@ Result<Document> correctLimb(const Document& document, rig::Limb limb) {
   } else {
     limbs.insert(place, std::move(limb));
   }
-  rig::setLeadingEnds(rig::bindPoseWorlds(*document.scene), changed.biped);
+  rig::setLeadingEnds(rig::bindPoseWorlds(*document.scene), changed.body);
   return changed;
 }
 

@@ -18,7 +18,7 @@ Vec3 reflected(const Vec3& vector, const Vec3& normal) {
 
 /// Rest positions of the bases of the first pair of limbs that was found, left then right.
 std::optional<std::pair<Vec3, Vec3>> pairBases(const Document& document, const std::vector<Mat4>& worlds) {
-  const std::vector<rig::Limb>& limbs = document.biped.limbs;
+  const std::vector<rig::Limb>& limbs = document.body.limbs;
   for (const rig::Limb& left : limbs) {
     const rig::Limb* const right = left.side == rig::LimbSide::left ? limbAt(limbs, mirrored(left)) : nullptr;
     if (right != nullptr && !left.joints.empty()) {
@@ -42,7 +42,7 @@ std::vector<Mat4> worldsAt(const Document& document, int clip, double frame) {
 
 /// A point of the sagittal plane: the hips, else the origin.
 Vec3 sagittalPoint(const Document& document, int clip, double frame) {
-  const NodeIndex hips = document.biped.hips;
+  const NodeIndex hips = document.body.hips;
   return hips.exists() ? positionOf(worldsAt(document, clip, frame)[at(hips)]) : Vec3(0.0);
 }
 
@@ -56,7 +56,7 @@ Result<std::string> otherSide(const Document& document, const std::string& limbI
   if (limb->side == rig::LimbSide::middle) {
     return Error{"this limb has no other side", limbId, "mirror an arm or a leg"};
   }
-  const rig::Limb* const other = limbAt(document.biped.limbs, mirrored(*limb));
+  const rig::Limb* const other = limbAt(document.body.limbs, mirrored(*limb));
   if (other == nullptr) {
     return Error{"the limb on the other side was not found", limbId, "correct the limbs by hand"};
   }
@@ -77,7 +77,7 @@ Vec3 sagittalNormal(const Document& document, int clip, double frame) {
     return {1.0, 0.0, 0.0};
   }
   const Vec3 restNormal = bases->first - bases->second;
-  const NodeIndex hips = document.biped.hips;
+  const NodeIndex hips = document.body.hips;
   if (!hips.exists()) {
     return levelUnit(restNormal);
   }

@@ -43,7 +43,7 @@ std::string jointOpposite(const Document& document, const rig::Controller& joint
   const Vec3 here = positionOf(worlds[at(joint.node)]);
   const Vec3 there = here - 2.0 * glm::dot(here - plane->point, plane->normal) * plane->normal;
   std::string best;
-  double nearest = nearEnough * document.biped.height;
+  double nearest = nearEnough * document.body.height;
   for (const rig::Controller& other : jointControllersOf(document)) {
     const double distance = glm::length(positionOf(worlds[at(other.node)]) - there);
     if (distance < nearest) {

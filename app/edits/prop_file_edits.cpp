@@ -33,7 +33,7 @@ std::string freeNodeName(const Scene& scene, const std::string& wanted) {
 
 bool isUsablePlace(const Document& document, const Vec3& place) {
   constexpr double farthest = 1000.0; // heights of the character
-  return std::isfinite(place.x + place.y + place.z) && glm::length(place) <= farthest * document.biped.height;
+  return std::isfinite(place.x + place.y + place.z) && glm::length(place) <= farthest * document.body.height;
 }
 
 bool isOpenFile(const Document& document, const fs::path& path) {
@@ -221,11 +221,11 @@ std::shared_ptr<const Scene> sceneOfSource(const Document& document) {
 
 } // namespace
 
-rig::Biped bodyOfSource(const Document& document) {
-  return rig::detectBiped(*sceneOfSource(document));
+rig::Body bodyOfSource(const Document& document) {
+  return rig::detectBody(*sceneOfSource(document));
 }
 
-rig::Biped bodyOfSource(const Document& document, const rig::BodyPlan& plan) {
+rig::Body bodyOfSource(const Document& document, const rig::BodyPlan& plan) {
   return rig::bodyAsPlan(*sceneOfSource(document), plan);
 }
 

@@ -42,9 +42,9 @@ struct AddedProp {
 [[nodiscard]] Result<Document> withAddedFiles(const Document& document, std::vector<gltf::AddedFile> files);
 
 /// The body as it is found in the source alone: nodes of added files may have the names of limbs.
-[[nodiscard]] rig::Biped bodyOfSource(const Document& document);
+[[nodiscard]] rig::Body bodyOfSource(const Document& document);
 
 /// The same, read as one of a plan that the user chose.
-[[nodiscard]] rig::Biped bodyOfSource(const Document& document, const rig::BodyPlan& plan);
+[[nodiscard]] rig::Body bodyOfSource(const Document& document, const rig::BodyPlan& plan);
 
 } // namespace stretch::app

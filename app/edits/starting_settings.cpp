@@ -9,7 +9,7 @@ namespace stretch::app {
 namespace {
 
 rig::LimbManner mannerOf(const Document& document, const std::string& limb) {
-  const rig::PlannedLimb* const planned = plannedLimb(planOf(document.biped), limb);
+  const rig::PlannedLimb* const planned = plannedLimb(planOf(document.body), limb);
   return planned != nullptr ? planned->manner : rig::LimbManner{};
 }
 
@@ -29,7 +29,7 @@ rig::TrailSettings startingTrail(const Document& document, int clip, const rig::
   settings.startFrame = rangeFrames.x;
   settings.endFrame = rangeFrames.y;
   settings.space =
-      rig::startingSpace(*document.scene, clipOf(document, clip), limb, document.biped.hips, rangeFrames);
+      rig::startingSpace(*document.scene, clipOf(document, clip), limb, document.body.hips, rangeFrames);
   if (mannerOf(document, limb.id).stands) {
     settings.stopAt = floorForLeg(document, clip, limb, rangeFrames.y);
   }

@@ -76,8 +76,8 @@ bool isDrawnAcrossSeam(const EvaluationGround& ground) {
 } // namespace
 
 EvaluationInput evaluationInput(const Document& document, int clip) {
-  return {{document.scene, document.clips, clip, document.biped.hips, document.biped.height,
-           allLimbs(document), isLooping(document, clip), ofClip(document.adjustments, clip)},
+  return {{document.scene, document.clips, clip, document.body.hips, document.body.height, allLimbs(document),
+           isLooping(document, clip), ofClip(document.adjustments, clip)},
           ofClip(document.trails, clip),
           holdsOfClip(document.holds, clip),
           ofClip(document.weights, clip)};

@@ -52,7 +52,7 @@ std::vector<HoldReport> holdReports(const Document& document, const rig::MotionS
       HoldReport& report = reportOf(reports, goal, limb.id);
       const double miss = glm::length(rig::endPosition(limb, state) - goal.wanted);
       report.farthest = std::max(report.farthest, miss);
-      if (miss > seen * document.biped.height) {
+      if (miss > seen * document.body.height) {
         report.framesFallShort.push_back(frame);
       }
     }

@@ -11,7 +11,7 @@ rig::RekeyOptions keyingOptions(const Document& document) {
   rig::RekeyOptions options;
   // Joints and the stretch of a bone may each miss by this, so a vertex by both; and key times and values are
   // rounded to single precision on their way into the file.
-  options.tolerance = 0.33 * toleranceOfHeight * document.biped.height;
+  options.tolerance = 0.33 * toleranceOfHeight * document.body.height;
   return options;
 }
 

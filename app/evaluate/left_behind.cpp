@@ -28,14 +28,14 @@ public:
   Search(const Document& document, const rig::Limb& limb, const std::vector<bool>& moved)
       : scene_(*document.scene), limb_(limb), moved_(moved), places_(rig::bindPlaces(scene_)),
         end_(rig::endPosition(limb, places_.worlds)) {
-    for (const rig::Limb& other : document.biped.limbs) {
+    for (const rig::Limb& other : document.body.limbs) {
       const bool trunk = isTrunk(other);
       (trunk ? trunk_ : others_).insert(other.joints.begin(), other.joints.end());
       if (!trunk && other.id != limb.id) {
         otherEnds_.push_back(rig::endPosition(other, places_.worlds));
       }
     }
-    trunk_.insert({document.biped.hips, document.biped.head});
+    trunk_.insert({document.body.hips, document.body.head});
   }
 
   [[nodiscard]] std::vector<Part> all() const {

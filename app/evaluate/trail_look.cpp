@@ -119,8 +119,8 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
 }
 
 void TrailLook::findHead() {
-  const NodeIndex joint = document_.biped.head;
-  if (!joint.exists() || !document_.biped.hips.exists()) {
+  const NodeIndex joint = document_.body.head;
+  if (!joint.exists() || !document_.body.hips.exists()) {
     return;
   }
   const rig::BindPlaces places = rig::bindPlaces(*document_.scene);
@@ -140,7 +140,7 @@ void TrailLook::findHead() {
     box.add(positionOf(world));
   }
   Head head{joint, glm::inverse(world), 0.5 * (box.low + box.high), 0.5 * (box.high - box.low), 0.0};
-  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document_.biped.hips)]).y;
+  head.aboveHips = head.top(world) - positionOf(places.worlds[at(document_.body.hips)]).y;
   if (head.aboveHips > 0.0) {
     head_ = head;
     nodes_.push_back(joint);
@@ -207,7 +207,7 @@ private:
     part_.move(after_);
   }
 
-  [[nodiscard]] double height() const { return look_.document_.biped.height; }
+  [[nodiscard]] double height() const { return look_.document_.body.height; }
 
   void lookAtLimb(double frame) {
     const Vec3 reachBefore = reachOf(trail_.limb, before_);
@@ -246,7 +246,7 @@ private:
   void lookAtElbows(double frame, double margin) {
     const Head& head = *look_.head_;
     const double top = head.top(before_.worlds[at(head.joint)]);
-    const double aboveHips = top - positionOf(before_.worlds[at(look_.document_.biped.hips)]).y;
+    const double aboveHips = top - positionOf(before_.worlds[at(look_.document_.body.hips)]).y;
     if (aboveHips < 0.5 * head.aboveHips) {
       return;
     }

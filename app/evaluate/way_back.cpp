@@ -19,7 +19,7 @@ std::string inFrames(double frames) {
 } // namespace
 
 bool endsMeet(const Document& document, int clip) {
-  return rig::loopTravel(*document.scene, clipOf(document, clip), document.biped.hips, document.biped.height)
+  return rig::loopTravel(*document.scene, clipOf(document, clip), document.body.hips, document.body.height)
       .has_value();
 }
 

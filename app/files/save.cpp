@@ -129,7 +129,7 @@ Result<Document> openDocument(const std::filesystem::path& path, gltf::Tolerance
   document.scene = loaded->scene;
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
   document.warnings = std::move(loaded->warnings);
-  document.biped = bodyOfSource(document);
+  document.body = bodyOfSource(document);
   if (!loaded->savedWork.isNull()) {
     if (const Status restored = restoreWork(loaded->savedWork, document); !restored) {
       document.warnings.push_back("the work kept in the file could not be taken up: " +

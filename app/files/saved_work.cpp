@@ -332,8 +332,8 @@ Status restoreRates(const Json& rates, Document& document) {
 void restorePlan(const Json& work, Document& document) {
   const std::string kept = work.value("plan", std::string("biped"));
   const rig::BodyPlan* const plan = rig::planNamed(kept);
-  if (work.contains("limbs") && plan != nullptr && kept != document.biped.plan) {
-    document.biped = rig::bodyAsPlan(*document.scene, *plan);
+  if (work.contains("limbs") && plan != nullptr && kept != document.body.plan) {
+    document.body = rig::bodyAsPlan(*document.scene, *plan);
   }
 }
 
@@ -349,7 +349,7 @@ Status restoreParts(const Json& work, Document& document) {
     return autos;
   }
   for (const auto& [key, limbs] :
-       {std::pair{"limbs", &document.biped.limbs}, std::pair{"chains", &document.chains}}) {
+       {std::pair{"limbs", &document.body.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
       continue;
     }
@@ -407,10 +407,10 @@ Json workOf(const Document& document) {
   work["version"] = workVersion;
   // Limbs are kept even when they were found: a later version of the detection must not move the trails'
   // limbs.
-  work["limbs"] = limbsToJson(document.biped.limbs);
+  work["limbs"] = limbsToJson(document.body.limbs);
   work["limbs_corrected"] = document.limbsCorrected;
-  if (document.limbsCorrected || document.biped.plan != "biped") {
-    work["plan"] = document.biped.plan;
+  if (document.limbsCorrected || document.body.plan != "biped") {
+    work["plan"] = document.body.plan;
   }
   work["chains"] = limbsToJson(document.chains);
   if (!document.locators.empty()) {
@@ -459,7 +459,7 @@ Document withoutEdits(Document document) {
   countInChosenRates(document);
   document.rates.clear();
   if (document.limbsCorrected) {
-    document.biped = bodyOfSource(document);
+    document.body = bodyOfSource(document);
     document.limbsCorrected = false;
   }
   return document;

@@ -46,7 +46,7 @@ Status checkUnrigged(const Document& document, const rig::Locators& locators) {
   if (const std::vector<std::string> missing = rig::missingLocators(locators); !missing.empty()) {
     return Error{fmt::format("there is no locator for {}", fmt::join(missing, ", ")), "", "set it by hand"};
   }
-  if (document.biped.isBiped) {
+  if (document.body.isBiped) {
     return Error{"the character has a skeleton already", "", "locators correct its limbs; no joint is made"};
   }
   if (!document.addedFiles.empty()) {
@@ -177,7 +177,7 @@ Result<Document> withRigAt(const Document& document, const rig::Locators& locato
   built.source = std::make_shared<const gltf::Source>(std::move(source).value());
   built.scene = std::move(rigged).value();
   built.locators = locators;
-  built.biped = bodyOfSource(built);
+  built.body = bodyOfSource(built);
   return built;
 }
 
@@ -292,7 +292,7 @@ Result<Document> withoutRig(const Document& document) {
   back.scene = std::move(scene).value();
   back.limbsCorrected = false;
   back.chains.clear();
-  back.biped = bodyOfSource(back);
+  back.body = bodyOfSource(back);
   return back;
 }
 
@@ -304,7 +304,7 @@ Result<Document> withLimbsAt(const Document& document, const rig::Locators& loca
   Document corrected = document;
   for (const CorrectedLimb& limb : correctedLimbs) {
     if (findLimb(document, limb.id) == nullptr ||
-        !isMoved(found->locators, locators, limb, document.biped.height)) {
+        !isMoved(found->locators, locators, limb, document.body.height)) {
       continue;
     }
     Result<Document> next = withLimbAt(corrected, locators, limb);

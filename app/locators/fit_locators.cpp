@@ -61,12 +61,12 @@ public:
     }
   }
   void addTrunk() {
-    addNode("hips", document_.biped.hips);
+    addNode("hips", document_.body.hips);
     if (const rig::Limb* const spine = findLimb(document_, "spine")) {
       const std::array<std::string, 3> names{"spine", "chest", "upperChest"};
       const std::size_t count = std::min(spine->joints.size(), names.size());
       for (std::size_t i = 0; i < count; ++i) {
-        if (spine->joints[i] != document_.biped.hips) {
+        if (spine->joints[i] != document_.body.hips) {
           addNode(names[i], spine->joints[i]);
         }
       }
@@ -74,11 +74,11 @@ public:
     if (const rig::Limb* const neck = findLimb(document_, "neck")) {
       addNode("neck", neck->joints.front());
     }
-    addNode("head", document_.biped.head);
+    addNode("head", document_.body.head);
   }
   // What the plan needs and the skeleton lacks, between what there is.
   void complete() {
-    const double height = document_.biped.height;
+    const double height = document_.body.height;
     const auto placeOf = [&](const char* name, const Vec3& otherwise) {
       const rig::Locator* const locator = rig::findLocator(locators_, name);
       return locator == nullptr ? otherwise : locator->position;
@@ -152,7 +152,7 @@ MeshesInWorld meshesAtRest(const Scene& scene) {
 }
 
 Result<FittedLocators> fitLocators(const Document& document, const skinning::Proceed& proceed) {
-  if (document.biped.isBiped) {
+  if (document.body.isBiped) {
     return ofLimbs(document);
   }
   if (!document.scene->skins.empty()) {

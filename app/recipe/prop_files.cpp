@@ -100,7 +100,7 @@ Json withFileOfProp(const Document& document, const rig::Prop& prop, Json entry)
   }
   const Vec3 place = added->place.translation;
   const Result<Vec3> inHands = placeInHands(document, propFileOf(prop, added->file));
-  if (!inHands || glm::distance(*inHands, place) > sameShare * document.biped.height) {
+  if (!inHands || glm::distance(*inHands, place) > sameShare * document.body.height) {
     entry["place"] = vectorToJson(place / lengthOfBody(document));
   }
   Json named{{"file", added->file}};

@@ -75,14 +75,14 @@ Status checkLimbs(const Json& json, const Document& document) {
       }
     }
   }
-  if (lacking.empty() || document.biped.plan == "biped") {
+  if (lacking.empty() || document.body.plan == "biped") {
     return Success{};
   }
   std::string names;
   for (const std::string& limb : lacking) {
     names += (names.empty() ? "" : ", ") + limb;
   }
-  return Error{"the character is " + planOf(document.biped).title + " and lacks " + names, "limb",
+  return Error{"the character is " + planOf(document.body).title + " and lacks " + names, "limb",
                "name limbs that it has; info lists them"};
 }
 

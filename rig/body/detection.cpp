@@ -25,7 +25,7 @@ constexpr double doubtful = 0.3;         // most that a limb of something else g
 
 // What one way of choosing candidates found.
 struct Finding {
-  Biped result;
+  Body result;
   int legs = 0; // that it stands on
   Vec3 bodyUp{0.0};
   Vec3 legsReach{0.0}; // from the hips to the feet
@@ -71,7 +71,7 @@ Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candid
   }
   const Sides sides = findSides(view, plane, reading);
   const Trunk trunk = readTrunk(view, plane, reading);
-  Biped& result = finding.result;
+  Body& result = finding.result;
   result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
   std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
   std::erase_if(result.limbs,
@@ -99,7 +99,7 @@ bool hasRigidParts(const Scene& scene) {
 }
 
 // Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
-bool mayMissParts(const Scene& scene, const Biped& found) {
+bool mayMissParts(const Scene& scene, const Body& found) {
   return hasRigidParts(scene) &&
          (limbAt(found.limbs, biped::leftArm) == nullptr || limbAt(found.limbs, biped::rightArm) == nullptr);
 }
@@ -149,7 +149,7 @@ void applyHumanoid(Finding& finding, const HumanoidTable& table) {
   if (table.limbs.empty()) {
     return;
   }
-  Biped& result = finding.result;
+  Body& result = finding.result;
   std::vector<Limb> limbs = table.limbs;
   // The table leaves the neck out where there is none; the others it must name.
   for (const LimbPlace& missing :
@@ -184,7 +184,7 @@ bool movesMorphTargets(const Scene& scene) {
 }
 
 void warn(const Scene& scene, Finding& finding) {
-  Biped& result = finding.result;
+  Body& result = finding.result;
   if (result.isBiped) {
     for (const LimbPlace& usual : {biped::leftArm, biped::rightArm, biped::spine}) {
       if (limbAt(result.limbs, usual) == nullptr) {
@@ -222,7 +222,7 @@ auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read)
 }
 
 void takeReading(PlanReading reading, Finding& finding) {
-  Biped& result = finding.result;
+  Body& result = finding.result;
   result.plan = reading.plan->id;
   result.planConfidence = reading.confidence;
   result.planReasons = std::move(reading.reasons);
@@ -234,7 +234,7 @@ void takeReading(PlanReading reading, Finding& finding) {
 }
 
 void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
-  Biped& result = finding.result;
+  Body& result = finding.result;
   result.plan = "other";
   result.planReasons = {"its limbs are the rows of joints between branchings"};
   result.isBiped = false;
@@ -265,7 +265,7 @@ bool isRather(const PlanReading& reading) {
 
 // Anything but an upright body on two legs: read as one of the other plans, where one fits.
 void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
-  Biped& result = finding.result;
+  Body& result = finding.result;
   if (standsUpright(finding)) {
     return;
   }
@@ -284,7 +284,7 @@ void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
 }
 
 void tellBiped(Finding& finding) {
-  Biped& result = finding.result;
+  Body& result = finding.result;
   result.planReasons = {result.isBiped ? "two legs, and arms or a spine, on an upright body"
                                        : "no plan fits: taken for a biped that is not complete"};
   double sum = 0.0;
@@ -305,7 +305,7 @@ NodeIndex topmost(const Scene& scene, NodeIndex node) {
 
 } // namespace body
 
-Biped detectBiped(const Scene& scene) {
+Body detectBody(const Scene& scene) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
@@ -323,7 +323,7 @@ Biped detectBiped(const Scene& scene) {
   return std::move(finding.result);
 }
 
-Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
   if (plan.id == "biped") {
@@ -341,7 +341,7 @@ Biped bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
       body::takeReading(*reading, finding);
     }
   }
-  Biped& result = finding.result;
+  Body& result = finding.result;
   setLeadingEnds(bindPose.worlds, result);
   result.warnings.clear();
   result.planConfidence = 1.0;

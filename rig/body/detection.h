@@ -11,7 +11,7 @@
 namespace stretch::rig {
 
 /// What was recognised of a character.
-struct Biped {
+struct Body {
   std::vector<Limb> limbs;     ///< In the order of LimbPlace; a limb that was not found is missing.
   std::string plan = "biped";  ///< Id of the body plan that the limbs are of (rig/plan/body_plan.h).
   double planConfidence = 1.0; ///< 0..1.
@@ -23,17 +23,18 @@ struct Biped {
                         ///< relative to.
   std::vector<std::string> warnings;
 
-  friend bool operator==(const Biped&, const Biped&) = default;
+  friend bool operator==(const Body&, const Body&) = default;
 };
 
 /// Finds the limbs from the VRM humanoid table, joint names, topology and proportions (docs/rig.md,
-/// Finding limbs). Names are evidence, not truth: position in the chain and geometry decide. Never fails: a
-/// file without a biped gives an empty list with a warning; something with four legs or
-/// more gives limbs of confidence 0.3 at most, with a warning. Sides: names that agree with each other win
-/// over a single hint of geometry; what contradicts is told as a question. A VRM humanoid table is taken as
-/// it is. A spine of one joint ends at the neck or head; one without a joint above the hips starts at the
-/// hips.
-[[nodiscard]] Biped detectBiped(const Scene& scene);
+/// Finding limbs). Names are evidence, not truth: position in the chain and geometry decide. What is no
+/// upright body on two legs is read by the other body plans (docs/body_plans.md); where none fits, a biped
+/// that is not complete has limbs of confidence 0.3 at most, with a warning, and another body the rows of
+/// joints between branchings. Never fails: a file without joints gives an empty list with a warning. Sides:
+/// names that agree with each other win over a single hint of geometry; what contradicts is told as a
+/// question. A VRM humanoid table is taken as it is. A spine of one joint ends at the neck or head; one
+/// without a joint above the hips starts at the hips.
+[[nodiscard]] Body detectBody(const Scene& scene);
 
 /// World matrices of all nodes in the bind pose: what the inverse bind matrices say, placed in the world as
 /// the topmost joint of each skin stands at rest; nodes that no skin binds follow their parents by their rest

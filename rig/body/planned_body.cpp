@@ -4,12 +4,12 @@
 
 namespace stretch::rig {
 
-const BodyPlan& planOf(const Biped& body) {
+const BodyPlan& planOf(const Body& body) {
   const BodyPlan* const plan = planNamed(body.plan);
   return plan != nullptr ? *plan : bodyPlans().back();
 }
 
-void setLeadingEnds(const std::vector<Mat4>& bindWorlds, Biped& body) {
+void setLeadingEnds(const std::vector<Mat4>& bindWorlds, Body& body) {
   for (Limb& limb : body.limbs) {
     const PlannedLimb* const planned = plannedLimb(planOf(body), limb);
     limb.ledByFirst = false;
@@ -22,7 +22,7 @@ void setLeadingEnds(const std::vector<Mat4>& bindWorlds, Biped& body) {
   }
 }
 
-std::string whyNoLimb(const Biped& body, std::string_view id) {
+std::string whyNoLimb(const Body& body, std::string_view id) {
   const BodyPlan& plan = planOf(body);
   if (plannedLimb(plan, id) != nullptr || plan.id == "biped") {
     return {};

@@ -112,7 +112,7 @@ Fingers fingersOf(const Scene& scene, const Limb& arm) {
   return fingers;
 }
 
-void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
+void addTrunk(const Scene& scene, const Body& biped, Skeleton& skeleton) {
   const Limb* const neck = limbAt(biped.limbs, biped::neck);
   if (neck != nullptr) {
     skeleton.neck = neck->joints;
@@ -140,7 +140,7 @@ void addTrunk(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
   }
 }
 
-void addArms(const Scene& scene, const Biped& biped, Skeleton& skeleton) {
+void addArms(const Scene& scene, const Body& biped, Skeleton& skeleton) {
   const std::array<const Limb*, 2> limbs{limbAt(biped.limbs, biped::leftArm),
                                          limbAt(biped.limbs, biped::rightArm)};
   for (const std::size_t side : {leftSide, rightSide}) {
@@ -177,7 +177,7 @@ double groundOf(const Skeleton& skeleton) {
   return std::abs(ground) < nearFloor * skeleton.height ? ground : 0.0;
 }
 
-SkeletonLeg legOf(const Scene& scene, const Biped& biped, const Limb& limb, const BindPlaces& places) {
+SkeletonLeg legOf(const Scene& scene, const Body& biped, const Limb& limb, const BindPlaces& places) {
   SkeletonLeg leg;
   leg.limb = limb;
   leg.footing = limb.endNode.exists() ? limb.endNode : limb.joints.back();
@@ -263,7 +263,7 @@ std::pair<NodeIndex, const Skin*> anchorOfSkin(const Scene& scene, NodeIndex hip
 }
 
 // How far a bind pose is from standing upright on the floor: radians and heights.
-double offStance(const Scene& scene, const Biped& biped, const std::array<const Limb*, 2>& legs,
+double offStance(const Scene& scene, const Body& biped, const std::array<const Limb*, 2>& legs,
                  const BindPlaces& places) {
   const Vec3 up = bodyUp(legs, biped.head, places.worlds);
   double lowest = 0.0;
@@ -278,7 +278,7 @@ double offStance(const Scene& scene, const Biped& biped, const std::array<const 
 
 // The bind pose stands where its topmost joint stands at rest. Where that joint rests in the middle of a
 // motion, it stands as its parent does: upright and on the floor.
-BindPlaces stancePlaces(const Scene& scene, const Biped& biped, NodeIndex hips,
+BindPlaces stancePlaces(const Scene& scene, const Body& biped, NodeIndex hips,
                         const std::array<const Limb*, 2>& legs) {
   body::BindPose pose = body::placeBindPose(scene);
   BindPlaces places = bindPlaces(scene, pose);
@@ -312,7 +312,7 @@ BindPlaces stancePlaces(const Scene& scene, const Biped& biped, NodeIndex hips,
   return isBetter ? settled : places;
 }
 
-NodeIndex hipsOf(const Scene& scene, const Biped& biped, const Limb& leg) {
+NodeIndex hipsOf(const Scene& scene, const Body& biped, const Limb& leg) {
   return biped.hips.exists() ? biped.hips : scene.nodes[at(leg.joints.front())].parent;
 }
 
@@ -322,7 +322,7 @@ Vec3 SkeletonLeg::ball(const std::vector<Mat4>& worlds) const {
   return transformPoint(worlds[at(footing)], ballInFooting);
 }
 
-std::optional<Skeleton> skeletonOf(const Scene& scene, const Biped& biped) {
+std::optional<Skeleton> skeletonOf(const Scene& scene, const Body& biped) {
   const Limb* const left = limbAt(biped.limbs, biped::leftLeg);
   const Limb* const right = limbAt(biped.limbs, biped::rightLeg);
   if (!biped.isBiped || left == nullptr || right == nullptr) {

@@ -59,6 +59,6 @@ struct Skeleton {
 
 /// Nothing for a character without two legs and hips: a clip of another body cannot be brought to it. The
 /// scene has to outlive what is made of it.
-[[nodiscard]] std::optional<Skeleton> skeletonOf(const Scene& scene, const Biped& biped);
+[[nodiscard]] std::optional<Skeleton> skeletonOf(const Scene& scene, const Body& biped);
 
 } // namespace stretch::rig

@@ -160,7 +160,7 @@ TEST_CASE("the cache sees other hips where a trail is told from them") {
   Document before = busyBoxer();
   trailOf(before, "left-arm").settings.space = rig::TrailSpace::root;
   Document after = before;
-  after.biped.hips = findLimb(before, "left-arm")->joints.back();
+  after.body.hips = findLimb(before, "left-arm")->joints.back();
   EvaluationCache cache;
   checkAnswers(cache, before);
   checkAnswers(cache, after);

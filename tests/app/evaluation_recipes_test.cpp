@@ -173,7 +173,7 @@ TEST_CASE("Feet that stand do not slide in the exaggerated swing") {
     for (double frame = 0.0; frame <= 88.0; frame += 0.5) {
       CAPTURE(frame);
       for (const char* foot : {"LeftFoot", "RightFoot", "LeftToeBase", "RightToeBase"}) {
-        CHECK(strayOf(before, after, foot, frame) < 0.005 * source.biped.height);
+        CHECK(strayOf(before, after, foot, frame) < 0.005 * source.body.height);
       }
     }
   });
@@ -186,7 +186,7 @@ TEST_CASE("The exaggerated leap goes neither into the floor nor into a block, be
       CAPTURE(frame);
       const double was = depthIn(leapBlocks(), before.scene(), before.at(frame));
       const double is = depthIn(leapBlocks(), after.scene(), after.at(frame));
-      CHECK(is < was + 0.005 * source.biped.height);
+      CHECK(is < was + 0.005 * source.body.height);
     }
   });
 }
@@ -199,13 +199,13 @@ TEST_CASE("The leap's hands stand on the ledge and its feet on the platform as i
     };
     for (double frame = 46.0; frame <= 50.0; frame += 0.5) {
       CAPTURE(frame);
-      CHECK(strays("LeftHand", frame) < 0.005 * source.biped.height);
-      CHECK(strays("RightHand", frame) < 0.005 * source.biped.height);
+      CHECK(strays("LeftHand", frame) < 0.005 * source.body.height);
+      CHECK(strays("RightHand", frame) < 0.005 * source.body.height);
     }
     for (double frame = 64.0; frame <= 76.0; frame += 0.5) {
       CAPTURE(frame);
-      CHECK(strays("LeftFoot", frame) < 0.005 * source.biped.height);
-      CHECK(strays("RightFoot", frame) < 0.005 * source.biped.height);
+      CHECK(strays("LeftFoot", frame) < 0.005 * source.body.height);
+      CHECK(strays("RightFoot", frame) < 0.005 * source.body.height);
     }
   });
 }

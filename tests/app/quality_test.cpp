@@ -33,7 +33,7 @@ Document punching(double endFrame, double scale) {
 // The body flies off to its right, away from where its left arm points at the end.
 void addFlight(Document& document) {
   Track track;
-  track.node = document.biped.hips;
+  track.node = document.body.hips;
   track.times = {0.0F, 20.0F / 30.0F};
   track.values = {0.0F, 1.0F, 0.0F, -3.0F, 1.0F, 0.0F};
   std::vector<Clip> clips = *document.clips;
@@ -95,14 +95,14 @@ void addSleeve(Document& document) {
 
 void addHead(Document& document) {
   Scene scene = *document.scene;
-  document.biped.head = test::addNode(scene, "Head", findLimb(document, "spine")->endNode, {0.0, 0.3, 0.0});
+  document.body.head = test::addNode(scene, "Head", findLimb(document, "spine")->endNode, {0.0, 0.3, 0.0});
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
 // Straight down to the floor, where they stand all the time.
 void addLegs(Document& document) {
   Scene scene = *document.scene;
-  const NodeIndex hip = test::addNode(scene, "LeftUpLeg", document.biped.hips, {0.1, 0.0, 0.0});
+  const NodeIndex hip = test::addNode(scene, "LeftUpLeg", document.body.hips, {0.1, 0.0, 0.0});
   const NodeIndex knee = test::addNode(scene, "LeftLeg", hip, {0.0, -0.5, 0.0});
   const NodeIndex foot = test::addNode(scene, "LeftFoot", knee, {0.0, -0.5, 0.0});
   rig::Limb leg;
@@ -111,7 +111,7 @@ void addLegs(Document& document) {
   leg.joints = {hip, knee};
   leg.endNode = foot;
   leg.restLength = 1.0;
-  document.biped.limbs.push_back(leg);
+  document.body.limbs.push_back(leg);
   document.scene = std::make_shared<const Scene>(std::move(scene));
 }
 

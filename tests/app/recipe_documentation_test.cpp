@@ -124,7 +124,7 @@ TEST_CASE("the documentation of recipes names every key that a saved recipe hold
   const std::string text = textOf(documentation);
   Document document = openedDummy();
   rig::Trail trail;
-  trail.limb = document.biped.limbs.front().id;
+  trail.limb = document.body.limbs.front().id;
   trail.settings.space = rig::TrailSpace::view;
   trail.settings.stopAt = rig::StopPlane{};
   document.trails = {trail};

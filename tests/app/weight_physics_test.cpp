@@ -28,7 +28,7 @@ Document whirling(int turns, double travelPerSecond) {
   arm.channel = Channel::rotation;
   arm.width = 4;
   Track hips;
-  hips.node = document.biped.hips;
+  hips.node = document.body.hips;
   const double seconds = turns * turnSeconds;
   for (int key = 0; key <= static_cast<int>(std::lround(seconds * keysPerSecond)); ++key) {
     const double t = key / keysPerSecond;

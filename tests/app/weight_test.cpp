@@ -82,7 +82,7 @@ double worstSkinDifference(const Document& a, const Document& b) {
       worst = std::max(worst, glm::length(left[i] - right[i]));
     }
   }
-  return worst / a.biped.height;
+  return worst / a.body.height;
 }
 
 double lengthAlong(const rig::Limb& limb, const FrameState& frame) {
@@ -146,12 +146,12 @@ TEST_CASE("a standing pose sags by a percent or two, its feet stay on the ground
   const Document document = heavy();
   const FrameState source = evaluateOriginal(document, 0, 0.0);
   const FrameState soft = evaluate(document, prepareMotion(document, 0), 0.0);
-  const double height = document.biped.height;
+  const double height = document.body.height;
   for (const char* const id : {"left-leg", "right-leg"}) {
     const rig::Limb& leg = *findLimb(document, id);
     CHECK(glm::length(rig::endPosition(leg, soft) - rig::endPosition(leg, source)) < 1e-3 * height);
   }
-  const auto hips = at(document.biped.hips);
+  const auto hips = at(document.body.hips);
   const double drop = source.worlds[hips][3].y - soft.worlds[hips][3].y;
   CHECK(drop > 0.001 * height);
   CHECK(drop < 0.02 * height);
@@ -181,8 +181,8 @@ TEST_CASE("the unit of the file does not matter") {
   scene.roots = {NodeIndex(scene.nodes.size())};
   scene.nodes.push_back(larger);
   hundredths.scene = std::make_shared<const Scene>(scene);
-  hundredths.biped = rig::detectBiped(scene);
-  REQUIRE(hundredths.biped.height == Approx(100.0 * metres.biped.height));
+  hundredths.body = rig::detectBody(scene);
+  REQUIRE(hundredths.body.height == Approx(100.0 * metres.body.height));
   const std::vector<WeightReport> one = weightReports(metres, 0);
   const std::vector<WeightReport> other = weightReports(hundredths, 0);
   REQUIRE(one.size() == other.size());

@@ -29,10 +29,10 @@ constexpr std::size_t samplesPerFrame = 2; // as the viewport draws them
 /// A connected trail over the whole clip on each of the first `limbs` limbs.
 app::Document withTrails(app::Document document, std::size_t limbs) {
   const Clip& clip = app::clipOf(document, 0);
-  for (std::size_t i = 0; i < std::min(limbs, document.biped.limbs.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(limbs, document.body.limbs.size()); ++i) {
     rig::Trail trail;
     trail.id = document.nextTrailId++;
-    trail.limb = document.biped.limbs[i].id;
+    trail.limb = document.body.limbs[i].id;
     trail.settings.endFrame = clip.endSeconds * clip.framesPerSecond;
     trail.settings.scale = scale;
     trail.exaggerated = true;
@@ -46,7 +46,7 @@ app::Document withTrails(app::Document document, std::size_t limbs) {
 class Drag {
 public:
   Drag(app::Document atBegin, int trailId, double frame)
-      : atBegin_(std::move(atBegin)), trailId_(trailId), frame_(frame), pull_(0.01 * atBegin_.biped.height) {
+      : atBegin_(std::move(atBegin)), trailId_(trailId), frame_(frame), pull_(0.01 * atBegin_.body.height) {
     step();
   }
 
@@ -72,8 +72,8 @@ private:
 class PoseDrag {
 public:
   PoseDrag(app::Document atBegin, double frame)
-      : atBegin_(std::move(atBegin)), frame_(frame), low_(0.05 * atBegin_.biped.height),
-        pull_(0.01 * atBegin_.biped.height) {
+      : atBegin_(std::move(atBegin)), frame_(frame), low_(0.05 * atBegin_.body.height),
+        pull_(0.01 * atBegin_.body.height) {
     step();
   }
 
@@ -125,7 +125,7 @@ void measureTrails(const app::Document& document, std::size_t limbs, Table& tabl
   if (motion.trails.size() > 1) {
     measureSphereDrag(moving, motion.trails.back(), middleFrame, trails, table);
   }
-  if (document.biped.hips.exists()) {
+  if (document.body.hips.exists()) {
     PoseDrag drag(moving, middleFrame);
     table.add("the hips dragged, " + trails, [&] { drag.step(); });
   }
@@ -138,7 +138,7 @@ void measureMotion(const app::Document& document, const Options& options) {
   table.add("a frame of the clip as it is",
             [&] { static_cast<void>(app::evaluateOriginal(document, 0, middleSeconds)); });
   constexpr std::size_t armsAndLegs = 4;
-  for (const std::size_t limbs : {std::size_t{1}, armsAndLegs, document.biped.limbs.size()}) {
+  for (const std::size_t limbs : {std::size_t{1}, armsAndLegs, document.body.limbs.size()}) {
     measureTrails(document, limbs, table);
   }
   table.print();
@@ -151,7 +151,7 @@ void measureFile(const std::filesystem::path& path, const app::Document& documen
   table.add("open", repetitions, [&] { static_cast<void>(app::openDocument(path)); });
   table.add("save without an edit", repetitions,
             [&] { static_cast<void>(app::saveDocument(document, output, {})); });
-  if (!document.clips->empty() && !document.biped.limbs.empty()) {
+  if (!document.clips->empty() && !document.body.limbs.empty()) {
     app::Document moving = withTrails(document, 1);
     moving.trails.front().applied = true;
     table.add("save with one trail applied", repetitions,
@@ -169,8 +169,8 @@ bool benchFile(const std::filesystem::path& path, const Options& options) {
   }
   fmt::print("\n{}: {:.1f} MB, {} vertices, {} nodes, {} limbs", path.filename().string(),
              static_cast<double>(std::filesystem::file_size(path)) * 1e-6, vertexCount(*document->scene),
-             document->scene->nodes.size(), document->biped.limbs.size());
-  const bool moves = !document->clips->empty() && !document->biped.limbs.empty();
+             document->scene->nodes.size(), document->body.limbs.size());
+  const bool moves = !document->clips->empty() && !document->body.limbs.empty();
   if (moves) {
     const Clip& clip = app::clipOf(*document, 0);
     fmt::print("; first clip: {} frames, {} tracks", frameCount(clip), clip.tracks.size());

@@ -47,7 +47,7 @@ Track swingingTrack(NodeIndex node) {
 /// The character with one clip that keys that many joints.
 app::Document manyKeys(app::Document document) {
   Scene scene = *document.scene;
-  const NodeIndex carrier = document.biped.limbs.front().joints.front();
+  const NodeIndex carrier = document.body.limbs.front().joints.front();
   Clip clip;
   clip.name = "Many keys";
   for (int i = 0; i < tracks; ++i) {
@@ -83,7 +83,7 @@ public:
     int atlasHeight = 0;
     io.Fonts->GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
     open_.open(document);
-    app::selectLimb(session(), document.biped.limbs.front().id, false);
+    app::selectLimb(session(), document.body.limbs.front().id, false);
     ui.graph.joint = 1 << 20; // The last of the list: the whole body.
   }
   ~Pane() { ImGui::DestroyContext(gui_); }

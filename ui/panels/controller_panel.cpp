@@ -143,7 +143,7 @@ void offsetRow(PanelContext& context, const std::vector<rig::Controller>& contro
 }
 
 void offsetRows(PanelContext& context, const std::vector<rig::Controller>& controllers) {
-  const double height = std::max(1e-6, context.character().document().biped.height);
+  const double height = std::max(1e-6, context.character().document().body.height);
   const bool large = height > 20.0;
   offsetRow(context, controllers,
             {"move-", "Move", "Move", 1.0, 2.0 * height, 1000.0 * height, large ? 0.1 : 0.005, large ? 1 : 2,

@@ -131,7 +131,7 @@ rig::LimbPlace placeOf(const app::Document& document, const std::string& limbId)
   if (present != nullptr) {
     return {present->kind, present->side, present->row};
   }
-  return rig::placeInPlan(rig::planOf(document.biped), limbId);
+  return rig::placeInPlan(rig::planOf(document.body), limbId);
 }
 
 Result<app::Document> changedDocument(const app::Document& document, const JointPick& pick) {

@@ -80,7 +80,7 @@ DiagramPart partOf(const PanelContext& context, const rig::PlannedLimb& planned,
 /// Those that the plan shows, in the order of their keys.
 std::vector<DiagramPart> diagramParts(const PanelContext& context) {
   const app::Document& document = context.character().document();
-  const rig::BodyPlan& plan = planOf(document.biped);
+  const rig::BodyPlan& plan = planOf(document.body);
   std::vector<DiagramPart> parts;
   const std::vector<std::string> ids = app::limbsByKey(document);
   for (std::size_t slot = 0; slot < ids.size(); ++slot) {
@@ -137,7 +137,7 @@ std::vector<DiagramController> diagramControllers(const PanelContext& context) {
   }
   const rig::ControllerList list = app::controllersOf(document);
   for (const rig::Controller& controller : list.controllers) {
-    const std::optional<ImVec2> place = placeOfController(planOf(document.biped), controller);
+    const std::optional<ImVec2> place = placeOfController(planOf(document.body), controller);
     if (!place) {
       continue;
     }
@@ -239,7 +239,7 @@ void menuOfDiagram(PanelContext& context, const Rect& box, const std::vector<Dia
 /// The body as its plan draws it; nothing for one without.
 void diagram(PanelContext& context) {
   app::Session& session = context.character();
-  const rig::BodyPlan& plan = planOf(session.document().biped);
+  const rig::BodyPlan& plan = planOf(session.document().body);
   if (plan.limbs.empty()) {
     return;
   }

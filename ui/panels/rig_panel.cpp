@@ -41,14 +41,14 @@ void fileSummary(PanelContext& context) {
   const Scene& scene = *document.scene;
   valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices");
   const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
-  valueRow(widgets, "Rig", joints + ", " + shortNumber(document.biped.height) + " m tall",
-           {.title = capitalised(planOf(document.biped).title),
+  valueRow(widgets, "Rig", joints + ", " + shortNumber(document.body.height) + " m tall",
+           {.title = capitalised(planOf(document.body).title),
             .text = "The height in the bind pose is what tolerances are measured against."});
 }
 
 /// Which body it is, and why; another one can be chosen.
 void planRow(PanelContext& context) {
-  const rig::Biped& body = context.character().document().biped;
+  const rig::Body& body = context.character().document().body;
   std::vector<Choice> choices;
   int selected = -1;
   for (const rig::BodyPlan& plan : rig::bodyPlans()) {
@@ -199,14 +199,14 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
 void limbList(PanelContext& context) {
   const app::Document& document = context.character().document();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.unit(), context.theme.px(1.0F)));
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     limbRow(context, limb);
   }
   for (const rig::Limb& chain : document.chains) {
     limbRow(context, chain);
   }
   ImGui::PopStyleVar();
-  if (document.biped.limbs.empty() && document.chains.empty()) {
+  if (document.body.limbs.empty() && document.chains.empty()) {
     note(widgetsOf(context), "No limb was found. Pick a chain: its first joint, then its end.");
   }
 }
@@ -253,7 +253,7 @@ void drawRigPanel(PanelContext& context) {
   }
   const app::Document& document = context.character().document();
   std::vector<std::string> warnings = document.warnings;
-  warnings.insert(warnings.end(), document.biped.warnings.begin(), document.biped.warnings.end());
+  warnings.insert(warnings.end(), document.body.warnings.begin(), document.body.warnings.end());
   if (!warnings.empty() &&
       section(widgets, "rig/warnings", "Warnings (" + std::to_string(warnings.size()) + ")",
               context.ui.closedSections)) {

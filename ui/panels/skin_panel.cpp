@@ -47,7 +47,7 @@ void useLocators(PanelContext& context) {
                   {.command = command::rigBack, .icon = icon::hidden, .text = "Hide", .width = width});
     return;
   }
-  if (document.biped.isBiped) {
+  if (document.body.isBiped) {
     commandButton(context, {.command = command::rigBuild,
                             .icon = icon::cube,
                             .emphasis = Emphasis::primary,
@@ -151,7 +151,7 @@ void locatorPart(PanelContext& context) {
     shownLocators(context);
   } else if (app::isRigBuilt(document)) {
     commandButton(context, {.command = command::rigBack, .icon = icon::target, .width = width});
-  } else if (!document.biped.isBiped && document.scene->skins.empty()) {
+  } else if (!document.body.isBiped && document.scene->skins.empty()) {
     panelTitle(widgetsOf(context), icon::target, "Locators");
     commandButton(context, {.command = command::locatorsFit,
                             .icon = icon::target,

@@ -65,7 +65,7 @@ void stopRows(PanelContext& context, const rig::Trail& trail) {
   labelledRow(widgets, "", help);
   const Vec3 axis = glm::abs(stopSides[sideOf(plane->normal)].normal);
   double at = glm::dot(axis, plane->point);
-  const double reach = context.character().document().biped.height * 4.0;
+  const double reach = context.character().document().body.height * 4.0;
   SliderSpec spec{.id = "trail/stop-at",
                   .minimum = -reach,
                   .maximum = reach,

@@ -255,7 +255,7 @@ void noClip(PanelContext& context) {
     return;
   }
   const app::Document& document = context.character().document();
-  if (!document.biped.isBiped && document.scene->skins.empty()) {
+  if (!document.body.isBiped && document.scene->skins.empty()) {
     emptyState(widgets, icon::clock, "No clip",
                "This mesh has no joints yet. Fit locators and bind it; then import a clip of another file.");
     return;

@@ -28,7 +28,7 @@ void sphereOffsetRow(PanelContext& context, const rig::Trail& trail, double fram
                                   [&](const rig::SphereOffset& s) { return app::sameFrame(s.frame, frame); });
   rig::SphereOffset sphere =
       found != trail.settings.spheres.end() ? *found : rig::SphereOffset{frame, Vec3(0.0)};
-  const double reach = context.character().document().biped.height * 2.0;
+  const double reach = context.character().document().body.height * 2.0;
   labelledRow(widgets, "Offset",
               {"Offset of the sphere at frame " + shortNumber(frame),
                "How far the path is pulled there, along the axes of the trail's space.",

@@ -108,7 +108,7 @@ app::LookAt whatToLookAt(const rig::MotionState& motion, const rig::SolvedTrail&
 
 bool bodyTravels(const app::Document& document, const rig::SolvedTrail& solved) {
   return rig::startingSpace(*document.scene, app::clipOf(document, solved.trail.clip), solved.limb,
-                            document.biped.hips,
+                            document.body.hips,
                             {solved.settings.startFrame, solved.settings.endFrame}) == rig::TrailSpace::root;
 }
 

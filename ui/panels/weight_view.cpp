@@ -38,7 +38,7 @@ NodeIndex jointOfSelection(const app::Session& session) {
   }
   if (!view.selectedControllers.empty()) {
     const Result<rig::Controller> controller =
-        rig::controllerNamed(*document.scene, app::allLimbs(document), document.biped.hips,
+        rig::controllerNamed(*document.scene, app::allLimbs(document), document.body.hips,
                              app::controllersOf(document), view.selectedControllers.back());
     return controller ? controller->node : NodeIndex::none;
   }

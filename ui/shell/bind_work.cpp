@@ -25,7 +25,7 @@ bool hasBoundMesh(const Scene& scene) {
 }
 
 bool hasJoints(const app::Document& document) {
-  return !document.scene->skins.empty() || document.biped.hips.exists();
+  return !document.scene->skins.empty() || document.body.hips.exists();
 }
 
 // Joints are made at the locators, or moved to them where they are there already.

@@ -21,7 +21,7 @@ Status startFitting(Shell& shell, const std::string& label) {
 
 bool isMeshAlone(const Shell& shell) {
   const app::Session* const session = shell.open.character();
-  return session != nullptr && !session->document().biped.isBiped && session->document().scene->skins.empty();
+  return session != nullptr && !session->document().body.isBiped && session->document().scene->skins.empty();
 }
 
 bool canStop(const Shell& shell) {

@@ -28,7 +28,7 @@ std::vector<float> highlightOf(const app::Document& document, const PictureSelec
     for (rig::Limb& limb : app::allLimbs(document)) {
       limbs.push_back(std::move(limb));
     }
-    const std::vector<int> owners = rig::limbOfNodes(*document.scene, limbs, document.biped.hips);
+    const std::vector<int> owners = rig::limbOfNodes(*document.scene, limbs, document.body.hips);
     for (std::size_t node = 0; node < owners.size(); ++node) {
       const bool isIts = owners[node] >= 0 && limbs[static_cast<std::size_t>(owners[node])].id == limbId;
       highlight[node] = isIts ? std::max(highlight[node], amount) : highlight[node];

@@ -28,7 +28,7 @@ void updateSurface(app::Session& session, const FrameState& pose, LimbHover& hov
   }
   std::vector<rig::Limb> limbs = app::allLimbs(document);
   if (hover.limbs != limbs || hover.limbOfNode.size() != document.scene->nodes.size()) {
-    hover.limbOfNode = rig::limbOfNodes(*document.scene, limbs, document.biped.hips);
+    hover.limbOfNode = rig::limbOfNodes(*document.scene, limbs, document.body.hips);
     hover.limbs = std::move(limbs);
   }
 }

@@ -255,9 +255,9 @@ Status turnFalloff(app::Session& session, Tool& tool, double steps) {
   if (grab == nullptr || grab->tangent) {
     return Success{};
   }
-  const double smallest = 0.02 * session.document().biped.height;
+  const double smallest = 0.02 * session.document().body.height;
   const double radius = std::max(grab->falloffRadius, smallest) * std::pow(1.2, steps);
-  grab->falloffRadius = radius < smallest ? 0.0 : std::min(radius, 10.0 * session.document().biped.height);
+  grab->falloffRadius = radius < smallest ? 0.0 : std::min(radius, 10.0 * session.document().body.height);
   return previewGrab(session, *grab);
 }
 

@@ -80,7 +80,7 @@ namespace {
 /// Around the selected controllers, with room for what they are on.
 Box controllerBox(app::Session& session) {
   constexpr double roomShare = 0.15; // of the height
-  const Vec3 room(roomShare * session.document().biped.height);
+  const Vec3 room(roomShare * session.document().body.height);
   const std::vector<std::string>& selected = session.view().selectedControllers;
   Box box;
   if (selected.empty()) {

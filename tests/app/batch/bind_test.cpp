@@ -101,8 +101,8 @@ TEST_CASE("A statue bound at locators stands as it stood, and its limbs are foun
   CHECK(report["megabytes"] > 0.0);
   const Document before = openedFile(mesh);
   const Document after = openedFile(out);
-  CHECK(after.biped.isBiped);
-  CHECK(after.biped.limbs.size() == 6);
+  CHECK(after.body.isBiped);
+  CHECK(after.body.limbs.size() == 6);
   const std::vector<Vec3> stood = atRest(before);
   const std::vector<Vec3> stands = atRest(after);
   REQUIRE(stood.size() == stands.size());
@@ -110,7 +110,7 @@ TEST_CASE("A statue bound at locators stands as it stood, and its limbs are foun
   for (std::size_t v = 0; v < stood.size(); ++v) {
     largest = std::max(largest, glm::distance(stood[v], stands[v]));
   }
-  CHECK(largest < 1e-5 * after.biped.height);
+  CHECK(largest < 1e-5 * after.body.height);
   const Json& json = after.source->json;
   CHECK(json["nodes"][1]["name"] == "hips");
   CHECK(json["materials"] == (*before.source->json)["materials"]);
@@ -162,7 +162,7 @@ TEST_CASE("Binding again at the file's own joints changes weights and nothing el
   const std::vector<Vec3> ours = skinning::skinnedPositions(*after.scene, frame);
   double sum = 0.0;
   for (std::size_t v = 0; v < artists.size(); ++v) {
-    const double miss = glm::distance(artists[v], ours[v]) / before.biped.height;
+    const double miss = glm::distance(artists[v], ours[v]) / before.body.height;
     sum += miss * miss;
   }
   CHECK(std::sqrt(sum / static_cast<double>(artists.size())) < 0.01);

@@ -80,7 +80,7 @@ TEST_CASE("a pinned hand stays at its place over the range, whatever the hips do
   INFO(posed.answer.told);
   REQUIRE(posed.answer.exitCode == 0);
   const Document file = openedFile(posed.path);
-  const double height = file.biped.height;
+  const double height = file.body.height;
   const Vec3 held = endOf(file, "left-arm", 8);
   for (const double frame : halfFrames(8, 20)) {
     CHECK(glm::length(endOf(file, "left-arm", frame) - held) < heldShare * height);
@@ -95,13 +95,13 @@ TEST_CASE("a pin holds where the clip has the hand at its frame, or at the place
   const Posed at = pose(folder, heldRecipe("pins", timed), {"--clean"});
   REQUIRE(at.answer.exitCode == 0);
   CHECK(glm::length(endOf(openedFile(at.path), "right-arm", 12) - endOf(source, "right-arm", 2)) <
-        heldShare * source.biped.height);
+        heldShare * source.body.height);
   Json placed = timed;
   placed["place"] = {-0.3, 1.1, 0.25};
   const Posed there = pose(folder, heldRecipe("pins", placed), {"--clean"});
   REQUIRE(there.answer.exitCode == 0);
   CHECK(glm::length(endOf(openedFile(there.path), "right-arm", 12) - Vec3(-0.3, 1.1, 0.25)) <
-        heldShare * source.biped.height);
+        heldShare * source.body.height);
 }
 
 TEST_CASE("a pin changes its limb alone, and leaves every key outside of its range and blends") {
@@ -132,11 +132,10 @@ TEST_CASE("the second hand keeps its relation to the first, whatever a trail mak
       0);
   const Document source = openedFile(posedCharacter);
   const Document file = openedFile(output);
-  CHECK(glm::length(endOf(file, "left-arm", 27) - endOf(source, "left-arm", 27)) > 0.1 * source.biped.height);
+  CHECK(glm::length(endOf(file, "left-arm", 27) - endOf(source, "left-arm", 27)) > 0.1 * source.body.height);
   for (const double frame : halfFrames(0, 40)) {
     CHECK(glm::length(seenFromHand(file, "left-arm", "right-arm", frame) -
-                      seenFromHand(source, "left-arm", "right-arm", frame)) <
-          heldShare * source.biped.height);
+                      seenFromHand(source, "left-arm", "right-arm", frame)) < heldShare * source.body.height);
   }
 }
 
@@ -181,7 +180,7 @@ TEST_CASE("a grip may keep the relation of one frame") {
   const Vec3 relation = seenFromHand(source, "right-arm", "left-arm", 12);
   for (const double frame : halfFrames(10, 30)) {
     CHECK(glm::length(seenFromHand(file, "right-arm", "left-arm", frame) - relation) <
-          heldShare * source.biped.height);
+          heldShare * source.body.height);
   }
 }
 
@@ -204,7 +203,7 @@ TEST_CASE("a prop stays in the hand that holds it") {
         .position;
   };
   for (const double frame : halfFrames(0, 40)) {
-    CHECK(glm::length(inHand(file, frame) - inHand(source, 0)) < heldShare * source.biped.height);
+    CHECK(glm::length(inHand(file, frame) - inHand(source, 0)) < heldShare * source.body.height);
     CHECK(glm::length(endOf(file, "right-arm", frame) - endOf(source, "right-arm", frame)) <= 0.0);
   }
 }
@@ -228,7 +227,7 @@ TEST_CASE("two hands stay on a prop until one lets go, and the other then has it
     return glm::inverse(rotationOf(world)) * (endOf(document, limb, frame) - positionOf(world));
   };
   for (const double frame : halfFrames(0, 40)) {
-    const double limit = heldShare * source.biped.height;
+    const double limit = heldShare * source.body.height;
     CHECK(glm::length(onStick(file, "left-arm", frame) - onStick(source, "left-arm", 0)) < limit);
     if (frame <= 20.0) {
       CHECK(glm::length(onStick(file, "right-arm", frame) - onStick(source, "right-arm", 0)) < limit);
@@ -256,7 +255,7 @@ TEST_CASE("a hand with two keys stays firm on a prop until shortly before the se
     const Mat4 world = test::worldOf(document, stick, frame);
     return glm::inverse(rotationOf(world)) * (endOf(document, "right-arm", frame) - positionOf(world));
   };
-  const double limit = heldShare * source.biped.height;
+  const double limit = heldShare * source.body.height;
   for (const double frame : halfFrames(0, 21)) {
     CHECK(glm::length(onStick(file, frame) - onStick(source, 0)) < limit);
   }

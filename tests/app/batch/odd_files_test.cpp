@@ -128,7 +128,7 @@ TEST_CASE("A folder of meshes and a file that moves morph targets alone point to
   const NodeIndex node = addNode(scene, "blob", NodeIndex::none, Vec3(0.0));
   scene.nodes[at(node)].mesh = 0;
   scene.meshes.push_back({"blob", {}, {0.0F}});
-  const rig::Biped biped = rig::detectBiped(scene);
+  const rig::Body biped = rig::detectBody(scene);
   REQUIRE(biped.warnings.size() == 1);
   CHECK_THAT(biped.warnings.front(), Catch::Contains("compress"));
 }

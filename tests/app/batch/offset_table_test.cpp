@@ -82,8 +82,8 @@ TEST_CASE("a table may be a list in JSON and stand beside a recipe") {
   CHECK(report["controllers"].size() == 2);
   const Document source = openedFile(posedCharacter);
   const Vec3 moved =
-      nodeOf(openedFile(tabled.path), source.biped.hips, 30) - nodeOf(source, source.biped.hips, 30);
-  CHECK(glm::length(moved - Vec3(0.1, 0.0, 0.3)) < 1e-4 * source.biped.height);
+      nodeOf(openedFile(tabled.path), source.body.hips, 30) - nodeOf(source, source.body.hips, 30);
+  CHECK(glm::length(moved - Vec3(0.1, 0.0, 0.3)) < 1e-4 * source.body.height);
 }
 
 TEST_CASE("a row that cannot be taken is told by its number in one line, and nothing is written") {

@@ -54,13 +54,13 @@ TEST_CASE("pose puts a hand where the recipe asks for it, at every frame and hal
   CHECK(file.adjustments.empty());
   for (double frame = 0.0; frame <= 60.0; frame += 0.5) {
     const Vec3 wanted = endOf(source, "left-arm", frame) + Vec3(0.2, 0.0, 0.1);
-    CHECK(glm::length(endOf(file, "left-arm", frame) - wanted) < 1e-4 * source.biped.height);
+    CHECK(glm::length(endOf(file, "left-arm", frame) - wanted) < 1e-4 * source.body.height);
   }
 }
 
 TEST_CASE("pose lowers the hips over planted feet, and tells the places asked for and reached") {
   const test::TemporaryFolder folder;
-  const double down = 0.1 * openedFile(posedCharacter).biped.height;
+  const double down = 0.1 * openedFile(posedCharacter).body.height;
   const Json recipe = poseRecipe({controllerKey("hips", 12, {{"move", {0.0, -down, 0.0}}}),
                                   controllerKey("right-hand", 12, {{"move", {0.05, 0.1, 0.0}}})});
   const Posed posed = pose(folder, recipe, {"--clean"});
@@ -69,10 +69,10 @@ TEST_CASE("pose lowers the hips over planted feet, and tells the places asked fo
   const Document file = openedFile(posed.path);
   for (double frame = 0.0; frame <= 60.0; frame += 0.5) {
     for (const char* leg : {"left-leg", "right-leg"}) {
-      CHECK(glm::length(endOf(file, leg, frame) - endOf(source, leg, frame)) < 1e-4 * source.biped.height);
+      CHECK(glm::length(endOf(file, leg, frame) - endOf(source, leg, frame)) < 1e-4 * source.body.height);
     }
-    CHECK(std::abs(nodeOf(file, source.biped.hips, frame).y - nodeOf(source, source.biped.hips, frame).y +
-                   down) < 1e-4 * source.biped.height);
+    CHECK(std::abs(nodeOf(file, source.body.hips, frame).y - nodeOf(source, source.body.hips, frame).y +
+                   down) < 1e-4 * source.body.height);
   }
   const Json report = Json::parse(posed.answer.output);
   REQUIRE(report["controllers"].size() == 2);
@@ -81,7 +81,7 @@ TEST_CASE("pose lowers the hips over planted feet, and tells the places asked fo
   CHECK(hand["missed_by"].get<double>() < 1e-6);
   const Vec3 reached(hand["reached"][0].get<double>(), hand["reached"][1].get<double>(),
                      hand["reached"][2].get<double>());
-  CHECK(glm::length(endOf(file, "right-arm", 12.0) - reached) < 1e-4 * source.biped.height);
+  CHECK(glm::length(endOf(file, "right-arm", 12.0) - reached) < 1e-4 * source.body.height);
 }
 
 TEST_CASE("adjustments of nothing leave the bytes of the source") {

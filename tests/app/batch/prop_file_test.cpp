@@ -91,7 +91,7 @@ Document played(const TemporaryFolder& folder, const std::string& path) {
 
 std::vector<std::vector<NodeIndex>> jointsOf(const Document& document) {
   std::vector<std::vector<NodeIndex>> joints;
-  for (const rig::Limb& limb : document.biped.limbs) {
+  for (const rig::Limb& limb : document.body.limbs) {
     joints.push_back(limb.joints);
   }
   return joints;
@@ -124,10 +124,10 @@ TEST_CASE("pose --prop puts the thing of another file into the hand, where it st
   REQUIRE(report["added_files"].size() == 1);
   CHECK(report["added_files"][0] == Json{{"file", "sheets.glb"}, {"node", "sheets"}});
   const Document file = played(folder, output);
-  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
-  CHECK(distanceToHand(file, "right-arm", "sheets", 0.0) < 0.1 * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.body.height);
+  CHECK(distanceToHand(file, "right-arm", "sheets", 0.0) < 0.1 * file.body.height);
   CHECK(jointsOf(openedFile(output)) == jointsOf(openedFile(posedCharacter)));
-  CHECK(openedFile(output).biped.height == openedFile(posedCharacter).biped.height);
+  CHECK(openedFile(output).body.height == openedFile(posedCharacter).body.height);
   const test::VerbAnswer info = test::runVerb({"info", output, "--json"});
   CHECK(Json::parse(info.output)["added_files"] == report["added_files"]);
   CHECK(Json::parse(info.output)["props"].size() == 1);
@@ -138,8 +138,8 @@ TEST_CASE("a thing in both hands stays in both") {
   const std::string output = (folder / "armed.glb").string();
   REQUIRE(poseWithProp(output, sheetsIn(folder), {"--prop-hand", "both", "--prop-frame", "5"}).exitCode == 0);
   const Document file = played(folder, output);
-  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
-  CHECK(slip(file, "left-arm", "sheets") < inHandShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.body.height);
+  CHECK(slip(file, "left-arm", "sheets") < inHandShare * file.body.height);
 }
 
 TEST_CASE("a clean file plays the thing in the hand and is an ordinary file") {
@@ -149,7 +149,7 @@ TEST_CASE("a clean file plays the thing in the hand and is an ordinary file") {
   const Document file = openedFile(output);
   CHECK(file.addedFiles.empty());
   CHECK(file.holds.empty());
-  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.body.height);
 }
 
 TEST_CASE("a saved file with an added thing gives back its source by bytes") {
@@ -176,15 +176,15 @@ TEST_CASE("a recipe names the file of a prop, from its own folder, where its adj
   INFO(posed.answer.told);
   REQUIRE(posed.answer.exitCode == 0);
   const Document file = played(folder, posed.path);
-  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.biped.height);
-  CHECK(distanceToHand(file, "right-arm", "sheets", 10.0) < 0.1 * file.biped.height);
+  CHECK(slip(file, "right-arm", "sheets") < inHandShare * file.body.height);
+  CHECK(distanceToHand(file, "right-arm", "sheets", 10.0) < 0.1 * file.body.height);
   // Without the adjustment it is held at the same place of the hand.
   recipe.erase("adjustments");
   const Document plain = played(folder, pose(folder, recipe).path);
   const auto place = [&](const Document& document) {
     return Vec3(inHand(document, "right-arm", "sheets", 10.0)[3]);
   };
-  CHECK(glm::length(place(plain) - place(file)) < 0.02 * file.biped.height);
+  CHECK(glm::length(place(plain) - place(file)) < 0.02 * file.body.height);
 }
 
 TEST_CASE("the recipe of a document makes the same of the character, also once the hand was posed anew") {
@@ -235,7 +235,7 @@ TEST_CASE("a recipe that is replayed twice adds its file once, and two props of 
   CHECK(document.holds.props.size() == 2);
   REQUIRE(saveDocument(document, folder / "two.glb", {.clean = true}));
   const Document file = openedFile((folder / "two.glb").string());
-  const double height = file.biped.height;
+  const double height = file.body.height;
   CHECK(distanceToHand(file, "right-arm", "sheets", 30.0) < 0.1 * height);
   CHECK(distanceToHand(file, "left-arm", "sheets 2", 30.0) < 0.1 * height);
 }
@@ -295,7 +295,7 @@ TEST_CASE("taking the hold away takes the thing away, and undo brings both back"
   const Vec3 at0 = session.document().addedFiles[0].place.translation;
   CAPTURE(place.x, place.y, place.z, hand.x, hand.y, hand.z, at0.x, at0.y, at0.z, frame.worlds.size(),
           session.document().holds.props.size(), session.document().holds.props[0].node);
-  CHECK(glm::length(place - hand) < 0.1 * source.biped.height);
+  CHECK(glm::length(place - hand) < 0.1 * source.body.height);
   session.undo();
   CHECK(sameDocument(session.document(), two));
   session.redo();

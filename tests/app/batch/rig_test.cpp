@@ -48,8 +48,8 @@ TEST_CASE("rig makes joints where the body has them, and all six limbs are found
   REQUIRE(answer.exitCode == 0);
   const Result<Document> rigged = openDocument(file.output);
   REQUIRE(rigged);
-  CHECK(rigged->biped.isBiped);
-  CHECK(rigged->biped.limbs.size() == 6);
+  CHECK(rigged->body.isBiped);
+  CHECK(rigged->body.limbs.size() == 6);
   for (const auto& [name, place] : file.person.joints) {
     INFO(name);
     CHECK(glm::distance(placeOfNode(*rigged, name), place) < 0.05 * height);
@@ -114,7 +114,7 @@ TEST_CASE("A moved locator corrects the limb of a skeleton: it goes by the neare
   rig::Locators locators = fitLocators(before)->locators;
   const Result<Document> same = withLimbsAt(before, locators);
   REQUIRE(same);
-  CHECK(same->biped.limbs == before.biped.limbs);
+  CHECK(same->body.limbs == before.body.limbs);
   const rig::Limb& arm = *findLimb(before, "left-arm");
   const NodeIndex hand = arm.endNode;
   const NodeIndex finger = before.scene->nodes[at(hand)].children.empty()

@@ -32,7 +32,7 @@ TEST_CASE("A new trail of a leg stops at the floor that the feet stand on, one o
   REQUIRE(stopOf("left-leg"));
   CHECK(stopOf("left-leg")->normal == Vec3(0.0, -1.0, 0.0));
   CHECK(stopOf("left-leg")->point.y > 0.0); // The ankle, a little above the ground.
-  CHECK(stopOf("left-leg")->point.y < 0.1 * session.document().biped.height);
+  CHECK(stopOf("left-leg")->point.y < 0.1 * session.document().body.height);
   CHECK(stopOf("right-leg")->point.y == Approx(stopOf("left-leg")->point.y).margin(0.03));
   CHECK_FALSE(stopOf("left-arm"));
 }

@@ -159,7 +159,7 @@ TEST_CASE("A foot that is in the air is not pinned") {
     pinned += pin.time.rangeFrames.y - pin.time.rangeFrames.x;
     const Vec3 start = test::endOf(document, pin.limb, pin.time.rangeFrames.x);
     const Vec3 end = test::endOf(document, pin.limb, pin.time.rangeFrames.y);
-    CHECK(glm::length(end - start) < 0.1 * document.biped.height);
+    CHECK(glm::length(end - start) < 0.1 * document.body.height);
   }
   CHECK(pinned < 1.8 * last);
 }

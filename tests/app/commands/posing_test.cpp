@@ -86,7 +86,7 @@ TEST_CASE("A controller whose limb is gone is selected no longer") {
   Session session(test::boxer());
   selectControllers(session, {"hips", "left-hand"});
   Document without = session.document();
-  std::erase_if(without.biped.limbs, [](const rig::Limb& limb) { return limb.id == "left-arm"; });
+  std::erase_if(without.body.limbs, [](const rig::Limb& limb) { return limb.id == "left-arm"; });
   session.edit(without, "Forget the arm");
   CHECK(session.view().selectedControllers == std::vector<std::string>{"hips"});
 }
@@ -171,13 +171,13 @@ TEST_CASE("With auto-key off a pose is shown until the playhead moves, and a key
   session.view().frame = 8.0;
   selectController(session, "hips", false);
   run(session, command::poseAutoKey);
-  const Vec3 before = positionOf(session.frameAt(8.0).worlds[at(session.document().biped.hips)]);
+  const Vec3 before = positionOf(session.frameAt(8.0).worlds[at(session.document().body.hips)]);
   REQUIRE(poseAll(session, moved("hips", {0.0, -0.1, 0.0}), "Move"));
   CHECK(session.document().adjustments.empty());
   CHECK_FALSE(session.history().canUndo());
-  const Vec3 shown = positionOf(session.frameAt(8.0).worlds[at(session.document().biped.hips)]);
+  const Vec3 shown = positionOf(session.frameAt(8.0).worlds[at(session.document().body.hips)]);
   CHECK(shown.y - before.y == Approx(-0.1));
-  CHECK(positionOf(session.frameAt(9.0).worlds[at(session.document().biped.hips)]).y == Approx(before.y));
+  CHECK(positionOf(session.frameAt(9.0).worlds[at(session.document().body.hips)]).y == Approx(before.y));
   SECTION("dropped") {
     session.view().frame = 9.0;
     static_cast<void>(session.frameAt(9.0));
@@ -283,7 +283,7 @@ TEST_CASE("A copied pose fits a character of another size") {
   Session session = posed("left-hand", {0.1, 0.2, 0.3});
   run(session, command::poseCopy);
   Document larger = test::boxer();
-  for (rig::Limb& limb : larger.biped.limbs) {
+  for (rig::Limb& limb : larger.body.limbs) {
     limb.restLength *= 2.0;
   }
   OpenDocument open(Opened(session.document()));

@@ -76,7 +76,7 @@ private:
       view.frame = dice_.below(static_cast<int>(lastFrame(document, view.clip)) + 1);
       break;
     case 1:
-      selectLimb(session(), anyOf(document.biped.limbs).id, dice_.below(2) == 0);
+      selectLimb(session(), anyOf(document.body.limbs).id, dice_.below(2) == 0);
       break;
     case 2:
       selectController(session(), anyOf(controllersOf(document).controllers).id, dice_.below(2) == 0);

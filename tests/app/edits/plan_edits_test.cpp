@@ -19,7 +19,7 @@ Document horse() {
   Document document;
   document.scene = std::make_shared<const Scene>(build(body).scene);
   document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(1));
-  document.biped = rig::detectBiped(*document.scene);
+  document.body = rig::detectBody(*document.scene);
   return document;
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("Another body plan replaces the limbs, and takes along what was set up
   document.weights.push_back({"spine", 0, true, {}});
   const Result<Document> changed = changePlan(document, "spider");
   REQUIRE(changed);
-  CHECK(changed->biped.plan == "spider");
+  CHECK(changed->body.plan == "spider");
   CHECK(changed->limbsCorrected);
   CHECK(findLimb(*changed, "front-left-leg") == nullptr);
   CHECK(findLimb(*changed, "left-leg") != nullptr);
@@ -53,19 +53,19 @@ TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand
   const Document chosen = *changePlan(document, "other");
   Document again = document;
   REQUIRE(restoreWork(workOf(chosen), again));
-  CHECK(again.biped.plan == "other");
-  CHECK(again.biped.limbs.size() == chosen.biped.limbs.size());
+  CHECK(again.body.plan == "other");
+  CHECK(again.body.limbs.size() == chosen.body.limbs.size());
 
   Document corrected = document;
   corrected.limbsCorrected = true;
   Document opened = document;
-  opened.biped = rig::Biped();
+  opened.body = rig::Body();
   REQUIRE(restoreWork(workOf(corrected), opened));
-  CHECK(opened.biped.plan == "quadruped");
-  REQUIRE(opened.biped.limbs.size() == document.biped.limbs.size());
-  for (std::size_t i = 0; i < opened.biped.limbs.size(); ++i) {
-    CHECK(opened.biped.limbs[i].id == document.biped.limbs[i].id);
-    CHECK(static_cast<const rig::LimbPlace&>(opened.biped.limbs[i]) ==
-          static_cast<const rig::LimbPlace&>(document.biped.limbs[i]));
+  CHECK(opened.body.plan == "quadruped");
+  REQUIRE(opened.body.limbs.size() == document.body.limbs.size());
+  for (std::size_t i = 0; i < opened.body.limbs.size(); ++i) {
+    CHECK(opened.body.limbs[i].id == document.body.limbs[i].id);
+    CHECK(static_cast<const rig::LimbPlace&>(opened.body.limbs[i]) ==
+          static_cast<const rig::LimbPlace&>(document.body.limbs[i]));
   }
 }

@@ -126,7 +126,7 @@ TEST_CASE("A limb corrected by hand takes the place of the one that was found") 
   corrected.joints = {NodeIndex(4)};
   const Result<Document> changed = correctLimb(document, corrected);
   REQUIRE(changed);
-  CHECK(changed->biped.limbs.size() == document.biped.limbs.size());
+  CHECK(changed->body.limbs.size() == document.body.limbs.size());
   CHECK(findLimb(*changed, "left-arm")->joints == std::vector{NodeIndex(4)});
 
   corrected.joints = {NodeIndex(99)};
@@ -135,8 +135,8 @@ TEST_CASE("A limb corrected by hand takes the place of the one that was found") 
   static_cast<rig::LimbPlace&>(leg) = rig::biped::leftLeg;
   const Result<Document> added = correctLimb(document, leg);
   REQUIRE(added);
-  REQUIRE(added->biped.limbs.size() == document.biped.limbs.size() + 1);
-  CHECK(added->biped.limbs[2].id == "left-leg"); // In the order of kinds, before the spine.
+  REQUIRE(added->body.limbs.size() == document.body.limbs.size() + 1);
+  CHECK(added->body.limbs[2].id == "left-leg"); // In the order of kinds, before the spine.
 }
 
 TEST_CASE("A chain is added once") {

@@ -48,7 +48,7 @@ TEST_CASE(
   CHECK(usualWeight(horse, "tail").stiffness < usualWeight(horse, "hind-left-leg").stiffness);
 
   const Document biped = openedFile(posedCharacter);
-  for (const rig::Limb& limb : biped.biped.limbs) {
+  for (const rig::Limb& limb : biped.body.limbs) {
     CAPTURE(limb.id);
     CHECK(usualTrail(biped, limb) == rig::TrailSettings{});
     CHECK(usualWeight(biped, limb.id) == WeightSettings{});
@@ -109,7 +109,7 @@ TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan 
 TEST_CASE("A file keeps which end of a serpent leads, also where its joints were chosen by hand") {
   const CreatureOnDisk file(strikingSnake());
   const Document snake = openedFile(file.path);
-  CHECK(snake.biped.plan == "serpent");
+  CHECK(snake.body.plan == "serpent");
   rig::Limb spine = limbNamed(snake, "spine");
   REQUIRE(spine.ledByFirst);
   spine.ledByFirst = false;
@@ -117,7 +117,7 @@ TEST_CASE("A file keeps which end of a serpent leads, also where its joints were
   REQUIRE(corrected);
   CHECK(limbNamed(*corrected, "spine").ledByFirst);
   Document again = snake;
-  again.biped.limbs.clear();
+  again.body.limbs.clear();
   REQUIRE(restoreWork(workOf(*corrected), again));
   CHECK(limbNamed(again, "spine").ledByFirst);
   CHECK_THAT(runVerb({"info", file.path, "--json"}).output, Catch::Contains(R"("led_by": "behindHead")"));

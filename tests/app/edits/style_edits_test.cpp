@@ -24,8 +24,8 @@ rig::Trail trailOf(int id, const char* limb) {
 /// Trails 1 to 3 on an arm, a leg and the spine.
 app::Document threeTrails() {
   app::Document document;
-  document.biped.limbs = {limbOf(rig::biped::leftArm, "left-arm"), limbOf(rig::biped::leftLeg, "left-leg"),
-                          limbOf(rig::biped::spine, "spine")};
+  document.body.limbs = {limbOf(rig::biped::leftArm, "left-arm"), limbOf(rig::biped::leftLeg, "left-leg"),
+                         limbOf(rig::biped::spine, "spine")};
   document.trails = {trailOf(1, "left-arm"), trailOf(2, "left-leg"), trailOf(3, "spine")};
   return document;
 }

@@ -256,16 +256,16 @@ TEST_CASE("A rig is built, taken apart to its locators, and built again", "[loca
   REQUIRE(runCommand(session, command::locatorsFit));
   CHECK(showsLocators(session));
   REQUIRE(runCommand(session, command::rigBuild));
-  CHECK(session.document().biped.limbs.size() == 6);
+  CHECK(session.document().body.limbs.size() == 6);
   CHECK_FALSE(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes + 22);
   REQUIRE(runCommand(session, command::rigBack));
   CHECK(showsLocators(session));
   CHECK(session.document().scene->nodes.size() == nodes);
-  CHECK(session.document().biped.limbs.empty());
+  CHECK(session.document().body.limbs.empty());
   CHECK((*session.document().source->json)["nodes"] == before["nodes"]);
   REQUIRE(runCommand(session, command::rigBuild));
-  CHECK(session.document().biped.limbs.size() == 6);
+  CHECK(session.document().body.limbs.size() == 6);
   for (int i = 0; i < 4; ++i) {
     session.undo();
   }

@@ -42,7 +42,7 @@ Document opened(const fs::path& path) {
 
 // Joints by value, lengths but for the rounding of what the file stores in single precision.
 bool sameLimbs(const Document& a, const Document& b) {
-  return std::equal(a.biped.limbs.begin(), a.biped.limbs.end(), b.biped.limbs.begin(), b.biped.limbs.end(),
+  return std::equal(a.body.limbs.begin(), a.body.limbs.end(), b.body.limbs.begin(), b.body.limbs.end(),
                     [](const rig::Limb& first, const rig::Limb& second) {
                       return first.id == second.id && first.joints == second.joints &&
                              first.endNode == second.endNode &&
@@ -123,7 +123,7 @@ std::ptrdiff_t countLeaves(const Document& document) {
 
 // The left arm as if the character had no hand: its end is a point of the forearm.
 Document withoutHand(Document document) {
-  rig::Limb& arm = *std::find_if(document.biped.limbs.begin(), document.biped.limbs.end(),
+  rig::Limb& arm = *std::find_if(document.body.limbs.begin(), document.body.limbs.end(),
                                  [](const rig::Limb& limb) { return limb.id == "left-arm"; });
   arm.endOffset = document.scene->nodes[at(arm.endNode)].rest.translation;
   arm.endNode = NodeIndex::none;
@@ -146,7 +146,7 @@ TEST_CASE("A saved file opens as it was left, and gives the source back when its
   CHECK(again.trails == before.trails);
   CHECK(sameLimbs(again, before));
   CHECK(again.scene->bindChains.empty());
-  CHECK(worstDifference(again, before) <= 1e-6 * source.biped.height);
+  CHECK(worstDifference(again, before) <= 1e-6 * source.body.height);
 
   const Document emptied = orFail(deleteTrail(again, again.trails.front().id));
   saved(emptied, folder.path() / "back.glb", true);
@@ -199,7 +199,7 @@ TEST_CASE("A clean file keeps its stretch and its limbs when it is opened, and i
   CHECK(sameLimbs(clean, source));
   CHECK_FALSE(clean.scene->bindChains.empty());
   CHECK(clean.scene->skins.front().joints == source.scene->skins.front().joints);
-  CHECK(worstDifference(clean, before) <= 1e-4 * source.biped.height);
+  CHECK(worstDifference(clean, before) <= 1e-4 * source.body.height);
 }
 
 TEST_CASE("A clean file that is stretched again uses its leaves again and keeps the stretch that it had") {
@@ -213,8 +213,8 @@ TEST_CASE("A clean file that is stretched again uses its leaves again and keeps 
   // A second leaf may join where the stretched axis turns now; none hangs below another chain.
   CHECK(twice.scene->bindChains.size() == clean.scene->bindChains.size());
   CHECK(countLeaves(twice) <= 2 * static_cast<std::ptrdiff_t>(clean.scene->bindChains.size()));
-  CHECK(worstDifference(live, clean) > 0.05 * source.biped.height);
-  CHECK(worstDifference(twice, live) <= 1e-4 * source.biped.height);
+  CHECK(worstDifference(live, clean) > 0.05 * source.body.height);
+  CHECK(worstDifference(twice, live) <= 1e-4 * source.body.height);
 }
 
 TEST_CASE("An arm that ends in no joint is stretched from where a clean file has it") {

@@ -190,7 +190,7 @@ TEST_CASE(
   const Status restored = restoreWork(work, document);
   REQUIRE_FALSE(restored);
   CHECK_FALSE(restored.error().line().empty());
-  CHECK(document.biped.limbs == test::boxer().biped.limbs);
+  CHECK(document.body.limbs == test::boxer().body.limbs);
   CHECK(workOf(document).is_null());
 }
 

@@ -52,7 +52,7 @@ std::vector<Comparison> memory(const SpeedInput& input) {
   constexpr double constantMegabytes = 60.0;
   const double file = 1e-6 * static_cast<double>(std::filesystem::file_size(input.file));
   const std::string output = (std::filesystem::temp_directory_path() / "stretch-engine-speed.glb").string();
-  const std::string limb = input.document.biped.limbs.front().id;
+  const std::string limb = input.document.body.limbs.front().id;
   const std::string program = STRETCH_PROGRAM;
   std::vector<Comparison> rows;
   for (const auto& [name, command] :

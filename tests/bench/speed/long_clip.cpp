@@ -60,7 +60,7 @@ app::Document withLongClip(const app::Document& document, int frames) {
 void addTrail(app::Document& document, std::size_t limb, double start, double end) {
   rig::Trail trail;
   trail.id = document.nextTrailId++;
-  trail.limb = document.biped.limbs[limb].id;
+  trail.limb = document.body.limbs[limb].id;
   trail.settings.startFrame = start;
   trail.settings.endFrame = end;
   trail.settings.scale = 1.5;

@@ -63,7 +63,7 @@ public:
 
   void before(app::EvaluationCache& cache) const { look(document_, cache); }
   void step(app::EvaluationCache& cache) const {
-    const app::SphereMove move{frame_, Vec3(0.0, 0.01 * document_.biped.height, 0.0)};
+    const app::SphereMove move{frame_, Vec3(0.0, 0.01 * document_.body.height, 0.0)};
     const Result<app::Document> preview = app::moveSpheres(document_, trailId_, {&move, 1});
     check(preview.ok(), "the sphere of a bench can be moved");
     look(*preview, cache);
@@ -83,7 +83,7 @@ private:
 Comparison firstSteps(const SpeedInput& input) {
   app::Document moving = input.document;
   const double last = std::floor(app::clipOf(moving, 0).endSeconds * app::clipOf(moving, 0).framesPerSecond);
-  for (std::size_t limb = 0; limb < moving.biped.limbs.size(); ++limb) {
+  for (std::size_t limb = 0; limb < moving.body.limbs.size(); ++limb) {
     addTrail(moving, limb, 0.0, last);
   }
   const int trail = app::prepareMotion(moving, 0).trails.front().trail.id; // which may move all others
@@ -171,7 +171,7 @@ Comparison manyTrails(const SpeedInput& input) {
   constexpr double length = 40.0;
   const auto with = [&](int trails) {
     app::Document document = withLongClip(input.document, 500);
-    const std::size_t limbs = std::min<std::size_t>(4, document.biped.limbs.size());
+    const std::size_t limbs = std::min<std::size_t>(4, document.body.limbs.size());
     for (int i = 0; i < trails; ++i) {
       const double start = 1.5 * length * (i / static_cast<int>(limbs));
       addTrail(document, static_cast<std::size_t>(i) % limbs, start, start + length);

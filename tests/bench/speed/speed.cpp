@@ -20,7 +20,7 @@ int run(const std::string& file, int repetitions, const std::string& only, bool 
     fmt::print(stderr, "speed: {}\n", document.error().line());
     return 1;
   }
-  if (document->clips->empty() || document->biped.limbs.empty()) {
+  if (document->clips->empty() || document->body.limbs.empty()) {
     fmt::print(stderr, "speed: {}: needs a clip and a limb\n", file);
     return 1;
   }

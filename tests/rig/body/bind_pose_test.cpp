@@ -88,7 +88,7 @@ TEST_CASE("rest length and estimated ends are in world units, whatever the armat
     SyntheticBiped body = makeBody();
     body.armatureScale = scale;
     const BuiltBiped built = build(body);
-    const Biped biped = detectBiped(built.scene);
+    const Body biped = detectBody(built.scene);
     const Limb* arm = findLimb(biped, biped::leftArm);
     REQUIRE(arm != nullptr);
     CHECK(arm->restLength == Approx(std::hypot(0.27, 0.01) + std::hypot(0.25, 0.01)));
@@ -103,7 +103,7 @@ TEST_CASE("a character that lies down is as high as it is long") {
   }
   body.withMesh = false;
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(biped.isBiped);
   CHECK(biped.height > 1.5);
 }

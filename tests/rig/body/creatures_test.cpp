@@ -12,7 +12,7 @@ using namespace stretch::test;
 
 namespace {
 
-std::string limbsOf(const BuiltBiped& built, const Biped& body) {
+std::string limbsOf(const BuiltBiped& built, const Body& body) {
   std::string text;
   for (const Limb& limb : body.limbs) {
     text += limb.id + ": " + describe(built, body, limb) + "\n";
@@ -39,7 +39,7 @@ TEST_CASE("Each sort of body is read as its plan, with names and without") {
         body.names.clear();
       }
       CAPTURE(creature.title, named);
-      const Biped read = detectBiped(build(body).scene);
+      const Body read = detectBody(build(body).scene);
       CHECK(read.plan == creature.plan);
       CHECK(read.planConfidence >= 0.5);
       CHECK_FALSE(read.planReasons.empty());
@@ -55,7 +55,7 @@ TEST_CASE("A horse has four legs from the scapula or the hip to the hoof, a neck
     nameByKeys(body);
   }
   const BuiltBiped built = build(body);
-  CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+  CHECK(limbsOf(built, detectBody(built.scene)) == horseLimbs);
 }
 
 TEST_CASE("Legs of an insect are counted from front to back, and its feelers are none") {
@@ -65,7 +65,7 @@ TEST_CASE("Legs of an insect are counted from front to back, and its feelers are
     nameByKeys(body);
   }
   const BuiltBiped built = build(body);
-  const Biped read = detectBiped(built.scene);
+  const Body read = detectBody(built.scene);
   CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) == "femur0.l tibia0.l -> tarsus0.l");
   CHECK(describe(built, read, {LimbKind::leg, LimbSide::right, 3}) == "femur2.r tibia2.r -> tarsus2.r");
   CHECK(findLimb(read, {LimbKind::leg, LimbSide::left, 1})->id == "left-leg");
@@ -81,7 +81,7 @@ TEST_CASE("A bird has wings, and its legs stand on their toes") {
     nameByKeys(body);
   }
   const BuiltBiped built = build(body);
-  const Biped read = detectBiped(built.scene);
+  const Body read = detectBody(built.scene);
   CHECK(describe(built, read, {LimbKind::leg, LimbSide::left}) == "thigh.l calf.l ankle.l -> toe.l");
   CHECK(describe(built, read, {LimbKind::wing, LimbSide::right}) == "wing0.r wing1.r wing2.r -> wing3.r");
   CHECK(describe(built, read, biped::neck) == "neck0 neck1 -> head");
@@ -90,7 +90,7 @@ TEST_CASE("A bird has wings, and its legs stand on their toes") {
 TEST_CASE("A body that lies or stands upside down in its bind pose is told, and read all the same") {
   SyntheticBiped body = makeHorse();
   const BuiltBiped upright = build(body);
-  REQUIRE(detectBiped(upright.scene).warnings.empty());
+  REQUIRE(detectBody(upright.scene).warnings.empty());
   SECTION("upside down") {
     body.turn = axisAngle(Vec3(0, 0, 1), pi);
   }
@@ -104,7 +104,7 @@ TEST_CASE("A body that lies or stands upside down in its bind pose is told, and 
     body.turn = axisAngle(Vec3(0, 0, 1), pi / 2.0);
   }
   const BuiltBiped built = build(body);
-  const Biped read = detectBiped(built.scene);
+  const Body read = detectBody(built.scene);
   CHECK(read.plan == "quadruped");
   CHECK(read.limbs.size() == 7);
   CHECK(read.warnings.size() == 1);
@@ -116,7 +116,7 @@ TEST_CASE("The size of a body does not count") {
     body.size = size;
     const BuiltBiped built = build(body);
     CAPTURE(size);
-    CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+    CHECK(limbsOf(built, detectBody(built.scene)) == horseLimbs);
   }
 }
 
@@ -124,14 +124,14 @@ TEST_CASE("A skeleton without a mesh is read as one with") {
   SyntheticBiped body = makeHorse();
   body.withMesh = false;
   const BuiltBiped built = build(body);
-  CHECK(limbsOf(built, detectBiped(built.scene)) == horseLimbs);
+  CHECK(limbsOf(built, detectBody(built.scene)) == horseLimbs);
 }
 
 TEST_CASE("A body of no known plan has the rows of joints between branchings") {
   SyntheticBiped body = makeCentaur();
   nameByKeys(body);
   const BuiltBiped built = build(body);
-  const Biped read = detectBiped(built.scene);
+  const Body read = detectBody(built.scene);
   REQUIRE(read.plan == "other");
   std::vector<std::string> ids;
   for (const Limb& limb : read.limbs) {
@@ -144,10 +144,10 @@ TEST_CASE("A body of no known plan has the rows of joints between branchings") {
 
 TEST_CASE("A plan chosen by hand is kept to, however well it fits") {
   const BuiltBiped built = build(makeHorse());
-  const Biped asOther = bodyAsPlan(built.scene, *planNamed("other"));
+  const Body asOther = bodyAsPlan(built.scene, *planNamed("other"));
   CHECK(asOther.plan == "other");
   CHECK(asOther.planReasons == std::vector<std::string>{"chosen by hand"});
   CHECK(findLimb(asOther, {LimbKind::leg, LimbSide::left, 1}) == nullptr);
-  const Biped again = bodyAsPlan(built.scene, *planNamed("quadruped"));
+  const Body again = bodyAsPlan(built.scene, *planNamed("quadruped"));
   CHECK(limbsOf(built, again) == horseLimbs);
 }

@@ -12,7 +12,7 @@ using namespace stretch::test;
 namespace {
 
 void checkLimbs(const BuiltBiped& built, const std::string& spine, const std::string& neck) {
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, biped::spine) == spine);
   CHECK(describe(built, biped, biped::neck) == neck);

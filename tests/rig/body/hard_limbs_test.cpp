@@ -61,7 +61,7 @@ TEST_CASE("well-named limbs are found in any bind pose") {
     }
     const BuiltBiped built = build(body);
     CAPTURE(scheme, clavicles, i, drop, swing, elbow);
-    checkArmsAndLegs(built, detectBiped(built.scene));
+    checkArmsAndLegs(built, detectBody(built.scene));
   }
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("an arm of two joints is found beside one of three") {
   }
   std::erase_if(body.joints, [](const SyntheticJoint& joint) { return joint.key == "hand.r"; });
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, biped, biped::rightArm) == "upperArm.r foreArm.r -> estimated");
 }
@@ -125,7 +125,7 @@ TEST_CASE("the short arms of a tyrannosaur are arms") {
   }
   SECTION("without names") {}
   const BuiltBiped built = build(body);
-  const Biped dinosaur = detectBiped(built.scene);
+  const Body dinosaur = detectBody(built.scene);
   CHECK(dinosaur.plan == "bird");
   CHECK(describe(built, dinosaur, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, dinosaur, biped::rightLeg) == "thigh.r shin.r foot.r -> toe.r");
@@ -152,7 +152,7 @@ TEST_CASE("joints above the hips that stand on the ground are no spine") {
     jointOf(body, "thigh.r").parent = "Root";
   }
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   const Limb* spine = findLimb(biped, biped::spine);
   REQUIRE(spine != nullptr);
@@ -172,7 +172,7 @@ TEST_CASE("a neck ends at the head, not at the cap on it") {
   body.joints.push_back({"capTop", "cap", Vec3(0, 1.95, 0.02)});
   body.names["cap"] = name;
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CAPTURE(hasNames, name);
   CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
   CHECK(biped.head == built.node.at("head"));
@@ -191,7 +191,7 @@ TEST_CASE("the spine is read from the joints that deform, not from weightless on
     jointOf(body, spine).parent = i == 0 ? "hips" : "spine" + std::to_string(i - 1);
   }
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
 }
@@ -218,5 +218,5 @@ TEST_CASE("rigid arms on a skinned body are found, whether the skin lists their 
       built.scene.meshes.push_back({"part", {box}, {}});
     }
   }
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }

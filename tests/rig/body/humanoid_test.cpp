@@ -39,7 +39,7 @@ BuiltBiped withTable() {
 
 TEST_CASE("the VRM humanoid table decides joints and sides, whatever names and feet say") {
   const BuiltBiped built = withTable();
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(biped.isBiped);
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.r foreArm.r -> hand.r");
   CHECK(describe(built, biped, biped::rightLeg) == "thigh.l shin.l -> foot.l");
@@ -54,7 +54,7 @@ TEST_CASE("a humanoid table without a neck has no neck limb, and a spine that en
   for (const char* bone : {"neck", "chest", "upperChest"}) {
     built.scene.humanoid.erase(bone);
   }
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(describe(built, biped, biped::neck) == "none");
   CHECK(describe(built, biped, biped::spine) == "spine0 -> head");
 }
@@ -63,7 +63,7 @@ TEST_CASE(
     "an entry of the humanoid table that leads nowhere leaves the limb to the geometry, with a warning") {
   BuiltBiped built = withTable();
   built.scene.humanoid["leftHand"] = NodeIndex(9999);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(describe(built, biped, biped::rightArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.r foreArm.r -> hand.r");
   REQUIRE_FALSE(biped.warnings.empty());

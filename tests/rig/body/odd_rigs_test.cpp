@@ -17,7 +17,7 @@ SyntheticJoint& joint(SyntheticBiped& body, const std::string& key) {
   return *std::ranges::find(body.joints, key, &SyntheticJoint::key);
 }
 
-bool warnsOf(const Biped& biped, const std::string& words) {
+bool warnsOf(const Body& biped, const std::string& words) {
   return std::ranges::any_of(
       biped.warnings, [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
@@ -39,7 +39,7 @@ TEST_CASE("twist joints beside and inside a limb's bones are not joints of the l
         body.names["foreTwist.l"] = "lowerarm_twist_01_l";
       }
       const BuiltBiped built = build(body);
-      checkArmsAndLegs(built, detectBiped(built.scene));
+      checkArmsAndLegs(built, detectBody(built.scene));
     }
   }
 }
@@ -58,7 +58,7 @@ TEST_CASE("limbs split in two keep the first half as their joint, disconnected d
   }
   SECTION("one tree") {
     const BuiltBiped built = build(body);
-    checkArmsAndLegs(built, detectBiped(built.scene));
+    checkArmsAndLegs(built, detectBody(built.scene));
   }
   SECTION("limbs and trunk are separate trees") {
     for (const std::string side : {".l", ".r"}) {
@@ -68,7 +68,7 @@ TEST_CASE("limbs split in two keep the first half as their joint, disconnected d
     }
     joint(body, "hips").parent = "";
     const BuiltBiped built = build(body);
-    const Biped biped = detectBiped(built.scene);
+    const Body biped = detectBody(built.scene);
     checkArmsAndLegs(built, biped);
     CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
     CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
@@ -83,7 +83,7 @@ TEST_CASE("clavicles under the neck and thighs under the spine leave spine and n
   }
   joint(body, "spine0").position = Vec3(0, 1.0, 0.0);
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
   CHECK(describe(built, biped, biped::neck) == "neck0 -> head");
@@ -97,7 +97,7 @@ TEST_CASE("legs that hang from a pelvis beside the spine belong to the joint tha
   joint(body, "thigh.l").parent = "pelvis";
   joint(body, "thigh.r").parent = "pelvis";
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(biped.hips == built.node.at("hips"));
   CHECK(describe(built, biped, biped::spine) == "spine0 spine1 -> spine2");
@@ -110,7 +110,7 @@ TEST_CASE("limbs of two joints end where their mesh does") {
     applyNames(body, namingScheme("glued lower case"));
   }
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(biped.isBiped);
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> estimated");
   CHECK(describe(built, biped, biped::rightLeg) == "thigh.r shin.r -> estimated");
@@ -132,7 +132,7 @@ TEST_CASE("palms without a hand make the end of the arm their mean") {
     }
   }
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> estimated");
   CHECK(glm::distance(endOf(built.scene, *findLimb(biped, biped::rightArm)), Vec3(-0.7, 1.43, 0.02)) < 1e-9);
 }
@@ -146,7 +146,7 @@ TEST_CASE("a foot under the root is the leg's end all the same") {
     applyNames(body, namingScheme("glued lower case"));
   }
   const BuiltBiped built = build(body);
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }
 
 TEST_CASE("handles of the animator's in the skin are never limb joints") {
@@ -162,7 +162,7 @@ TEST_CASE("handles of the animator's in the skin are never limb joints") {
     }
   }
   const BuiltBiped built = build(body);
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }
 
 TEST_CASE("helper nodes between joints are not listed") {
@@ -174,7 +174,7 @@ TEST_CASE("helper nodes between joints are not listed") {
     body.joints.back().isJoint = false;
   }
   const BuiltBiped built = build(body);
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }
 
 TEST_CASE(
@@ -184,7 +184,7 @@ TEST_CASE(
   std::swap(swapped.left, swapped.right);
   applyNames(body, swapped);
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(warnsOf(biped, "sides follow the way its feet point"));
 }
@@ -194,10 +194,10 @@ TEST_CASE("names that agree win over feet whose mesh points back, the sides are 
   body.feetPointBack = true;
   body.facesBackwards = GENERATE(true, false);
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(warnsOf(biped, "are the sides right?"));
-  const Biped sure = detectBiped(build(makeNamedBody("Mixamo")).scene);
+  const Body sure = detectBody(build(makeNamedBody("Mixamo")).scene);
   CHECK(findLimb(biped, biped::leftArm)->confidence < 0.85 * findLimb(sure, biped::leftArm)->confidence);
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("two arms both named left are told apart by where they are, with a war
   body.names["foreArm.r"] = "mixamorig:LeftForeArm";
   body.names["hand.r"] = "mixamorig:LeftHand";
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(warnsOf(biped, "disagree about left and right"));
 }
@@ -215,8 +215,8 @@ TEST_CASE("two arms both named left are told apart by where they are, with a war
 TEST_CASE("a well-named biped is found without a warning and with more confidence than one without names") {
   const BuiltBiped withNames = build(makeNamedBody("Unreal"));
   const BuiltBiped without = build(makeBody());
-  const Biped sure = detectBiped(withNames.scene);
-  const Biped guessed = detectBiped(without.scene);
+  const Body sure = detectBody(withNames.scene);
+  const Body guessed = detectBody(without.scene);
   CHECK(sure.warnings.empty());
   REQUIRE(sure.limbs.size() == 6);
   REQUIRE(guessed.limbs.size() == 6);
@@ -237,7 +237,7 @@ TEST_CASE("a character with one arm has that arm only") {
                      each.key.starts_with("finger"));
   });
   const BuiltBiped built = build(body);
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   CHECK(describe(built, biped, biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, biped, biped::rightArm) == "none");
   CHECK(describe(built, biped, biped::leftLeg) == "thigh.l shin.l -> foot.l");
@@ -246,7 +246,7 @@ TEST_CASE("a character with one arm has that arm only") {
 
 TEST_CASE("without a neck the head sits on the chest and there is no neck limb") {
   const BuiltBiped built = build(makeNamedBody("Unreal", {.neckJoints = 0}));
-  const Biped biped = detectBiped(built.scene);
+  const Body biped = detectBody(built.scene);
   checkArmsAndLegs(built, biped);
   CHECK(describe(built, biped, biped::neck) == "none");
   CHECK(biped.head == built.node.at("head"));
@@ -255,9 +255,9 @@ TEST_CASE("without a neck the head sits on the chest and there is no neck limb")
 TEST_CASE(
     "a spine of one joint ends at the base of the neck, a body without one starts its spine at the hips") {
   const BuiltBiped one = build(makeNamedBody("Unreal", {.spineJoints = 1}));
-  CHECK(describe(one, detectBiped(one.scene), biped::spine) == "spine0 -> neck0");
+  CHECK(describe(one, detectBody(one.scene), biped::spine) == "spine0 -> neck0");
   const BuiltBiped none = build(makeNamedBody("Unreal", {.spineJoints = 0}));
-  CHECK(describe(none, detectBiped(none.scene), biped::spine) == "hips -> neck0");
+  CHECK(describe(none, detectBody(none.scene), biped::spine) == "hips -> neck0");
 }
 
 TEST_CASE("a scene without a character gives an empty list and a warning") {
@@ -281,7 +281,7 @@ TEST_CASE("a scene without a character gives an empty list and a warning") {
     }
     scene.skins.push_back(skin);
   }
-  const Biped biped = detectBiped(scene);
+  const Body biped = detectBody(scene);
   CHECK_FALSE(biped.isBiped);
   CHECK(biped.limbs.empty());
   CHECK_FALSE(biped.warnings.empty());

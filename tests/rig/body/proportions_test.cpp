@@ -62,7 +62,7 @@ TEST_CASE("limbs are found whatever the proportions, with names and without") {
             applyNames(body, namingScheme(scheme));
             body.withMesh = withMesh;
             const BuiltBiped built = build(body);
-            const Biped biped = detectBiped(built.scene);
+            const Body biped = detectBody(built.scene);
             checkArmsAndLegs(built, biped);
             CHECK(describe(built, biped, biped::spine) == "spine0 spine1 spine2 -> spine3");
             CHECK(describe(built, biped, biped::neck) ==

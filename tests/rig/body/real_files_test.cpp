@@ -147,7 +147,7 @@ std::string describe(const Scene& scene, const Limb& limb) {
   return text + " -> " + (!limb.endNode.exists() ? "estimated" : scene.nodes[at(limb.endNode)].name);
 }
 
-std::vector<std::string> describeAll(const Scene& named, const Biped& biped) {
+std::vector<std::string> describeAll(const Scene& named, const Body& biped) {
   std::vector<std::string> texts;
   for (const Limb& limb : biped.limbs) {
     texts.push_back(describe(named, limb));
@@ -174,7 +174,7 @@ TEST_CASE("real characters have the limbs that a person sees") {
     DYNAMIC_SECTION(expected.file) {
       const auto loaded = gltf::load(dataFolder() / expected.file);
       REQUIRE(loaded.ok());
-      const Biped biped = detectBiped(*loaded->scene);
+      const Body biped = detectBody(*loaded->scene);
       CHECK(biped.plan == expected.plan);
       CHECK(biped.isBiped == (expected.plan == "biped"));
       CHECK(describeAll(*loaded->scene, biped) == expected.limbs);
@@ -195,7 +195,7 @@ TEST_CASE("real characters have the same limbs when their names are wiped") {
     DYNAMIC_SECTION(expected.file) {
       const auto loaded = gltf::load(dataFolder() / expected.file);
       REQUIRE(loaded.ok());
-      const Biped biped = detectBiped(withoutNames(*loaded->scene));
+      const Body biped = detectBody(withoutNames(*loaded->scene));
       CHECK(biped.plan == expected.plan);
       CHECK(biped.limbs.size() == expected.limbs.size());
       for (const Limb& limb : biped.limbs) {

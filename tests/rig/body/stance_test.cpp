@@ -12,7 +12,7 @@ using namespace stretch::test;
 namespace {
 
 // Not a biped, and told on how many legs it stands.
-void checkNoBiped(const Biped& body, const std::string& plan, const std::string& legs) {
+void checkNoBiped(const Body& body, const std::string& plan, const std::string& legs) {
   CHECK_FALSE(body.isBiped);
   CHECK(body.plan == plan);
   CHECK(std::ranges::any_of(body.planReasons, [&](const std::string& reason) {
@@ -121,7 +121,7 @@ TEST_CASE("a horse stands on four legs, whatever its joints are called") {
     applyNames(body, animal);
   }
   body.withMesh = GENERATE(true, false);
-  checkNoBiped(detectBiped(build(body).scene), "quadruped", "4");
+  checkNoBiped(detectBody(build(body).scene), "quadruped", "4");
 }
 
 TEST_CASE("a cat, low and long, stands on four legs") {
@@ -132,11 +132,11 @@ TEST_CASE("a cat, low and long, stands on four legs") {
   if (GENERATE(true, false)) {
     applyNames(body, animal);
   }
-  checkNoBiped(detectBiped(build(body).scene), "quadruped", "4");
+  checkNoBiped(detectBody(build(body).scene), "quadruped", "4");
 }
 
 TEST_CASE("a spider stands on eight legs") {
-  checkNoBiped(detectBiped(build(spider()).scene), "spider", "8");
+  checkNoBiped(detectBody(build(spider()).scene), "spider", "8");
 }
 
 TEST_CASE("the trunk of a human laid down on arms that reach the ground is four-legged") {
@@ -157,7 +157,7 @@ TEST_CASE("the trunk of a human laid down on arms that reach the ground is four-
   if (GENERATE(true, false)) {
     applyNames(body, namingScheme("Mixamo"));
   }
-  checkNoBiped(detectBiped(build(body).scene), "quadruped", "4");
+  checkNoBiped(detectBody(build(body).scene), "quadruped", "4");
 }
 
 TEST_CASE("a biped in a low stance whose hands reach the ground is a biped") {
@@ -180,7 +180,7 @@ TEST_CASE("a biped in a low stance whose hands reach the ground is a biped") {
   jointOf(body, "head").position = Vec3(0, 1.05, 0.25);
   applyNames(body, namingScheme("Mixamo"));
   const BuiltBiped built = build(body);
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }
 
 TEST_CASE("coat tails that reach the ground are no legs") {
@@ -193,5 +193,5 @@ TEST_CASE("coat tails that reach the ground are no legs") {
     body.joints.push_back({"tail2" + side, "tail1" + side, Vec3(sign * 0.08, 0.05, -0.22)});
   }
   const BuiltBiped built = build(body);
-  checkArmsAndLegs(built, detectBiped(built.scene));
+  checkArmsAndLegs(built, detectBody(built.scene));
 }

@@ -67,7 +67,7 @@ TEST_CASE("controls that are not offset leave every node exactly where it was, a
 
 TEST_CASE("a hand is where it was asked to be, at every frame and half frame of the keyed clip") {
   for (const MovingBiped& moving : differentBipeds()) {
-    const double height = moving.biped.height;
+    const double height = moving.body.height;
     const Vec3 move = height * Vec3(-0.05, 0.06, 0.04);
     const Rekeyed rekeyed = rekeyedOf(moving, {moved("left-hand", move)});
     for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
@@ -102,7 +102,7 @@ TEST_CASE("a hand and a foot reach their places on limbs whose joints are scaled
 
 TEST_CASE("feet stay where they are while the hips go down, and keep their orientation") {
   for (const MovingBiped& moving : differentBipeds()) {
-    const double height = moving.biped.height;
+    const double height = moving.body.height;
     const Rekeyed rekeyed =
         rekeyedOf(moving, {moved("hips", Vec3(0.02, -0.1, 0.0) * height), turned("spine-top", {20, 0, 0})});
     for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
@@ -137,7 +137,7 @@ TEST_CASE("a change inside a range leaves the keys outside of it as they are, bi
       CHECK(keyNumbers(*keyed, time) == keyNumbers(*source, time));
     }
   }
-  CHECK(worstMiss(dense, rekeyed, 0, 24) < heightShare * dense.biped.height);
+  CHECK(worstMiss(dense, rekeyed, 0, 24) < heightShare * dense.body.height);
   CHECK(placeOf(dense, poseOf(dense, rekeyed.clip, 12.0), "hand.l").y >
         placeOf(dense, sourceAtFrame(dense, 12.0), "hand.l").y + 0.15);
 }
@@ -148,7 +148,7 @@ TEST_CASE("a stepped key jumps from one frame to the next in the keyed clip, too
   steps.keys.push_back(moved("right-hand", {0.0, -0.1, 0.0}, 10.0).keys.front());
   steps.keys.front().interpolation = KeyInterpolation::stepped;
   const Rekeyed rekeyed = rekeyedOf(moving, {steps});
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < heightShare * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < heightShare * moving.body.height);
   const double before = placeOf(moving, poseOf(moving, rekeyed.clip, 9.99), "hand.r").y;
   const double after = placeOf(moving, poseOf(moving, rekeyed.clip, 10.0), "hand.r").y;
   CHECK(before - after > 0.15);
@@ -160,7 +160,7 @@ TEST_CASE("a key that stands at the end of its range is held to there and not be
   const FrameState source = sourceAtFrame(moving, 12.0);
   CHECK(glm::length(placeOf(moving, poseOf(moving, rekeyed.clip, 12.0), "hand.r") -
                     placeOf(moving, source, "hand.r")) > 0.09);
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < heightShare * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < heightShare * moving.body.height);
   CHECK(glm::length(placeOf(moving, poseOf(moving, rekeyed.clip, 12.5), "hand.r") -
                     placeOf(moving, sourceAtFrame(moving, 12.5), "hand.r")) < 1e-4);
 }
@@ -321,7 +321,7 @@ TEST_CASE("a limb whose stretch is off falls short of what is too far, and point
 
 TEST_CASE("a character has the controllers that its limbs allow, and other joints by their names") {
   const MovingBiped moving = punchingBiped();
-  const ControllerList list = controllersOf(moving.scene, moving.biped.limbs, moving.biped.hips);
+  const ControllerList list = controllersOf(moving.scene, moving.body.limbs, moving.body.hips);
   for (const char* id :
        {"body", "hips", "spine-low", "spine-mid", "spine-top", "head", "left-hand", "right-hand", "left-foot",
         "right-foot", "left-elbow", "right-elbow", "left-knee", "right-knee"}) {
@@ -333,12 +333,12 @@ TEST_CASE("a character has the controllers that its limbs allow, and other joint
   }
   CHECK(list.attribute("spine.follow") == nullptr);
   const auto named = [&](const std::string& id) {
-    return controllerNamed(moving.scene, moving.biped.limbs, moving.biped.hips, list, id);
+    return controllerNamed(moving.scene, moving.body.limbs, moving.body.hips, list, id);
   };
   CHECK(named("left-hand").ok());
   CHECK(!named("third-hand").ok());
   CHECK(!named(moving.scene.nodes[at(moving.node.at("foreArm.l"))].name).ok());
-  std::vector<Limb> noArms = moving.biped.limbs;
+  std::vector<Limb> noArms = moving.body.limbs;
   std::erase_if(noArms, [](const Limb& limb) { return limb.id == "left-arm"; });
-  CHECK(controllersOf(moving.scene, noArms, moving.biped.hips).controller("left-hand") == nullptr);
+  CHECK(controllersOf(moving.scene, noArms, moving.body.hips).controller("left-hand") == nullptr);
 }

@@ -155,8 +155,8 @@ TEST_CASE("a limb under a mirrored parent behaves as any other") {
   MovingBiped moving = punchingBiped();
   Node& armature = moving.scene.nodes[0];
   armature.rest.scale = Vec3(-1.0, 1.0, 1.0) * 0.5;
-  moving.biped.height *= 0.5;
-  for (Limb& limb : moving.biped.limbs) {
+  moving.body.height *= 0.5;
+  for (Limb& limb : moving.body.limbs) {
     limb.restLength *= 0.5;
   }
   const Limb& arm = moving.limb("left-arm");

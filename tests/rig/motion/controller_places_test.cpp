@@ -25,7 +25,7 @@ public:
     SolvedAdjustments solved = motion_.adjustments;
     if (solved.body == nullptr) {
       solved.body = std::make_shared<const AdjustedBody>(
-          adjustedBody({moving.scene, moving.clip, moving.biped.hips, moving.biped.limbs}));
+          adjustedBody({moving.scene, moving.clip, moving.body.hips, moving.body.limbs}));
     }
     placed_ = placeControllers({moving.scene, moving.clip, solved, shown_});
   }
@@ -51,7 +51,7 @@ private:
 
 TEST_CASE("a hand's controller stands where the wrist is, a foot's at the ankle, the body's on the floor") {
   const MovingBiped moving = punchingBiped();
-  const Vec3 low(0.0, -0.1 * moving.biped.height, 0.0);
+  const Vec3 low(0.0, -0.1 * moving.body.height, 0.0);
   for (const std::vector<Adjustment>& adjustments :
        {std::vector<Adjustment>{}, {rig::Adjustment(test::moved("hips", low))}}) {
     for (const double frame : {0.0, 7.5, 12.0}) {
@@ -73,7 +73,7 @@ TEST_CASE("a controller stands where a trail takes what it is on") {
 
 TEST_CASE("a pole stands half the limb's length before its joint, the way the limb bends") {
   const MovingBiped moving = punchingBiped();
-  const Placed placed(moving, {test::moved("hips", Vec3(0.0, -0.15 * moving.biped.height, 0.0))}, 6.0);
+  const Placed placed(moving, {test::moved("hips", Vec3(0.0, -0.15 * moving.body.height, 0.0))}, 6.0);
   for (const char* side : {".l", ".r"}) {
     const PlacedController& knee = placed[side[1] == 'l' ? "left-knee" : "right-knee"];
     const Vec3 hip = placed.joint(std::string("thigh") + side);
@@ -90,18 +90,18 @@ TEST_CASE("a pole stands half the limb's length before its joint, the way the li
 
 TEST_CASE("a pole that is moved by its slack alone leaves the bend as it is") {
   const MovingBiped moving = punchingBiped();
-  const Adjustment lowered = test::moved("hips", Vec3(0.05, -0.15, 0.08) * moving.biped.height);
+  const Adjustment lowered = test::moved("hips", Vec3(0.05, -0.15, 0.08) * moving.body.height);
   const Placed before(moving, {lowered}, 6.0);
   const PlacedController& knee = before["left-knee"];
   const Placed after(moving, {lowered, test::moved("left-knee", knee.slack + Vec3(1e-9))}, 6.0);
-  CHECK(glm::length(after.joint("shin.l") - before.joint("shin.l")) < 1e-3 * moving.biped.height);
+  CHECK(glm::length(after.joint("shin.l") - before.joint("shin.l")) < 1e-3 * moving.body.height);
 }
 
 TEST_CASE("an offset along a controller's carrier axes takes it there in the world") {
   const MovingBiped moving = punchingBiped();
   const std::vector<Adjustment> bent{turned("hips", {0, 50, 10}), turned("spine-top", {20, 0, 30}),
                                      turned("body", {0, 70, 0})};
-  const Vec3 wanted = 0.03 * moving.biped.height * Vec3(1.0, 0.5, -0.3);
+  const Vec3 wanted = 0.03 * moving.body.height * Vec3(1.0, 0.5, -0.3);
   const Placed before(moving, bent, 12.0);
   for (const char* id : {"body", "hips", "spine-mid", "spine-top", "head", "left-hand", "right-foot"}) {
     std::vector<Adjustment> adjustments = bent;
@@ -114,7 +114,7 @@ TEST_CASE("an offset along a controller's carrier axes takes it there in the wor
     }
     const Placed after(moving, adjustments, 12.0);
     INFO(id);
-    CHECK(glm::length(after[id].placeWorld - before[id].placeWorld - wanted) < 1e-3 * moving.biped.height);
+    CHECK(glm::length(after[id].placeWorld - before[id].placeWorld - wanted) < 1e-3 * moving.body.height);
   }
 }
 

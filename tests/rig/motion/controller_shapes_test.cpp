@@ -23,8 +23,8 @@ struct Shaped {
 
   explicit Shaped(MovingBiped biped)
       : moving(std::move(biped)),
-        body(adjustedBody({moving.scene, moving.clip, moving.biped.hips, moving.biped.limbs})),
-        shapes(controllerShapes(moving.scene, moving.biped.limbs, body)) {}
+        body(adjustedBody({moving.scene, moving.clip, moving.body.hips, moving.body.limbs})),
+        shapes(controllerShapes(moving.scene, moving.body.limbs, body)) {}
 
   [[nodiscard]] Bounds boundsOf(const std::string& id) const {
     const auto shape = std::ranges::find(shapes, id, &ControllerShape::controller);
@@ -46,7 +46,7 @@ struct Shaped {
 
 TEST_CASE("every controller of the body but the poles is drawn, around what it is on") {
   const Shaped shaped(punchingBiped());
-  const double height = shaped.moving.biped.height;
+  const double height = shaped.moving.body.height;
   for (const Controller& controller : shaped.body.list.controllers) {
     const bool drawn =
         std::ranges::find(shaped.shapes, controller.id, &ControllerShape::controller) != shaped.shapes.end();

@@ -15,8 +15,8 @@ MotionInput inputOf(const MovingBiped& moving, std::vector<Adjustment> adjustmen
   MotionInput input;
   input.scene = &moving.scene;
   input.clip = &moving.clip;
-  input.hips = moving.biped.hips;
-  input.limbs = moving.biped.limbs;
+  input.hips = moving.body.hips;
+  input.limbs = moving.body.limbs;
   input.trails = {connectedTrail("left-arm", 6.0, 12.0, 2.0), connectedTrail("right-leg", 0.0, 20.0, 1.5)};
   input.adjustments = std::move(adjustments);
   return input;

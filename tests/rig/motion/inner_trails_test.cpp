@@ -51,7 +51,7 @@ TEST_CASE("an arm on a stretched spine rides along and holds its own length at i
     CHECK(lengthOf(arm, after) == Approx(2.0 * lengthOf(arm, before)).epsilon(1e-4));
     CHECK(lengthOf(moving.limb("spine"), after) ==
           Approx(1.6 * lengthOf(moving.limb("spine"), before)).epsilon(1e-4));
-    CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.biped.height);
+    CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.body.height);
   }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("a hand that stays in the world is where its own trail wants it, whate
     CHECK(glm::length(place(moving, atFrame(moving, motion, frame), "hand.l") -
                       place(moving, atFrame(moving, armOnly, frame), "hand.l")) < 1e-4);
   }
-  CHECK(worstMiss(moving, rekeyedOf(moving, both), 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, both), 0, 24) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("a stop plane holds for a limb that is carried") {

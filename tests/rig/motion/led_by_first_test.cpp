@@ -25,9 +25,9 @@ TEST_CASE("The head of a serpent leads, at whichever end of its joints it is") {
   nameByKeys(tailFirst);
   CHECK_FALSE(still(tailFirst).limb("spine").ledByFirst);
   const MovingBiped snake = strikingSnake();
-  CHECK(startingSpace(snake.scene, snake.clip, snake.limb("spine"), snake.biped.hips, {0, 12}) ==
+  CHECK(startingSpace(snake.scene, snake.clip, snake.limb("spine"), snake.body.hips, {0, 12}) ==
         TrailSpace::world);
-  for (const Limb& limb : pawingHorse().biped.limbs) {
+  for (const Limb& limb : pawingHorse().body.limbs) {
     CHECK_FALSE(limb.ledByFirst);
   }
 }
@@ -46,7 +46,7 @@ TEST_CASE("A serpent's strike brings its head farther, straight as it was, and l
       const FrameState before = sourceAtFrame(snake, 12);
       const FrameState after = atFrame(snake, motion, 12);
       CHECK(lengthOf(spine, after) == Approx(scale * lengthOf(spine, before)).epsilon(1e-4));
-      CHECK(glm::distance(endPosition(spine, after), endPosition(spine, before)) < 1e-6 * snake.biped.height);
+      CHECK(glm::distance(endPosition(spine, after), endPosition(spine, before)) < 1e-6 * snake.body.height);
       CHECK(std::abs(glm::dot(rotationOf(after.worlds[at(head)]), rotationOf(before.worlds[at(head)]))) ==
             Approx(1.0).margin(1e-9));
       const Vec3 bite = placeIn(before, jaw) - placeIn(before, head);
@@ -55,7 +55,7 @@ TEST_CASE("A serpent's strike brings its head farther, straight as it was, and l
           pathsAt(snake.scene, snake.clip, motion, 0, drawnFrames(snake.clip, motion.trails[0], 2));
       for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
         const FrameState here = atFrame(snake, motion, drawn.frames[i]);
-        CHECK(glm::distance(leadingPosition(spine, here), drawn.exaggerated[i]) < 1e-5 * snake.biped.height);
+        CHECK(glm::distance(leadingPosition(spine, here), drawn.exaggerated[i]) < 1e-5 * snake.body.height);
       }
     }
   }
@@ -64,5 +64,5 @@ TEST_CASE("A serpent's strike brings its head farther, straight as it was, and l
 TEST_CASE("A strike that is saved plays as it was shown") {
   const MovingBiped snake = strikingSnake();
   const Rekeyed rekeyed = rekeyedOf(snake, {connectedTrail("spine", 0, 12, 1.6)});
-  CHECK(worstMiss(snake, rekeyed, 0, 24) < 1e-4 * snake.biped.height);
+  CHECK(worstMiss(snake, rekeyed, 0, 24) < 1e-4 * snake.body.height);
 }

@@ -31,7 +31,7 @@ MovingBiped withDetachedFoot() {
   moving.scene.nodes[at(root)].children.push_back(foot);
   moving.scene.nodes[at(foot)].parent = root;
   moving.clip.tracks.emplace_back(vectorTrack(foot, Channel::translation, Interpolation::linear, places));
-  for (Limb& limb : moving.biped.limbs) {
+  for (Limb& limb : moving.body.limbs) {
     if (limb.id == "left-leg") {
       REQUIRE(limb.endNode == foot);
     }
@@ -56,7 +56,7 @@ TEST_CASE("a foot under the root follows the leg through its own channels") {
     CHECK(std::abs(glm::dot(rotationOf(after.worlds[foot]), rotationOf(before.worlds[foot]))) ==
           Approx(1.0).margin(1e-9));
     const Rekeyed rekeyed = rekeyedOf(moving, {trail});
-    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
     const bool hasFoot = std::ranges::any_of(rekeyed.keys.tracks, [&](const Track& track) {
       return track.node == moving.node.at("foot.l") && track.channel == Channel::translation;
     });
@@ -71,14 +71,14 @@ TEST_CASE("a foot under the root stays where it is while the hips go down, and i
   for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState keyed = poseOf(moving, rekeyed.clip, frame);
-    CHECK(glm::length(endPosition(leg, keyed) - endPosition(leg, source)) < 1e-4 * moving.biped.height);
+    CHECK(glm::length(endPosition(leg, keyed) - endPosition(leg, source)) < 1e-4 * moving.body.height);
     const std::vector<Vec3> bones = limbPoints(leg, keyed);
     const std::vector<Vec3> before = limbPoints(leg, source);
     CHECK(std::abs(glm::length(bones[2] - bones[1]) - glm::length(before[2] - before[1])) < 1e-3);
     CHECK(glm::length(bones[1] - before[1]) > 0.01);
   }
   const Rekeyed lifted = rekeyedOf(moving, {moved("left-foot", {0.0, 0.2, 0.0})});
-  CHECK(worstMiss(moving, lifted, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, lifted, 0, 24) < 1e-4 * moving.body.height);
   CHECK(endPosition(leg, poseOf(moving, lifted.clip, 0.0)).y >
         endPosition(leg, sourceAtFrame(moving, 0.0)).y + 0.15);
 }
@@ -106,14 +106,14 @@ TEST_CASE("a limb without an end joint is stretched to its estimated end") {
   CHECK(limbLength(arm, atFrame(moving, motion, 12)) ==
         Approx(2.0 * limbLength(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
   CHECK(worstMiss(moving, rekeyedOf(moving, {connectedTrail("left-arm", 0, 12, 2.0)}), 0, 24) <
-        1e-4 * moving.biped.height);
+        1e-4 * moving.body.height);
 }
 
 TEST_CASE("a stretched spine leaves the legs where they are, even where they hang on its first joint") {
   SyntheticBiped body = namedBody();
   MovingBiped moving = still(body);
   addPunch(moving, Interpolation::linear);
-  Limb& spine = *std::ranges::find(moving.biped.limbs, std::string("spine"), &Limb::id);
+  Limb& spine = *std::ranges::find(moving.body.limbs, std::string("spine"), &Limb::id);
   spine.joints = {moving.node.at("hips"), moving.node.at("spine0"), moving.node.at("spine1")};
   const MotionState motion = solved(moving, {connectedTrail("spine", 0, 12, 1.5)});
   for (const double frame : {3.0, 12.0, 15.0}) {
@@ -138,7 +138,7 @@ TEST_CASE("a node that the file gives as a matrix can be re-keyed") {
   node.matrix = toMatrix(node.rest);
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) { return track->node == foreArm; });
   const std::vector<Trail> trails{connectedTrail("left-arm", 0, 12, 2.0)};
-  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("a trail on a clip without keys changes nothing and says why") {

@@ -22,7 +22,7 @@ MovingBiped withSpineChain() {
   Limb chain = moving.limb("spine");
   chain.kind = LimbKind::chain;
   chain.id = spineChain;
-  moving.biped.limbs.push_back(chain);
+  moving.body.limbs.push_back(chain);
   return moving;
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a chain from the root acts before the spine and the legs that it carr
   chain.id = "lower";
   chain.joints = {moving.node.at("root"), moving.node.at("hips")};
   chain.endNode = moving.limb("spine").joints.back();
-  moving.biped.limbs.push_back(chain);
+  moving.body.limbs.push_back(chain);
   const MotionState motion = solved(moving, {trailOf(1, "left-leg", 1.2), trailOf(2, "left-arm", 1.2),
                                              trailOf(3, "lower", 1.2), trailOf(4, "spine", 1.2)});
   CHECK(orderOf(motion) == std::vector<std::string>{"lower", "spine", "left-arm", "left-leg"});

@@ -100,7 +100,7 @@ TEST_CASE("a rigid mesh on a joint of a limb is stretched with its bone, however
     CHECK(missOfBone(moving, box, "upperArm.l", atFrame(moving, motion, frame)) < 1e-9);
   }
   const Rekeyed rekeyed = rekeyedOf(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
   CHECK(
       std::ranges::any_of(rekeyed.keys.stretches, [&](const StretchKeys& keys) { return keys.node == box; }));
 }
@@ -152,7 +152,7 @@ TEST_CASE("a heel beside the foot goes with it, and so does a foot under the roo
   const MotionState motion = solved(moving, {connectedTrail("left-leg", 0, 12, 2.0)});
   checkGoesWithEnd(moving, motion, "heel.l", leg.endNode);
   CHECK(worstMiss(moving, rekeyedOf(moving, {connectedTrail("left-leg", 0, 12, 2.0)}), 0, 24) <
-        1e-4 * moving.biped.height);
+        1e-4 * moving.body.height);
   const FrameState after = atFrame(moving, motion, 12);
   const FrameState before = sourceAtFrame(moving, 12);
   CHECK(lengthOf(leg, after) == Approx(2.0 * lengthOf(leg, before)).epsilon(1e-4));
@@ -221,5 +221,5 @@ TEST_CASE(
   CHECK(lengthOf(arm, atFrame(moving, motion, 12)) ==
         Approx(2.0 * lengthOf(arm, sourceAtFrame(moving, 12))).epsilon(1e-4));
   checkGoesWithEnd(moving, motion, "finger1a.l", arm.endNode);
-  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.body.height);
 }

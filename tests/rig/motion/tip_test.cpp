@@ -74,7 +74,7 @@ TEST_CASE("the hand is at the drawn trail on every frame of the range") {
       for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
         CAPTURE(bend == Bend::keep, scale, drawn.frames[i]);
         const Vec3 hand = endPosition(arm, atFrame(moving, motion, drawn.frames[i]).worlds);
-        CHECK(glm::length(hand - drawn.exaggerated[i]) < 1e-5 * moving.biped.height);
+        CHECK(glm::length(hand - drawn.exaggerated[i]) < 1e-5 * moving.body.height);
         CHECK(glm::length(endPosition(arm, sourceAtFrame(moving, drawn.frames[i]).worlds) -
                           drawn.original[i]) < 1e-12);
       }
@@ -180,7 +180,7 @@ TEST_CASE("the hand and the foot keep their orientation, or turn with the limb w
 
 TEST_CASE("a new trail starts at the hips where the body travels, else in the world") {
   MovingBiped moving = punchingBiped();
-  const NodeIndex hips = moving.biped.hips;
+  const NodeIndex hips = moving.body.hips;
   const Limb& arm = moving.limb("left-arm");
   const auto space = [&] { return startingSpace(moving.scene, moving.clip, arm, hips, Vec2(0, 12)); };
   CHECK(space() == TrailSpace::world);

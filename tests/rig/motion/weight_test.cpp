@@ -115,10 +115,10 @@ TEST_CASE("a leg that stands and gives way lowers the hips and keeps its foot") 
   for (double frame = 0.0; frame <= 24.0; frame += 0.5) {
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState soft = atFrame(moving, motion, frame);
-    const double height = moving.biped.height;
+    const double height = moving.body.height;
     CHECK(glm::length(endOf(moving, "right-leg", soft) - endOf(moving, "right-leg", source)) < 1e-6 * height);
     CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) < 1e-6 * height);
-    const double drop = source.worlds[at(moving.biped.hips)][3].y - soft.worlds[at(moving.biped.hips)][3].y;
+    const double drop = source.worlds[at(moving.body.hips)][3].y - soft.worlds[at(moving.body.hips)][3].y;
     const double wanted = 0.006 * frame * lengthOf(moving.limb("right-leg"), source);
     CHECK(drop == Approx(wanted).epsilon(0.05).margin(1e-9));
   }
@@ -129,9 +129,9 @@ TEST_CASE("a leg without weight keeps its foot when the other one lowers the hip
   const MotionState motion = softMotion(moving, {}, {softLimb(moving, "right-leg", squashed)});
   const FrameState soft = atFrame(moving, motion, 20.0);
   const FrameState source = sourceAtFrame(moving, 20.0);
-  CHECK(soft.worlds[at(moving.biped.hips)][3].y < source.worlds[at(moving.biped.hips)][3].y);
+  CHECK(soft.worlds[at(moving.body.hips)][3].y < source.worlds[at(moving.body.hips)][3].y);
   CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
-        1e-6 * moving.biped.height);
+        1e-6 * moving.body.height);
 }
 
 TEST_CASE("a leg in the air keeps its bend and goes down with the hips") {
@@ -142,7 +142,7 @@ TEST_CASE("a leg in the air keeps its bend and goes down with the hips") {
   const std::vector<Vec3> before = limbPoints(left, sourceAtFrame(moving, 12.0)); // kicks
   const std::vector<Vec3> after = limbPoints(left, atFrame(moving, motion, 12.0));
   const Vec3 hipsMove = after.front() - before.front();
-  CHECK(hipsMove.y < -0.02 * moving.biped.height);
+  CHECK(hipsMove.y < -0.02 * moving.body.height);
   for (std::size_t i = 0; i < before.size(); ++i) {
     CHECK(glm::length(after[i] - before[i] - hipsMove) < 1e-9);
   }
@@ -184,7 +184,7 @@ TEST_CASE("a leg in the air is stretched without moving the hips") {
   const MotionState motion = softMotion(moving, {}, {softLimb(moving, "left-leg", longer)});
   const FrameState source = sourceAtFrame(moving, 12.0);
   const FrameState soft = atFrame(moving, motion, 12.0);
-  CHECK(soft.worlds[at(moving.biped.hips)] == source.worlds[at(moving.biped.hips)]);
+  CHECK(soft.worlds[at(moving.body.hips)] == source.worlds[at(moving.body.hips)]);
   CHECK(lengthOf(moving.limb("left-leg"), soft) ==
         Approx(1.2 * lengthOf(moving.limb("left-leg"), source)).epsilon(1e-6));
 }
@@ -238,7 +238,7 @@ TEST_CASE("a bent leg takes what its foot in place asks of it by its knee") {
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState soft = atFrame(moving, motion, frame);
     CHECK(glm::length(endOf(moving, "left-leg", soft) - endOf(moving, "left-leg", source)) <
-          1e-6 * moving.biped.height);
+          1e-6 * moving.body.height);
     CHECK(bonesOf(leg, soft) == Approx(bonesOf(leg, source)).epsilon(1e-6));
   }
 }
@@ -256,7 +256,7 @@ TEST_CASE("a foot that hangs under the root goes with its leg when the hips sink
     const FrameState source = sourceAtFrame(moving, frame);
     const FrameState soft = atFrame(moving, motion, frame);
     for (const char* const leg : {"left-leg", "right-leg"}) {
-      CHECK(glm::length(endOf(moving, leg, soft) - endOf(moving, leg, source)) < 1e-6 * moving.biped.height);
+      CHECK(glm::length(endOf(moving, leg, soft) - endOf(moving, leg, source)) < 1e-6 * moving.body.height);
       CHECK(lengthOf(moving.limb(leg), soft) / lengthOf(moving.limb(leg), source) ==
             Approx(1.0 - 0.006 * frame).epsilon(1e-3));
     }

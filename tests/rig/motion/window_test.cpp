@@ -32,7 +32,7 @@ TEST_CASE("an unedited clip goes through the rig unchanged") {
     MovingBiped moving = still(body);
     addPunch(moving, interpolation);
     std::vector<Trail> trails;
-    for (const Limb& limb : moving.biped.limbs) {
+    for (const Limb& limb : moving.body.limbs) {
       for (const Bend bend : {Bend::keep, Bend::straighten}) {
         trails = {connectedTrail(limb.id, 0, 12, 1.0)};
         trails[0].settings.bend = bend;
@@ -43,7 +43,7 @@ TEST_CASE("an unedited clip goes through the rig unchanged") {
           const MotionState motion = solved(moving, used);
           for (double frame = 0.0; frame <= 24.0; frame += 1.5) {
             CAPTURE(limb.id, bend == Bend::keep, used[0].settings.scale, frame);
-            CHECK(miss(moving, motion, frame) < 1e-5 * moving.biped.height);
+            CHECK(miss(moving, motion, frame) < 1e-5 * moving.body.height);
           }
         }
       }
@@ -208,7 +208,7 @@ TEST_CASE("on a loop a release ends where the range begins again, without a jump
     const Vec3 before = handOffset(moving, motion, again - 1e-4);
     const Vec3 after = handOffset(moving, motion, again + 1e-4);
     CAPTURE(pivot == Pivot::start, glm::length(before), glm::length(after));
-    CHECK(glm::length(after - before) < 1e-3 * moving.biped.height);
+    CHECK(glm::length(after - before) < 1e-3 * moving.body.height);
   }
 }
 
@@ -249,6 +249,6 @@ TEST_CASE("past the last key a stretched limb is held, as the keys of the file h
   const MovingBiped moving = punchingBiped();
   const MotionState motion = solved(moving, {connectedTrail("left-leg", 0, 24, 2.0)});
   const FrameState last = atFrame(moving, motion, 24);
-  REQUIRE(miss(moving, motion, 24) > 0.01 * moving.biped.height);
+  REQUIRE(miss(moving, motion, 24) > 0.01 * moving.body.height);
   CHECK(largestMatrixMiss(atFrame(moving, motion, 24.25), last) == 0.0);
 }

@@ -72,7 +72,7 @@ int longWays(const Track& track, double first, double last) {
 TEST_CASE("keys of ours follow each other the short way, also for a reader that looks at no signs") {
   const MovingBiped moving = withFlippedKeys();
   const Rekeyed rekeyed = rekeyedOf(moving, {connectedTrail("left-arm", 0, 12, 2.0)});
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
   int turning = 0;
   for (const Track& track : rekeyed.keys.tracks) {
     if (track.channel == Channel::rotation) {
@@ -98,12 +98,12 @@ TEST_CASE("a curve that comes to our keys on the other hemisphere keeps its shap
     trail.settings.releaseFrames = 3.0;
     const Rekeyed rekeyed = rekeyedOf(moving, {trail});
     CAPTURE(flip);
-    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+    CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
     for (double frame = 0.0; frame <= 24.0; frame += 0.25) {
       if (frame < 7.0 || frame > 14.0) {
         CAPTURE(frame);
         CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
-              1e-6 * moving.biped.height);
+              1e-6 * moving.body.height);
       }
     }
   }
@@ -119,7 +119,7 @@ TEST_CASE("an arm that is thrown back is keyed the short way, on whichever side 
         }
         const Rekeyed rekeyed = rekeyedOf(moving, {thrownBack(moving, side)});
         CAPTURE(static_cast<int>(interpolation), side, keyed);
-        CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+        CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
         for (const Track& track : rekeyed.keys.tracks) {
           if (track.channel == Channel::rotation) {
             CAPTURE(track.node.value);

@@ -76,7 +76,7 @@ TEST_CASE("the tip of a sword follows the exact motion as closely as the hand th
     const Vec3 written = swordTip(moving, poseOf(moving, rekeyed.clip, frame));
     worst = std::max(worst, glm::length(written - swordTip(moving, atFrame(moving, rekeyed.motion, frame))));
   }
-  CHECK(worst < 1e-4 * moving.biped.height);
+  CHECK(worst < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("a lance needs more keys than the hand that holds it, and its tip follows as closely") {
@@ -104,5 +104,5 @@ TEST_CASE("a lance needs more keys than the hand that holds it, and its tip foll
     const Vec3 wanted = transformPoint(atFrame(moving, rekeyed.motion, frame).worlds[hand], tip);
     worst = std::max(worst, glm::length(written - wanted));
   }
-  CHECK(worst < 1e-4 * moving.biped.height);
+  CHECK(worst < 1e-4 * moving.body.height);
 }

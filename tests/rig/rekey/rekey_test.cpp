@@ -44,7 +44,7 @@ TEST_CASE("the re-keyed clip follows the exact motion at every frame and half fr
         trails[0].settings.overshoot = 0.2;
         const Rekeyed rekeyed = rekeyedOf(moving, trails);
         CAPTURE(static_cast<int>(interpolation), bend == Bend::keep, scale);
-        CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+        CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
       }
     }
   }
@@ -53,11 +53,11 @@ TEST_CASE("the re-keyed clip follows the exact motion at every frame and half fr
 TEST_CASE("trails on all limbs together stay within the tolerance") {
   const MovingBiped moving = punchingBiped();
   std::vector<Trail> trails;
-  for (const Limb& limb : moving.biped.limbs) {
+  for (const Limb& limb : moving.body.limbs) {
     trails.push_back(connectedTrail(limb.id, 2, 12, limb.kind == LimbKind::spine ? 1.3 : 2.0));
     trails.back().id = static_cast<int>(trails.size());
   }
-  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, trails), 0, 24) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("keys outside range and release stay bit for bit") {
@@ -95,7 +95,7 @@ TEST_CASE("outside range and release the re-keyed motion is the source's") {
         if (frame < start || frame > 14.3) {
           CAPTURE(static_cast<int>(interpolation), start, frame);
           CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
-                1e-6 * moving.biped.height);
+                1e-6 * moving.body.height);
         }
       }
     }
@@ -127,7 +127,7 @@ TEST_CASE("a release of no length jumps back between two neighbouring keys") {
       CHECK(lengthOf(moving.limb("left-arm"), poseOf(moving, rekeyed.clip, tip)) ==
             Approx(2.0 * lengthOf(moving.limb("left-arm"), sourceAtFrame(moving, tip))).epsilon(1e-4));
       CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, outside), sourceAtFrame(moving, outside)) < 1e-6);
-      CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+      CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
     }
   }
 }
@@ -153,7 +153,7 @@ TEST_CASE("a slow, sparse clip gets few keys") {
     }
     moving.clip.endSeconds = 8.0;
     const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 96, 1.3));
-    CHECK(worstMiss(moving, rekeyed, 0, 192) < 1e-4 * moving.biped.height);
+    CHECK(worstMiss(moving, rekeyed, 0, 192) < 1e-4 * moving.body.height);
     for (const Track& track : rekeyed.keys.tracks) {
       CAPTURE(static_cast<int>(interpolation), track.node, static_cast<int>(track.channel));
       CHECK(track.times.size() < (interpolation == Interpolation::linear ? 100 : 50));
@@ -172,7 +172,7 @@ TEST_CASE("a joint without a channel gets one that holds its rest elsewhere") {
     return sourceTrack(moving.clip, track.node, track.channel) == nullptr;
   });
   CHECK(added >= 2);
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
   CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, 3), sourceAtFrame(moving, 3)) < 1e-6);
   CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, 22), sourceAtFrame(moving, 22)) < 1e-6);
 }
@@ -189,11 +189,11 @@ TEST_CASE("a clip whose first key comes late is keyed from frame 0 as the motion
   moving.clip.startSeconds = 0.5;
   moving.clip.endSeconds = 1.5;
   const Rekeyed rekeyed = rekeyedOf(moving, armTrail(0, 24, 2.0));
-  CHECK(worstMiss(moving, rekeyed, 0, 36) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 36) < 1e-4 * moving.body.height);
   Trail backwards = connectedTrail("left-arm", 6, 24, 2.0);
   backwards.settings.pivot = Pivot::end;
   backwards.settings.releaseFrames = 4.0;
-  CHECK(worstMiss(moving, rekeyedOf(moving, {backwards}), 0, 36) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, {backwards}), 0, 36) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("two trails one after the other on a limb both hold at their tips") {
@@ -209,7 +209,7 @@ TEST_CASE("two trails one after the other on a limb both hold at their tips") {
   CHECK(lengthOf(arm, atFrame(moving, motion, 18)) ==
         Approx(1.5 * lengthOf(arm, sourceAtFrame(moving, 18))).epsilon(1e-4));
   CHECK(largestNodeMiss(atFrame(moving, motion, 12), atFrame(moving, motion, 12.001)) < 1e-2);
-  CHECK(worstMiss(moving, rekeyedOf(moving, {first, second}), 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyedOf(moving, {first, second}), 0, 24) < 1e-4 * moving.body.height);
   // In whatever order they were made.
   CHECK(largestMatrixMiss(atFrame(moving, motion, 14), atFrame(moving, solved(moving, {second, first}), 14)) <
         1e-2);
@@ -232,7 +232,7 @@ TEST_CASE("on a loop the keys of the wrapped release are there") {
   Trail trail = connectedTrail("left-arm", 12, 24, 2.0);
   trail.settings.releaseFrames = 6.0;
   const Rekeyed rekeyed = rekeyedOf(moving, {trail}, {}, true);
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("the stretch between keys is close to the exact one") {

@@ -42,7 +42,7 @@ TEST_CASE("a STEP track that is constant becomes LINEAR and holds its value outs
   const Rekeyed rekeyed = rekeyedOf(moving, {trail});
   CHECK(rekeyedTrack(rekeyed, moving.node.at("foreArm.l"), Channel::rotation).interpolation ==
         Interpolation::linear);
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
 }
 
 TEST_CASE("a STEP track that changes outside keeps its steps there") {
@@ -58,7 +58,7 @@ TEST_CASE("a STEP track that changes outside keeps its steps there") {
     if (frame < 8.0 || frame > 16.0) {
       CAPTURE(frame);
       CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
-            1e-6 * moving.biped.height);
+            1e-6 * moving.body.height);
     }
   }
 }
@@ -73,7 +73,7 @@ TEST_CASE("a step right at the range's start stays a step") {
     for (const double frame : {1.0, 7.0, 7.99, 12.01 + release, 16.01, 20.0}) {
       CAPTURE(release, frame);
       CHECK(largestMatrixMiss(poseOf(moving, rekeyed.clip, frame), sourceAtFrame(moving, frame)) <
-            1e-6 * moving.biped.height);
+            1e-6 * moving.body.height);
     }
   }
 }
@@ -83,5 +83,5 @@ TEST_CASE("a STEP track with one key holds it") {
   Trail trail = connectedTrail("left-arm", 6, 12, 2.0);
   trail.settings.bend = Bend::straighten;
   const Rekeyed rekeyed = rekeyedOf(moving, {trail});
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
 }

@@ -32,7 +32,7 @@ SoftBones standing(double frame) {
 
 Rekeyed keyed(const MovingBiped& moving, const MotionState& motion, const RekeyOptions& options = {}) {
   RekeyOptions used = options;
-  used.tolerance = 0.5e-4 * moving.biped.height;
+  used.tolerance = 0.5e-4 * moving.body.height;
   Rekeyed rekeyed{motion, {}, {}};
   rekeyed.keys = rekey(moving.scene, moving.clip, rekeyed.motion, used);
   rekeyed.clip = withTracks(moving.clip, rekeyed.keys.tracks);
@@ -71,7 +71,7 @@ TEST_CASE("keys of a limb with weight follow it at every frame and half frame, a
                      {softLimb(moving, "left-arm", turning), softLimb(moving, "left-leg", standing),
                       softLimb(moving, "right-leg", turning)});
       const Rekeyed rekeyed = keyed(moving, motion);
-      CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+      CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
       CHECK(worstStretchMiss(moving, rekeyed) < 1e-3);
     }
   }
@@ -83,7 +83,7 @@ TEST_CASE("a trail that ends without release jumps inside the range of weight as
   trails[0].settings.releaseFrames = 0.0;
   const MotionState motion = softMotion(moving, trails, {softLimb(moving, "left-arm", turning)});
   const Rekeyed rekeyed = keyed(moving, motion);
-  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.biped.height);
+  CHECK(worstMiss(moving, rekeyed, 0, 24) < 1e-4 * moving.body.height);
   CHECK(worstStretchMiss(moving, rekeyed) < 1e-3);
 }
 

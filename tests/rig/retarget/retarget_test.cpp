@@ -44,8 +44,8 @@ MovingBiped loweredArms() {
 }
 
 Clip brought(const MovingBiped& from, const MovingBiped& to) {
-  const std::optional<Skeleton> source = skeletonOf(from.scene, from.biped);
-  const std::optional<Skeleton> own = skeletonOf(to.scene, to.biped);
+  const std::optional<Skeleton> source = skeletonOf(from.scene, from.body);
+  const std::optional<Skeleton> own = skeletonOf(to.scene, to.body);
   REQUIRE(source);
   REQUIRE(own);
   Result<Retargeted> result = retarget(*source, from.clip, *own);
@@ -75,8 +75,8 @@ TEST_CASE("A clip that is brought to the same skeleton moves it as before") {
   for (double seconds = 0.0; seconds <= 1.0; seconds += 1.0 / 24.0) {
     const std::vector<Mat4> before = worldsAt(moving, moving.clip, seconds);
     const std::vector<Mat4> after = worldsAt(moving, clip, seconds);
-    for (const Limb& limb : moving.biped.limbs) {
-      CHECK(glm::length(endPosition(limb, after) - endPosition(limb, before)) < 0.01 * moving.biped.height);
+    for (const Limb& limb : moving.body.limbs) {
+      CHECK(glm::length(endPosition(limb, after) - endPosition(limb, before)) < 0.01 * moving.body.height);
     }
   }
 }
@@ -108,12 +108,12 @@ TEST_CASE("Bones keep their lengths, and the body travels by the ratio of the le
   const Clip clip = brought(moving, other);
   const double ratio = other.limb("left-leg").restLength / moving.limb("left-leg").restLength;
   const auto hips = [](const MovingBiped& body, const Clip& of, double seconds) {
-    return positionOf(worldsAt(body, of, seconds)[at(body.biped.hips)]);
+    return positionOf(worldsAt(body, of, seconds)[at(body.body.hips)]);
   };
   for (double seconds = 0.25; seconds <= 1.0; seconds += 0.25) {
     const Vec3 travel = hips(moving, moving.clip, seconds) - hips(moving, moving.clip, 0.0);
     const Vec3 own = hips(other, clip, seconds) - hips(other, clip, 0.0);
-    CHECK(glm::length(own - ratio * travel) < 0.01 * other.biped.height);
+    CHECK(glm::length(own - ratio * travel) < 0.01 * other.body.height);
     CHECK(glm::length(boneOf(other, clip, "left-arm", 0, seconds)) ==
           Approx(glm::length(boneOf(other, {}, "left-arm", 0, 0.0))).epsilon(1e-4));
   }
@@ -161,8 +161,8 @@ TEST_CASE("A clip of one key becomes a pose") {
 TEST_CASE("What the character has no joints for is told") {
   const MovingBiped moving = test::punchingBiped();
   const MovingBiped other = bodyOf({.toes = false, .fingers = false});
-  const std::optional<Skeleton> source = skeletonOf(moving.scene, moving.biped);
-  const std::optional<Skeleton> own = skeletonOf(other.scene, other.biped);
+  const std::optional<Skeleton> source = skeletonOf(moving.scene, moving.body);
+  const std::optional<Skeleton> own = skeletonOf(other.scene, other.body);
   REQUIRE((source && own));
   const Result<Retargeted> result = retarget(*source, moving.clip, *own);
   REQUIRE(result);

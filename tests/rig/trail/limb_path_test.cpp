@@ -128,10 +128,10 @@ TEST_CASE("spheres stand at the extremes of the path as the trail's space has it
   // frame 12.
   MovingBiped moving = punchingBiped();
   std::erase_if(moving.clip.tracks, [&](const CopyOnWrite<Track>& track) {
-    return track->node == moving.biped.hips && track->channel == Channel::translation;
+    return track->node == moving.body.hips && track->channel == Channel::translation;
   });
-  const Vec3 hips = moving.scene.nodes[at(moving.biped.hips)].rest.translation;
-  moving.clip.tracks.emplace_back(vectorTrack(moving.biped.hips, Channel::translation, Interpolation::linear,
+  const Vec3 hips = moving.scene.nodes[at(moving.body.hips)].rest.translation;
+  moving.clip.tracks.emplace_back(vectorTrack(moving.body.hips, Channel::translation, Interpolation::linear,
                                               {{0.0, hips}, {1.0, hips + Vec3(0.0, 0.0, 40.0)}}));
   moving.clip = keyedOnEveryFrame(moving.clip);
   Trail trail = connectedTrail("left-arm", 0, 24, 2.0);

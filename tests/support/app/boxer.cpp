@@ -61,11 +61,11 @@ app::Document boxer() {
   document.source = std::make_shared<const gltf::Source>();
   document.scene = std::make_shared<const Scene>(std::move(scene));
   document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{punch(leftArm)});
-  document.biped.hips = hips;
-  document.biped.height = 1.8;
-  document.biped.limbs = {makeLimb(rig::biped::leftArm, {leftArm, leftElbow}, leftHand),
-                          makeLimb(rig::biped::rightArm, {rightArm, rightElbow}, rightHand),
-                          makeLimb(rig::biped::spine, {spine}, chest)};
+  document.body.hips = hips;
+  document.body.height = 1.8;
+  document.body.limbs = {makeLimb(rig::biped::leftArm, {leftArm, leftElbow}, leftHand),
+                         makeLimb(rig::biped::rightArm, {rightArm, rightElbow}, rightHand),
+                         makeLimb(rig::biped::spine, {spine}, chest)};
   return document;
 }
 

@@ -32,8 +32,8 @@ Document orUnchanged(const Document& document, const Result<Document>& edited) {
 
 Document newTrail(const Document& document, Dice& dice) {
   NewTrail wanted;
-  const auto limb = static_cast<std::size_t>(dice.below(static_cast<int>(document.biped.limbs.size())));
-  wanted.limb = document.biped.limbs[limb].id;
+  const auto limb = static_cast<std::size_t>(dice.below(static_cast<int>(document.body.limbs.size())));
+  wanted.limb = document.body.limbs[limb].id;
   wanted.clip = 0;
   wanted.settings.startFrame = dice.below(10);
   wanted.settings.endFrame = wanted.settings.startFrame + 1 + dice.below(10);
@@ -43,8 +43,8 @@ Document newTrail(const Document& document, Dice& dice) {
 }
 
 Document randomWeight(const Document& document, Dice& dice) {
-  const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.biped.limbs.size())));
-  const std::string& limb = document.biped.limbs[index].id;
+  const auto index = static_cast<std::size_t>(dice.below(static_cast<int>(document.body.limbs.size())));
+  const std::string& limb = document.body.limbs[index].id;
   if (dice.below(3) == 0) {
     return removeWeight(document, limb, 0);
   }

@@ -53,12 +53,12 @@ void lookAt(const Document& document, int clip) {
 
 // The first limb three times as long, where its stroke is.
 Document exaggerated(const Document& document) {
-  if (document.biped.limbs.empty() || document.clips->empty()) {
+  if (document.body.limbs.empty() || document.clips->empty()) {
     return document;
   }
-  app::NewTrail wanted{document.biped.limbs.front().id, 0, {}, true, true};
+  app::NewTrail wanted{document.body.limbs.front().id, 0, {}, true, true};
   const Vec2 range =
-      rig::defaultRange(*document.scene, app::clipOf(document, 0), document.biped.limbs.front());
+      rig::defaultRange(*document.scene, app::clipOf(document, 0), document.body.limbs.front());
   wanted.settings.startFrame = range.x;
   wanted.settings.endFrame = range.y;
   wanted.settings.scale = 3.0;

@@ -48,7 +48,7 @@ Rekeyed rekeyedOf(const MovingBiped& moving, const std::vector<rig::Adjustment>&
   Rekeyed rekeyed;
   rekeyed.motion = adjusted(moving, adjustments);
   rig::RekeyOptions options;
-  options.tolerance = 0.5e-4 * moving.biped.height;
+  options.tolerance = 0.5e-4 * moving.body.height;
   rekeyed.keys = rig::rekey(moving.scene, moving.clip, rekeyed.motion, options);
   rekeyed.clip = rig::withTracks(moving.clip, rekeyed.keys.tracks);
   return rekeyed;

@@ -21,13 +21,13 @@ std::string keyOf(const BuiltBiped& built, NodeIndex node) {
 
 } // namespace
 
-const rig::Limb* findLimb(const rig::Biped& biped, const rig::LimbPlace& place) {
+const rig::Limb* findLimb(const rig::Body& biped, const rig::LimbPlace& place) {
   const auto found =
       std::ranges::find_if(biped.limbs, [&](const rig::LimbPlace& limb) { return limb == place; });
   return found == biped.limbs.end() ? nullptr : &*found;
 }
 
-std::string describe(const BuiltBiped& built, const rig::Biped& biped, const rig::LimbPlace& place) {
+std::string describe(const BuiltBiped& built, const rig::Body& biped, const rig::LimbPlace& place) {
   const rig::Limb* limb = findLimb(biped, place);
   if (limb == nullptr) {
     return "none";
@@ -39,7 +39,7 @@ std::string describe(const BuiltBiped& built, const rig::Biped& biped, const rig
   return text + "-> " + keyOf(built, limb->endNode);
 }
 
-void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped) {
+void checkArmsAndLegs(const BuiltBiped& built, const rig::Body& biped) {
   CHECK(biped.isBiped);
   CHECK(describe(built, biped, rig::biped::leftArm) == "upperArm.l foreArm.l -> hand.l");
   CHECK(describe(built, biped, rig::biped::rightArm) == "upperArm.r foreArm.r -> hand.r");

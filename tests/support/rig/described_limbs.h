@@ -9,15 +9,15 @@
 namespace stretch::test {
 
 /// The limb of a kind; null where it was not found.
-[[nodiscard]] const rig::Limb* findLimb(const rig::Biped& biped, const rig::LimbPlace& place);
+[[nodiscard]] const rig::Limb* findLimb(const rig::Body& biped, const rig::LimbPlace& place);
 
 /// Keys of a limb's joints and of its end: "upperArm.l foreArm.l -> hand.l"; "-> estimated" without an end
 /// joint, "none" without the limb.
-[[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Biped& biped,
+[[nodiscard]] std::string describe(const BuiltBiped& built, const rig::Body& biped,
                                    const rig::LimbPlace& place);
 
 /// Checks that the body is a biped whose arms and legs are found as in any biped that SyntheticBiped makes.
-void checkArmsAndLegs(const BuiltBiped& built, const rig::Biped& biped);
+void checkArmsAndLegs(const BuiltBiped& built, const rig::Body& biped);
 
 /// World position of a limb's end in the bind pose.
 [[nodiscard]] Vec3 endOf(const Scene& scene, const rig::Limb& limb);

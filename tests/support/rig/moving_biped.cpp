@@ -108,7 +108,7 @@ MovingBiped still(const SyntheticBiped& body) {
   BuiltBiped built = build(body);
   moving.scene = std::move(built.scene);
   moving.node = std::move(built.node);
-  moving.biped = rig::detectBiped(moving.scene);
+  moving.body = rig::detectBody(moving.scene);
   moving.clip.name = "still";
   moving.clip.sourceIndex = 0;
   moving.clip.framesPerSecond = framesPerSecond;
@@ -177,8 +177,8 @@ rig::MotionInput motionInput(const MovingBiped& moving, const std::vector<rig::T
   input.scene = &moving.scene;
   input.clip = &moving.clip;
   input.clipIndex = 0;
-  input.hips = moving.biped.hips;
-  input.limbs = moving.biped.limbs;
+  input.hips = moving.body.hips;
+  input.limbs = moving.body.limbs;
   input.trails = trails;
   input.loops = loops;
   return input;

@@ -17,7 +17,7 @@ namespace stretch::test {
 struct MovingBiped {
   Scene scene;
   std::map<std::string, NodeIndex> node; ///< By key, as in SyntheticBiped.
-  rig::Biped biped;
+  rig::Body body;
   Clip clip;
 
   [[nodiscard]] const rig::Limb& limb(const std::string& id) const;

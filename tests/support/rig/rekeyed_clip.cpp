@@ -10,7 +10,7 @@ namespace stretch::test {
 Rekeyed rekeyedOf(const MovingBiped& moving, const std::vector<rig::Trail>& trails,
                   const rig::RekeyOptions& options, bool loops) {
   rig::RekeyOptions used = options;
-  used.tolerance = 0.5e-4 * moving.biped.height;
+  used.tolerance = 0.5e-4 * moving.body.height;
   Rekeyed rekeyed{solved(moving, trails, loops), {}, {}};
   rekeyed.keys = rig::rekey(moving.scene, moving.clip, rekeyed.motion, used);
   rekeyed.clip = rig::withTracks(moving.clip, rekeyed.keys.tracks);

@@ -178,7 +178,7 @@ std::string playsAsDrawn(app::Session& session) {
     const std::vector<Vec3> seen = skinning::skinnedPositions(
         *saved->scene, frameOf(*saved->scene, samplePose(*saved->scene, played, seconds), seconds));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (i >= seen.size() || !(glm::length(drawn[i] - seen[i]) <= 1e-3 * session.document().biped.height)) {
+      if (i >= seen.size() || !(glm::length(drawn[i] - seen[i]) <= 1e-3 * session.document().body.height)) {
         return fmt::format("not at frame {}", frame);
       }
     }
@@ -319,7 +319,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
       {"limbs", [&] { return joined(view.selectedLimbs); }},
-      {"plan", [&] { return session.document().biped.plan; }},
+      {"plan", [&] { return session.document().body.plan; }},
       {"controllers", [&] { return joined(view.selectedControllers); }},
       {"locators", [&] { return joined(view.selectedLocators); }},
       {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},

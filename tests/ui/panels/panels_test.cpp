@@ -75,7 +75,7 @@ TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
 
 TEST_CASE("A click on a limb that was not found asks for its joints") {
   app::Document document = PanelDriver::bundledCharacter();
-  std::erase_if(document.biped.limbs, [](const rig::Limb& limb) { return limb.id == "neck"; });
+  std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id == "neck"; });
   PanelDriver driver(document);
   driver.click("limb/neck");
   CHECK(driver.open.character()->view().selectedLimbs.empty());
