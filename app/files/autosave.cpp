@@ -15,6 +15,7 @@
 #include "app/files/user_files.h"
 #include "core/gltf/added_file.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_integers.h"
 #include "core/gltf/json_text.h"
 
 namespace stretch::app {
@@ -93,8 +94,8 @@ std::optional<WorkPlace> placeOfAutosave(const fs::path& autosave) {
   const Json json = readAutosave(autosave);
   try {
     const Json& view = json.at("view");
-    return WorkPlace{view.at("clip").get<int>(), view.at("frame").get<double>(),
-                     view.at("limbs").get<std::vector<std::string>>(), view.at("trail").get<int>()};
+    return WorkPlace{gltf::integerOf(view.at("clip")), view.at("frame").get<double>(),
+                     view.at("limbs").get<std::vector<std::string>>(), gltf::integerOf(view.at("trail"))};
   } catch (const Json::exception&) {
     return std::nullopt; // Of an earlier version, or damaged.
   }

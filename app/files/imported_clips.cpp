@@ -8,6 +8,7 @@
 
 #include "app/edits/import_clip.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_integers.h"
 
 namespace stretch::app {
 
@@ -38,7 +39,7 @@ std::size_t wordIndex(const std::array<const char*, count>& words, const Json& w
 
 Result<Track> trackOfJson(const Json& json, std::size_t nodes) {
   Track track;
-  track.node = NodeIndex(json.at("node").get<int>());
+  track.node = NodeIndex(gltf::integerOf(json.at("node")));
   const std::size_t channel = wordIndex(channelWords, json.at("path"));
   const std::size_t interpolation = wordIndex(interpolationWords, json.at("interpolation"));
   if (!track.node.exists() || at(track.node) >= nodes || channel == channelWords.size() ||
@@ -47,7 +48,7 @@ Result<Track> trackOfJson(const Json& json, std::size_t nodes) {
   }
   track.channel = static_cast<Channel>(channel);
   track.interpolation = static_cast<Interpolation>(interpolation);
-  track.width = json.at("width").get<int>();
+  track.width = gltf::integerOf(json.at("width"));
   track.times = json.at("times").get<std::vector<float>>();
   track.values = json.at("values").get<std::vector<float>>();
   return track.times.empty() ? Result<Track>(malformedClip()) : Result<Track>(std::move(track));
@@ -97,7 +98,7 @@ Result<Document> withImportedClips(const Document& document, const Json& list) {
       if (!clip) {
         return clip.error();
       }
-      const auto place = entry.at("clip").get<std::size_t>();
+      const auto place = static_cast<std::size_t>(gltf::integerOf(entry.at("clip")));
       const bool isThere = place < document.clips->size() && (*document.clips)[place].name == clip->name;
       if (!isThere && place != document.clips->size() + lacking.size()) {
         return malformedClip();

@@ -12,6 +12,7 @@
 
 #include "app/edits/track_edits.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_integers.h"
 
 namespace stretch::app {
 
@@ -87,7 +88,7 @@ std::optional<std::size_t> placeOf(const std::array<const char*, count>& names, 
 bool takeChanged(const Json& changed, Track& track) {
   const std::size_t count = numbersOfKey(track);
   for (const Json& entry : changed) {
-    const auto key = entry.at(0).get<std::size_t>();
+    const auto key = static_cast<std::size_t>(gltf::integerOf(entry.at(0)));
     const auto numbers = entry.at(1).get<std::vector<float>>();
     if (key >= track.times.size() || numbers.size() != count) {
       return false;
@@ -109,7 +110,7 @@ bool isSound(const Track& track) {
 }
 
 Result<Track> trackFromJson(const Json& json, int clip, const Document& document) {
-  const NodeIndex node(json.at("node").get<int>());
+  const NodeIndex node(gltf::integerOf(json.at("node")));
   const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
   const auto interpolation = placeOf(samplerKinds, json.at("interpolation").get<std::string>());
   if (!node.exists() || at(node) >= document.scene->nodes.size() || !channel || !interpolation) {
@@ -161,12 +162,13 @@ Json keptFollowingKeys(const Document& document) {
 
 Status restoreFollowingKeys(const Json& entries, Document& document) {
   for (const Json& json : entries) {
-    const int clip = json.at("clip").get<int>();
+    const int clip = gltf::integerOf(json.at("clip"));
     const auto channel = placeOf(channelNames, json.at("path").get<std::string>());
     if (clip < 0 || at(clip) >= document.clips->size() || !channel) {
       return malformedKeys("auto_keys");
     }
-    FollowingKeys following{clip, NodeIndex(json.at("node").get<int>()), static_cast<Channel>(*channel), {}};
+    FollowingKeys following{
+        clip, NodeIndex(gltf::integerOf(json.at("node"))), static_cast<Channel>(*channel), {}};
     const int track = findTrack(clipOf(document, clip), following.node, following.channel);
     const std::vector<float> times =
         track < 0 ? std::vector<float>{} : clipOf(document, clip).tracks[at(track)]->times;
@@ -188,7 +190,7 @@ Status restoreKeptTracks(const Json& entries, Document& document) {
   std::vector<std::vector<Track>> tracks(document.clips->size());
   std::set<std::tuple<int, int, Channel>> known;
   for (const Json& json : entries) {
-    const int clip = json.at("clip").get<int>();
+    const int clip = gltf::integerOf(json.at("clip"));
     if (clip < 0 || at(clip) >= tracks.size()) {
       return malformedTrack();
     }

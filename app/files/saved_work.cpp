@@ -20,6 +20,7 @@
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/gltf/json.h"
+#include "core/gltf/json_integers.h"
 #include "rig/body/planned_body.h"
 #include "rig/ik/limb_shape.h"
 
@@ -90,8 +91,8 @@ std::optional<rig::LimbPlace> placeFromJson(const Json& json) {
     return number < numberedPlaces.size() ? std::optional(numberedPlaces[number]) : std::nullopt;
   }
   const std::optional<rig::LimbKind> kind = rig::kindNamed(json.at("kind").get<std::string>());
-  const int side = json.at("side").get<int>();
-  const int row = json.at("row").get<int>();
+  const int side = gltf::integerOf(json.at("side"));
+  const int row = gltf::integerOf(json.at("row"));
   if (!kind || side < 0 || side > static_cast<int>(rig::LimbSide::middle) || row < 0) {
     return std::nullopt;
   }
@@ -152,18 +153,18 @@ Result<rig::Trail> trailOfWork(const Json& json, const Document& document) {
   if (!settings) {
     return settings.error();
   }
-  trail.id = json.at("id").get<int>();
+  trail.id = gltf::integerOf(json.at("id"));
   trail.limb = json.at("limb").get<std::string>();
-  trail.clip = json.at("clip").get<int>();
+  trail.clip = gltf::integerOf(json.at("clip"));
   trail.exaggerated = json.at("exaggerated").get<bool>();
   trail.connected = json.at("connected").get<bool>();
-  trail.colour = json.at("colour").get<int>();
+  trail.colour = gltf::integerOf(json.at("colour"));
   trail.visible = json.at("visible").get<bool>();
   trail.pinned = json.at("pinned").get<bool>();
   trail.controlFrames = json.at("control_frames").get<std::vector<double>>();
   trail.follow = json.at("follow").get<bool>();
   trail.name = json.value("name", std::string());
-  trail.group = std::clamp(json.value("group", 0), 0, 1000000);
+  trail.group = std::clamp(json.contains("group") ? gltf::integerOf(json["group"]) : 0, 0, 1000000);
   trail.groupName = json.value("group_name", std::string());
   if (const Status read = readApplied(json.at("applied"), trail); !read) {
     return read.error();
@@ -187,8 +188,8 @@ Result<rig::Limb> limbFromJson(const Json& json, const Document& document) {
   const auto exists = [&](NodeIndex node) { return node.exists() && node < past; };
   limb.id = json.at("limb").get<std::string>();
   const std::optional<rig::LimbPlace> place = placeFromJson(json.at("kind"));
-  limb.joints = nodesOf(json.at("joints").get<std::vector<int>>());
-  limb.endNode = NodeIndex(json.at("end").get<int>());
+  limb.joints = nodesOf(gltf::integersOf(json.at("joints")));
+  limb.endNode = NodeIndex(gltf::integerOf(json.at("end")));
   limb.restLength = json.at("rest_length").get<double>();
   limb.confidence = json.at("confidence").get<double>();
   limb.ledByFirst = json.value("led_by_first", false);
@@ -218,7 +219,7 @@ Result<WeightedLimb> weightedLimbFromJson(const Json& json, const Document& docu
     return read.error();
   }
   entry.limb = json.at("limb").get<std::string>();
-  entry.clip = json.at("clip").get<int>();
+  entry.clip = gltf::integerOf(json.at("clip"));
   entry.on = json.at("on").get<bool>();
   const bool clipExists = entry.clip >= 0 && static_cast<std::size_t>(entry.clip) < document.clips->size();
   const bool isRepeated =
@@ -243,7 +244,7 @@ Status restoreAdjustments(const Json& entries, Document& document) {
     if (!adjustment) {
       return adjustment.error();
     }
-    adjustment->clip = json.at("clip").get<int>();
+    adjustment->clip = gltf::integerOf(json.at("clip"));
     Result<Document> placed = placeAdjustments(document, {&*adjustment, 1}, Entry::file);
     if (placed) {
       document = std::move(*placed);
@@ -272,7 +273,7 @@ Status restoreHoldList(const Json& entries, const Read& read, const Put& put, Do
     if (!hold) {
       return hold.error();
     }
-    hold->clip = json.at("clip").get<int>();
+    hold->clip = gltf::integerOf(json.at("clip"));
     rig::Holds one;
     put(one).push_back(std::move(*hold));
     if (Status restored = restoreHold(one, document); !restored) {
@@ -314,7 +315,7 @@ void saveHolds(const rig::Holds& holds, Json& work) {
 
 Status restoreRates(const Json& rates, Document& document) {
   for (const Json& json : rates) {
-    const ClipRate rate{json.at("clip").get<int>(), json.at("frames_per_second").get<double>(), 0.0};
+    const ClipRate rate{gltf::integerOf(json.at("clip")), json.at("frames_per_second").get<double>(), 0.0};
     const bool known = rate.clip >= 0 && static_cast<std::size_t>(rate.clip) < document.clips->size();
     const bool repeated = std::any_of(document.rates.begin(), document.rates.end(),
                                       [&](const ClipRate& other) { return other.clip == rate.clip; });
@@ -389,7 +390,7 @@ Status restoreParts(const Json& work, Document& document) {
     }
     document.locators = std::move(*locators);
   }
-  document.loopingClips = work.at("loops").get<std::vector<int>>();
+  document.loopingClips = gltf::integersOf(work.at("loops"));
   Status adjusted = restoreAdjustments(work.value("adjustments", Json::array()), document);
   return adjusted ? restoreHolds(work, document) : adjusted;
 }
@@ -475,7 +476,7 @@ Document withoutWork(Document document) {
 
 Status restoreWork(const Json& work, Document& document) {
   try {
-    if (!work.is_object() || work.value("version", 0) != workVersion) {
+    if (!work.is_object() || !work.contains("version") || gltf::integerOf(work["version"]) != workVersion) {
       return Error{"this program does not know this version of the work", "extras.stretch_engine",
                    "open it with the program that wrote it"};
     }

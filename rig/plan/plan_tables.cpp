@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace stretch::rig {
 
 namespace {
@@ -114,7 +116,7 @@ BodyPlan manyLegs(const std::string& id, const std::string& title, int rows) {
     const float knee = first + step * (1.35F * i - 0.35F * static_cast<float>(rows - 1) * 0.5F) - 8.0F;
     const float foot = first + step * (2.0F * i - 0.5F * static_cast<float>(rows - 1)) + 4.0F;
     const Bones leg{{18, base, 5, 50, knee, 4.5F}, {50, knee, 4.5F, 78, foot, 3}};
-    const std::string number = row == 1 ? "" : "-" + std::to_string(row);
+    const std::string number = row == 1 ? std::string() : fmt::format("-{}", row);
     addPair(plan.limbs,
             {"", {LimbKind::leg, left, row}, true, leg, {78, foot}, {60, 0.5F * (knee + foot) + 12.0F}},
             "left-leg" + number, "right-leg" + number, plan.view);

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -85,7 +86,7 @@ CopiedTracks copyTracks(const Scene& from, const Clip& clip, const Scene& to) {
       copied.clip.tracks.emplace_back(std::move(taken));
       copied.joints += isFirst ? 1 : 0;
     } else if (isFirst) {
-      copied.missing.push_back(name.empty() ? "#" + std::to_string(track->node.value) : name);
+      copied.missing.push_back(name.empty() ? fmt::format("#{}", track->node.value) : name);
     }
   }
   return copied;
