@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "app/commands/command_ids.h"
@@ -195,7 +196,7 @@ std::optional<rig::Prop> nearestProp(Session& session) {
       continue;
     }
     rig::Prop prop =
-        propIn("#" + std::to_string(i), arms, session.view().clip, bindingOf(session, NodeIndex(i)));
+        propIn(fmt::format("#{}", i), arms, session.view().clip, bindingOf(session, NodeIndex(i)));
     rig::Holds wanted;
     wanted.props.push_back(prop);
     if (placeHolds(document, wanted)) {

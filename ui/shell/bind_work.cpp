@@ -59,7 +59,6 @@ Status bindOrStop(Shell& shell) {
 }
 
 void takeUp(Shell& shell, const app::BoundMeshes& bound) {
-  BindWork& work = shell.binding;
   app::Session& session = *shell.open.character();
   const bool isAgain = hasBoundMesh(*session.document().scene);
   Result<app::Document> changed = app::withBoundMeshes(session.document(), bound);

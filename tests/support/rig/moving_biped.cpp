@@ -84,8 +84,8 @@ void addTurns(MovingBiped& moving, Interpolation interpolation, const std::strin
 } // namespace
 
 const rig::Limb& MovingBiped::limb(const std::string& id) const {
-  const auto found = std::ranges::find(biped.limbs, id, &rig::Limb::id);
-  REQUIRE(found != biped.limbs.end());
+  const auto found = std::ranges::find(body.limbs, id, &rig::Limb::id);
+  REQUIRE(found != body.limbs.end());
   return *found;
 }
 
