@@ -313,11 +313,11 @@ Body detectBody(const Scene& scene) {
   if (table.limbs.empty()) {
     body::takePlan(scene, bindPose, finding);
   }
+  setLeadingEnds(bindPose.worlds, finding.result);
+  body::warn(scene, finding);
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  setLeadingEnds(bindPose.worlds, finding.result);
-  body::warn(scene, finding);
   finding.result.height =
       body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
   return std::move(finding.result);

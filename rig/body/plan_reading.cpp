@@ -152,7 +152,9 @@ private:
     for (const ExtremityPair& pair : parts_.extremities.pairs) {
       others = std::max(others, pair.length());
     }
-    return row != nullptr && row->path.size() >= leastJoints && row->path.size() <= mostJoints &&
+    // Where most joints of the skins move nothing, what is left tells little.
+    const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
+    return isMost && row != nullptr && row->path.size() >= leastJoints && row->path.size() <= mostJoints &&
            row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 

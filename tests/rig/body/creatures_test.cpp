@@ -3,6 +3,7 @@
 #include "core/math/rotation.h"
 #include "rig/body/detection.h"
 #include "rig/body/planned_body.h"
+#include "tests/support/nodes.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
 
@@ -125,6 +126,19 @@ TEST_CASE("A skeleton without a mesh is read as one with") {
   body.withMesh = false;
   const BuiltBiped built = build(body);
   CHECK(limbsOf(built, detectBody(built.scene)) == horseLimbs);
+}
+
+TEST_CASE("A person whose skin has no weights, with a rigid helmet, is no serpent") {
+  SyntheticBiped body = makeBody();
+  nameByKeys(body);
+  body.withMesh = false;
+  BuiltBiped built = build(body);
+  Primitive helmet;
+  helmet.positions = {{-0.1F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}, {0.0F, 0.2F, 0.1F}};
+  const NodeIndex part = addNode(built.scene, "helmet", built.node.at("head"), Vec3(0.0));
+  built.scene.nodes[at(part)].mesh = 0;
+  built.scene.meshes.push_back({"helmet", {helmet}, {}});
+  CHECK(detectBody(built.scene).plan != "serpent");
 }
 
 TEST_CASE("A body of no known plan has the rows of joints between branchings") {
