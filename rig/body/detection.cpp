@@ -326,6 +326,7 @@ Body detectBody(const Scene& scene) {
 Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   const body::BindPose bindPose = body::placeBindPose(scene);
   body::Finding finding = body::findLimbs(scene, bindPose);
+  finding.result.warnings.clear();
   if (plan.id == "biped") {
     body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
   } else if (plan.id == "other") {
@@ -335,7 +336,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
       body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
       return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));
     });
-    finding.result.limbs.clear();
+    finding.result = Body{};
     finding.result.plan = plan.id;
     if (reading) {
       body::takeReading(*reading, finding);
@@ -343,7 +344,9 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   }
   Body& result = finding.result;
   setLeadingEnds(bindPose.worlds, result);
-  result.warnings.clear();
+  if (result.limbs.empty()) {
+    result.warnings = {"no limb of " + plan.title + " found: choose another body plan, or chains of joints"};
+  }
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};
   result.height = body::characterHeight(scene, bindPose, body::topmost(scene, result.hips), finding.bodyUp);

@@ -45,7 +45,7 @@ public:
     if (!hasLegs || !isItsTrunk(plan)) {
       return std::nullopt;
     }
-    for (const Placed& placed : places()) {
+    for (const Placed& placed : places(plan)) {
       if (plannedLimb(plan, placed.place) == nullptr) {
         return std::nullopt;
       }
@@ -58,7 +58,7 @@ public:
   [[nodiscard]] PlanReading as(const BodyPlan& plan) const {
     PlanReading reading;
     reading.plan = &plan;
-    for (const Placed& placed : places()) {
+    for (const Placed& placed : places(plan)) {
       const PlannedLimb* const planned = plannedLimb(plan, placed.place);
       if (planned != nullptr) {
         addLimb(*planned, placed, reading.limbs);
@@ -69,7 +69,7 @@ public:
     reading.hips = nodeOf(parts_.axis.hips);
     reading.head = nodeOf(parts_.axis.head);
     reading.confidence = confidence();
-    reading.reasons = reasons();
+    reading.reasons = reasons(plan);
     reading.warnings = sides_.warnings;
     return reading;
   }
@@ -87,7 +87,7 @@ private:
   }
 
   // Every limb but those of the trunk; of wings, arms and feelers the longest pair.
-  [[nodiscard]] std::vector<Placed> places() const {
+  [[nodiscard]] std::vector<Placed> places(const BodyPlan& plan) const {
     std::vector<Placed> placed;
     for (const LimbKind kind :
          {LimbKind::arm, LimbKind::leg, LimbKind::wing, LimbKind::fin, LimbKind::feeler}) {
@@ -104,20 +104,21 @@ private:
       }
       const int rows = static_cast<int>(pairs.size());
       for (int row = 1; row <= rows; ++row) {
-        addPlaced(*pairs[static_cast<std::size_t>(row - 1)], kind, row, rows, placed);
+        const bool isInRow = rows > 1 || plannedLimb(plan, {kind, LimbSide::left, 0}) == nullptr;
+        const bool isFirstFin = kind == LimbKind::fin && row == 1;
+        addPlaced(*pairs[static_cast<std::size_t>(row - 1)],
+                  {kind, LimbSide::left, isInRow && !isFirstFin ? row : 0}, rows, placed);
       }
     }
     return placed;
   }
 
-  void addPlaced(const KindredPair& pair, LimbKind kind, int row, int rows,
+  void addPlaced(const KindredPair& pair, const LimbPlace& place, int rows,
                  std::vector<Placed>& placed) const {
-    const bool isFirstFin = kind == LimbKind::fin && row == 1;
-    const int number = rows == 1 || isFirstFin ? 0 : row;
     const Extremity& left = sides_.leftIsPositive ? pair.pair.positive : pair.pair.negative;
     const Extremity& right = sides_.leftIsPositive ? pair.pair.negative : pair.pair.positive;
-    placed.push_back({{kind, LimbSide::left, number}, &left, &pair, rows});
-    placed.push_back({{kind, LimbSide::right, number}, &right, &pair, rows});
+    placed.push_back({place, &left, &pair, rows});
+    placed.push_back({mirrored(place), &right, &pair, rows});
   }
 
   // A body on two legs that stands upright is a biped; one on none is a long row of joints.
@@ -154,8 +155,8 @@ private:
     }
     // Where most joints of the skins move nothing, what is left tells little.
     const bool isMost = 2 * static_cast<std::size_t>(view_.count()) >= skinJoints(scene_).size();
-    return isMost && row != nullptr && row->path.size() >= leastJoints && row->path.size() <= mostJoints &&
-           row->length > 0.5 * view_.size && others < 0.6 * row->length;
+    return isMost && row != nullptr && row->path.size() >= leastJoints &&
+           row->path.size() <= mostJoints + 1 && row->length > 0.5 * view_.size && others < 0.6 * row->length;
   }
 
   [[nodiscard]] const Extremity* longestRow() const {
@@ -206,9 +207,11 @@ private:
   [[nodiscard]] bool feetPointAhead() const {
     double ahead = 0.0;
     for (const KindredPair& one : parts_.pairs) {
-      if (one.kind == LimbKind::leg) {
-        const std::vector<Vec3>& points = one.pair.positive.points;
-        ahead += glm::dot(points.back() - points[points.size() - 2], parts_.axis.forward);
+      for (const Extremity* leg : {&one.pair.positive, &one.pair.negative}) {
+        const std::vector<Vec3>& points = leg->points;
+        if (one.kind == LimbKind::leg && points.size() > 1) {
+          ahead += glm::dot(points.back() - points[points.size() - 2], parts_.axis.forward);
+        }
       }
     }
     return ahead > 0.0;
@@ -272,7 +275,8 @@ private:
     }
     Limb limb = makeLimb(planned.place, std::move(joints), limbEnd, bindPose_.worlds);
     limb.id = planned.id;
-    return isSound(limb) ? std::optional(std::move(limb)) : std::nullopt;
+    const bool isUseful = isSound(limb) && limb.joints.size() <= mostJoints;
+    return isUseful ? std::optional(std::move(limb)) : std::nullopt;
   }
 
   void addTrunk(const BodyPlan& plan, std::vector<Limb>& limbs) const {
@@ -333,7 +337,11 @@ private:
       return;
     }
     Extremity row = *longest;
-    while (row.path.size() > 2 && glm::distance(row.points[0], row.points[1]) < 0.06 * row.length &&
+    // Where nothing tells which joints move vertices, only a bone far shorter than the others is no bone.
+    const double meanBone = row.length / static_cast<double>(std::max<std::size_t>(row.points.size() - 1, 1));
+    const double shortBone = 0.06 * row.length;
+    const double hardlyABone = view_.hasVertices ? shortBone : std::min(shortBone, 0.3 * meanBone);
+    while (row.path.size() > 2 && glm::distance(row.points[0], row.points[1]) < hardlyABone &&
            view_.points[static_cast<std::size_t>(row.path.front())].empty()) {
       row.path.erase(row.path.begin());
       row.points.erase(row.points.begin());
@@ -371,7 +379,7 @@ private:
     return 1.0 - (1.0 - 0.75 * mirror) * (1.0 - 0.8 * named);
   }
 
-  [[nodiscard]] std::vector<std::string> reasons() const {
+  [[nodiscard]] std::vector<std::string> reasons(const BodyPlan& plan) const {
     std::vector<std::string> reasons;
     const int legs = parts_.standingLegs();
     reasons.push_back(legs > 0 ? fmt::format("stands on {} legs in the bind pose", legs)
@@ -386,7 +394,7 @@ private:
         reasons.emplace_back(text);
       }
     }
-    if (parts_.axis.tail) {
+    if (parts_.axis.tail && plannedLimb(plan, {LimbKind::tail}) != nullptr) {
       reasons.emplace_back("a tail");
     }
     reasons.emplace_back(parts_.axis.headIsNamed
@@ -426,6 +434,23 @@ std::optional<PlanReading> readUpright(const Scene& scene, const BindPose& bindP
   return std::nullopt;
 }
 
+const Vec3 upwards(0, 1, 0);
+
+// Along which a body may stand that does not stand along +Y.
+std::vector<Vec3> otherUps(const MirrorPlane& plane) {
+  std::vector<Vec3> ups{Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0)};
+  std::erase_if(ups, [&](const Vec3& up) { return std::abs(glm::dot(up, plane.normal)) > 0.5; });
+  return ups;
+}
+
+PlanReading turnedOver(PlanReading reading, const Vec3& up) {
+  reading.confidence *= 0.8;
+  reading.warnings.emplace_back(up.y < 0.0
+                                    ? "the body stands upside down in its bind pose: are its limbs right?"
+                                    : "the body lies in its bind pose: are its limbs right?");
+  return reading;
+}
+
 } // namespace
 
 std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose, const BodyView& view) {
@@ -434,20 +459,12 @@ std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose
   }
   const MirrorPlane plane = findMirrorPlane(view);
   constexpr int any = 1000;
-  const Vec3 upwards(0, 1, 0);
   if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, upwards, 2, any)) {
     return reading;
   }
-  for (const Vec3& up : {Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0)}) {
-    const bool isAcross = std::abs(glm::dot(up, plane.normal)) > 0.5;
-    std::optional<PlanReading> reading =
-        isAcross ? std::nullopt : readUpright(scene, bindPose, view, plane, up, 4, any);
-    if (reading) {
-      reading->confidence *= 0.8;
-      reading->warnings.emplace_back(
-          up.y < 0.0 ? "the body stands upside down in its bind pose: are its limbs right?"
-                     : "the body lies in its bind pose: are its limbs right?");
-      return reading;
+  for (const Vec3& up : otherUps(plane)) {
+    if (std::optional<PlanReading> reading = readUpright(scene, bindPose, view, plane, up, 4, any)) {
+      return turnedOver(*std::move(reading), up);
     }
   }
   return readUpright(scene, bindPose, view, plane, upwards, 0, 0);
@@ -461,10 +478,19 @@ PlanReading readAsPlan(const Scene& scene, const BindPose& bindPose, const BodyV
     return nothing;
   }
   const MirrorPlane plane = findMirrorPlane(view);
-  const Vec3 up(0.0, 1.0, 0.0);
-  return PlanReader(scene, bindPose, view, plane, up,
-                    partsOfBody(scene, bindPose, view, plane, up, plan.legs / 2))
-      .as(plan);
+  const auto reader = [&](const Vec3& up, std::optional<int> legPairs) {
+    return PlanReader(scene, bindPose, view, plane, up,
+                      partsOfBody(scene, bindPose, view, plane, up, legPairs));
+  };
+  if (std::optional<PlanReading> reading = reader(upwards, std::nullopt).fit(plan)) {
+    return *std::move(reading);
+  }
+  for (const Vec3& up : plan.legs > 2 ? otherUps(plane) : std::vector<Vec3>{}) {
+    if (std::optional<PlanReading> reading = reader(up, std::nullopt).fit(plan)) {
+      return turnedOver(*std::move(reading), up);
+    }
+  }
+  return reader(upwards, plan.legs / 2).as(plan);
 }
 
 std::vector<Limb> chainsOfTree(const Scene& scene, const BindPose& bindPose, const BodyView& view) {

@@ -36,7 +36,7 @@ struct LimbManner {
 struct PlannedLimb {
   std::string id;
   LimbPlace place;
-  bool usual = true; ///< Shown, and told of, where it is missing.
+  bool usual = true; ///< Has a key, and is drawn, where it is missing as well.
   std::vector<FigureBone> bones;
   FigurePoint end; ///< Where the limb ends: what a trail is drawn for.
   FigurePoint key; ///< Where its key is written.

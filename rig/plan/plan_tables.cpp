@@ -151,8 +151,6 @@ BodyPlan serpentPlan() {
                         {0, 102}});
   plan.limbs.back().ledByHead = true;
   plan.limbs.push_back({"neck", biped::neck, false, {{0, 12, 8, 0, 20, 9}}, {0, 12}, {24, 18}});
-  plan.limbs.push_back(
-      {"tail", {LimbKind::tail, middle}, false, {{4, 218, 3, 0, 228, 3}}, {0, 228}, {-16, 220}});
   const Bones front{{22, 66, 5, 48, 84, 4}, {48, 84, 4, 54, 96, 2.5F}};
   const Bones hind{{14, 136, 4, 36, 152, 3}, {36, 152, 3, 40, 160, 2}};
   addPair(plan.limbs, {"", {LimbKind::fin, left, 0}, false, front, {54, 96}, {64, 82}}, "left-fin",

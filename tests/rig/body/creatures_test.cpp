@@ -107,8 +107,11 @@ TEST_CASE("A body that lies or stands upside down in its bind pose is told, and 
   const BuiltBiped built = build(body);
   const Body read = detectBody(built.scene);
   CHECK(read.plan == "quadruped");
-  CHECK(read.limbs.size() == 7);
   CHECK(read.warnings.size() == 1);
+  CHECK(limbsOf(built, read) == horseLimbs);
+  const Body chosen = bodyAsPlan(built.scene, *planNamed("quadruped"));
+  CHECK(limbsOf(built, chosen) == horseLimbs);
+  CHECK(chosen.warnings.size() == 1);
 }
 
 TEST_CASE("The size of a body does not count") {
@@ -139,6 +142,72 @@ TEST_CASE("A person whose skin has no weights, with a rigid helmet, is no serpen
   built.scene.nodes[at(part)].mesh = 0;
   built.scene.meshes.push_back({"helmet", {helmet}, {}});
   CHECK(detectBody(built.scene).plan != "serpent");
+}
+
+TEST_CASE("A serpent without a mesh keeps all of its joints") {
+  SyntheticBiped body = makeSnake();
+  for (int i = 0; i < 8; ++i) {
+    const std::string last = i == 0 ? "head" : "tip" + std::to_string(i - 1);
+    body.joints.push_back({"tip" + std::to_string(i), last, Vec3(0.0, 0.1, 1.44 + 0.14 * i)});
+  }
+  body.withMesh = false;
+  const BuiltBiped built = build(body);
+  const Body read = detectBody(built.scene);
+  REQUIRE(read.plan == "serpent");
+  REQUIRE(findLimb(read, biped::spine) != nullptr);
+  CHECK(findLimb(read, biped::spine)->joints.size() >= 20);
+}
+
+TEST_CASE("A leg of one joint beside a longer one says nothing of where the feet point") {
+  SyntheticBiped body = makeHorse();
+  nameByKeys(body);
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    const std::string& key = joint.key;
+    return key == "calf.l" || key == "hock.l" || key == "pastern.l" || key == "hoof.l";
+  });
+  for (auto& [key, name] : body.names) { // each side is called the other one
+    if (key.ends_with(".l") || key.ends_with(".r")) {
+      name.back() = key.ends_with(".l") ? 'r' : 'l';
+    }
+  }
+  CHECK_FALSE(bodyAsPlan(build(body).scene, *planNamed("quadruped")).limbs.empty());
+}
+
+TEST_CASE("A plan chosen by hand takes the only pair of legs that there is") {
+  SyntheticBiped body = makeHorse();
+  std::erase_if(body.joints, [](const SyntheticJoint& joint) {
+    return joint.key.starts_with("front") || joint.key.starts_with("scapula") ||
+           joint.key.starts_with("forearm");
+  });
+  const BuiltBiped built = build(body);
+  const Body read = bodyAsPlan(built.scene, *planNamed("quadruped"));
+  CHECK(describe(built, read, {LimbKind::leg, LimbSide::left, 1}) ==
+        "thigh.l calf.l hock.l pastern.l -> hoof.l");
+}
+
+TEST_CASE("A plan that finds no limb says so, and leaves nothing of what was found without it") {
+  SyntheticBiped body = makeSnake();
+  for (SyntheticJoint& joint : body.joints) {
+    joint.position = Vec3(0.0);
+  }
+  const Body none = bodyAsPlan(build(body).scene, *planNamed("serpent"));
+  CHECK(none.limbs.empty());
+  CHECK(none.warnings.size() == 1);
+  CHECK_FALSE(bodyAsPlan(build(makeBody()).scene, *planNamed("quadruped")).isBiped);
+}
+
+TEST_CASE("A row of very many joints is no limb, whoever asks") {
+  SyntheticBiped body;
+  std::string parent;
+  for (int i = 0; i < 320; ++i) {
+    const std::string key = "segment" + std::to_string(i);
+    body.joints.push_back({key, parent, Vec3(0.0, 0.06, 0.01 * i)});
+    parent = key;
+  }
+  const Scene scene = build(body).scene;
+  CHECK(detectBody(scene).limbs.empty());
+  CHECK(bodyAsPlan(scene, *planNamed("serpent")).limbs.empty());
+  CHECK(bodyAsPlan(scene, *planNamed("other")).limbs.empty());
 }
 
 TEST_CASE("A body of no known plan has the rows of joints between branchings") {
