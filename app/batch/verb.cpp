@@ -46,7 +46,7 @@ std::vector<Verb> batchVerbs() {
 
 int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,
              const char* const* arguments) {
-  CLI::App program{"Makes a realistic clip of a biped hit like a cartoon: trails, stretch, re-keyed glTF.\n"
+  CLI::App program{"Makes a realistic clip of a rigged character hit like a cartoon: trails, stretch, re-keyed glTF.\n"
                    "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf|SEQUENCE]"};
   program.name("stretch-engine");
   program.require_subcommand(1);
