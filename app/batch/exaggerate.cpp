@@ -25,7 +25,7 @@ struct ExaggerateArguments {
 Result<Recipe> wantedTrails(const ExaggerateArguments& arguments, const std::vector<TrailRequest>& requests,
                             Document& document) {
   if (!arguments.recipe.empty()) {
-    return loadRecipe(arguments.recipe, document);
+    return loadRecipe(arguments.recipe, arguments.input, document);
   }
   const Result<int> clip = clipOfArguments(arguments.input, document);
   return clip ? recipeOf(requests, *clip, document) : Result<Recipe>(clip.error());

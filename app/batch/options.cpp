@@ -128,6 +128,14 @@ Result<int> clipOfArguments(const FileArguments& arguments, const Document& docu
   return findClip(document, arguments.clip, "--clip");
 }
 
+Result<Recipe> loadRecipe(const std::string& path, const FileArguments& arguments, Document& document) {
+  if (arguments.clip.empty()) {
+    return loadRecipe(path, document);
+  }
+  const Result<int> clip = clipOfArguments(arguments, document);
+  return clip ? loadRecipe(path, document, *clip) : Result<Recipe>(clip.error());
+}
+
 Result<skinning::SegmentModuli> loadModuli(const std::string& path) {
   const Result<std::string> text = readText(path);
   return text ? skinning::parseModuli(*text) : Result<skinning::SegmentModuli>(text.error());

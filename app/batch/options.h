@@ -7,6 +7,7 @@
 #include "app/batch/command_line.h"
 #include "app/document.h"
 #include "app/files/save.h"
+#include "app/recipe/recipe.h"
 #include "app/schema/schema.h"
 #include "core/base/result.h"
 #include "core/gltf/json.h"
@@ -90,6 +91,10 @@ inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BAS
 
 /// Index of the clip that --clip names.
 [[nodiscard]] Result<int> clipOfArguments(const FileArguments& arguments, const Document& document);
+
+/// The recipe, for the clip that --clip names, else for the one that it names itself.
+[[nodiscard]] Result<Recipe> loadRecipe(const std::string& path, const FileArguments& arguments,
+                                        Document& document);
 
 /// Reads a file of moduli; an error names the file.
 [[nodiscard]] Result<skinning::SegmentModuli> loadModuli(const std::string& path);

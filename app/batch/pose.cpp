@@ -162,26 +162,14 @@ Result<Recipe> emptyRecipe(const PoseArguments& arguments, const Document& docum
   return recipe;
 }
 
-Result<Recipe> recipeOf(const PoseArguments& arguments, Document& document) {
-  std::optional<int> clip;
-  if (!arguments.input.clip.empty()) {
-    const Result<int> named = clipOfArguments(arguments.input, document);
-    if (!named) {
-      return named.error();
-    }
-    clip = *named;
-  }
-  return loadRecipe(arguments.recipe, document, clip);
-}
-
 Result<Recipe> wantedPose(const PoseArguments& arguments, Document& document) {
   if (arguments.recipe.empty() && arguments.offsets.empty() && arguments.prop.empty() &&
       !arguments.pinsFeet) {
     return Error{"nothing was asked for", "--recipe",
                  "give a recipe, a table of offset keys by --offsets, --prop or --pin-feet"};
   }
-  Result<Recipe> recipe =
-      arguments.recipe.empty() ? emptyRecipe(arguments, document) : recipeOf(arguments, document);
+  Result<Recipe> recipe = arguments.recipe.empty() ? emptyRecipe(arguments, document)
+                                                   : loadRecipe(arguments.recipe, arguments.input, document);
   if (recipe && !arguments.offsets.empty()) {
     Result<std::vector<rig::Adjustment>> table =
         loadOffsetTable(arguments.offsets, document, recipe->clip, arguments.units);

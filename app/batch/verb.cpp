@@ -46,8 +46,9 @@ std::vector<Verb> batchVerbs() {
 
 int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int argumentCount,
              const char* const* arguments) {
-  CLI::App program{"Makes a realistic clip of a rigged character hit like a cartoon: trails, stretch, re-keyed glTF.\n"
-                   "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf|SEQUENCE]"};
+  CLI::App program{
+      "Makes a realistic clip of a rigged character hit like a cartoon: trails, stretch, re-keyed glTF.\n"
+      "Without a verb the editor opens: stretch-engine [FILE.glb|FILE.gltf|SEQUENCE]"};
   program.name("stretch-engine");
   program.require_subcommand(1);
   program.set_version_flag("--version", version);

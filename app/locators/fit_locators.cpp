@@ -157,7 +157,7 @@ Result<FittedLocators> fitLocators(const Document& document, const skinning::Pro
   }
   if (!document.scene->skins.empty()) {
     return Error{"the file has a skeleton in which no biped is found", "",
-                 "correct its limbs in the editor, or give a mesh without a skeleton"};
+                 "it has joints already: bind at those (--keep-joints), or give a mesh without a skeleton"};
   }
   return ofMeshes(*document.scene, proceed);
 }

@@ -203,6 +203,8 @@ void warn(const Scene& scene, Finding& finding) {
   result.warnings.emplace_back(
       result.limbs.empty() && movesMorphTargets(scene)
           ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
+      : result.limbs.empty() && scene.skins.empty() && !scene.meshes.empty()
+          ? "no skeleton found: bind the mesh first"
       : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
                              : "no complete biped found: check the limbs by hand");
 }

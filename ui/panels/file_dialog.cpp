@@ -20,6 +20,11 @@ namespace fs = std::filesystem;
 
 constexpr float factsWidth = 228.0F;
 
+/// What is typed names a place, not a row.
+bool isPathTyped(const FileDialogState& dialog) {
+  return dialog.typed.find('/') != std::string::npos;
+}
+
 /// Without regard to case.
 bool beginsWith(const std::string& name, const std::string& start) {
   const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
@@ -54,7 +59,7 @@ void refresh(FileDialogState& dialog) {
 
 /// Rows that answer what is typed: all of them while saving, or while a path is being typed.
 std::vector<const FileEntry*> shownEntries(const FileDialogState& dialog) {
-  const bool filters = !isSaving(dialog.purpose) && dialog.typed.find('/') == std::string::npos;
+  const bool filters = !isSaving(dialog.purpose) && !isPathTyped(dialog);
   const std::vector<FileType> types = fileTypesOf(dialog.purpose);
   const auto isType = [&](const FileEntry& entry) {
     return entry.isFolder || types.empty() ||
@@ -99,7 +104,7 @@ void jumpToTyped(FileDialogState& dialog) {
   dialog.highlighted = -1;
   dialog.confirmOverwrite = false;
   dialog.message.clear();
-  if (isSaving(dialog.purpose) || dialog.typed.empty() || dialog.typed.find('/') != std::string::npos) {
+  if (isSaving(dialog.purpose) || dialog.typed.empty() || isPathTyped(dialog)) {
     return;
   }
   const std::vector<const FileEntry*> shown = shownEntries(dialog);
@@ -162,7 +167,8 @@ void acceptHighlightedOrTyped(PanelContext& context) {
   const bool valid = dialog.highlighted >= 0 && dialog.highlighted < static_cast<int>(shown.size());
   if (valid) {
     enter(context, FileEntry(*shown[static_cast<std::size_t>(dialog.highlighted)]));
-  } else if (!isSaving(dialog.purpose) && shown.size() == 1 && !dialog.typed.empty()) {
+  } else if (!isSaving(dialog.purpose) && shown.size() == 1 && !dialog.typed.empty() &&
+             !isPathTyped(dialog)) {
     enter(context, FileEntry(*shown.front()));
   } else {
     acceptTyped(context);
@@ -271,6 +277,8 @@ void clickEntry(PanelContext& context, const FileEntry& entry, int row) {
     enter(context, entry);
   } else if (isSaving(dialog.purpose) && !entry.isFolder) {
     dialog.typed = entry.name;
+  } else if (!isSaving(dialog.purpose) && isPathTyped(dialog)) {
+    dialog.typed.clear();
   }
 }
 

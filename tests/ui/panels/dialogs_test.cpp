@@ -84,6 +84,21 @@ TEST_CASE("A file is opened by a double click, in a folder, and by its typed nam
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
   }
+  SECTION("a typed path goes where it says, though the folder holds one file") {
+    driver.doubleClick("files/entry/clips");
+    driver.type((folder.path / "walk.gltf").string());
+    driver.pressKey(ImGuiKey_Enter);
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "walk.gltf");
+  }
+  SECTION("a click on a row takes the place of a typed path") {
+    driver.type("/nowhere/else.glb");
+    driver.click("files/entry/walk.gltf");
+    CHECK(driver.ui.fileDialog.typed.empty());
+    driver.pressKey(ImGuiKey_Enter);
+    REQUIRE(driver.ui.answers.file);
+    CHECK(driver.ui.answers.file->path == folder.path / "walk.gltf");
+  }
   SECTION("typed after a click elsewhere") {
     driver.click("files/entry/walk.gltf");
     driver.type("pun");
