@@ -126,6 +126,23 @@ TEST_CASE("Two trails of one request may not overlap, one that the file carries 
   CHECK(trails[1].connected);
 }
 
+TEST_CASE("A recipe is played on the clip that --clip names, whatever it names itself") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  Json recipe = recipeWith(Json::array({punch(2, 8)}));
+  recipe["clip"] = "of another character";
+  const std::string path = folder.write("other.json", recipe.dump()).string();
+  CHECK(test::runVerb({"exaggerate", character, "-o", output, "--recipe", path}).exitCode == 1);
+  REQUIRE(
+      test::runVerb({"exaggerate", character, "-o", output, "--recipe", path, "--clip", "Guard"}).exitCode ==
+      0);
+  REQUIRE(trailsOf(output).size() == 1);
+  CHECK(trailsOf(output).front().clip == 1);
+  CHECK_THAT(
+      test::runVerb({"exaggerate", character, "-o", output, "--recipe", path, "--clip", "no such clip"}).told,
+      Catch::Contains("--clip"));
+}
+
 TEST_CASE("A recipe's mistakes are told in its own words, with their place in the file") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
