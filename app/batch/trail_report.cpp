@@ -11,6 +11,7 @@
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
 #include "rig/limb.h"
+#include "rig/motion/paths.h"
 
 namespace stretch::app {
 
@@ -30,6 +31,25 @@ const char* spaceName(rig::TrailSpace space) {
     break;
   }
   return "world";
+}
+
+// Whether the plane where the trail stops is in the way of the limb's end at the tip.
+bool isStoppedAtTip(const Document& document, const rig::MotionState& motion,
+                    const rig::SolvedTrail& solved) {
+  if (!solved.settings.stopAt) {
+    return false;
+  }
+  rig::MotionState unstopped = motion;
+  const auto same = std::ranges::find_if(
+      unstopped.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == solved.trail.id; });
+  same->settings.stopAt.reset();
+  const auto tipIn =
+      [&, trail = static_cast<std::size_t>(same - unstopped.trails.begin())](const rig::MotionState& with) {
+        return rig::pathsAt(*document.scene, clipOf(document, motion.clip), with, trail,
+                            {solved.tipSeconds * motion.framesPerSecond})
+            .exaggerated;
+      };
+  return tipIn(motion) != tipIn(unstopped);
 }
 
 Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {
@@ -65,7 +85,7 @@ Json trailReport(const Document& document, const rig::MotionState& motion, const
               {"limb_length_before", before},
               {"limb_length_after", after},
               {"warnings", std::move(warnings)}};
-  if (!reached && solved.settings.stopAt) {
+  if (!reached && isStoppedAtTip(document, motion, solved)) {
     report["stopped"] = true;
   }
   return report;

@@ -69,20 +69,17 @@ Vec3 turnedFurther(const Vec3& vector, const Vec3& change) {
   return (angle + 2.0 * pi * turns) * axis;
 }
 
-bool carries(rig::ControllerKind carrier, const rig::PlacedController& other) {
+// A foot stays where it is put, whatever its leg hangs on.
+bool carries(const rig::PlacedController& carrier, const rig::PlacedController& other) {
   using rig::ControllerKind;
-  const auto kind = other.kind;
-  const bool onChest =
-      kind == ControllerKind::head || kind == ControllerKind::hand || kind == ControllerKind::tip;
-  const bool onHips = onChest || kind == ControllerKind::spineLow || kind == ControllerKind::spineMiddle ||
-                      kind == ControllerKind::spineTop || kind == ControllerKind::pole;
-  switch (carrier) {
+  const bool goesAlong = other.carrier != rig::Carrier::scene && other.kind != ControllerKind::foot;
+  switch (carrier.kind) {
   case ControllerKind::body:
-    return kind != ControllerKind::body;
+    return other.kind != ControllerKind::body;
   case ControllerKind::hips:
-    return onHips;
+    return goesAlong || other.kind == ControllerKind::pole;
   case ControllerKind::spineTop:
-    return onChest;
+    return goesAlong && other.carrier == rig::Carrier::chest;
   default:
     return false;
   }
@@ -140,7 +137,7 @@ std::vector<HeldController> heldControllers(ControllerMotion motion,
     const rig::PlacedController& one = selected[i];
     const bool moves = motion == ControllerMotion::move;
     const bool isCarried = std::ranges::any_of(
-        selected, [&](const rig::PlacedController& other) { return carries(other.kind, one); });
+        selected, [&](const rig::PlacedController& other) { return carries(other, one); });
     if ((moves && one.moves && !isCarried) || (!moves && one.turns)) {
       held.push_back({one, offsets[i]});
     }

@@ -48,26 +48,30 @@ bool endHangsOnHips(const AdjustedBody& body, const std::string& endController) 
   });
 }
 
-// What carries the controller, as trails may turn it after the adjustments; none: the scene.
-NodeIndex carrierOf(const AdjustedBody& body, const PlacedController& placed) {
-  switch (placed.kind) {
+Carrier carrierOf(const AdjustedBody& body, const Controller& controller) {
+  switch (controller.kind) {
   case ControllerKind::head:
-    return body.chest;
+    return Carrier::chest;
   case ControllerKind::spineLow:
   case ControllerKind::spineMiddle:
   case ControllerKind::spineTop:
-    return body.hips;
+    return Carrier::hips;
   case ControllerKind::hand:
   case ControllerKind::foot:
   case ControllerKind::tip:
-    return endHangsOnHips(body, placed.id) ? body.hips : body.chest;
+    return endHangsOnHips(body, controller.id) ? Carrier::hips : Carrier::chest;
   case ControllerKind::body:
   case ControllerKind::hips:
   case ControllerKind::pole:
   case ControllerKind::joint:
     break;
   }
-  return {};
+  return Carrier::scene;
+}
+
+// Trails may turn it after the adjustments; none: the scene.
+NodeIndex carrierNode(const AdjustedBody& body, Carrier carrier) {
+  return carrier == Carrier::hips ? body.hips : carrier == Carrier::chest ? body.chest : NodeIndex{};
 }
 
 Vec3 placeOnLimb(const AdjustedLimb& limb, ControllerKind kind, const FrameState& frame) {
@@ -97,6 +101,7 @@ public:
     placed.node = controller.node;
     placed.moves = controller.moves;
     placed.turns = controller.turns;
+    placed.carrier = carrierOf(body_, controller);
     const AdjustedLimb* const limb = limbWith(body_, controller.limb);
     const NodeIndex node =
         !controller.node.exists() && limb != nullptr ? limb->limb.joints.back() : controller.node;
@@ -119,7 +124,7 @@ private:
     if (space == spaces_.end()) {
       return;
     }
-    const NodeIndex carrier = carrierOf(body_, placed);
+    const NodeIndex carrier = carrierNode(body_, placed.carrier);
     const Quat since = carrier.exists() ? rotationOf(input_.shown.worlds[at(carrier)]) *
                                               glm::inverse(rotationOf(adjusted_.worlds[at(carrier)]))
                                         : Quat(1.0, 0.0, 0.0, 0.0);

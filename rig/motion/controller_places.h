@@ -12,6 +12,10 @@
 
 namespace stretch::rig {
 
+/// What of the trunk a controller hangs on. A pole, which its limb carries, and a joint's controller count as
+/// the scene's.
+enum class Carrier { scene, hips, chest };
+
 /// Where a controller stands at one time, for whatever is drawn of it or done with it.
 struct PlacedController {
   std::string id; ///< As Controller, and so are the next four.
@@ -22,6 +26,7 @@ struct PlacedController {
   Vec3 placeWorld{0.0};
   /// The scene's axes as what it is on has carried them from the bind pose.
   Quat orientationWorld{1.0, 0.0, 0.0, 0.0};
+  Carrier carrier = Carrier::scene;
   Mat3 carrierAxesWorld{1.0};     ///< World columns: along which its offset is counted.
   std::optional<Vec3> jointWorld; ///< Of a pole: the joint that it leads.
   /// Of a pole: from where its offset puts it to where it stands, along the carrier's axes. A first move

@@ -145,12 +145,17 @@ Mat3 boneStretch(const Vec3& unitAxis, double stretch, double volume) {
 }
 
 LimbPose limbPose(const LimbShape& shape) {
-  return {shape.turns, std::vector<double>(shape.turns.size(), shape.stretch), Vec3(0.0), shape.end};
+  LimbPose pose;
+  pose.turns = shape.turns;
+  pose.stretches.assign(shape.turns.size(), shape.stretch);
+  pose.end = shape.end;
+  return pose;
 }
 
 LimbPose poseToLead(const Limb& limb, const LimbShape& shape, const FrameState& frame) {
   LimbPose pose = limbPose(shape);
   if (limb.ledByFirst) {
+    pose.leads = true;
     std::ranges::reverse(pose.turns);
     pose.baseMove = shape.end - leadingPosition(limb, frame);
     pose.end = endPosition(limb, frame);
@@ -167,7 +172,7 @@ void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topolo
   for (const NodeIndex node : topology.staying) {
     kept.push_back({node, frame.worlds[at(node)]});
   }
-  const bool isLed = topology.leader.exists();
+  const bool isLed = shape.leads && topology.leader.exists();
   if (isLed) {
     moveLeader(writer, topology.leader, points.front(), shape, options.turnEnd);
   }

@@ -26,6 +26,7 @@ struct LimbPose {
   std::vector<double> stretches;
   Vec3 baseMove{0.0}; ///< How far the first joint is moved away from what it hangs on.
   Vec3 end{0.0};      ///< Where the limb's end comes to.
+  bool leads = false; ///< The first joint leads the others, where the topology has a leader.
 };
 
 [[nodiscard]] LimbPose limbPose(const LimbShape& shape);
@@ -36,8 +37,9 @@ struct LimbPose {
 /// Brings a limb's pose onto the character: turns the limb's joints, moves what hangs on its bones by K,
 /// puts K into FrameState::stretch for the joints that deform with the bone, keeps the end's orientation, and
 /// leaves the subtrees that stay (LimbTopology::staying) where they are. `frame` is what the pose
-/// was solved for; its worlds are kept up to date. Where the first joint leads, it is the one that keeps its
-/// orientation, as a hand does, and its bone is not stretched: the head of a serpent stays a head.
+/// was solved for; its worlds are kept up to date. Of a pose whose first joint leads, that joint is the one
+/// that keeps its orientation, as a hand does, and its bone is not stretched: the head of a serpent stays a
+/// head.
 void deformLimb(const Scene& scene, const Limb& limb, const LimbTopology& topology, const LimbPose& shape,
                 const DeformOptions& options, FrameState& frame);
 

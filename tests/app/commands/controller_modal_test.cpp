@@ -15,8 +15,10 @@ namespace {
 
 constexpr double degree = pi / 180.0;
 
-rig::PlacedController placed(const std::string& id, rig::ControllerKind kind) {
+rig::PlacedController placed(const std::string& id, rig::ControllerKind kind,
+                             rig::Carrier carrier = rig::Carrier::scene) {
   rig::PlacedController controller;
+  controller.carrier = carrier;
   controller.id = id;
   controller.kind = kind;
   return controller;
@@ -103,15 +105,29 @@ TEST_CASE("a turn in the world goes on top of the one that is there") {
 }
 
 TEST_CASE("several controllers move together: what another one carries is not moved twice") {
-  const std::vector<rig::PlacedController> selected{placed("hips", rig::ControllerKind::hips),
-                                                    placed("left-hand", rig::ControllerKind::hand),
-                                                    placed("left-foot", rig::ControllerKind::foot)};
+  const std::vector<rig::PlacedController> selected{
+      placed("hips", rig::ControllerKind::hips),
+      placed("left-hand", rig::ControllerKind::hand, rig::Carrier::chest),
+      placed("left-foot", rig::ControllerKind::foot, rig::Carrier::hips)};
   const std::vector<ControllerOffset> offsets{{"hips"}, {"left-hand"}, {"left-foot"}};
   const std::vector<HeldController> held = heldControllers(ControllerMotion::move, selected, offsets);
   REQUIRE(held.size() == 2);
   CHECK(held[0].placed.id == "hips");
   CHECK(held[1].placed.id == "left-foot");
   CHECK(heldControllers(ControllerMotion::turn, selected, offsets).size() == 3);
+}
+
+TEST_CASE("the chest carries the head and the wings, not the tail, and no foot") {
+  const rig::PlacedController chest = placed("spine-top", rig::ControllerKind::spineTop, rig::Carrier::hips);
+  const auto movesWithChest = [&](const std::string& id, rig::ControllerKind kind, rig::Carrier carrier) {
+    const std::vector<rig::PlacedController> selected{chest, placed(id, kind, carrier)};
+    const std::vector<ControllerOffset> offsets{{chest.id}, {id}};
+    return heldControllers(ControllerMotion::move, selected, offsets).size() == 1;
+  };
+  CHECK(movesWithChest("head", rig::ControllerKind::head, rig::Carrier::chest));
+  CHECK(movesWithChest("left-wing-tip", rig::ControllerKind::tip, rig::Carrier::chest));
+  CHECK_FALSE(movesWithChest("tail-tip", rig::ControllerKind::tip, rig::Carrier::hips));
+  CHECK_FALSE(movesWithChest("front-left-foot", rig::ControllerKind::foot, rig::Carrier::chest));
 }
 
 TEST_CASE("what only turns cannot be moved, what only moves not be turned") {

@@ -9,6 +9,7 @@
 #include "rig/motion/apply_adjustments.h"
 #include "rig/motion/solve_adjustments.h"
 #include "tests/support/rig/adjusted_biped.h"
+#include "tests/support/rig/moving_creatures.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -116,6 +117,18 @@ TEST_CASE("an offset along a controller's carrier axes takes it there in the wor
     INFO(id);
     CHECK(glm::length(after[id].placeWorld - before[id].placeWorld - wanted) < 1e-3 * moving.body.height);
   }
+}
+
+TEST_CASE("a horse's hips carry its tail and its hind legs, its chest its head and its front legs") {
+  const MovingBiped horse = pawingHorse();
+  const Placed placed(horse, {}, 6.0);
+  for (const char* id : {"spine-top", "tail-tip", "hind-left-foot"}) {
+    CHECK(placed[id].carrier == Carrier::hips);
+  }
+  for (const char* id : {"head", "front-left-foot"}) {
+    CHECK(placed[id].carrier == Carrier::chest);
+  }
+  CHECK(placed["body"].carrier == Carrier::scene);
 }
 
 TEST_CASE("every joint that no controller of the body moves has one of its own, turned along its carrier") {

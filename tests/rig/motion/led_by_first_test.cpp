@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
+#include "tests/support/rig/adjusted_biped.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/moving_creatures.h"
 #include "tests/support/rig/rekeyed_clip.h"
+#include "tests/support/rig/soft_limbs.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -15,6 +17,15 @@ namespace {
 
 Vec3 placeIn(const FrameState& frame, NodeIndex node) {
   return positionOf(frame.worlds[at(node)]);
+}
+
+double degreesBetween(const FrameState& before, const FrameState& after, NodeIndex node) {
+  const Quat turn = rotationOf(after.worlds[at(node)]) * glm::inverse(rotationOf(before.worlds[at(node)]));
+  return 2.0 * std::atan2(glm::length(Vec3(turn.x, turn.y, turn.z)), std::abs(turn.w)) * 180.0 / pi;
+}
+
+SoftBones longer(double /*frame*/) {
+  return {1.2, 0.9, 1.0, Vec3(0.3, 1.0, 0.2), 0.0};
 }
 
 } // namespace
@@ -65,4 +76,37 @@ TEST_CASE("A strike that is saved plays as it was shown") {
   const MovingBiped snake = strikingSnake();
   const Rekeyed rekeyed = rekeyedOf(snake, {connectedTrail("spine", 0, 12, 1.6)});
   CHECK(worstMiss(snake, rekeyed, 0, 24) < 1e-4 * snake.body.height);
+}
+
+TEST_CASE("The end of a serpent's spine turns by what its controller is turned, and goes where it is moved") {
+  const MovingBiped snake = strikingSnake();
+  const Limb& spine = snake.limb("spine");
+  const Vec3 aside(0.2, 0.0, 0.1);
+  const FrameState before = sourceAtFrame(snake, 12);
+  const FrameState turnedOne = atFrame(snake, adjusted(snake, {turned("spine-top", {0, 60, 0})}), 12);
+  REQUIRE(spine.endNode.exists());
+  CHECK(degreesBetween(before, turnedOne, spine.endNode) == Approx(60.0).margin(1e-6));
+  CHECK(glm::distance(endPosition(spine, turnedOne), endPosition(spine, before)) < 1e-6 * snake.body.height);
+  CHECK(placeIn(turnedOne, spine.joints.front()) == placeIn(before, spine.joints.front()));
+
+  const FrameState movedTop = atFrame(snake, adjusted(snake, {test::moved("spine-top", aside)}), 12);
+  CHECK(glm::distance(endPosition(spine, movedTop), endPosition(spine, before)) ==
+        Approx(glm::length(aside)).epsilon(1e-6));
+  CHECK(degreesBetween(before, movedTop, spine.endNode) < 1e-6);
+
+  const FrameState movedLow = atFrame(snake, adjusted(snake, {test::moved("spine-low", aside)}), 12);
+  CHECK(glm::distance(placeIn(movedLow, spine.joints.front()), placeIn(before, spine.joints.front())) ==
+        Approx(glm::length(aside)).epsilon(1e-6));
+  CHECK(glm::distance(endPosition(spine, movedLow), endPosition(spine, before)) < 1e-6 * snake.body.height);
+}
+
+TEST_CASE("Weight stretches each bone of a serpent, also that behind its head") {
+  const MovingBiped snake = strikingSnake();
+  const Limb& spine = snake.limb("spine");
+  const FrameState soft = atFrame(snake, softMotion(snake, {}, {softLimb(snake, "spine", longer)}), 12);
+  const std::vector<Vec3> before = limbPoints(spine, sourceAtFrame(snake, 12));
+  const std::vector<Vec3> after = limbPoints(spine, soft);
+  for (std::size_t i = 0; i < spine.joints.size(); ++i) {
+    CHECK(glm::distance(after[i + 1] - after[i], 1.2 * (before[i + 1] - before[i])) < 1e-9);
+  }
 }
