@@ -23,10 +23,11 @@ bool sameClips(const Document& a, const Document& b) {
 
 bool sameDocument(const Document& a, const Document& b) {
   return a.source == b.source && a.scene == b.scene && a.addedFiles == b.addedFiles && sameClips(a, b) &&
-         a.body.limbs == b.body.limbs && a.body.hips == b.body.hips && a.limbsCorrected == b.limbsCorrected &&
-         a.locators == b.locators && a.chains == b.chains && a.trails == b.trails &&
-         a.adjustments == b.adjustments && a.holds == b.holds && a.weights == b.weights &&
-         a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips && a.rates == b.rates;
+         a.body.limbs == b.body.limbs && a.body.plan == b.body.plan && a.body.hips == b.body.hips &&
+         a.limbsCorrected == b.limbsCorrected && a.locators == b.locators && a.chains == b.chains &&
+         a.trails == b.trails && a.adjustments == b.adjustments && a.holds == b.holds &&
+         a.weights == b.weights && a.followingKeys == b.followingKeys && a.loopingClips == b.loopingClips &&
+         a.rates == b.rates;
 }
 
 std::vector<rig::Limb> allLimbs(const Document& document) {

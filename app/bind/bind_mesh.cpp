@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "app/bind/body_to_bind.h"
-#include "app/edits/prop_file_edits.h"
+#include "app/edits/limb_edits.h"
 #include "app/locators/build_rig.h"
 #include "core/gltf/added_file.h"
 #include "core/gltf/edits.h"
@@ -277,10 +277,7 @@ Result<Document> withBoundMeshes(Document document, const BoundMeshes& bound) {
   document.scene = std::move(scene).value();
   document.clips = withMovedJoints(document.clips, bound.moves);
   document.sourceClips = withMovedJoints(document.sourceClips, bound.moves);
-  if (!document.limbsCorrected) {
-    document.body = bodyOfSource(document);
-  }
-  return document;
+  return document.limbsCorrected ? document : detectLimbsAgain(document);
 }
 
 } // namespace stretch::app

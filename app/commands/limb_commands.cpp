@@ -5,7 +5,6 @@
 #include "app/commands/selection.h"
 #include "app/commands/tables.h"
 #include "app/edits/limb_edits.h"
-#include "app/edits/prop_file_edits.h"
 #include "rig/plan/body_plan.h"
 
 namespace stretch::app {
@@ -98,10 +97,7 @@ Status selectAllLimbs(Session& session) {
 }
 
 Status detectAgain(Session& session) {
-  Document changed = session.document();
-  changed.body = bodyOfSource(changed);
-  changed.limbsCorrected = false;
-  return finish(session, changed, "Find the limbs again");
+  return finish(session, detectLimbsAgain(session.document()), "Find the limbs again");
 }
 
 } // namespace
@@ -124,9 +120,11 @@ std::vector<DocumentCommand> limbCommands() {
       {"Ctrl+Shift+A"},
       {[](const Session& session) { return !allLimbs(session.document()).empty(); }, "no limb was found"},
       selectAllLimbs));
-  commands.push_back(entry(command::detectAgain, "Find the limbs again",
-                           "Forgets corrections made by hand and looks for the body plan and its limbs anew.",
-                           {}, {always}, detectAgain));
+  commands.push_back(
+      entry(command::detectAgain, "Find the limbs again",
+            "Forgets corrections made by hand and looks for the body plan and its limbs anew. What "
+            "was set up for limbs that are gone goes with them.",
+            {}, {always}, detectAgain));
   return commands;
 }
 

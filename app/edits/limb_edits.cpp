@@ -1,6 +1,7 @@
 #include "app/edits/limb_edits.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/edits/adjustment_edits.h"
 #include "app/edits/prop_file_edits.h"
@@ -41,6 +42,16 @@ void dropWhatIsWithoutLimb(Document& document) {
   });
 }
 
+// A chain that the user picked may be a limb of the other body: one limb has one id.
+Document withBody(Document document, rig::Body body) {
+  document.body = std::move(body);
+  std::erase_if(document.chains, [&](const rig::Limb& chain) {
+    return std::ranges::find(document.body.limbs, chain.id, &rig::Limb::id) != document.body.limbs.end();
+  });
+  dropWhatIsWithoutLimb(document);
+  return document;
+}
+
 } // namespace
 
 Result<Document> changePlan(const Document& document, const std::string& plan) {
@@ -48,10 +59,14 @@ Result<Document> changePlan(const Document& document, const std::string& plan) {
   if (wanted == nullptr) {
     return Error{"there is no body plan '" + plan + "'", "plan", "give one of: " + rig::planIds()};
   }
-  Document changed = document;
-  changed.body = bodyOfSource(document, *wanted);
+  Document changed = withBody(document, bodyOfSource(document, *wanted));
   changed.limbsCorrected = true;
-  dropWhatIsWithoutLimb(changed);
+  return changed;
+}
+
+Document detectLimbsAgain(const Document& document) {
+  Document changed = withBody(document, bodyOfSource(document));
+  changed.limbsCorrected = false;
   return changed;
 }
 

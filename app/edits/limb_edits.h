@@ -14,6 +14,10 @@ namespace stretch::app {
 /// more goes with them.
 [[nodiscard]] Result<Document> changePlan(const Document& document, const std::string& plan);
 
+/// Forgets corrections made by hand and looks for the plan and its limbs anew. What was set up for limbs that
+/// are gone goes with them.
+[[nodiscard]] Document detectLimbsAgain(const Document& document);
+
 /// Adds a chain that the user picked; the same chain twice is refused.
 [[nodiscard]] Result<Document> addChain(const Document& document, rig::Limb chain);
 

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
+#include "app/commands/command_ids.h"
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
@@ -21,6 +24,16 @@ Document horse() {
   document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(1));
   document.body = rig::detectBody(*document.scene);
   return document;
+}
+
+std::size_t countOf(const std::vector<rig::Limb>& limbs, const std::string& id) {
+  return static_cast<std::size_t>(std::ranges::count(limbs, id, &rig::Limb::id));
+}
+
+const DocumentCommand& commandOf(const std::vector<DocumentCommand>& all, const std::string& id) {
+  const auto found = std::ranges::find(all, id, &DocumentCommand::id);
+  REQUIRE(found != all.end());
+  return *found;
 }
 
 } // namespace
@@ -68,4 +81,50 @@ TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand
     CHECK(static_cast<const rig::LimbPlace&>(opened.body.limbs[i]) ==
           static_cast<const rig::LimbPlace&>(document.body.limbs[i]));
   }
+}
+
+TEST_CASE("Two bodies of the same limbs and of different plans are two documents") {
+  const Document document = horse();
+  Document other = document;
+  other.body.plan = "other";
+  CHECK_FALSE(sameDocument(document, other));
+}
+
+TEST_CASE("A picked chain that is a limb of the new body stands once under its id") {
+  const Document before = horse();
+  const Document other = *changePlan(before, "other");
+  Document picked = before;
+  picked.chains = {other.body.limbs.front(), before.body.limbs.front()};
+  picked.chains.back().id = "tail0..tail1";
+  picked.weights.push_back({picked.chains.front().id, 0, true, {}});
+  const Document changed = *changePlan(picked, "other");
+  CHECK(countOf(allLimbs(changed), picked.chains.front().id) == 1);
+  CHECK(countOf(changed.chains, "tail0..tail1") == 1);
+  CHECK(changed.weights.size() == 1);
+}
+
+TEST_CASE(
+    "Finding the limbs again takes along what was set up for limbs that are gone, and undo brings it back") {
+  Document wrong = *changePlan(horse(), "spider");
+  rig::Trail trail;
+  trail.id = 1;
+  trail.limb = "left-leg";
+  wrong.trails = {trail};
+  wrong.weights = {{"left-leg", 0, true, {}}, {"spine", 0, true, {}}};
+  rig::Adjustment lifted;
+  lifted.controller = "left-foot";
+  lifted.keys.resize(1);
+  wrong.adjustments = {lifted};
+  Session session(wrong);
+  const std::vector<DocumentCommand> commands = documentCommands();
+  REQUIRE(commandOf(commands, command::detectAgain).run(session));
+  const Document& found = session.document();
+  CHECK(found.body.plan == "quadruped");
+  CHECK_FALSE(found.limbsCorrected);
+  CHECK(found.trails.empty());
+  CHECK(found.adjustments.empty());
+  REQUIRE(found.weights.size() == 1);
+  CHECK(found.weights.front().limb == "spine");
+  REQUIRE(commandOf(commands, command::undo).run(session));
+  CHECK(sameDocument(session.document(), wrong));
 }
