@@ -164,3 +164,28 @@ TEST_CASE(
   REQUIRE(commandOf(commands, command::undo).run(session));
   CHECK(sameDocument(session.document(), wrong));
 }
+
+TEST_CASE("The keys of the limbs say what they mean for a horse, and what a horse lacks") {
+  const Session session(horse());
+  const std::vector<DocumentCommand> commands = documentCommands();
+  const DocumentCommand& first = commandOf(commands, command::limbSlots[0]);
+  CHECK(first.labelNow(session) == "Select front left leg");
+  CHECK(first.helpNow(session) == "Selects the front left leg, with its trail at the playhead.");
+  CHECK(commandOf(commands, command::limbSlots[8]).needsNow(session) == "this character has no ninth limb");
+  const DocumentCommand& hoof = commandOf(commands, command::controllerSlots[0]);
+  CHECK(hoof.helpNow(session) ==
+        "Selects the first controller of the front left leg; again goes on to its next one.");
+  CHECK(commandOf(commands, command::controllerSlots[7]).labelNow(session) == "Controllers: hips");
+
+  Document lame = horse();
+  std::erase_if(lame.body.limbs, [](const rig::Limb& limb) { return limb.id == "front-left-leg"; });
+  CHECK(first.needsNow(Session(lame)) == "this character has no front left leg");
+}
+
+TEST_CASE("The body plan that is chosen already is no change") {
+  Session session(horse());
+  const std::vector<DocumentCommand> commands = documentCommands();
+  REQUIRE(commandOf(commands, command::planPrefix + std::string("quadruped")).run(session));
+  CHECK_FALSE(session.history().canUndo());
+  CHECK_FALSE(session.document().limbsCorrected);
+}
