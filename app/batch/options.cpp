@@ -33,8 +33,11 @@ void addFileArguments(CommandLine& line, FileArguments& arguments) {
 }
 
 void addPlan(CommandLine& line, FileArguments& arguments) {
-  line.option("--plan", arguments.plan,
-              "Body plan to read the character as: " + rig::planIds() + "; default: as found")
+  line.option(
+          "--plan", arguments.plan,
+          "Body plan to read the character as: " + rig::planIds() +
+              "; default: as found. Limbs of other bodies than a biped's start from settings of their own "
+              "(docs/body_plans.md)")
       .check([](const std::string& text) {
         return rig::planNamed(text) != nullptr
                    ? std::string()

@@ -22,6 +22,7 @@ struct Command {
   std::function<std::string(const Context&)> labelNow; ///< Where the label is not always the same.
   std::function<std::string(const Context&)> needs;    ///< What to do first while it is off.
   std::string otherwise; ///< Id of the command that its keys run while it is off; may be empty.
+  std::function<std::string(const Context&)> helpNow = {}; ///< Where the help is not always the same.
 };
 
 /// When a command of a character is on, and what to do first while it is off.
@@ -45,12 +46,15 @@ struct DocumentCommand {
   std::string otherwise = {};                               ///< As Command::otherwise.
   std::function<bool(const Session&)> checked = {};         ///< A switch: whether it is on.
   std::function<std::string(const Session&)> labelNow = {}; ///< Where the label depends on what is open.
+  std::function<std::string(const Session&)> helpNow = {};  ///< And the help.
+  std::function<std::string(const Session&)> needsNow = {}; ///< And what to do first.
 };
 
 [[nodiscard]] bool isEnabled(const DocumentCommand& command, const OpenDocument& open);
 /// Of a switch of the character that is open; false for every other command.
 [[nodiscard]] bool isChecked(const DocumentCommand& command, const OpenDocument& open);
 [[nodiscard]] std::string labelNow(const DocumentCommand& command, const OpenDocument& open);
+[[nodiscard]] std::string helpNow(const DocumentCommand& command, const OpenDocument& open);
 /// Why it is off, as what to do first; empty while it is on.
 [[nodiscard]] std::string whyOff(const DocumentCommand& command, const OpenDocument& open);
 /// What is open must be of a kind that the command has a meaning for.

@@ -45,10 +45,7 @@ std::vector<std::string> controllersOfSlot(const Document& document, std::size_t
 std::string nameOfSlot(const Document& document, std::size_t slot) {
   const std::vector<std::string> limbs = limbsByKey(document);
   const bool isNeck = slot < limbs.size() && limbs[slot] == "neck";
-  return slot == limbs.size()  ? "hips"
-         : isNeck              ? "head"
-         : slot < limbs.size() ? limbTitle(document, limbs[slot])
-                               : slotNames[slot];
+  return slot == limbs.size() ? "hips" : isNeck ? "head" : limbTitleOfKey(document, slot);
 }
 
 /// The one after the first that is selected, round and round.
@@ -61,18 +58,25 @@ Status selectNextOf(Session& session, std::size_t slot) {
   return Success{};
 }
 
+std::string slotLabel(const std::string& title, bool add) {
+  return (add ? "Add controllers: " : "Controllers: ") + title;
+}
+
+std::string slotHelp(const std::string& title, bool add) {
+  return add ? "Adds the first controller of the " + title + " to the selection, or takes it away."
+             : "Selects the first controller of the " + title + "; again goes on to its next one.";
+}
+
 DocumentCommand slotCommand(std::size_t slot, bool add) {
-  const std::string title = slotNames[slot];
+  const auto nameNow = [slot](const Session& session) { return nameOfSlot(session.document(), slot); };
   DocumentCommand command;
   command.id = std::string(command::controllerSlots[slot]) + (add ? "-add" : "");
-  command.label = (add ? "Add controllers: " : "Controllers: ") + title;
-  command.labelNow = [slot, add](const Session& session) {
-    return (add ? "Add controllers: " : "Controllers: ") + nameOfSlot(session.document(), slot);
-  };
-  command.help = add ? "Adds the first controller of the " + title + " to the selection, or takes it away."
-                     : "Selects the first controller of the " + title + "; again goes on to its next one.";
+  command.label = slotLabel(slotNames[slot], add);
+  command.labelNow = [=](const Session& session) { return slotLabel(nameNow(session), add); };
+  command.help = slotHelp(slotNames[slot], add);
+  command.helpNow = [=](const Session& session) { return slotHelp(nameNow(session), add); };
   command.keys = {(add ? "Shift+Alt+" : "Alt+") + std::to_string(slot + 1)};
-  command.needs = "this character has no " + title;
+  command.needsNow = [=](const Session& session) { return "this character has no " + nameNow(session); };
   command.enabled = [slot](const Session& session) {
     return !controllersOfSlot(session.document(), slot).empty();
   };

@@ -31,6 +31,11 @@ std::string labelNow(const DocumentCommand& command, const OpenDocument& open) {
   return character != nullptr && command.labelNow ? command.labelNow(*character) : command.label;
 }
 
+std::string helpNow(const DocumentCommand& command, const OpenDocument& open) {
+  const Session* const character = open.character();
+  return character != nullptr && command.helpNow ? command.helpNow(*character) : command.help;
+}
+
 std::string whyOff(const DocumentCommand& command, const OpenDocument& open) {
   if (isEnabled(command, open)) {
     return {};
@@ -40,6 +45,9 @@ std::string whyOff(const DocumentCommand& command, const OpenDocument& open) {
   }
   if (open.character() == nullptr) {
     return command.enabledOnSequence ? command.needs : "needs a character";
+  }
+  if (command.needsNow) {
+    return command.needsNow(*open.character());
   }
   return command.enabled ? command.needs : "needs a mesh sequence";
 }

@@ -26,24 +26,30 @@ bool hasLimbOfSlot(const Session& session, std::size_t slot) {
   return findLimb(session.document(), limbOfSlot(session, slot)) != nullptr;
 }
 
+std::string selectLabel(const std::string& title, bool add) {
+  return (add ? "Add " : "Select ") + title;
+}
+
+std::string selectHelp(const std::string& title, bool add) {
+  return add ? "Adds the " + title + " to the selection, or takes it away."
+             : "Selects the " + title + ", with its trail at the playhead.";
+}
+
 DocumentCommand selectCommand(std::size_t slot, bool add) {
-  const std::string title = slotTitles[slot];
+  const auto titleNow = [slot](const Session& session) { return limbTitleOfKey(session.document(), slot); };
   DocumentCommand command;
   command.id = std::string(command::limbSlots[slot]) + (add ? "-add" : "");
-  command.label = (add ? "Add " : "Select ") + title;
-  command.labelNow = [slot, title, add](const Session& session) {
-    const std::string id = limbOfSlot(session, slot);
-    return (add ? "Add " : "Select ") + (id.empty() ? title : limbTitle(session.document(), id));
-  };
-  command.help = add ? "Adds the " + title + " to the selection, or takes it away."
-                     : "Selects the " + title + ", with its trail at the playhead.";
+  command.label = selectLabel(slotTitles[slot], add);
+  command.labelNow = [=](const Session& session) { return selectLabel(titleNow(session), add); };
+  command.help = selectHelp(slotTitles[slot], add);
+  command.helpNow = [=](const Session& session) { return selectHelp(titleNow(session), add); };
   command.keys = {(add ? "Shift+" : "") + std::to_string(slot + 1)};
-  command.needs = "this character has no " + title;
+  command.needsNow = [=](const Session& session) { return "this character has no " + titleNow(session); };
   command.enabled = [slot](const Session& session) { return hasLimbOfSlot(session, slot); };
   command.checked = [slot](const Session& session) { return isSelected(session, limbOfSlot(session, slot)); };
-  command.run = [slot, title, add](Session& session) -> Status {
+  command.run = [=](Session& session) -> Status {
     if (!hasLimbOfSlot(session, slot)) {
-      return Error{"this character has no " + title, "", "correct the limbs in the rig panel"};
+      return Error{"this character has no " + titleNow(session), "", "correct the limbs in the rig panel"};
     }
     selectLimb(session, limbOfSlot(session, slot), add);
     return Success{};
@@ -58,6 +64,9 @@ DocumentCommand planCommand(const rig::BodyPlan& plan) {
             "Reads the body as " + plan.title +
                 ": which limbs it has. What was set up for limbs that it has no more goes with them.",
             {}, {always}, [id](Session& session) -> Status {
+              if (session.document().body.plan == id) {
+                return Success{};
+              }
               Result<Document> changed = changePlan(session.document(), id);
               if (!changed) {
                 return changed.error();

@@ -3,6 +3,7 @@
 #include "app/locators/locator_edits.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/commands/frames.h"
 #include "app/edits/adjustment_edits.h"
@@ -207,12 +208,20 @@ std::vector<std::string> limbsByKey(const Document& document) {
 
 std::string limbTitle(const Document& document, const std::string& limbId) {
   const rig::Limb* limb = findLimb(document, limbId);
-  if (limb == nullptr || limb->kind == rig::LimbKind::chain) {
+  const bool isPlanned = plannedLimb(planOf(document.body), limbId) != nullptr;
+  if (limb == nullptr ? !isPlanned : limb->kind == rig::LimbKind::chain) {
     return limbId;
   }
   std::string title = limbId;
   std::replace(title.begin(), title.end(), '-', ' ');
   return title;
+}
+
+std::string limbTitleOfKey(const Document& document, std::size_t key) {
+  constexpr std::array<const char*, 9> ordinals{"first", "second",  "third",  "fourth", "fifth",
+                                                "sixth", "seventh", "eighth", "ninth"};
+  const std::vector<std::string> limbs = limbsByKey(document);
+  return key < limbs.size() ? limbTitle(document, limbs[key]) : std::string(ordinals.at(key)) + " limb";
 }
 
 std::string trailTitle(const Document& document, const rig::Trail& trail) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -64,12 +65,15 @@ void selectLocators(Session& session, std::vector<std::string> names);
 /// Control spheres of a trail as they stand in the world, in order of time.
 [[nodiscard]] std::vector<PlacedSphere> placedSpheres(Session& session, int trailId);
 
-/// How people call a limb: "left arm", or the chain's id.
 /// The limbs that the keys 1 to 9 go to, in the order of the diagram: those of the body's plan that were
 /// found or are usual for it; of a body of no known plan its chains.
 [[nodiscard]] std::vector<std::string> limbsByKey(const Document& document);
 
+/// How people call a limb, of a body that may lack it: "left arm", or the chain's id.
 [[nodiscard]] std::string limbTitle(const Document& document, const std::string& limbId);
+
+/// The same of the limb that a key goes to, from 0; "eighth limb" where the body has fewer.
+[[nodiscard]] std::string limbTitleOfKey(const Document& document, std::size_t key);
 
 /// What a trail is called: its own name, else that of its limb.
 [[nodiscard]] std::string trailTitle(const Document& document, const rig::Trail& trail);

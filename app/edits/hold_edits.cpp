@@ -66,11 +66,21 @@ Status checkTime(const Document& document, int clip, const rig::HoldTime& time, 
   return Success{};
 }
 
+// "give one of: front-left-leg, ...": what can be held.
+std::string limbsToHold(const Document& document) {
+  std::string names;
+  for (const rig::Limb& limb : document.body.limbs) {
+    if (hasHandOrFoot(limb)) {
+      names += (names.empty() ? "" : ", ") + limb.id;
+    }
+  }
+  return names.empty() ? "it has no arm and no leg" : "give one of: " + names;
+}
+
 Status checkLimb(const Document& document, const std::string& id) {
   const rig::Limb* const limb = findLimb(document, id);
   if (limb == nullptr || !hasHandOrFoot(*limb)) {
-    return Error{"the character has no hand or foot of a limb '" + id + "'", id,
-                 "give left-arm, right-arm, left-leg or right-leg, where the character has it"};
+    return Error{"the character has no hand or foot of a limb '" + id + "'", id, limbsToHold(document)};
   }
   return Success{};
 }

@@ -334,7 +334,7 @@ void restorePlan(const Json& work, Document& document) {
   const std::string kept = work.value("plan", std::string("biped"));
   const rig::BodyPlan* const plan = rig::planNamed(kept);
   if (work.contains("limbs") && plan != nullptr && kept != document.body.plan) {
-    document.body = rig::bodyAsPlan(*document.scene, *plan);
+    document.body = bodyOfSource(document, *plan);
   }
 }
 

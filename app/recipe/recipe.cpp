@@ -1,7 +1,9 @@
 #include "app/recipe/recipe.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -19,6 +21,7 @@
 #include "core/gltf/json.h"
 #include "core/gltf/json_text.h"
 #include "rig/body/planned_body.h"
+#include "rig/controllers/controller.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {
@@ -63,19 +66,88 @@ Status checkKeys(const Json& json) {
   return Success{};
 }
 
-// All limbs that a recipe for another body names, in one line.
-Status checkLimbs(const Json& json, const Document& document) {
-  std::set<std::string> lacking;
-  for (const char* list : {"trails", "elastic", "pins"}) {
-    for (const Json& entry : json.value(list, Json::array())) {
-      const bool isNamed = entry.is_object() && entry.contains("limb") && entry["limb"].is_string();
-      const std::string limb = isNamed ? entry["limb"].get<std::string>() : std::string();
-      if (isNamed && limb.find("..") == std::string::npos && findLimb(document, limb) == nullptr) {
-        lacking.insert(limb);
+using LimbNames = std::set<std::string>;
+
+void addName(const Json& entry, const char* key, LimbNames& names) {
+  if (entry.is_object() && entry.contains(key) && entry[key].is_string()) {
+    names.insert(entry[key].get<std::string>());
+  }
+}
+
+void addNamesOfList(const Json& json, const char* list, std::initializer_list<const char*> keys,
+                    LimbNames& names) {
+  for (const Json& entry : json.value(list, Json::array())) {
+    for (const char* const key : keys) {
+      addName(entry, key, names);
+    }
+  }
+}
+
+// Limbs that the lists of a recipe name, whatever else stands in them.
+LimbNames limbsNamed(const Json& json) {
+  LimbNames limbs;
+  for (const char* const list : {"trails", "elastic", "pins"}) {
+    addNamesOfList(json, list, {"limb"}, limbs);
+  }
+  addNamesOfList(json, "grips", {"leader", "follower"}, limbs);
+  for (const Json& prop : json.value("props", Json::array())) {
+    const Json hands = prop.is_object() ? prop.value("hands", Json::object()) : Json::object();
+    for (const auto& [limb, keys] : hands.items()) {
+      limbs.insert(hands.is_object() ? limb : std::string());
+    }
+  }
+  limbs.erase(std::string());
+  return limbs;
+}
+
+// Of any plan: "left-hand" and "left-arm.stretch" are left-arm's.
+std::string limbOfPlannedController(const std::string& id) {
+  const std::string name = id.substr(0, id.find('.'));
+  if (name.empty()) {
+    return {};
+  }
+  if (name.starts_with("spine-")) {
+    return "spine";
+  }
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    for (const rig::PlannedLimb& planned : plan.limbs) {
+      rig::Limb limb;
+      static_cast<rig::LimbPlace&>(limb) = planned.place;
+      limb.id = planned.id;
+      if (name == limb.id || name == rig::endController(limb) || name == rig::poleController(limb)) {
+        return limb.id;
       }
     }
   }
-  if (lacking.empty() || document.body.plan == "biped") {
+  return {};
+}
+
+// Limbs whose controllers or attributes a recipe adjusts and this character lacks.
+LimbNames limbsOfLackingControllers(const Json& json, const Document& document) {
+  LimbNames ids;
+  addNamesOfList(json, "adjustments", {"controller", "attribute"}, ids);
+  const rig::ControllerList list = controllersOf(document);
+  LimbNames limbs;
+  for (const std::string& id : ids) {
+    if (list.attribute(id) == nullptr && !findController(document, list, id)) {
+      limbs.insert(limbOfPlannedController(id));
+    }
+  }
+  limbs.erase(std::string());
+  return limbs;
+}
+
+// All limbs that a recipe for another body names, in one line.
+Status checkLimbs(const Json& json, const Document& document) {
+  if (document.body.plan == "biped") {
+    return Success{};
+  }
+  LimbNames lacking = limbsNamed(json);
+  lacking.merge(limbsOfLackingControllers(json, document));
+  std::erase_if(lacking, [&](const std::string& limb) {
+    return limb.find("..") != std::string::npos || findLimb(document, limb) != nullptr;
+  });
+  if (lacking.empty()) {
     return Success{};
   }
   std::string names;

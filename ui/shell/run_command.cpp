@@ -225,7 +225,8 @@ std::string keyTextOf(const Shell& shell, const app::Command<Shell>& command) {
 void describeCommands(Shell& shell) {
   shell.commandInfos.clear();
   for (const app::Command<Shell>& command : shell.commands) {
-    shell.commandInfos.push_back({command.id, labelNow(shell, command), command.help,
+    shell.commandInfos.push_back({command.id, labelNow(shell, command),
+                                  command.helpNow ? command.helpNow(shell) : command.help,
                                   keyTextOf(shell, command), command.enabled(shell), isOn(shell, command),
                                   reasonOf(shell, command), command.label});
   }

@@ -59,7 +59,8 @@ ShellCommand fromDocument(const app::DocumentCommand& command) {
           [command](const Shell& shell) { return app::isChecked(command, shell.open); },
           [command](const Shell& shell) { return app::labelNow(command, shell.open); },
           [command](const Shell& shell) { return app::whyOff(command, shell.open); },
-          command.otherwise};
+          command.otherwise,
+          [command](const Shell& shell) { return app::helpNow(command, shell.open); }};
 }
 
 /// What a command shows or hides; null for a command that does something else.

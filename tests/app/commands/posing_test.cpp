@@ -25,7 +25,7 @@ std::string run(Session& session, const std::string& id) {
   const auto command = std::ranges::find(commands, id, &DocumentCommand::id);
   REQUIRE(command != commands.end());
   if (!command->enabled(session)) {
-    return command->needs;
+    return command->needsNow ? command->needsNow(session) : command->needs;
   }
   const Status done = command->run(session);
   return done ? std::string() : done.error().line();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include <catch2/catch.hpp>
 
@@ -6,9 +7,15 @@
 #include "app/commands/document_commands.h"
 #include "app/commands/selection.h"
 #include "app/edits/limb_edits.h"
+#include "app/edits/prop_file_edits.h"
+#include "app/files/save.h"
 #include "app/files/saved_work.h"
 #include "core/gltf/json.h"
+#include "tests/support/app/posed_file.h"
+#include "tests/support/rig/character_file.h"
 #include "tests/support/rig/creatures.h"
+#include "tests/support/rig/moving_creatures.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using namespace stretch::app;
@@ -24,6 +31,21 @@ Document horse() {
   document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>(1));
   document.body = rig::detectBody(*document.scene);
   return document;
+}
+
+/// A file of rigid parts that stand as a person does.
+void writeFigure(const std::filesystem::path& path) {
+  SyntheticBiped figure = makeBody();
+  figure.withSkin = false;
+  nameByKeys(figure);
+  Scene scene = build(figure).scene;
+  Primitive part;
+  part.positions = {{0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}, {0.0F, 0.05F, 0.05F}};
+  scene.meshes = {{"part", {part}, {}}};
+  for (Node& node : scene.nodes) {
+    node.mesh = 0;
+  }
+  characterFile(scene, {}).write(path);
 }
 
 std::size_t countOf(const std::vector<rig::Limb>& limbs, const std::string& id) {
@@ -83,6 +105,20 @@ TEST_CASE("A file keeps the limbs of a horse, and a plan that was chosen by hand
   }
 }
 
+TEST_CASE("A plan that was chosen by hand is read from the character alone when its file opens with a prop") {
+  const TemporaryFolder folder;
+  creatureFile(strikingSnake()).write(folder / "snake.glb");
+  writeFigure(folder / "figure.glb");
+  const Result<AddedProp> added =
+      withPropFile(openedFile((folder / "snake.glb").string()), {folder / "figure.glb", {}, 0, 0.0, {}});
+  REQUIRE(added);
+  const Document chosen = *changePlan(added->document, "other");
+  Document again = added->document;
+  REQUIRE(restoreWork(workOf(chosen), again));
+  CHECK(again.body.hips == chosen.body.hips);
+  CHECK(again.body.head == chosen.body.head);
+}
+
 TEST_CASE("Two bodies of the same limbs and of different plans are two documents") {
   const Document document = horse();
   Document other = document;
@@ -127,4 +163,29 @@ TEST_CASE(
   CHECK(found.weights.front().limb == "spine");
   REQUIRE(commandOf(commands, command::undo).run(session));
   CHECK(sameDocument(session.document(), wrong));
+}
+
+TEST_CASE("The keys of the limbs say what they mean for a horse, and what a horse lacks") {
+  const Session session(horse());
+  const std::vector<DocumentCommand> commands = documentCommands();
+  const DocumentCommand& first = commandOf(commands, command::limbSlots[0]);
+  CHECK(first.labelNow(session) == "Select front left leg");
+  CHECK(first.helpNow(session) == "Selects the front left leg, with its trail at the playhead.");
+  CHECK(commandOf(commands, command::limbSlots[8]).needsNow(session) == "this character has no ninth limb");
+  const DocumentCommand& hoof = commandOf(commands, command::controllerSlots[0]);
+  CHECK(hoof.helpNow(session) ==
+        "Selects the first controller of the front left leg; again goes on to its next one.");
+  CHECK(commandOf(commands, command::controllerSlots[7]).labelNow(session) == "Controllers: hips");
+
+  Document lame = horse();
+  std::erase_if(lame.body.limbs, [](const rig::Limb& limb) { return limb.id == "front-left-leg"; });
+  CHECK(first.needsNow(Session(lame)) == "this character has no front left leg");
+}
+
+TEST_CASE("The body plan that is chosen already is no change") {
+  Session session(horse());
+  const std::vector<DocumentCommand> commands = documentCommands();
+  REQUIRE(commandOf(commands, command::planPrefix + std::string("quadruped")).run(session));
+  CHECK_FALSE(session.history().canUndo());
+  CHECK_FALSE(session.document().limbsCorrected);
 }

@@ -122,6 +122,32 @@ TEST_CASE("A recipe of a biped says which limbs a horse lacks, and a wrong plan 
   CHECK_THAT(centaur.told, Catch::Contains("biped, quadruped, bird, insect, spider, serpent, other"));
 }
 
+TEST_CASE("A recipe of a biped tells all limbs that a horse lacks, wherever it names them") {
+  const CreatureOnDisk file(pawingHorse());
+  file.folder.write("recipe.json", R"({"version": 1, "trails": [{"limb": "spine", "scale": 2}],
+    "grips": [{"leader": "right-arm", "follower": "left-arm", "range": [0, 10]}],
+    "props": [{"node": "Bat", "bound_at": 0, "hands": {"right-leg": [{"frame": 0, "value": 1}]}}],
+    "adjustments": [{"controller": "left-knee", "keys": [{"frame": 3, "move": [0, 0.1, 0]}]},
+                    {"attribute": "head.none", "keys": [{"frame": 3, "value": 1}]}]})");
+  const std::string output = (file.folder / "out.glb").string();
+  const VerbAnswer lacking =
+      runVerb({"pose", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
+  CHECK(lacking.exitCode == 1);
+  CHECK_THAT(lacking.told, Catch::Contains("a quadruped and lacks left-arm, left-leg, right-arm, right-leg"));
+}
+
+TEST_CASE("A grip that names no foot of a horse says which limbs can be held") {
+  const CreatureOnDisk file(pawingHorse());
+  file.folder.write("recipe.json", R"({"version": 1,
+    "grips": [{"leader": "tail", "follower": "front-left-leg", "range": [0, 10]}]})");
+  const std::string output = (file.folder / "out.glb").string();
+  const VerbAnswer refused =
+      runVerb({"pose", file.path, "-o", output, "--recipe", (file.folder / "recipe.json").string()});
+  CHECK(refused.exitCode == 1);
+  CHECK_THAT(refused.told, Catch::Contains("front-left-leg, front-right-leg, hind-left-leg, hind-right-leg"));
+  CHECK_THAT(refused.told, !Catch::Contains("left-arm"));
+}
+
 TEST_CASE("A file keeps which end of a serpent leads, also where its joints were chosen by hand") {
   const CreatureOnDisk file(strikingSnake());
   const Document snake = openedFile(file.path);

@@ -162,6 +162,19 @@ Mat4 atRest(const Document& document, const char* joint) {
 
 } // namespace
 
+TEST_CASE("Binding takes along what was set up for limbs that the bound body has not", "[locators]") {
+  Session session = personSession();
+  REQUIRE(runCommand(session, command::locatorsFit));
+  Document before = session.document();
+  before.weights = {{"left-arm", 0, true, {}}, {"tail", 0, true, {}}};
+  const Result<BoundMeshes> bound = bindMeshes(before, {.locators = before.locators});
+  REQUIRE(bound);
+  const Result<Document> made = withBoundMeshes(before, *bound);
+  REQUIRE(made);
+  REQUIRE(made->weights.size() == 1);
+  CHECK(made->weights.front().limb == "left-arm");
+}
+
 TEST_CASE(
     "Locators of a bound file that was opened again are shown, moved, and bound again at their new places") {
   const test::TemporaryFolder folder;

@@ -17,7 +17,7 @@ std::vector<ui::CommandInfo> allCommands(const app::OpenDocument& open) {
   std::vector<ui::CommandInfo> infos;
   for (const app::DocumentCommand& command : app::documentCommands()) {
     const bool enabled = app::isEnabled(command, open);
-    infos.push_back({command.id, app::labelNow(command, open), command.help,
+    infos.push_back({command.id, app::labelNow(command, open), app::helpNow(command, open),
                      command.keys.empty() ? "" : command.keys.front(), enabled, app::isChecked(command, open),
                      app::whyOff(command, open), command.label});
   }
