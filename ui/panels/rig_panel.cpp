@@ -41,7 +41,9 @@ void fileSummary(PanelContext& context) {
   const Scene& scene = *document.scene;
   valueRow(widgets, "Mesh", grouped(vertexCount(scene)) + " vertices");
   const std::string joints = scene.skins.empty() ? "no skin" : grouped(jointCount(scene)) + " joints";
-  valueRow(widgets, "Rig", joints + ", " + shortNumber(document.body.height) + (document.body.isBiped ? " m tall" : " m large"),
+  valueRow(widgets, "Rig",
+           joints + ", " + shortNumber(document.body.height) +
+               (document.body.isBiped ? " m tall" : " m large"),
            {.title = capitalised(planOf(document.body).title),
             .text = "The size in the bind pose is what tolerances are measured against."});
 }
