@@ -62,7 +62,7 @@ BodyJoints bodyJoints(const StandingBody& body, const Found& found) {
   BodyJoints joints;
   joints.facing = facingOf(legs) < 0.0 ? -1.0 : 1.0;
   joints.trunk = trunkJoints(body, crotch, shoulders, halfWidthOf(arms));
-  const double hips = hipHeightOf(crotch, joints.trunk.neck.place.y);
+  const double hips = areBoxes(legs) ? crotch : hipHeightOf(crotch, joints.trunk.neck.place.y);
   joints.trunk.hips.place.y = hips + hipsOverHips;
   joints.trunk.hips.confidence = legs.found() ? 0.8 : 0.3;
   joints.leftLeg =
