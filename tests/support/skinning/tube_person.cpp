@@ -67,8 +67,9 @@ void addArm(const std::string& name, double side, const TubePose& pose, TubePers
   person.joints[name + "LowerArm"] = at(0.28);
   person.joints[name + "Hand"] = at(0.53);
   if (pose.hasRods) {
-    Tubes(person).add({{at(-0.08), 0.02}, {at(0.28), 0.02}});
-    Tubes(person).add({{at(0.25), 0.07}, {at(0.7), 0.07}});
+    Tubes(person).add({{at(-0.08), 0.02}, {at(0.2), 0.02}});
+    Tubes(person).add({{at(0.14), 0.07}, {at(0.72), 0.07}});
+    person.joints[name + "LowerArm"] = at(0.18);
     person.joints.erase(name + "Hand");
     return;
   }
