@@ -100,8 +100,8 @@ Status addTrail(const Session& session, const std::string& limbId, const Vec2& r
   return Success{};
 }
 
-/// The limb's trail that is meant, else a new one over its range; where its range is taken, what takes it acts
-/// with the other limbs.
+/// The limb's trail that is meant, else a new one over its range; where its range is taken, what takes it
+/// acts with the other limbs.
 Status addMeantTrail(const Session& session, const std::string& limbId, const Wanted& wanted,
                      ExaggerateTargets& targets) {
   const ViewState& view = session.view();
@@ -111,8 +111,7 @@ Status addMeantTrail(const Session& session, const std::string& limbId, const Wa
     return Success{};
   }
   if (view.selectedLimbs.size() > 1 && !freeRange(targets.document, limbId, view.clip, range, view.frame)) {
-    targets.trailIds.push_back(
-        overlappingTrail(targets.document, limbId, view.clip, range.x, range.y)->id);
+    targets.trailIds.push_back(overlappingTrail(targets.document, limbId, view.clip, range.x, range.y)->id);
     return Success{};
   }
   return addTrail(session, limbId, range, true, targets);

@@ -26,9 +26,9 @@ enum class OverlapChoice {
 
 /// The selected trail with those of the other selected limbs that share time with it. Without one, for each
 /// selected limb: its trail in the range that was set (else at the playhead), or a new one over that range;
-/// where none is set, over its own stroke (ranges.h, rangeBeside). All are exaggerated and connected; new ones
-/// that are made at once become a group. Where one of the clip's first trails ends so near to the clip's end
-/// that its way back has no room, and the clip's last pose is its first, the clip is marked as a loop. An
+/// where none is set, over its own stroke (ranges.h, rangeBeside). All are exaggerated and connected; new
+/// ones that are made at once become a group. Where one of the clip's first trails ends so near to the clip's
+/// end that its way back has no room, and the clip's last pose is its first, the clip is marked as a loop. An
 /// error when no limb is selected, or no frame is free.
 [[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session,
                                                           OverlapChoice choice = OverlapChoice::edit);

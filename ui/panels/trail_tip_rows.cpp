@@ -67,7 +67,8 @@ void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
   propose.width = ImGui::GetContentRegionAvail().x;
   if (button(widgetsOf(context), propose)) {
     const bool tipIsEnd = solved.settings.pivot == rig::Pivot::start;
-    editRange(context, {true, true}, [&](TrailSettings& s) { (tipIsEnd ? s.endFrame : s.startFrame) = frame; });
+    editRange(context, {true, true},
+              [&](TrailSettings& s) { (tipIsEnd ? s.endFrame : s.startFrame) = frame; });
   }
 }
 

@@ -89,8 +89,8 @@ std::string seamText(const app::Session& session, const TakenStroke& taken) {
 /// Empty where all limbs have one range, or none was made just now.
 std::string othersText(const app::Session& session, const ExaggerateTool& tool) {
   const std::vector<int>& ids = tool.targets.trailIds;
-  const bool areNew = std::ranges::all_of(
-      ids, [&](int id) { return app::findTrail(session.atBegin(), id) == nullptr; });
+  const bool areNew =
+      std::ranges::all_of(ids, [&](int id) { return app::findTrail(session.atBegin(), id) == nullptr; });
   const rig::TrailSettings& leading = app::findTrail(session.document(), ids.front())->settings;
   const bool isOneRange = std::ranges::all_of(ids, [&](int id) {
     const rig::TrailSettings& settings = app::findTrail(session.document(), id)->settings;
