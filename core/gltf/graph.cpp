@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/core.h>
@@ -59,6 +61,20 @@ void validateScenes(const Json& json, const std::vector<int>& parents, Problems&
   }
 }
 
+// A viewer computes in single precision.
+void validateSizes(const Json& node, const std::string& place, Problems& problems) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  for (const char* key : {"translation", "scale", "matrix"}) {
+    for (const double number : numbersOf(node, key)) {
+      if (std::abs(number) > largest) {
+        problems.error(place + "." + key,
+                       fmt::format("holds {}, which is too large for single precision", number));
+        return;
+      }
+    }
+  }
+}
+
 void validateTransforms(const Json& json, Problems& problems) {
   for (std::size_t i = 0; i < sizeOf(json, "nodes"); ++i) {
     const Json& node = element(json, "nodes", i);
@@ -67,6 +83,7 @@ void validateTransforms(const Json& json, Problems& problems) {
     if (find(node, "matrix") != nullptr && hasParts) {
       problems.error(at("nodes", i), "has both a matrix and translation, rotation or scale");
     }
+    validateSizes(node, at("nodes", i), problems);
     const std::vector<double> rotation = numbersOf(node, "rotation");
     const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
     if (!rotation.empty() && std::abs(square - 1.0) > 1e-2) {

@@ -142,12 +142,16 @@ bool restoreFirstBuffer(Source& source, const Json& record) {
 
 bool restoreBuffers(Source& source, const Json& record) {
   const auto count = static_cast<std::size_t>(wholeOr(record, "count", 0));
-  if (count > source.buffers.size()) {
+  const bool isArray = flagOr(record, "is_array", false);
+  const Json* const described = find(source.json, "buffers");
+  const bool fits =
+      isArray ? described != nullptr && described->is_array() && count <= described->size() : count == 0;
+  if (!fits || count > source.buffers.size()) {
     return false;
   }
   source.hasBinaryChunk = flagOr(record, "binary_chunk", false);
   source.buffers.resize(count);
-  if (!flagOr(record, "is_array", false)) {
+  if (!isArray) {
     source.json->erase("buffers");
     return true;
   }

@@ -200,7 +200,7 @@ std::vector<double> pathRatios(const std::vector<Vec3>& points, const std::vecto
     ratios[i] = ratios[i - 1] + glm::length(points[i] - points[i - 1]);
   }
   double whole = ratios.back();
-  if (!(whole > 0.0)) {
+  if (!(whole > 0.0 && std::isfinite(whole))) { // so far away that it cannot be measured, or on the spot
     whole = timesSeconds.back() - timesSeconds.front();
     std::transform(timesSeconds.begin(), timesSeconds.end(), ratios.begin(),
                    [&](double time) { return time - timesSeconds.front(); });
@@ -230,7 +230,7 @@ Remap::Remap(RemapKind kind, const Ease& easeIn, const Ease& easeOut) {
 }
 
 double Remap::at(double ratio) const {
-  const double r = std::clamp(ratio, 0.0, 1.0);
+  const double r = ratio > 0.0 ? std::min(ratio, 1.0) : 0.0; // 0 for what is no number
   if (spline_) {
     return spline_->at(r);
   }

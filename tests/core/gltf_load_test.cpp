@@ -254,6 +254,11 @@ std::vector<Fault> structuralFaults() {
          g.json["nodes"][5]["scale"] = {1, 1, 1};
        },
        "nodes[5]"},
+      {"a place beyond single precision",
+       [](GlbBuilder& g) {
+         g.json["nodes"][2]["translation"] = {0, 1e300, 0};
+       },
+       "nodes[2].translation"},
       {"index is text", [](GlbBuilder& g) { g.json["nodes"][4]["skin"] = "0"; }, "nodes[4].skin"},
       {"index is negative", [](GlbBuilder& g) { g.json["nodes"][4]["mesh"] = -1; }, "nodes[4].mesh"},
       {"primitives are no array", [](GlbBuilder& g) { g.json["meshes"][0]["primitives"] = 3; },

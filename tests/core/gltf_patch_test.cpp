@@ -368,6 +368,19 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
   SECTION("undo broken") {
     (*changed.json)["extras"]["stretch_engine"]["restore"]["steps"][0] = {"cut", "/nowhere", 3};
   }
+  Json& restore = (*changed.json)["extras"]["stretch_engine"]["restore"];
+  SECTION("buffers that are no list") {
+    restore["buffers"]["is_array"] = 0.5;
+  }
+  SECTION("more buffers than the file has") {
+    restore["buffers"]["count"] = 2;
+    changed.buffers.push_back(changed.buffers[0]);
+    (*changed.json)["buffers"].push_back((*changed.json)["buffers"][0]);
+    restore["steps"].push_back({"cut", "/buffers", 1});
+  }
+  SECTION("a list of buffers that its steps take away") {
+    restore["steps"].push_back({"remove", "/buffers"});
+  }
   const gltf::Loaded result = reopened(folder, changed);
   CHECK(result.savedWork.isNull());
   REQUIRE(result.warnings.size() == 1);

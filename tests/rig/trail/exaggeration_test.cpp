@@ -127,6 +127,12 @@ TEST_CASE("a limb that does not move has nothing to scale") {
   CHECK(solution.tip == Vec3(1, 0, 0));
 }
 
+TEST_CASE("a path too long to be measured goes by time") {
+  const std::vector<double> ratios =
+      pathRatios({Vec3(0.0), Vec3(1e300, 0, 0), Vec3(0.0)}, {0.0, 0.5, 1.0}, Pivot::start);
+  CHECK(ratios == std::vector<double>{0.0, 0.5, 1.0});
+}
+
 TEST_CASE("a planted foot has nothing to scale, whatever it trembles") {
   TipProblem problem;
   problem.points = {Vec3(0.0), Vec3(1e-4, 0.0, 0.0), Vec3(0.2e-4, 0.0, 0.0), Vec3(1e-4, 0.0, 0.0)};
@@ -166,6 +172,12 @@ TEST_CASE("a foot that stands still at its keys only is moved, not scaled by hun
   CHECK(solution.moved);
   CHECK_FALSE(solution.trailScale);
   CHECK(glm::length(solution.tip - problem.basePosition) == Approx(2.0));
+}
+
+TEST_CASE("what is no number has no weight") {
+  for (const RemapKind kind : {RemapKind::spline, RemapKind::linear}) {
+    CHECK(Remap(kind, {0.0, 0.1}, {0.0, 0.9}).at(std::nan("")) == 0.0);
+  }
 }
 
 TEST_CASE("the remap is monotone and stays between 0 and 1 for every ease") {
