@@ -54,10 +54,24 @@ Result<const rig::Limb*> leadingLimb(const Session& session) {
                               : owners[static_cast<std::size_t>(strongest - strokes.data())];
 }
 
-/// One range for all limbs that are exaggerated at once.
-Result<Vec2> commonRange(const Session& session) {
+/// What is exaggerated at once: limbs, and the range of the one that leads.
+struct Wanted {
+  std::string leadingLimb;
+  Vec2 leadingRange{0.0};
+};
+
+Result<Wanted> wantedOf(const Session& session) {
   const Result<const rig::Limb*> leading = leadingLimb(session);
-  return leading ? Result<Vec2>(workingRange(session, **leading)) : Result<Vec2>(leading.error());
+  return leading ? Result<Wanted>(Wanted{(*leading)->id, workingRange(session, **leading)})
+                 : Result<Wanted>(leading.error());
+}
+
+/// A range that was set counts for all limbs; else each has its own.
+Vec2 rangeOf(const Session& session, const std::string& limbId, const Wanted& wanted) {
+  const rig::Limb* const limb = findLimb(session.document(), limbId);
+  return limb == nullptr || limbId == wanted.leadingLimb || isRangeSet(session.view())
+             ? wanted.leadingRange
+             : rangeBeside(session, *limb, wanted.leadingRange);
 }
 
 /// Adds a trail of the limb in what is free of the range.
@@ -84,6 +98,29 @@ Status addTrail(const Session& session, const std::string& limbId, const Vec2& r
   targets.trailIds.push_back(created->trailId);
   targets.document = std::move(created->document);
   return Success{};
+}
+
+/// The limb's trail that is meant, else a new one over its range; where its range is taken, what takes it
+/// acts with the other limbs.
+Status addMeantTrail(const Session& session, const std::string& limbId, const Wanted& wanted,
+                     ExaggerateTargets& targets) {
+  const ViewState& view = session.view();
+  const Vec2 range = rangeOf(session, limbId, wanted);
+  if (const int meant = meantTrail(session, limbId); meant != 0) {
+    targets.trailIds.push_back(meant);
+    return Success{};
+  }
+  if (view.selectedLimbs.size() > 1 && !freeRange(targets.document, limbId, view.clip, range, view.frame)) {
+    targets.trailIds.push_back(overlappingTrail(targets.document, limbId, view.clip, range.x, range.y)->id);
+    return Success{};
+  }
+  return addTrail(session, limbId, range, true, targets);
+}
+
+/// The trail of the limb that leads comes first.
+void leadWith(const std::string& limbId, ExaggerateTargets& targets) {
+  const auto leads = [&](int id) { return findTrail(targets.document, id)->limb == limbId; };
+  std::stable_partition(targets.trailIds.begin(), targets.trailIds.end(), leads);
 }
 
 /// New trails that were made at once are one group.
@@ -147,10 +184,12 @@ bool areNew(const Document& before, const ExaggerateTargets& targets) {
 void loopWhereItHelps(const Document& before, int clip, ExaggerateTargets& targets) {
   const bool isFirst = std::none_of(before.trails.begin(), before.trails.end(),
                                     [&](const rig::Trail& trail) { return trail.clip == clip; });
-  const rig::TrailSettings& settings = findTrail(targets.document, targets.trailIds.front())->settings;
-  const double room = lastFrame(before, clip) - settings.endFrame;
+  const auto hasNoRoom = [&](int id) {
+    const rig::TrailSettings& settings = findTrail(targets.document, id)->settings;
+    return lastFrame(before, clip) - settings.endFrame < settings.endFrame - settings.startFrame;
+  };
   if (isFirst && !isLooping(before, clip) && !hasWeight(before, clip) &&
-      room < settings.endFrame - settings.startFrame && endsMeet(before, clip)) {
+      std::ranges::any_of(targets.trailIds, hasNoRoom) && endsMeet(before, clip)) {
     targets.document = setLooping(targets.document, clip, true);
     targets.madeLoop = true;
   }
@@ -185,16 +224,18 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   if (!hasClip(session.document(), view.clip)) {
     return Error{"the file has no animation", "", "open a file with a clip"};
   }
-  const Result<Vec2> range = commonRange(session);
-  if (!range) {
-    return range.error();
+  const Result<Wanted> wanted = wantedOf(session);
+  if (!wanted) {
+    return wanted.error();
   }
   ExaggerateTargets targets{session.document(), {}};
   for (const std::string& limbId : view.selectedLimbs) {
-    if (const Status added = addTrail(session, limbId, *range, exaggerated, targets); !added) {
+    const Vec2 range = rangeOf(session, limbId, *wanted);
+    if (const Status added = addTrail(session, limbId, range, exaggerated, targets); !added) {
       return added.error();
     }
   }
+  leadWith(wanted->leadingLimb, targets);
   if (const Status grouped = groupNew(session.document(), targets); !grouped) {
     return grouped.error();
   }
@@ -217,17 +258,16 @@ Result<ExaggerateTargets> foundOrMade(const Session& session, OverlapChoice choi
     if (!hasClip(session.document(), session.view().clip)) {
       return Error{"the file has no animation", "", "open a file with a clip"};
     }
-    const Result<Vec2> range = commonRange(session);
-    if (!range) {
-      return range.error();
+    const Result<Wanted> wanted = wantedOf(session);
+    if (!wanted) {
+      return wanted.error();
     }
     for (const std::string& limbId : session.view().selectedLimbs) {
-      if (const int meant = meantTrail(session, limbId); meant != 0) {
-        targets.trailIds.push_back(meant);
-      } else if (const Status added = addTrail(session, limbId, *range, true, targets); !added) {
+      if (const Status added = addMeantTrail(session, limbId, *wanted, targets); !added) {
         return added.error();
       }
     }
+    leadWith(wanted->leadingLimb, targets);
   }
   for (const int id : targets.trailIds) {
     exaggerate(*findTrail(targets.document, id));
@@ -279,7 +319,10 @@ Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTarget
   ExaggerateTargets moved = targets;
   for (const int id : targets.trailIds) {
     const rig::Trail& trail = *findTrail(targets.document, id);
-    rig::TrailSettings settings = newTrailSettings(session, *findLimb(targets.document, trail.limb), range);
+    const rig::Limb& limb = *findLimb(targets.document, trail.limb);
+    const bool leads = id == targets.trailIds.front();
+    const Vec2 own = leads ? range : rangeBesideStroke(session, limb, range);
+    rig::TrailSettings settings = newTrailSettings(session, limb, own);
     settings.scale = trail.settings.scale;
     Result<Document> changed = setTrailSettings(moved.document, id, settings);
     if (!changed) {

@@ -25,11 +25,11 @@ enum class OverlapChoice {
 };
 
 /// The selected trail with those of the other selected limbs that share time with it. Without one, for each
-/// selected limb: its trail in the range that was set (else at the playhead), or a new one over the working
-/// range. All are exaggerated and connected; new ones that
-/// are made at once become a group. Where the clip's first trail ends so near to the clip's end that its way
-/// back has no room, and the clip's last pose is its first, the clip is marked as a loop. An error when no
-/// limb is selected, or no frame is free.
+/// selected limb: its trail in the range that was set (else at the playhead), or a new one over that range;
+/// where none is set, over its own stroke (ranges.h, rangeBeside). All are exaggerated and connected; new
+/// ones that are made at once become a group. Where one of the clip's first trails ends so near to the clip's
+/// end that its way back has no room, and the clip's last pose is its first, the clip is marked as a loop. An
+/// error when no limb is selected, or no frame is free.
 [[nodiscard]] Result<ExaggerateTargets> exaggerateTargets(const Session& session,
                                                           OverlapChoice choice = OverlapChoice::edit);
 
@@ -38,7 +38,8 @@ enum class OverlapChoice {
 [[nodiscard]] std::optional<Vec2> nextStroke(const Session& session, const ExaggerateTargets& targets,
                                              bool forwards);
 
-/// The targets, which were made just now, over another range, as new trails would start there.
+/// The targets, which were made just now, over another range of the leading one, as new trails would start
+/// there; the others over what they do at that time (ranges.h, rangeBesideStroke).
 [[nodiscard]] Result<ExaggerateTargets> movedTo(const Session& session, const ExaggerateTargets& targets,
                                                 const Vec2& range);
 
@@ -46,7 +47,8 @@ enum class OverlapChoice {
 [[nodiscard]] Result<Document> exaggeratedWith(const ExaggerateTargets& targets,
                                                const ExaggerateModal& modal);
 
-/// The new trails of the selected limbs over the working range, as plain original paths.
+/// The new trails of the selected limbs, as plain original paths: over the range that was set, else each over
+/// its own stroke.
 [[nodiscard]] Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated);
 
 /// What a new trail of the limb over a range starts from.

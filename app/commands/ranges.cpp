@@ -20,6 +20,31 @@ double lengthOf(const Vec2& range) {
   return range.y - range.x;
 }
 
+double sharedTime(const Vec2& a, const Vec2& b) {
+  return std::max(0.0, std::min(a.y, b.y) - std::max(a.x, b.x));
+}
+
+/// Whether most of the time that either of them takes is both's.
+bool isOneMovement(const Vec2& a, const Vec2& b) {
+  constexpr double most = 2.0 / 3.0;
+  return sharedTime(a, b) >= most * (std::max(a.y, b.y) - std::min(a.x, b.x));
+}
+
+bool isPlayheadPlaced(const ViewState& view) {
+  return view.frame >= 0.5; // At the start nobody looked for a place in time yet.
+}
+
+/// The stroke's range, or the leading one.
+Vec2 ownOrLeading(const Session& session, const rig::Stroke* stroke, const Vec2& leading, bool isThere) {
+  if (stroke == nullptr) {
+    return leading;
+  }
+  const Vec2 own(stroke->startFrame,
+                 std::min(stroke->endFrame, lastFrame(session.document(), session.view().clip)));
+  const bool isElsewhere = isThere && sharedTime(own, leading) < 1.0;
+  return isElsewhere || isOneMovement(own, leading) ? leading : own;
+}
+
 /// What is left of the pieces without what lies between `start` and `end`.
 std::vector<Vec2> without(const std::vector<Vec2>& pieces, double start, double end) {
   std::vector<Vec2> left;
@@ -44,13 +69,21 @@ bool isSameRange(const rig::TrailSettings& settings, const Vec2& range) {
 
 const rig::Stroke* proposedStroke(const Session& session, const rig::Limb& limb) {
   const std::vector<rig::Stroke>& strokes = session.strokesOf(limb);
-  const double frame = session.view().frame;
-  if (frame < 0.5) {
-    return rig::strongestStroke(strokes); // Nobody looked for a place in time yet.
+  if (!isPlayheadPlaced(session.view())) {
+    return rig::strongestStroke(strokes);
   }
   constexpr double nearSeconds = 0.25;
   const double rate = clipOf(session.document(), session.view().clip).framesPerSecond;
-  return rig::strokeAt(strokes, frame, nearSeconds * rate);
+  return rig::strokeAt(strokes, session.view().frame, nearSeconds * rate);
+}
+
+Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading) {
+  return ownOrLeading(session, proposedStroke(session, limb), leading, isPlayheadPlaced(session.view()));
+}
+
+Vec2 rangeBesideStroke(const Session& session, const rig::Limb& limb, const Vec2& leading) {
+  const rig::Stroke* const stroke = rig::strokeAt(session.strokesOf(limb), 0.5 * (leading.x + leading.y));
+  return ownOrLeading(session, stroke, leading, true);
 }
 
 bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke) {

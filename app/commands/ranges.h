@@ -25,6 +25,14 @@ namespace stretch::app {
 /// The working range (x start, y end) within the clip, or the proposed one when none is set.
 [[nodiscard]] Vec2 workingRange(const Session& session, const rig::Limb& limb);
 
+/// The range of a limb that is exaggerated together with one that leads over its range: its own stroke, as if
+/// it were alone, but the leading range where the two share most of their time (limbs that move as one stay
+/// together), where the limb makes no stroke, or none there while the playhead stands at a place in time.
+[[nodiscard]] Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading);
+
+/// The same about another stroke of the leading limb, wherever the playhead stands.
+[[nodiscard]] Vec2 rangeBesideStroke(const Session& session, const rig::Limb& limb, const Vec2& leading);
+
 /// Whether the stroke goes on where the clip begins again: a limb that is in full swing at both ends of a
 /// clip whose last pose is its first makes one stroke there, of which a range holds a part.
 [[nodiscard]] bool crossesSeam(const Session& session, const rig::Limb& limb, const rig::Stroke& stroke);

@@ -149,6 +149,18 @@ std::vector<int> targetTrails(const Session& session) {
   return targets;
 }
 
+std::vector<int> targetsOfRange(const Session& session) {
+  std::vector<int> targets = targetTrails(session);
+  const rig::Trail* const selected = findTrail(session.atBegin(), session.view().selectedTrail);
+  std::erase_if(targets, [&](int id) {
+    const rig::Trail* const other = findTrail(session.atBegin(), id);
+    return other == nullptr || selected == nullptr ||
+           other->settings.startFrame != selected->settings.startFrame ||
+           other->settings.endFrame != selected->settings.endFrame;
+  });
+  return targets;
+}
+
 std::vector<std::string> targetLimbs(const Session& session) {
   std::vector<std::string> limbs = session.view().selectedLimbs;
   const rig::Trail* const trail = selectedTrail(session);

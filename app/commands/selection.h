@@ -30,6 +30,10 @@ void selectGroup(Session& session, int trailId);
 /// the playhead stands, else each limb's only one.
 [[nodiscard]] std::vector<int> targetTrails(const Session& session);
 
+/// Of these trails the ones over the selected one's range: its ends are changed together, other ranges stay.
+/// While something is dragged, as it was when that began.
+[[nodiscard]] std::vector<int> targetsOfRange(const Session& session);
+
 /// The limbs that commands about a limb's weight act on: the selected ones, else the selected trail's.
 [[nodiscard]] std::vector<std::string> targetLimbs(const Session& session);
 

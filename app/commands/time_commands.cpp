@@ -85,7 +85,7 @@ Status setRange(Session& session, bool start) {
     return Success{};
   }
   Document document = session.document();
-  for (const int id : targetTrails(session)) {
+  for (const int id : targetsOfRange(session)) {
     rig::TrailSettings settings = findTrail(document, id)->settings;
     (start ? settings.startFrame : settings.endFrame) = session.view().frame;
     Result<Document> changed = setTrailSettings(document, id, settings);

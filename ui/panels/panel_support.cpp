@@ -150,9 +150,10 @@ void editOnce(PanelContext& context, const std::string& label, const Result<app:
   context.character().edit(*changed, label);
 }
 
-void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
-                  const SettingsChange& change) {
-  const std::vector<int> targets = app::targetTrails(context.character());
+namespace {
+
+void editSettingsOf(PanelContext& context, const std::vector<int>& targets, const EditPhase& phase,
+                    const std::string& label, const SettingsChange& change) {
   editThrough(context, phase, label, [&](const app::Document& start) -> Result<app::Document> {
     app::Document document = start;
     for (const int id : targets) {
@@ -170,6 +171,17 @@ void editSettings(PanelContext& context, const EditPhase& phase, const std::stri
     }
     return document;
   });
+}
+
+} // namespace
+
+void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
+                  const SettingsChange& change) {
+  editSettingsOf(context, app::targetTrails(context.character()), phase, label, change);
+}
+
+void editRange(PanelContext& context, const EditPhase& phase, const SettingsChange& change) {
+  editSettingsOf(context, app::targetsOfRange(context.character()), phase, "Change the range", change);
 }
 
 std::string capitalised(std::string text) {

@@ -58,6 +58,9 @@ using SettingsChange = std::function<void(rig::TrailSettings&)>;
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change);
 
+/// The same for the ends of the range, of those whose range is the selected one's.
+void editRange(PanelContext& context, const EditPhase& phase, const SettingsChange& change);
+
 /// "left arm" -> "Left arm".
 [[nodiscard]] std::string capitalised(std::string text);
 /// A limb's name as a heading: "Left arm", or the chain's id.

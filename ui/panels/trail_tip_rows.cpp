@@ -67,8 +67,8 @@ void proposeRangeEnd(PanelContext& context, const rig::SolvedTrail& solved) {
   propose.width = ImGui::GetContentRegionAvail().x;
   if (button(widgetsOf(context), propose)) {
     const bool tipIsEnd = solved.settings.pivot == rig::Pivot::start;
-    editSettings(context, {true, true}, "Change the range",
-                 [&](TrailSettings& s) { (tipIsEnd ? s.endFrame : s.startFrame) = frame; });
+    editRange(context, {true, true},
+              [&](TrailSettings& s) { (tipIsEnd ? s.endFrame : s.startFrame) = frame; });
   }
 }
 
@@ -242,16 +242,14 @@ void rangeRow(PanelContext& context, const rig::Trail& trail) {
   double start = trail.settings.startFrame;
   spec.decimals = frameDecimals(start); // After a change of the rate it may lie between frames.
   EditPhase phase = slider(widgets, spec, start);
-  editSettings(context, phase, "Change the range",
-               [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
+  editRange(context, phase, [&](TrailSettings& s) { s.startFrame = std::min(start, s.endFrame - 1.0); });
   ImGui::SameLine();
   spec.id = "trail/range-end";
   spec.help = {"Last frame", "Drag, or click and type.", keyOf(context, command::rangeEnd)};
   double end = trail.settings.endFrame;
   spec.decimals = frameDecimals(end);
   phase = slider(widgets, spec, end);
-  editSettings(context, phase, "Change the range",
-               [&](TrailSettings& s) { s.endFrame = std::max(end, s.startFrame + 1.0); });
+  editRange(context, phase, [&](TrailSettings& s) { s.endFrame = std::max(end, s.startFrame + 1.0); });
 }
 
 void scaleRows(PanelContext& context, const rig::Trail& trail) {

@@ -86,6 +86,20 @@ std::string seamText(const app::Session& session, const TakenStroke& taken) {
   return crosses ? "The stroke goes on across the seam of the loop, where a range ends" : "";
 }
 
+/// Empty where all limbs have one range, or none was made just now.
+std::string othersText(const app::Session& session, const ExaggerateTool& tool) {
+  const std::vector<int>& ids = tool.targets.trailIds;
+  const bool areNew =
+      std::ranges::all_of(ids, [&](int id) { return app::findTrail(session.atBegin(), id) == nullptr; });
+  const rig::TrailSettings& leading = app::findTrail(session.document(), ids.front())->settings;
+  const bool isOneRange = std::ranges::all_of(ids, [&](int id) {
+    const rig::TrailSettings& settings = app::findTrail(session.document(), id)->settings;
+    return settings.startFrame == leading.startFrame && settings.endFrame == leading.endFrame;
+  });
+  return areNew && !isOneRange ? "Each limb has its own stroke; a range that is set before counts for all"
+                               : "";
+}
+
 /// Sentences, one after the other.
 std::string joinedText(const std::string& first, const std::string& second) {
   return first + (first.empty() || second.empty() ? "" : ". ") + second;
@@ -171,6 +185,7 @@ std::string strokeNews(const app::Session& session, const ExaggerateTool& tool) 
   }
   std::string text = whyThere(session, taken);
   text += text.empty() || !tool.modal.hasStrokes ? "" : "; N goes to the next";
+  text = joinedText(text, othersText(session, tool));
   text = joinedText(text, seamText(session, taken));
   if (tool.targets.madeLoop) {
     text = joinedText(text, "The clip ends as it begins: Clip loops is on now");
