@@ -81,7 +81,7 @@ Vec3 shoulderPlace(const ArmLine& arm, double way) {
   }
   const Vec3 from = middleAt(arm.sections, 0.7 * way);
   const Vec3 to = middleAt(arm.sections, 0.9 * way);
-  return to + 0.6 * (to - from);
+  return to + 0.5 * (to - from);
 }
 
 // Sections from the tip of the hand to the shoulder: straight across the arm, or by the way inside the body

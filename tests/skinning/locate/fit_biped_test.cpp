@@ -162,6 +162,19 @@ TEST_CASE("A body with as many limbs as a spider is told to be no biped, whichev
   CHECK(fitBiped(tubePerson().positions, tubePerson().triangles)->warnings.empty());
 }
 
+TEST_CASE("A body whose trunk lies on its two legs is told to be no biped", "[locators]") {
+  TubePerson bird = tubePerson();
+  constexpr double hips = 0.92;
+  bird.positions = moved(bird.positions, [](const Vec3& p) {
+    return p.y > hips ? Vec3(p.x, hips - p.z, p.y - hips) : p; // bent forward at the hips
+  });
+  const Result<FittedBiped> fitted = fitBiped(bird.positions, bird.triangles);
+  REQUIRE(fitted);
+  REQUIRE_FALSE(fitted->warnings.empty());
+  CHECK(fitted->warnings.back().find("its trunk lies") != std::string::npos);
+  CHECK(jointOf(*fitted, "leftFoot").confidence < 0.5);
+}
+
 TEST_CASE("What is no body is refused in one line that says what to do", "[locators]") {
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<Triangle> plane{{0, 1, 2}, {0, 2, 3}};
