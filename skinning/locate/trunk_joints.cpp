@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/common.hpp>
+
 namespace stretch::skinning {
 
 namespace {
@@ -46,6 +48,19 @@ Vec3 trunkMiddle(const std::vector<TrunkSection>& sections, double height) {
   const auto found = std::ranges::lower_bound(sections, height, {}, &TrunkSection::height);
   const TrunkSection& near = found == sections.end() ? sections.back() : *found;
   return {near.middle.x, height, near.middle.z};
+}
+
+// The middle of all that is above a height, as of a head.
+Vec3 middleAbove(const std::vector<TrunkSection>& sections, double height) {
+  Vec3 sum(0.0);
+  double area = 0.0;
+  for (const TrunkSection& section : sections) {
+    if (section.height >= height) {
+      sum += section.area * Vec3(section.middle.x, section.height, section.middle.z);
+      area += section.area;
+    }
+  }
+  return area > 0.0 ? sum / area : Vec3(0.0, height, 0.0);
 }
 
 // The narrowest section between the shoulders and the head's widest part.
@@ -96,7 +111,10 @@ TrunkJoints trunkJoints(const StandingBody& body, double crotch, double shoulder
   const double sure = sections[narrowest].area < shows * largestArea(sections) ? 0.7 : 0.4;
   joints.hips = {trunkMiddle(sections, crotch), 0.8};
   joints.neck = {trunkMiddle(sections, neck), sure};
-  joints.head = {trunkMiddle(sections, head), sure};
+  // On the way to the middle of the head: a section there may hold the chin or a collar.
+  const Vec3 top = middleAbove(sections, head);
+  const double part = top.y > neck ? (head - neck) / (top.y - neck) : 0.0;
+  joints.head = {glm::mix(joints.neck.place, top, std::clamp(part, 0.0, 1.0)), sure};
   return joints;
 }
 
