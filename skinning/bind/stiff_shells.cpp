@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -26,6 +27,7 @@ struct ShellBox {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
+  [[nodiscard]] glm::vec3 middle() const { return 0.5F * (low + high); }
   [[nodiscard]] double longest() const {
     const glm::vec3 extent = high - low;
     return static_cast<double>(std::max({extent.x, extent.y, extent.z}));
@@ -99,9 +101,74 @@ Influences aloneOn(std::uint16_t joint) {
   return row;
 }
 
+// For each shell without bones of its own the shell with bones that it sits in, with a fifth of its vertices
+// or more: the head of an ear.
+std::vector<const Shell*> hostsOf(std::span<const glm::vec3> positions,
+                                  const std::vector<Triangle>& triangles,
+                                  const std::vector<std::size_t>& numbers, const std::vector<Shell>& shells) {
+  constexpr std::size_t most = 64; // vertices of a shell that are looked at
+  constexpr double least = 0.2;
+  constexpr float inwards = 0.03F; // off the edges of a host that is built on the same lattice
+  std::vector<Vec3> points;
+  std::vector<std::size_t> guests;
+  std::vector<std::size_t> looked(shells.size(), 0);
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const std::vector<std::size_t>& vertices = shells[i].vertices;
+    const std::size_t step = std::max<std::size_t>(1, vertices.size() / most);
+    for (std::size_t v = 0; shells[i].inside.empty() && v < vertices.size(); v += step) {
+      const glm::vec3 middle = shells[i].box.middle();
+      points.emplace_back(glm::mix(positions[vertices[v]], middle, inwards));
+      guests.push_back(i);
+      ++looked[i];
+    }
+  }
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> counts; // by guest and host
+  const auto around = shellsAround(positions, triangles, numbers, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const std::size_t host : around[i]) {
+      counts[{guests[i], host}] += shells[host].inside.empty() ? 0 : 1;
+    }
+  }
+  std::vector<const Shell*> hosts(shells.size(), nullptr);
+  std::vector<std::size_t> best(shells.size(), 0);
+  for (const auto& [pair, count] : counts) {
+    const auto [guest, host] = pair;
+    if (count > best[guest] && static_cast<double>(count) >= least * static_cast<double>(looked[guest])) {
+      best[guest] = count;
+      hosts[guest] = &shells[host];
+    }
+  }
+  return hosts;
+}
+
+// Of what a shell follows only joints whose bones run in its host; if that is hardly anything, the nearest of
+// them.
+Influences withHost(const WeightSum& mean, const Shell& host, const std::vector<BoneLine>& lines,
+                    const Vec3& middle) {
+  constexpr double enough = 0.2;
+  WeightSum kept;
+  double total = 0.0;
+  for (const auto& [joint, length] : host.inside) {
+    kept.add(joint, mean.of(joint));
+    total += mean.of(joint);
+  }
+  if (total > enough) {
+    return kept.strongest(Influences::capacity);
+  }
+  std::vector<std::size_t> among;
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    if (host.inside.contains(lines[line].joint)) {
+      among.push_back(line);
+    }
+  }
+  return aloneOn(lines[nearestOnBones(lines, among, middle).first.line].joint);
+}
+
 // The one row that all of the shell follows; none: it bends.
-std::optional<Influences> asOnePiece(const Shell& shell, const std::vector<std::uint16_t>& running,
-                                     double bodyLength, const std::vector<Influences>& weights) {
+std::optional<Influences> asOnePiece(const Shell& shell, const Shell* host,
+                                     const std::vector<std::uint16_t>& running,
+                                     const std::vector<BoneLine>& lines, double bodyLength,
+                                     const std::vector<Influences>& weights) {
   WeightSum mean;
   for (const std::size_t v : shell.vertices) {
     mean.add(weights[v], 1.0 / static_cast<double>(shell.vertices.size()));
@@ -115,7 +182,8 @@ std::optional<Influences> asOnePiece(const Shell& shell, const std::vector<std::
   }
   constexpr double small = 0.2; // of the body
   if (shell.box.longest() < small * bodyLength) {
-    return mean.strongest(Influences::capacity);
+    return host == nullptr ? mean.strongest(Influences::capacity)
+                           : withHost(mean, *host, lines, Vec3(shell.box.middle()));
   }
   constexpr double ruling = 0.6;
   const std::uint16_t best = mean.strongest(1).bones[0];
@@ -277,8 +345,11 @@ void stiffenShells(std::span<const glm::vec3> positions, const std::vector<Trian
   for (const glm::vec3& position : positions) {
     body.take(position);
   }
-  for (const Shell& shell : shells) {
-    if (const auto row = asOnePiece(shell, runningIn(shell, whole), body.longest(), weights)) {
+  const std::vector<const Shell*> hosts = hostsOf(positions, triangles, numbers, shells);
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const Shell& shell = shells[i];
+    if (const auto row =
+            asOnePiece(shell, hosts[i], runningIn(shell, whole), lines, body.longest(), weights)) {
       for (const std::size_t v : shell.vertices) {
         weights[v] = *row;
       }

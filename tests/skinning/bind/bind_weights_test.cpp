@@ -148,6 +148,25 @@ TEST_CASE("A helmet follows the head as one piece") {
   CHECK(weightOf(rows[12 * 20], 1) > 0.5); // the body below bends on
 }
 
+TEST_CASE("An ear follows the head that it sits on, however near the arm is") {
+  // A trunk, a head wider than it, and an arm that reaches out close under the head.
+  const auto at = [](double x, double y, double z) { return glm::vec3(Vec3(x, y, z) * cell); };
+  Shape shape = box({6, 20, 6});
+  add(shape, box({22, 10, 6}), at(-8, 20.02, 0));
+  add(shape, box({14, 4, 4}), at(6.02, 15.98, 1));
+  const std::size_t body = shape.positions.size();
+  add(shape, box({4, 3, 2}), at(11.5, 23, 2));
+  const std::vector<BindJoint> joints{{Vec3(3, 2, 3) * cell, -1},
+                                      {Vec3(3, 16, 3) * cell, 0},
+                                      {Vec3(3, 21, 3) * cell, 1},
+                                      {Vec3(5, 18, 3) * cell, 1},
+                                      {Vec3(16, 18, 3) * cell, 3}};
+  const std::vector<Influences> rows = bound(shape, joints);
+  for (std::size_t v = body; v < rows.size(); ++v) {
+    CHECK(weightOf(rows[v], 2) == Approx(1.0));
+  }
+}
+
 TEST_CASE("Holes, turned triangles and faces inside hardly change what a body follows") {
   const Shape whole = test::tube(10.0, 1.0, 40, 16);
   Shape broken = whole;
