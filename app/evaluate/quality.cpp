@@ -9,6 +9,7 @@
 
 #include "app/evaluate/evaluation_input.h"
 #include "app/evaluate/left_behind.h"
+#include "app/evaluate/stopped.h"
 #include "app/evaluate/trail_look.h"
 #include "app/standing_floor.h"
 
@@ -65,7 +66,7 @@ public:
       add([](rig::TrailSettings& s) { s.space = rig::TrailSpace::base; },
           fmt::format("set the space to base, {}", why));
     }
-    if (findings.ends.any() && !trail_.settings.stopAt) {
+    if (findings.ends.any() && !isStoppedAtTip(document_, motion_, trail_)) {
       stopAtFloor();
     }
     if (trail_.settings.stopAt && (findings.jumps.any() || findings.swings.any())) {
@@ -103,7 +104,7 @@ private:
     if (trail_.settings.axes[1]) {
       add([](rig::TrailSettings& s) { s.axes[1] = false; }, "switch the axis Y off");
     }
-    if (!trail_.settings.stopAt) {
+    if (!isStoppedAtTip(document_, motion_, trail_)) {
       stopAt(lowestPlace_);
     }
   }
