@@ -299,7 +299,7 @@ TEST_CASE("a limb that reaches below all that the body does in the clip is told,
   const std::vector<std::string> warnings = warningsOf(document);
   REQUIRE_FALSE(warnings.empty());
   CHECK_THAT(warnings.back(), Contains("the limb is 0.2 below the lowest place of the body in the clip") &&
-                                   Contains("stop the limb's end at the floor, below y = 1"));
+                                  Contains("stop the limb's end at the floor, below y = 1"));
 }
 
 TEST_CASE("a hand that is carried off and brought back is told as that, not as a vertex") {
