@@ -102,7 +102,7 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
   if (!shape || shape->type != "MAT4" || shape->component != ComponentType::float32 ||
       shape->count < joints) {
     problems.error(where, "is no accessor of one float MAT4 for each joint");
-    return {};
+    return std::vector<Mat4>(joints, Mat4(1.0));
   }
   const Json& json = element(source.json, "accessors", static_cast<std::size_t>(accessor));
   if (find(json, "bufferView") == nullptr && find(json, "sparse") == nullptr) {
@@ -156,7 +156,9 @@ Scene importScene(const Source& source, Problems& problems) {
   scene.materials = importMaterials(source, problems);
   scene.images = importImages(source, scene.materials, problems);
   scene.humanoid = importHumanoid(source, problems);
-  foldBindLeaves(scene);
+  if (!problems.hasErrors()) {
+    foldBindLeaves(scene);
+  }
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace stretch::skinning {
@@ -13,15 +14,20 @@ namespace {
 // Parts of the way from the tip of the hand to the shoulder, as measured on rigged characters
 // (docs/from_a_mesh.md, How locators are found).
 constexpr double handOfArm = 0.30;
-constexpr double upperArmOfArm = 0.53; // of the way from the wrist to the shoulder
+constexpr double upperArmOfArm = 0.55; // of the way from the wrist to the shoulder
 constexpr double handless = 0.15;      // where no wrist shows
 constexpr double upperPart = 0.5;      // where the upper arm begins, of the way to the middle of the body
 
 constexpr double most = std::numeric_limits<double>::max();
 
-const ArmSection& sectionAt(const ArmLine& arm, double way) {
-  const auto found = std::ranges::lower_bound(arm.sections, way, {}, &ArmSection::way);
-  return found == arm.sections.end() ? arm.sections.back() : *found;
+// The middle of the arm there, between those of the sections.
+Vec3 middleAt(const std::vector<ArmSection>& sections, double way) {
+  const auto after = std::ranges::lower_bound(sections, way, {}, &ArmSection::way);
+  if (after == sections.begin() || after == sections.end()) {
+    return after == sections.end() ? sections.back().middle : after->middle;
+  }
+  const ArmSection& before = *(after - 1);
+  return glm::mix(before.middle, after->middle, (way - before.way) / (after->way - before.way));
 }
 
 double upperArmRadius(const ArmLine& arm) {
@@ -33,6 +39,18 @@ double upperArmRadius(const ArmLine& arm) {
     }
   }
   return radius;
+}
+
+double meanRadius(const std::vector<ArmSection>& sections, double from, double to) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const ArmSection& section : sections) {
+    if (section.way >= from && section.way <= to) {
+      sum += section.radius;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 // Where the arm becomes the trunk: its section grows; where it is a piece of its own, it ends.
@@ -55,69 +73,98 @@ double shoulderWay(const ArmLine& arm) {
 Vec3 shoulderPlace(const ArmLine& arm, double way) {
   if (arm.ownPiece > 0.0) {
     constexpr double fromEnd = 0.7; // of the radius
-    const ArmSection& middle = sectionAt(arm, 0.5 * way);
-    const Vec3 to = sectionAt(arm, 0.8 * way).middle;
-    const Vec3 along = to - middle.middle;
-    const double rest = std::max(0.0, 0.2 * way - fromEnd * middle.radius);
+    const Vec3 to = middleAt(arm.sections, 0.8 * way);
+    const Vec3 along = to - middleAt(arm.sections, 0.5 * way);
+    const double radius = meanRadius(arm.sections, 0.45 * way, 0.55 * way);
+    const double rest = std::max(0.0, 0.2 * way - fromEnd * radius);
     return glm::length(along) > 0.0 ? to + glm::normalize(along) * rest : to;
   }
-  const Vec3 from = sectionAt(arm, 0.7 * way).middle;
-  const Vec3 to = sectionAt(arm, 0.9 * way).middle;
+  const Vec3 from = middleAt(arm.sections, 0.7 * way);
+  const Vec3 to = middleAt(arm.sections, 0.9 * way);
   return to + 0.5 * (to - from);
 }
 
+// Sections from the tip of the hand to the shoulder: straight across the arm, or by the way inside the body
+// where it bends too much for that.
+std::vector<ArmSection> sectionsOf(const StandingBody& body, const ArmLine& arm, double shoulder) {
+  std::vector<ArmSection> sections = straightSections(body, arm, shoulder);
+  if (sections.empty()) {
+    sections = arm.sections;
+    std::erase_if(sections, [&](const ArmSection& section) { return section.way > shoulder; });
+  }
+  return sections;
+}
+
 struct Wrist {
-  double way = 0.0;
+  double part = 0.0; // of the way from the tip of the hand to the shoulder
   bool shows = false;
 };
 
 // Whether sections differ at all, as those of a box do not.
 bool isShaped(const std::vector<ArmSection>& sections, double length) {
   constexpr double even = 1.14;
+  constexpr double window = 0.05; // no cube more or less decides
   double widest = 0.0;
   double narrowest = most;
   for (const ArmSection& section : sections) {
     const double part = section.way / length;
     if (part > 0.06 && part < 0.7) {
-      widest = std::max(widest, section.radius);
-      narrowest = std::min(narrowest, section.radius);
+      const double radius =
+          meanRadius(sections, section.way - window * length, section.way + window * length);
+      widest = std::max(widest, radius);
+      narrowest = std::min(narrowest, radius);
     }
   }
   return widest > even * narrowest;
 }
 
 // The narrowest place near where a hand usually ends.
-Wrist wristOf(const StandingBody& body, const ArmLine& arm, double shoulder) {
+Wrist wristOf(const std::vector<ArmSection>& sections, double usualRadius) {
   constexpr double nearness = 2.5;
-  const std::vector<ArmSection> straight = straightSections(body, arm, shoulder);
-  const std::vector<ArmSection>& sections = straight.empty() ? arm.sections : straight;
-  const double length = straight.empty() ? shoulder : straight.back().way;
-  const double usual = upperArmRadius(arm);
+  const double length = sections.back().way;
   Wrist wrist{handless, false};
   double lowest = most;
   for (const ArmSection& section : sections) {
     const double part = section.way / length;
-    const double cost = section.radius / usual + nearness * std::abs(part - handOfArm);
+    const double cost = section.radius / usualRadius + nearness * std::abs(part - handOfArm);
     if (part > 0.18 && part < 0.45 && cost < lowest) {
       lowest = cost;
       wrist = {part, true};
     }
   }
-  wrist = isShaped(sections, length) ? wrist : Wrist{handless, false};
-  wrist.way *= shoulder;
-  return wrist;
+  return isShaped(sections, length) ? wrist : Wrist{handless, false};
 }
 
-double meanRadius(const ArmLine& arm, double from, double to) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const ArmSection& section : arm.sections) {
-    if (section.way >= from && section.way <= to) {
-      sum += section.radius;
-      count += 1.0;
+// Where a thin piece meets a thick one, as on a robot: in the end of the thick one. None on an arm whose
+// thickness changes slowly.
+std::optional<double> jumpPart(const std::vector<ArmSection>& sections) {
+  constexpr double least = 2.0;
+  constexpr double lowest = 0.45;
+  constexpr double highest = 0.85;
+  constexpr double window = 0.1;
+  constexpr double inThickOne = 0.5; // of its radius
+  const double length = sections.back().way;
+  const double beside = 0.1 * length / static_cast<double>(sections.size());
+  std::optional<double> part;
+  double largest = least;
+  for (const ArmSection& section : sections) {
+    const double outer = meanRadius(sections, section.way - window * length, section.way - beside);
+    const double inner = meanRadius(sections, section.way + beside, section.way + window * length);
+    const double thick = std::max(outer, inner);
+    const double thin = std::min(outer, inner);
+    const bool isBetween = section.way > lowest * length && section.way < highest * length;
+    if (isBetween && thin > 0.0 && thick > largest * thin) {
+      largest = thick / thin;
+      part = (section.way + (outer > inner ? -inThickOne : inThickOne) * thick) / length;
     }
   }
-  return count > 0.0 ? sum / count : 0.0;
+  return part;
+}
+
+// A box has no hand: its elbow is in the middle.
+double elbowPart(const std::vector<ArmSection>& sections, const Wrist& wrist) {
+  const double usual = wrist.shows ? wrist.part + (1.0 - upperArmOfArm) * (1.0 - wrist.part) : 0.5;
+  return jumpPart(sections).value_or(usual);
 }
 
 // A limb is slender and about as thick all along; a corner of the trunk grows from its tip.
@@ -125,8 +172,8 @@ bool isLimb(const ArmLine& arm, double shoulder) {
   constexpr double shortest = 0.12;
   constexpr double grows = 1.6;
   constexpr double slender = 3.0; // times as long as it is thick, half
-  const double outer = meanRadius(arm, 0.3 * shoulder, 0.45 * shoulder);
-  const double inner = meanRadius(arm, 0.6 * shoulder, 0.75 * shoulder);
+  const double outer = meanRadius(arm.sections, 0.3 * shoulder, 0.45 * shoulder);
+  const double inner = meanRadius(arm.sections, 0.6 * shoulder, 0.75 * shoulder);
   return shoulder > shortest && inner < grows * outer && shoulder > slender * outer;
 }
 
@@ -139,12 +186,14 @@ std::optional<ArmJoints> armJoints(const StandingBody& body, const ArmLine& arm)
   if (!isLimb(arm, shoulder)) {
     return std::nullopt;
   }
-  const Wrist wrist = wristOf(body, arm, shoulder);
-  const double elbow = wrist.way + (1.0 - upperArmOfArm) * (shoulder - wrist.way);
+  const std::vector<ArmSection> sections = sectionsOf(body, arm, shoulder);
+  const double length = sections.back().way;
+  const Wrist wrist = wristOf(sections, upperArmRadius(arm));
+  const double elbow = elbowPart(sections, wrist);
   ArmJoints joints;
   joints.shoulder = {shoulderPlace(arm, shoulder), 0.8};
-  joints.elbow = {sectionAt(arm, elbow).middle, wrist.shows ? 0.7 : 0.5};
-  joints.wrist = {sectionAt(arm, wrist.way).middle, wrist.shows ? 0.7 : 0.4};
+  joints.elbow = {middleAt(sections, elbow * length), wrist.shows ? 0.7 : 0.5};
+  joints.wrist = {middleAt(sections, wrist.part * length), wrist.shows ? 0.7 : 0.4};
   return joints;
 }
 

@@ -62,7 +62,7 @@ BodyJoints bodyJoints(const StandingBody& body, const Found& found) {
   BodyJoints joints;
   joints.facing = facingOf(legs) < 0.0 ? -1.0 : 1.0;
   joints.trunk = trunkJoints(body, crotch, shoulders, halfWidthOf(arms));
-  const double hips = hipHeightOf(crotch, joints.trunk.neck.place.y);
+  const double hips = areBoxes(legs) ? crotch : hipHeightOf(crotch, joints.trunk.neck.place.y);
   joints.trunk.hips.place.y = hips + hipsOverHips;
   joints.trunk.hips.confidence = legs.found() ? 0.8 : 0.3;
   joints.leftLeg =
@@ -153,18 +153,23 @@ std::vector<std::string> missing(const Found& found, bool isTurned) {
   return warnings;
 }
 
-// What has more limbs than a person gets a biped's joints all the same, but none of them is sure.
-void doubtOtherBodies(const StandingBody& body, FittedBiped& fitted) {
+// What has more limbs than a person, or a trunk that lies, gets a biped's joints all the same, but none of
+// them is sure.
+void doubtOtherBodies(const StandingBody& body, const Found& found, FittedBiped& fitted) {
   constexpr std::size_t tooManyLegs = 4; // a person may have a stick or a cloak to the ground beside the feet
   constexpr std::size_t tooManyEnds = 8; // head, hands, feet, and two ears or a sword
+  constexpr double upright = 1.5;
   constexpr double guess = 0.3;
   const std::size_t legs = legsUnder(body);
   const std::size_t ends = endsOf(body);
-  if (legs < tooManyLegs && ends < tooManyEnds) {
+  const bool lies =
+      found.legs.found() && depthForHeight(body, found.legs.crotch, halfWidthOf(found.arms)) > upright;
+  if (legs < tooManyLegs && ends < tooManyEnds && !lies) {
     return;
   }
-  const std::string why = legs < tooManyLegs ? fmt::format("{} limbs or tips reach out of it", ends)
-                                             : fmt::format("it stands on {} legs", legs);
+  const std::string why = legs >= tooManyLegs   ? fmt::format("it stands on {} legs", legs)
+                          : ends >= tooManyEnds ? fmt::format("{} limbs or tips reach out of it", ends)
+                                                : "its trunk lies on its legs, as a bird's";
   fitted.warnings.push_back(
       fmt::format("this is no biped: {}; the joints are only a guess, set all locators by hand", why));
   for (FittedJoint& joint : fitted.joints) {
@@ -218,7 +223,7 @@ Result<FittedBiped> fitBiped(std::span<const Vec3> positions, const std::vector<
   }
   const BodyJoints joints = bodyJoints(*body, found);
   FittedBiped fitted{named(joints, *upright), missing(found, joints.facing < 0.0)};
-  doubtOtherBodies(*body, fitted);
+  doubtOtherBodies(*body, found, fitted);
   return fitted;
 }
 

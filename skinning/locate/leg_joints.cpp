@@ -1,6 +1,7 @@
 #include "skinning/locate/leg_joints.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace stretch::skinning {
 
@@ -17,7 +18,12 @@ Vec3 legMiddle(const std::vector<LegSection>& leg, double height) {
   return {near.middle.x, height, near.middle.z};
 }
 
-Placed toesOf(const std::vector<LegSection>& leg, const Vec3& ankle, double facing) {
+struct Toes {
+  Placed joint;
+  bool show = false;
+};
+
+Toes toesOf(const std::vector<LegSection>& leg, const Vec3& ankle, double facing) {
   constexpr double shortest = 0.06;
   double tip = ankle.z + facing * shortest;
   double across = ankle.x;
@@ -30,7 +36,23 @@ Placed toesOf(const std::vector<LegSection>& leg, const Vec3& ankle, double faci
       shows = true;
     }
   }
-  return {{across, toesHeight, ankle.z + footBehindTip * (tip - ankle.z)}, shows ? 0.8 : 0.5};
+  return {{{across, toesHeight, ankle.z + footBehindTip * (tip - ankle.z)}, shows ? 0.8 : 0.5}, shows};
+}
+
+bool isBox(const std::vector<LegSection>& leg) {
+  constexpr double even = 1.05;
+  constexpr double from = 0.8; // of its height: below may be a foot or a boot
+  constexpr double to = 0.98;
+  double largest = 0.0;
+  double smallest = std::numeric_limits<double>::max();
+  for (const LegSection& section : leg) {
+    const double part = section.height / leg.back().height;
+    if (part > from && part < to) {
+      largest = std::max(largest, section.area);
+      smallest = std::min(smallest, section.area);
+    }
+  }
+  return largest > 0.0 && largest < even * smallest;
 }
 
 double ankleOf(double hipHeight) {
@@ -60,18 +82,23 @@ double facingOf(const LegLines& legs) {
   return facing;
 }
 
+bool areBoxes(const LegLines& legs) {
+  return legs.found() && isBox(legs.left) && isBox(legs.right);
+}
+
 LegJoints legJoints(const std::vector<LegSection>& leg, double hipHeight, double facing) {
   constexpr double belowTop = 0.93; // where the thigh is still a leg's section
   constexpr double shinOverAnkle = 0.035;
   const double ankle = ankleOf(hipHeight);
-  const double knee = 0.5 * (ankle + hipHeight);
   LegJoints joints;
   joints.hip = {legMiddle(leg, belowTop * leg.back().height), 0.8};
   joints.hip.place.y = hipHeight;
-  joints.knee = {legMiddle(leg, knee), 0.7};
   joints.ankle = {legMiddle(leg, ankle + shinOverAnkle), 0.8};
   joints.ankle.place.y = ankle;
-  joints.toes = toesOf(leg, joints.ankle.place, facing);
+  const Toes toes = toesOf(leg, joints.ankle.place, facing);
+  joints.toes = toes.joint;
+  const double shinEnd = toes.show ? ankle : 0.0; // without a foot the shin goes on to the ground
+  joints.knee = {legMiddle(leg, 0.5 * (shinEnd + hipHeight)), 0.7};
   return joints;
 }
 
@@ -83,7 +110,7 @@ LegJoints guessedLeg(double hipHeight, double side, double facing) {
   joints.hip = {{side * across, hipHeight, 0.0}, guess};
   joints.knee = {{side * across, 0.5 * (ankle + hipHeight), 0.0}, guess};
   joints.ankle = {{side * across, ankle, 0.0}, guess};
-  joints.toes = toesOf({}, joints.ankle.place, facing);
+  joints.toes = toesOf({}, joints.ankle.place, facing).joint;
   joints.toes.confidence = guess;
   return joints;
 }

@@ -16,6 +16,10 @@ struct LegJoints {
 /// to +Z. 0 without legs.
 [[nodiscard]] double facingOf(const LegLines& legs);
 
+/// Whether both legs are the same all along their upper part, as boxes and tubes are: they turn at their
+/// tops.
+[[nodiscard]] bool areBoxes(const LegLines& legs);
+
 /// Joints on the sections of a leg, the hip at a given height; `facing`: 1 where the body faces +Z, else -1.
 [[nodiscard]] LegJoints legJoints(const std::vector<LegSection>& leg, double hipHeight, double facing);
 

@@ -100,6 +100,23 @@ TrunkJoints trunkJoints(const StandingBody& body, double crotch, double shoulder
   return joints;
 }
 
+double depthForHeight(const StandingBody& body, double crotch, double halfWidth) {
+  Vec3 sum(0.0);
+  Vec3 squares(0.0);
+  double count = 0.0;
+  for (std::uint32_t cell = 0; cell < body.ownCells; ++cell) {
+    const Vec3 place = body.middleOf(cell);
+    if (std::abs(place.x) < halfWidth && place.y >= crotch) {
+      sum += place;
+      squares += place * place;
+      count += 1.0;
+    }
+  }
+  const Vec3 mean = sum / std::max(count, 1.0);
+  const Vec3 spread = squares / std::max(count, 1.0) - mean * mean;
+  return spread.y > 0.0 ? std::sqrt(std::max(spread.z, 0.0) / spread.y) : 0.0;
+}
+
 double hipHeightOf(double crotch, double neckHeight) {
   constexpr double overCrotch = 0.03;
   constexpr double smallHead = 0.77;

@@ -1,11 +1,13 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
 #include "core/anim/frame_state.h"
 #include "core/gltf/edits.h"
 #include "core/gltf/json.h"
+#include "core/gltf/report.h"
 #include "core/gltf/uri.h"
 #include "tests/support/core/glb_builder.h"
 
@@ -387,6 +389,16 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
   CHECK(result.warnings[0].find("another program") != std::string::npos);
   CHECK(result.scene->nodes.size() == 7);
   CHECK(result.scene->nodes[firstAdded].isBindLeaf);
+}
+
+TEST_CASE("A stretched file whose inverse bind matrices are broken is refused, not folded") {
+  const TemporaryFolder folder;
+  const gltf::Loaded file = arm(folder);
+  gltf::Source changed = patchedOrFail(*file.source, stretchEdits(file));
+  (*changed.json)["skins"][0]["inverseBindMatrices"] = 0; // positions
+  REQUIRE(gltf::save(changed, folder / "out.glb"));
+  const std::vector<gltf::Problem> problems = gltf::diagnose(folder / "out.glb").problems;
+  CHECK(std::ranges::count(problems, "skins[0].inverseBindMatrices", &gltf::Problem::where) == 1);
 }
 
 TEST_CASE("A program that only reorders keys and respells numbers does not cost the work") {

@@ -32,9 +32,9 @@ CHARACTERS = ["biped/CesiumMan.glb", "biped/mannequiny-0.3.0.glb", "biped/human-
               "vrm/cryptovoxels.vrm", "bodies/model-human.glb"]
 SKELETONS = {"bodies/model-human.glb": "bodies/rig-human.glb"}
 # Not bipeds: told so, or refused.
-OTHER_BODIES = ["bodies/model-spider.glb", "bodies/spider-animations.glb", "bodies/snake-animations.glb", "bodies/dragon-animations.glb", "quadruped/Fox.glb"]
+OTHER_BODIES = ["bodies/bird-animations.glb", "bodies/model-spider.glb", "bodies/spider-animations.glb", "bodies/snake-animations.glb", "bodies/dragon-animations.glb", "quadruped/Fox.glb"]
 # What the fit does not reach: (each, mean) in percent of the height.
-LOOSER = {"rpg-lowpoly-skeleton": (7.0, 3.0), "Knight": (EACH, 3.5), "boxman": (5.5, 3.5), "character": (EACH, 4.5), "robot": (14.0, 5.5)}
+LOOSER = {"rpg-lowpoly-skeleton": (7.0, 3.0), "character": (5.5, MEAN), "robot": (6.0, MEAN)}
 
 
 def artists_joints(program, file, places):

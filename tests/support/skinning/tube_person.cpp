@@ -1,6 +1,8 @@
 #include "tests/support/skinning/tube_person.h"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -64,6 +66,13 @@ void addArm(const std::string& name, double side, const TubePose& pose, TubePers
   person.joints[name + "UpperArm"] = shoulder;
   person.joints[name + "LowerArm"] = at(0.28);
   person.joints[name + "Hand"] = at(0.53);
+  if (pose.hasRods) {
+    Tubes(person).add({{at(-0.08), 0.02}, {at(0.2), 0.02}});
+    Tubes(person).add({{at(0.14), 0.07}, {at(0.72), 0.07}});
+    person.joints[name + "LowerArm"] = at(0.18);
+    person.joints.erase(name + "Hand");
+    return;
+  }
   Tubes(person).add({{at(-0.08), 0.06},
                      {at(0.02), 0.06},
                      {at(0.1), 0.05},
@@ -92,7 +101,37 @@ void addLeg(const std::string& name, double side, TubePerson& person) {
   Tubes(person).add({{{x, 0.045, -0.07}, 0.045}, {{x, 0.045, 0.16}, 0.045}});
 }
 
+void addBox(const Vec3& low, const Vec3& high, TubePerson& person) {
+  const auto first = static_cast<std::uint32_t>(person.positions.size());
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    person.positions.emplace_back((corner & 1U) != 0 ? high.x : low.x, (corner & 2U) != 0 ? high.y : low.y,
+                                  (corner & 4U) != 0 ? high.z : low.z);
+  }
+  for (const auto& [a, b, c, d] : std::array<std::array<std::uint32_t, 4>, 6>{
+           {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}}) {
+    person.triangles.push_back({first + a, first + b, first + c});
+    person.triangles.push_back({first + a, first + c, first + d});
+  }
+}
+
 } // namespace
+
+TubePerson blockPerson() {
+  TubePerson person;
+  person.joints["hips"] = {0.0, 0.6, 0.0};
+  addBox({-0.24, 0.6, -0.1}, {0.24, 1.2, 0.1}, person);
+  addBox({-0.2, 1.2, -0.2}, {0.2, 1.8, 0.2}, person);
+  for (const auto& [name, side] : {std::pair<std::string, double>{"left", 1.0}, {"right", -1.0}}) {
+    const double leg = side * 0.13;
+    addBox({leg - 0.1, 0.0, -0.1}, {leg + 0.1, 0.6, 0.1}, person);
+    person.joints[name + "UpperLeg"] = {leg, 0.6, 0.0};
+    person.joints[name + "LowerLeg"] = {leg, 0.3, 0.0};
+    const double arm = side * 0.36;
+    addBox({arm - 0.1, 0.6, -0.1}, {arm + 0.1, 1.2, 0.1}, person);
+    person.joints[name + "LowerArm"] = {arm, 0.9, 0.0};
+  }
+  return person;
+}
 
 TubePerson tubePerson(const TubePose& pose) {
   TubePerson person;

@@ -14,6 +14,7 @@ struct TubePose {
   double armsDown = 0.0;  ///< Radians from sideways.
   double shoulders = 0.2; ///< From the middle to the shoulder joints.
   bool hasArms = true;
+  bool hasRods = false;         ///< Upper arms are thin rods in thick forearms, as of a robot.
   double holdsInRight = 0.0;    ///< Length of a stick beyond the right hand.
   std::size_t everyNthHole = 0; ///< Leaves out one of so many triangles; 0: none.
 };
@@ -24,6 +25,9 @@ struct TubePerson {
   std::vector<Triangle> triangles;
   std::map<std::string, Vec3> joints; ///< By VRM's names.
 };
+
+/// Made of boxes: limbs without hands and feet, that turn at their ends and in their middles.
+[[nodiscard]] TubePerson blockPerson();
 
 [[nodiscard]] TubePerson tubePerson(const TubePose& pose = {});
 
