@@ -8,7 +8,7 @@ constexpr float width = 216.0F;
 constexpr float row = 18.0F;
 constexpr float bar = 10.0F;
 constexpr float margin = 10.0F;
-constexpr float rowWidth = 132.0F;
+constexpr float rowWidth = 112.0F;
 constexpr float rowMargin = 4.0F;
 constexpr float valueWidth = 36.0F;
 
