@@ -8,9 +8,9 @@ constexpr float width = 216.0F;
 constexpr float row = 18.0F;
 constexpr float bar = 10.0F;
 constexpr float margin = 10.0F;
-constexpr float rowWidth = 112.0F;
+constexpr float rowWidth = 120.0F;
 constexpr float rowMargin = 4.0F;
-constexpr float valueWidth = 36.0F;
+constexpr float valueWidth = 40.0F;
 
 Rect drawGround(const WidgetContext& context, const std::string& id, const ImVec2& corner,
                 const ImVec2& size) {
