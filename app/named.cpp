@@ -1,5 +1,8 @@
 #include "app/named.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <fmt/core.h>
 
 #include "core/base/number.h"
@@ -20,6 +23,17 @@ std::string limbList(const Document& document) {
 int indexOf(const std::string& text, std::size_t count) {
   const auto index = stretch::parseNumber<std::size_t>(std::string_view(text).substr(1));
   return index && *index < count ? static_cast<int>(*index) : -1;
+}
+
+bool isSameButForCase(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+std::string clipHint(const std::vector<Clip>& clips, const std::string& text) {
+  const auto meant =
+      std::ranges::find_if(clips, [&](const Clip& clip) { return isSameButForCase(clip.name, text); });
+  return meant == clips.end() ? std::string() : "did you mean '" + meant->name + "'? ";
 }
 
 } // namespace
@@ -55,7 +69,8 @@ Result<int> findClip(const Document& document, const std::string& text, const st
     found = indexOf(text, clips.size());
   }
   if (found < 0) {
-    return Error{"there is no clip '" + text + "'", where, "the file has: " + clipList(document)};
+    return Error{"there is no clip '" + text + "'", where,
+                 clipHint(clips, text) + "the file has: " + clipList(document)};
   }
   return found;
 }

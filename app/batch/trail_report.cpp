@@ -7,11 +7,11 @@
 
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
+#include "app/evaluate/stopped.h"
 #include "app/evaluate/way_back.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json.h"
 #include "rig/limb.h"
-#include "rig/motion/paths.h"
 
 namespace stretch::app {
 
@@ -31,25 +31,6 @@ const char* spaceName(rig::TrailSpace space) {
     break;
   }
   return "world";
-}
-
-// Whether the plane where the trail stops is in the way of the limb's end at the tip.
-bool isStoppedAtTip(const Document& document, const rig::MotionState& motion,
-                    const rig::SolvedTrail& solved) {
-  if (!solved.settings.stopAt) {
-    return false;
-  }
-  rig::MotionState unstopped = motion;
-  const auto same = std::ranges::find_if(
-      unstopped.trails, [&](const rig::SolvedTrail& trail) { return trail.trail.id == solved.trail.id; });
-  same->settings.stopAt.reset();
-  const auto tipIn =
-      [&, trail = static_cast<std::size_t>(same - unstopped.trails.begin())](const rig::MotionState& with) {
-        return rig::pathsAt(*document.scene, clipOf(document, motion.clip), with, trail,
-                            {solved.tipSeconds * motion.framesPerSecond})
-            .exaggerated;
-      };
-  return tipIn(motion) != tipIn(unstopped);
 }
 
 Json trailReport(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& solved) {

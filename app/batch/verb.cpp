@@ -1,8 +1,13 @@
 #include "app/batch/verb.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <numeric>
+#include <string_view>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -36,6 +41,60 @@ Status outputWritten() {
                    Error{"the report cannot be written", "standard output", "check that the disk has room"});
 }
 
+// What people call a verb that has another name here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> otherNames{{{"stretch", "exaggerate"},
+                                                                                   {"scale", "exaggerate"},
+                                                                                   {"skin", "bind"},
+                                                                                   {"weights", "bind"},
+                                                                                   {"import", "import-clip"},
+                                                                                   {"save", "resave"},
+                                                                                   {"convert", "resave"},
+                                                                                   {"draw", "render"}}};
+
+// Letters that have to be changed, added or left out to get from one word to the other (Levenshtein 1966).
+std::size_t lettersApart(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+// The verb that a word was probably meant to be; empty where none is near.
+std::string meantVerb(const std::vector<Verb>& verbs, std::string_view word) {
+  constexpr std::size_t mostTypos = 2;
+  const auto* const other = std::ranges::find(otherNames, word, &decltype(otherNames)::value_type::first);
+  if (other != otherNames.end()) {
+    return std::string(other->second);
+  }
+  const auto nearest =
+      std::ranges::min_element(verbs, {}, [&](const Verb& verb) { return lettersApart(word, verb.name); });
+  return nearest != verbs.end() && lettersApart(word, nearest->name) <= mostTypos ? nearest->name
+                                                                                  : std::string();
+}
+
+// What is wrong with the first word where a verb is expected; empty where it is one, or an option.
+std::string unknownVerb(const std::vector<Verb>& verbs, int argumentCount, const char* const* arguments) {
+  const std::string_view word = argumentCount > 1 ? arguments[1] : "-";
+  const bool isKnown = std::ranges::any_of(verbs, [&](const Verb& verb) { return verb.name == word; });
+  if (isKnown || word.starts_with('-')) {
+    return {};
+  }
+  const std::string meant = meantVerb(verbs, word);
+  std::string names;
+  for (const Verb& verb : verbs) {
+    names += (names.empty() ? "" : ", ") + std::string(verb.name);
+  }
+  return fmt::format("there is no verb '{}': {}the verbs are {}", word,
+                     meant.empty() ? "" : "did you mean '" + meant + "'? ", names);
+}
+
 } // namespace
 
 std::vector<Verb> batchVerbs() {
@@ -58,6 +117,10 @@ int runVerbs(const std::vector<Verb>& verbs, const std::string& version, int arg
     CommandLine line(*subcommand);
     const std::function<Status()> run = verb.declare(line);
     subcommand->callback([&chosen, run] { chosen = run; });
+  }
+  if (const std::string problem = unknownVerb(verbs, argumentCount, arguments); !problem.empty()) {
+    fmt::print(stderr, "stretch-engine: {}\n", problem);
+    return wrongArguments;
   }
   try {
     program.parse(argumentCount, arguments);

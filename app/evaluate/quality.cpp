@@ -9,12 +9,16 @@
 
 #include "app/evaluate/evaluation_input.h"
 #include "app/evaluate/left_behind.h"
+#include "app/evaluate/stopped.h"
 #include "app/evaluate/trail_look.h"
 #include "app/standing_floor.h"
 
 namespace stretch::app {
 
 namespace {
+
+// Of a range: what a shorter one has to leave of it to be worth advising.
+constexpr double smallestPart = 0.2;
 
 // One trail at a time: what others do to the body is not this one's doing.
 rig::MotionState aloneIn(const rig::MotionState& motion, int trailId) {
@@ -45,8 +49,9 @@ struct Remedy {
 // What an artist would try, the least intrusive first.
 class Remedies {
 public:
-  Remedies(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail)
-      : document_(document), motion_(motion), trail_(trail) {}
+  Remedies(const Document& document, const rig::MotionState& motion, const rig::SolvedTrail& trail,
+           std::optional<double> lowestPlace)
+      : document_(document), motion_(motion), trail_(trail), lowestPlace_(lowestPlace) {}
 
   [[nodiscard]] std::vector<Remedy> against(const Findings& findings) {
     if (trail_.tip.moved) {
@@ -61,11 +66,20 @@ public:
       add([](rig::TrailSettings& s) { s.space = rig::TrailSpace::base; },
           fmt::format("set the space to base, {}", why));
     }
-    if (findings.ends.any() && !trail_.settings.stopAt) {
+    if (findings.ends.any() && !isStoppedAtTip(document_, motion_, trail_)) {
       stopAtFloor();
     }
+    if (trail_.settings.stopAt && (findings.jumps.any() || findings.swings.any())) {
+      add([](rig::TrailSettings& s) { s.stopAt.reset(); },
+          "set Stop at to Nowhere (a recipe without stop_at)");
+    }
+    if (findings.lows.any()) {
+      goNoLower();
+    }
     const double early = isForwards() ? findings.firstFrame() - 1.0 : findings.lastFrame() + 1.0;
-    if (early > trail_.settings.startFrame && early < trail_.settings.endFrame) {
+    const double left = isForwards() ? early - trail_.settings.startFrame : trail_.settings.endFrame - early;
+    const double whole = trail_.settings.endFrame - trail_.settings.startFrame;
+    if (left >= smallestPart * whole && left < whole) {
       tipAt(early, "");
     }
     return std::move(remedies_);
@@ -86,9 +100,21 @@ private:
         fmt::format("{} the range at frame {:g}{}", isForwards() ? "end" : "start", frame, why));
   }
 
+  void goNoLower() {
+    if (trail_.settings.axes[1]) {
+      add([](rig::TrailSettings& s) { s.axes[1] = false; }, "switch the axis Y off");
+    }
+    if (!isStoppedAtTip(document_, motion_, trail_)) {
+      stopAt(lowestPlace_);
+    }
+  }
+
   void stopAtFloor() {
-    const std::optional<double> height =
-        isLeg(trail_.limb) ? standingAnkles(document_, motion_.clip) : floorHeight(document_, motion_.clip);
+    stopAt(isLeg(trail_.limb) ? standingAnkles(document_, motion_.clip)
+                              : floorHeight(document_, motion_.clip));
+  }
+
+  void stopAt(std::optional<double> height) {
     if (height) {
       add(
           [&](rig::TrailSettings& s) {
@@ -101,6 +127,7 @@ private:
   const Document& document_;
   const rig::MotionState& motion_;
   const rig::SolvedTrail& trail_;
+  std::optional<double> lowestPlace_;
   std::vector<Remedy> remedies_;
 };
 
@@ -127,7 +154,8 @@ public:
   }
 
   [[nodiscard]] std::string other() const {
-    for (const Remedy& remedy : Remedies(document_, motion_, trail_).against(findings_)) {
+    for (const Remedy& remedy :
+         Remedies(document_, motion_, trail_, look_.lowestPlace()).against(findings_)) {
       if (helps(remedy.settings)) {
         return remedy.advice;
       }
@@ -175,10 +203,23 @@ std::vector<std::string> lines(const rig::Limb& limb, const Findings& findings, 
                                    findings.turns.worst * 180.0 / pi));
   warn(findings.vertices, fmt::format("a vertex is {:.3g} from its place, the tip only {:.3g},",
                                       findings.vertices.worst, findings.tipDisplacement));
+  const char* const end = isLeg(limb) ? "foot" : isArm(limb) ? "hand" : "limb's end";
+  const std::string jump = fmt::format("jumps by {:.3g} within a frame where it stops", findings.jumps.worst);
+  const bool jumps = findings.jumps.any();
+  warn(findings.swings,
+       fmt::format("the {} is carried {:.3g} away, at the tip only {:.3g},{}", end, findings.swings.worst,
+                   findings.tipDisplacement,
+                   jumps ? fmt::format(" and {} (frame {:g}),", jump, findings.jumps.worstFrame) : ""));
+  if (!findings.swings.any()) {
+    warn(findings.jumps, fmt::format("the {} {}", end, jump));
+  }
   warn(findings.edges, fmt::format("an edge of the mesh is {:.3g} times its length", findings.edges.worst));
   warn(findings.elbows, fmt::format("the elbow is {:.3g} above the head", findings.elbows.worst));
   warn(findings.ends, fmt::format("the {} is {:.3g} below {}", isLeg(limb) ? "foot" : "hand",
                                   findings.ends.worst, isLeg(limb) ? "where feet stand" : "the floor"));
+  warn(findings.lows, fmt::format("the limb is {:.3g} below the lowest place of the body in the clip, most "
+                                  "likely through the floor,",
+                                  findings.lows.worst));
   return warnings;
 }
 

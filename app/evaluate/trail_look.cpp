@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -12,6 +13,7 @@
 #include "core/math/rotation.h"
 #include "rig/limb.h"
 #include "rig/motion/bind_places.h"
+#include "rig/motion/evaluate.h"
 #include "rig/motion/part_motion.h"
 
 namespace stretch::app {
@@ -23,6 +25,7 @@ constexpr double farthestTurn = 120.0 * pi / 180.0; // beyond it an arm or a leg
 constexpr double longestEdge = 4.0;                 // times its length, on a limb that is hardly longer
 constexpr double visibleLength = 5e-3;              // of the height: what is smaller is not seen to be torn
 constexpr double placeMargin = 0.02;                // of the height
+constexpr double farthestJump = 0.25;               // of the limb's length, within a frame
 
 std::vector<double> framesOf(const rig::MotionState& motion, const rig::SolvedTrail& trail) {
   const double fps = motion.framesPerSecond;
@@ -75,7 +78,7 @@ bool Findings::any() const {
 
 double Findings::firstFrame() const {
   double first = -1.0;
-  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+  for (const Finding* const one : each()) {
     first = one->any() && (first < 0.0 || one->first < first) ? one->first : first;
   }
   return first;
@@ -83,7 +86,7 @@ double Findings::firstFrame() const {
 
 double Findings::lastFrame() const {
   double last = -1.0;
-  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+  for (const Finding* const one : each()) {
     last = std::max(last, one->last);
   }
   return last;
@@ -91,7 +94,7 @@ double Findings::lastFrame() const {
 
 std::vector<double> Findings::worstFrames() const {
   std::vector<double> frames;
-  for (const Finding* const one : {&lengths, &turns, &vertices, &edges, &elbows, &ends}) {
+  for (const Finding* const one : each()) {
     if (one->any()) {
       frames.push_back(one->worstFrame);
     }
@@ -116,6 +119,9 @@ TrailLook::TrailLook(const Document& document, int clip, const rig::SolvedTrail&
     findHead();
   }
   findFloor(trail.limb);
+  if (!lowestEnd_) {
+    findLowestPlace();
+  }
 }
 
 void TrailLook::findHead() {
@@ -161,12 +167,52 @@ void TrailLook::findFloor(const rig::Limb& limb) {
   }
 }
 
+// Of joints, in the bind pose and in the clip: a body that flies all the time is measured by where it stands.
+void TrailLook::findLowestPlace() {
+  constexpr double mostFrames = 240.0;
+  const Scene& scene = *document_.scene;
+  const Clip& clip = clipOf(document_, clip_);
+  const std::vector<rig::Limb> limbs = allLimbs(document_);
+  std::vector<NodeIndex> joints;
+  if (document_.body.hips.exists()) {
+    joints.push_back(document_.body.hips);
+  }
+  for (const rig::Limb& limb : limbs) {
+    joints.insert(joints.end(), limb.joints.begin(), limb.joints.end());
+  }
+  const std::vector<NodeIndex> body = rig::withSubtrees(scene, joints);
+  double lowest = std::numeric_limits<double>::infinity();
+  const auto lookAt = [&](const FrameState& frame) {
+    for (const NodeIndex node : body) {
+      lowest = std::min(lowest, positionOf(frame.worlds[at(node)]).y);
+    }
+    for (const rig::Limb& limb : limbs) {
+      lowest = std::min(lowest, rig::endPosition(limb, frame).y);
+    }
+  };
+  FrameState bind;
+  bind.worlds = rig::bindPoseWorlds(scene);
+  lookAt(bind);
+  const double last = clip.endSeconds * clip.framesPerSecond;
+  const double step = std::max(1.0, last / mostFrames);
+  for (double frame = 0.0; frame <= last; frame += step) {
+    lookAt(rig::sampledFrame(scene, clip, frame / clip.framesPerSecond));
+  }
+  lowestPlace_ = std::isfinite(lowest) ? std::optional(lowest) : std::nullopt;
+}
+
 // One trail on its frames.
 class TrailLook::Walk {
 public:
   Walk(const TrailLook& look, const rig::MotionState& alone)
       : look_(look), alone_(alone), trail_(alone.trails.front()),
         part_(*look.document_.scene, clipOf(look.document_, look.clip_), alone, look.nodes_) {
+    if (trail_.settings.stopAt) {
+      unstopped_ = alone;
+      unstopped_->trails.front().settings.stopAt.reset();
+      unstoppedPart_.emplace(*look.document_.scene, clipOf(look.document_, look.clip_), *unstopped_,
+                             look.nodes_);
+    }
     step(trail_.tipSeconds);
     findings_.tipDisplacement =
         glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
@@ -193,6 +239,7 @@ public:
 
 private:
   void lookAt(double frame) {
+    lookAtStop(frame);
     step(frame / alone_.framesPerSecond);
     lookAtLimb(frame);
     lookAtPlaces(frame);
@@ -228,6 +275,27 @@ private:
     }
   }
 
+  // How far the limb's end is carried from its place in the source.
+  [[nodiscard]] double carried(const rig::PartMotion& part, double frame) {
+    part.source(frame / alone_.framesPerSecond, before_);
+    after_ = before_;
+    part.move(after_);
+    return glm::length(rig::leadingPosition(trail_.limb, after_) -
+                       rig::leadingPosition(trail_.limb, before_));
+  }
+
+  // What the stop makes of the way from one frame to the next, beyond what it would be without it.
+  void lookAtStop(double frame) {
+    if (!unstoppedPart_ || frame < 1.0) {
+      return;
+    }
+    const double jump = std::abs(carried(part_, frame) - carried(part_, frame - 1.0));
+    const double free = std::abs(carried(*unstoppedPart_, frame) - carried(*unstoppedPart_, frame - 1.0));
+    if (jump - free > farthestJump * trail_.limb.restLength) {
+      findings_.jumps.add(frame, jump, jump);
+    }
+  }
+
   void lookAtPlaces(double frame) {
     const double margin = placeMargin * height();
     if (look_.lowestEnd_) {
@@ -237,8 +305,21 @@ private:
         findings_.ends.add(frame, below, below);
       }
     }
+    if (look_.lowestPlace_) {
+      lookAtLowest(frame, margin);
+    }
     if (look_.head_) {
       lookAtElbows(frame, margin);
+    }
+  }
+
+  void lookAtLowest(double frame, double margin) {
+    double below = 0.0;
+    for (const Vec3& point : rig::limbPoints(trail_.limb, after_)) {
+      below = std::max(below, *look_.lowestPlace_ - point.y);
+    }
+    if (below > margin) {
+      findings_.lows.add(frame, below, below);
     }
   }
 
@@ -270,7 +351,9 @@ private:
     }
     const double farthest = std::sqrt(static_cast<double>(farthestSquared));
     if (farthest > room * findings_.tipDisplacement && farthest > 1e-4 * height()) {
-      findings_.vertices.add(frame, farthest, farthest);
+      const double end =
+          glm::length(rig::leadingPosition(trail_.limb, after_) - rig::leadingPosition(trail_.limb, before_));
+      (farthest > room * end ? findings_.vertices : findings_.swings).add(frame, farthest, farthest);
     }
     lookAtEdges(frame);
   }
@@ -303,6 +386,8 @@ private:
   const rig::MotionState& alone_;
   const rig::SolvedTrail& trail_;
   rig::PartMotion part_;
+  std::optional<rig::MotionState> unstopped_; // without the stop, of a trail that has one
+  std::optional<rig::PartMotion> unstoppedPart_;
   Findings findings_;
   FrameState before_;
   FrameState after_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,10 +31,17 @@ struct Findings {
   Finding lengths;  ///< The limb over its source length.
   Finding turns;    ///< Radians between where it points and where it did.
   Finding vertices; ///< World units from a vertex to its place in the source.
+  Finding swings;   ///< The same where the limb's end itself goes as far: less than at the tip.
+  Finding jumps;    ///< World units by which the end jumps within a frame where it stops.
   Finding edges;    ///< An edge of the mesh over its length.
   Finding elbows;   ///< World units of an arm's joint above the head.
   Finding ends;     ///< World units of the limb's end below the floor.
+  Finding lows;     ///< World units of the limb below all that the body has in the clip.
   double tipDisplacement = 0.0;
+
+  [[nodiscard]] std::array<const Finding*, 9> each() const {
+    return {&lengths, &turns, &vertices, &swings, &jumps, &edges, &elbows, &ends, &lows};
+  }
 
   [[nodiscard]] bool any() const;
   [[nodiscard]] double firstFrame() const; ///< Of all findings.
@@ -55,6 +63,9 @@ public:
   /// Whether a node's place depends on the trail.
   [[nodiscard]] const std::vector<bool>& moved() const { return moved_; }
 
+  /// Of the body in the clip and in the bind pose, where no floor is known for the limb's end.
+  [[nodiscard]] std::optional<double> lowestPlace() const { return lowestPlace_; }
+
 private:
   class Walk;
 
@@ -72,6 +83,7 @@ private:
 
   void findHead();
   void findFloor(const rig::Limb& limb);
+  void findLowestPlace();
 
   const Document& document_;
   int clip_ = -1;
@@ -81,6 +93,7 @@ private:
   std::vector<NodeIndex> nodes_;
   std::optional<Head> head_;
   std::optional<double> lowestEnd_;
+  std::optional<double> lowestPlace_;
 };
 
 } // namespace stretch::app

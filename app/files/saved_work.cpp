@@ -338,17 +338,8 @@ void restorePlan(const Json& work, Document& document) {
   }
 }
 
-Status restoreParts(const Json& work, Document& document) {
-  restorePlan(work, document);
-  if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
-    return rates;
-  }
-  if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
-    return keys;
-  }
-  if (Status autos = restoreFollowingKeys(work.value("auto_keys", Json::array()), document); !autos) {
-    return autos;
-  }
+// One limb has one id, and what is kept twice is read once.
+Status restoreLimbs(const Json& work, Document& document) {
   for (const auto& [key, limbs] :
        {std::pair{"limbs", &document.body.limbs}, std::pair{"chains", &document.chains}}) {
     if (!work.contains(key)) {
@@ -360,8 +351,30 @@ Status restoreParts(const Json& work, Document& document) {
       if (!limb) {
         return limb.error();
       }
+      if (findLimb(document, limb->id) != nullptr) {
+        document.warnings.push_back("the limb " + limb->id +
+                                    " is kept twice in the file: the second is left out");
+        continue;
+      }
       limbs->push_back(std::move(*limb));
     }
+  }
+  return Success{};
+}
+
+Status restoreParts(const Json& work, Document& document) {
+  restorePlan(work, document);
+  if (Status rates = restoreRates(work.value("rates", Json::array()), document); !rates) {
+    return rates;
+  }
+  if (Status keys = restoreKeptTracks(work.value("clip_keys", Json::array()), document); !keys) {
+    return keys;
+  }
+  if (Status autos = restoreFollowingKeys(work.value("auto_keys", Json::array()), document); !autos) {
+    return autos;
+  }
+  if (Status limbs = restoreLimbs(work, document); !limbs) {
+    return limbs;
   }
   for (const Json& json : work.at("trails")) {
     const Result<rig::Trail> trail = trailOfWork(json, document);

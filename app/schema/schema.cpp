@@ -158,7 +158,8 @@ Result<Json> valueOfText(const SettingFacts& setting, const std::string& text) {
 }
 
 std::string optionHelp(const SettingFacts& setting) {
-  std::string help = setting.help;
+  const bool switchesOff = setting.kind == SettingKind::flag && setting.standard == "true";
+  std::string help = (switchesOff ? "Switches this off: " : "") + setting.help;
   if (!setting.choices.empty()) {
     help += " (" + choiceList(setting) + ")";
   }

@@ -73,7 +73,8 @@ using Schema = std::vector<Setting<Settings>>;
 /// What the setting takes, in words: "a number from 0 to 5".
 [[nodiscard]] std::string takenValues(const SettingFacts& setting);
 
-/// Help of the option: the sentence, choices or unit, and the default.
+/// Help of the option: the sentence, choices or unit, and the default; of a flag that is on by default, that
+/// it is switched off.
 [[nodiscard]] std::string optionHelp(const SettingFacts& setting);
 
 /// Label of the setting on a panel: "Ease-in".

@@ -290,3 +290,36 @@ TEST_CASE("a glove that hangs on the body instead of the hand is named, one on t
   addRigidPart(buckle, "Buckle", spine, Vec3(0.0, 0.0, 0.1));
   CHECK(warningsOf(buckle).empty());
 }
+
+TEST_CASE("a limb that reaches below all that the body does in the clip is told, where no leg stands") {
+  Document document = punching(10.0, 1.0);
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -0.4, 0.0)}};
+  CHECK(warningsOf(document).empty()); // The hand is at 1.1, the hips are at 1.
+  document.trails.front().settings.spheres = {{10.0, Vec3(0.0, -0.7, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_THAT(warnings.back(), Contains("the limb is 0.2 below the lowest place of the body in the clip") &&
+                                  Contains("stop the limb's end at the floor, below y = 1"));
+}
+
+TEST_CASE("a hand that is carried off and brought back is told as that, not as a vertex") {
+  Document document = punching(10.0, 1.0);
+  addStaff(document, 0.01F);
+  document.trails.front().settings.spheres = {{5.0, Vec3(0.0, 0.1, 0.0)}, {10.0, Vec3(0.0, 0.02, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(), Contains("the hand is carried 0.102 away, at the tip only 0.02, at frames"));
+}
+
+TEST_CASE("a limb that jumps where its stop lets it go is told, and that it may stop nowhere") {
+  Document document = punching(10.0, 1.0);
+  rig::TrailSettings& settings = document.trails.front().settings;
+  settings.stopAt = rig::StopPlane{{0.0, 1.52, 0.0}, {0.0, -1.0, 0.0}}; // Just above where the hand is.
+  settings.spheres = {{5.0, Vec3(0.3, 0.0, 0.0)}, {6.0, Vec3(0.3, 0.05, 0.0)}, {10.0, Vec3(0.3, 0.2, 0.0)}};
+  const std::vector<std::string> warnings = warningsOf(document);
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_THAT(warnings.front(), Contains("the hand jumps by 0.3") && Contains("where it stops at frame 6") &&
+                                   Contains("set Stop at to Nowhere"));
+  settings.stopAt.reset();
+  CHECK(warningsOf(document).empty());
+}

@@ -240,7 +240,7 @@ class Case:
         displacement = math.dist(*self.tips()) if self.nodes else moved[frames.index(self.end)]
         for frame, distance in zip(frames, moved):
             too_far = distance > LOOK_ROOM * LOOK_SLACK * displacement + 1e-3 * self.info["height"]
-            if too_far and frame == round(frame) and not names(self.warnings, "a vertex is", frame):
+            if too_far and frame == round(frame) and not any(names(self.warnings, far, frame) for far in ("a vertex is", "is carried")):
                 self.problems.append(f"a vertex is {distance:.4g} from its place at frame {frame:g}, the tip {displacement:.4g}, without a warning")
 
     def tips(self):

@@ -44,6 +44,7 @@ struct RenderArguments {
   int bones = 0; ///< 0: as many as the editor begins with.
   bool sheet = false;
   bool skeleton = false;
+  bool withoutTrails = false;
   bool stages = false;
 };
 
@@ -336,6 +337,7 @@ Status renderCharacter(const RenderArguments& arguments) {
   }
   const auto motion = std::make_shared<const rig::MotionState>(app::prepareMotion(*document, clip));
   const CharacterLook look{.skeleton = arguments.skeleton,
+                           .trails = !arguments.withoutTrails,
                            .ghosts = arguments.ghosts,
                            .weightsOf = *joint,
                            .labelled = clip >= 0 && (frames->size() > 1 || arguments.sheet)};
@@ -379,6 +381,7 @@ app::Verb renderVerb() {
             .required()
             .takes(1, 2);
         app::addTolerant(line, arguments->input);
+        app::addPlan(line, arguments->input);
         line.option("-o,--output", arguments->output, "The .png to write; a series adds -NNNN").required();
         app::addClipArguments(line, arguments->input);
         const app::DeclaredOption frame = line.option("--frame", arguments->frame, "One frame; default: 0");
@@ -388,6 +391,8 @@ app::Verb renderVerb() {
         line.option("--size", arguments->size, "Pixels of a picture, WxH").showDefault();
         line.option("--view", arguments->view, "front, side, top or three-quarter").showDefault();
         line.option("--trails", arguments->trails, "A recipe whose trails are drawn and followed");
+        line.flag("--no-trails", arguments->withoutTrails,
+                  "Draw the character alone: trails of the file or recipe move it, and are not drawn");
         line.option("--ghosts", arguments->ghosts, "Ghosts before and after, every second frame")
             .between(0, 20);
         line.flag("--skeleton", arguments->skeleton, "Draw the skeleton over the mesh");

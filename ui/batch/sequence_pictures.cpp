@@ -158,8 +158,10 @@ std::vector<PictureFrame> picturesOfCharacter(const app::Document& document,
   selection.everyTrail = true;
   selection.weightsOf = look.weightsOf;
   const ShownTrails trails =
-      shownTrails(motion, motion->trails.empty() ? std::vector<app::TrailPaths>{}
-                                                 : app::trailPaths(document, *motion, pathSamplesPerFrame));
+      !look.trails ? ShownTrails{}
+                   : shownTrails(motion, motion->trails.empty()
+                                             ? std::vector<app::TrailPaths>{}
+                                             : app::trailPaths(document, *motion, pathSamplesPerFrame));
   const SceneMeasures measures = measuresOf(*document.scene, BoundsSampler(*document.scene));
   std::vector<PictureFrame> pictures;
   for (const double frame : frames) {

@@ -40,6 +40,7 @@ struct SequenceExtras {
 /// What pictures of a character show beyond its trails.
 struct CharacterLook {
   bool skeleton = false;
+  bool trails = true;                    ///< Drawn; what they do to the character is seen either way.
   int ghosts = 0;                        ///< Before and after.
   NodeIndex weightsOf = NodeIndex::none; ///< Joint whose weights colour the mesh.
   bool labelled = false;

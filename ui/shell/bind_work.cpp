@@ -9,6 +9,7 @@
 #include "app/commands/selection.h"
 #include "app/locators/build_rig.h"
 #include "skinning/linear_blend_skinning.h"
+#include "ui/shell/input.h"
 #include "ui/shell/shell.h"
 
 namespace stretch::ui {
@@ -58,6 +59,12 @@ Status bindOrStop(Shell& shell) {
   return Success{};
 }
 
+std::string replacedText(const Shell& shell) {
+  const std::vector<app::Chord> chords = shell.keymap.chordsOf(command::undo);
+  return fmt::format(". The weights that were there are replaced: Undo{} brings them back",
+                     chords.empty() ? "" : " (" + shownChord(chords.front()) + ")");
+}
+
 void takeUp(Shell& shell, const app::BoundMeshes& bound) {
   app::Session& session = *shell.open.character();
   const bool isAgain = hasBoundMesh(*session.document().scene);
@@ -70,7 +77,8 @@ void takeUp(Shell& shell, const app::BoundMeshes& bound) {
   app::selectLocators(session, {});
   session.edit(std::move(changed).value(), isAgain ? "Bind again" : "Bind");
   tell(shell, ToastKind::success,
-       fmt::format("Bound: {} vertices follow {} joints", bound.report.vertices, bound.report.joints));
+       fmt::format("Bound: {} vertices follow {} joints{}", bound.report.vertices, bound.report.joints,
+                   isAgain ? replacedText(shell) : ""));
   for (const std::string& warning : bound.report.warnings) {
     tell(shell, ToastKind::warning, warning);
   }

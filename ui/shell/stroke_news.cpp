@@ -7,6 +7,7 @@
 #include "app/commands/ranges.h"
 #include "app/commands/selection.h"
 #include "app/edits/place_trails.h"
+#include "app/evaluate/stopped.h"
 #include "ui/panels/panel_support.h"
 
 namespace stretch::ui {
@@ -144,8 +145,8 @@ std::string whyNothing(app::Session& session, const ExaggerateTool& tool) {
   const rig::SolvedTrail* const solved = app::solvedTrail(session, tool.targets.trailIds.front());
   const bool moves = solved != nullptr && solved->tip.outcome != rig::TipOutcome::nothingToScale;
   const char* const still = one ? "does not move" : "do not move";
-  const char* const blocked =
-      moves && solved->settings.stopAt ? "would get longer only into the floor" : "would not get longer";
+  const bool isStopped = moves && app::isStoppedAtTip(session.document(), session.motion(), *solved);
+  const char* const blocked = isStopped ? "would get longer only into the floor" : "would not get longer";
   return fmt::format("The {} {}", limbsOf(session, tool), moves ? blocked : still);
 }
 

@@ -119,13 +119,18 @@ float drawTrailLegend(ViewportContext& context, float bottom) {
   return corner.y - theme.unit();
 }
 
-/// A legend in the lower right corner, above what ends at `bottom`; none where the picture is narrow.
+/// A legend in the lower right corner, above what ends at `bottom`; in one row where the picture is narrow,
+/// none where it is narrower still.
 void drawScale(ViewportContext& context, float bottom, const char* id, const ColorLegend& legend) {
-  const ImVec2 size = legendSize(context.theme, legend);
   const Rect& box = context.viewport.box;
+  const WidgetContext widgets{context.theme, context.items};
+  const float right = box.max.x - context.theme.unit() * 1.5F;
+  const ImVec2 size = legendSize(context.theme, legend);
+  const ImVec2 row = legendRowSize(context.theme);
   if (box.width() >= 1.5F * size.x) {
-    drawColorLegend({context.theme, context.items}, id,
-                    {box.max.x - context.theme.unit() * 1.5F - size.x, bottom - size.y}, legend);
+    drawColorLegend(widgets, id, {right - size.x, bottom - size.y}, legend);
+  } else if (box.width() >= 1.5F * row.x) {
+    drawLegendRow(widgets, id, {right - row.x, bottom - row.y}, legend);
   }
 }
 

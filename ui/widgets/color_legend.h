@@ -23,4 +23,9 @@ struct ColorLegend {
 void drawColorLegend(const WidgetContext& context, const std::string& id, const ImVec2& corner,
                      const ColorLegend& legend);
 
+/// The same in one row where there is little room: the bar between its values.
+[[nodiscard]] ImVec2 legendRowSize(const Theme& theme);
+void drawLegendRow(const WidgetContext& context, const std::string& id, const ImVec2& corner,
+                   const ColorLegend& legend);
+
 } // namespace stretch::ui

@@ -8,6 +8,7 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "app/schema/parse_text.h"
+#include "app/schema/trail_schema.h"
 #include "core/base/file.h"
 #include "core/gltf/json.h"
 #include "tests/support/app/captured_errors.h"
@@ -150,4 +151,31 @@ TEST_CASE("The version is what the program was built as") {
   const test::VerbAnswer answer = test::runVerb({"--version"});
   CHECK(answer.exitCode == 0);
   CHECK(answer.output == "stretch-engine under test\n");
+}
+
+TEST_CASE("A word that is no verb is answered with the verb that was probably meant, and all of them") {
+  for (const auto& [word, meant] : {std::pair{"stretch", "exaggerate"}, std::pair{"exagerate", "exaggerate"},
+                                    std::pair{"convert", "resave"}, std::pair{"inof", "info"}}) {
+    INFO(word);
+    const test::VerbAnswer answer = test::runVerb({word, dummy});
+    CHECK(answer.exitCode == 2);
+    CHECK_THAT(answer.told, Catch::Contains("there is no verb '" + std::string(word) + "'") &&
+                                Catch::Contains("did you mean '" + std::string(meant) + "'?"));
+  }
+  const test::VerbAnswer answer = test::runVerb({"photograph", dummy});
+  CHECK_THAT(answer.told, !Catch::Contains("did you mean") && Catch::Contains("the verbs are info, trail"));
+}
+
+TEST_CASE("A clip named in another case is refused with the name that the file has") {
+  const test::VerbAnswer answer = test::runVerb({"trail", dummy, "--limb", "left-arm", "--clip", "guard"});
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains("did you mean 'Guard'?"));
+}
+
+TEST_CASE("An option that switches something off says so") {
+  const std::vector<Setting<rig::TrailSettings>>& settings = trailSchema();
+  const auto pull =
+      std::ranges::find(settings, "--no-pull", [](const auto& setting) { return setting.option; });
+  REQUIRE(pull != settings.end());
+  CHECK(optionHelp(*pull).starts_with("Switches this off: "));
 }

@@ -269,3 +269,19 @@ TEST_CASE("Locators are part of the work: kept, restored, and none when they are
   damaged["locators"]["locators"].erase(0);
   CHECK_FALSE(restoreWork(damaged, restored));
 }
+
+TEST_CASE("A chain that a file keeps twice is read once, with a warning") {
+  Document document = test::boxer();
+  const Result<rig::Limb> chain = rig::chainLimb(*document.scene, "Hips", "Chest");
+  REQUIRE(chain);
+  document = *addChain(document, *chain);
+  Json work = workOf(document);
+  work["chains"].push_back(work["chains"][0]);
+  Document restored = test::boxer();
+  REQUIRE(restoreWork(work, restored));
+  REQUIRE(restored.chains.size() == 1);
+  CHECK(restored.chains.front().joints == chain->joints);
+  REQUIRE(restored.warnings.size() == 1);
+  CHECK(restored.warnings.front() ==
+        "the limb Hips..Chest is kept twice in the file: the second is left out");
+}

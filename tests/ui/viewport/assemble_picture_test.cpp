@@ -126,6 +126,17 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
   CHECK(drawn(*document.scene, written) == drawn(*document.scene, shown));
 }
 
+TEST_CASE("A character that is drawn alone moves as its trails say, which are not drawn") {
+  Window window;
+  const app::Document& document = window.session.document();
+  const auto pictures =
+      picturesOfCharacter(document, window.session.sharedMotion(), {12.0}, {.trails = false});
+  const auto withTrails = picturesOfCharacter(document, window.session.sharedMotion(), {12.0}, {});
+  CHECK(pictures.at(0).content.trails.empty());
+  REQUIRE(withTrails.at(0).content.trails.size() == 1);
+  CHECK(pictures.at(0).content.frame.worlds == withTrails.at(0).content.frame.worlds);
+}
+
 TEST_CASE("Sampling spaces the points of a drawn trail, and the playhead stays where it was") {
   Window window;
   window.session.view().frame = 8.0;
