@@ -91,7 +91,9 @@ Document snapLocators(const Document& document, const std::vector<std::string>& 
       const Vec3 along = locator->orientation * Vec3(0.0, 1.0, 0.0);
       const Vec3 middle =
           skinning::middleOfMesh(meshes.positions, meshes.triangles, locator->position, along);
-      snapped = moveLocators(snapped, {name}, middle - locator->position, mirror);
+      if (middle != locator->position) {
+        snapped = moveLocators(snapped, {name}, middle - locator->position, mirror);
+      }
     }
   }
   return snapped;
