@@ -140,6 +140,10 @@ double hipHeightOf(double crotch, double neckHeight) {
   constexpr double smallHead = 0.77;
   constexpr double ofNeck = 0.59;
   constexpr double atMost = 0.61;
+  constexpr double intoPelvis = 0.65; // legs of bare bones are followed up between the pelvis's blades
+  if (crotch > intoPelvis * neckHeight) {
+    return ofNeck * neckHeight;
+  }
   if (neckHeight < smallHead) {
     return crotch + overCrotch;
   }

@@ -19,7 +19,8 @@ struct TrunkJoints {
 /// Below 1 for what stands upright as a person does, above for a trunk that lies, as a bird's.
 [[nodiscard]] double depthForHeight(const StandingBody& body, double crotch, double halfWidth);
 
-/// Height of the hip joints over the crotch; where the head is as small as a person's, the neck counts too.
+/// Height of the hip joints over the crotch; where the head is as small as a person's, the neck counts too. A
+/// crotch that is too high for one, as between the bare bones of a pelvis, does not count.
 [[nodiscard]] double hipHeightOf(double crotch, double neckHeight);
 
 } // namespace stretch::skinning

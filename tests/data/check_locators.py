@@ -34,7 +34,7 @@ SKELETONS = {"bodies/model-human.glb": "bodies/rig-human.glb"}
 # Not bipeds: told so, or refused.
 OTHER_BODIES = ["bodies/bird-animations.glb", "bodies/model-spider.glb", "bodies/spider-animations.glb", "bodies/snake-animations.glb", "bodies/dragon-animations.glb", "quadruped/Fox.glb"]
 # What the fit does not reach: (each, mean) in percent of the height.
-LOOSER = {"rpg-lowpoly-skeleton": (6.0, 3.0), "character": (5.5, MEAN), "robot": (6.0, MEAN)}
+LOOSER = {"rpg-lowpoly-skeleton": (6.0, MEAN), "character": (5.5, MEAN), "robot": (6.0, MEAN)}
 
 
 def artists_joints(program, file, places):

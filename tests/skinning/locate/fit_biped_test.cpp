@@ -6,6 +6,7 @@
 
 #include "core/math/rotation.h"
 #include "skinning/locate/fit_biped.h"
+#include "skinning/locate/trunk_joints.h"
 #include "tests/support/skinning/tube_person.h"
 
 using namespace stretch;
@@ -104,6 +105,12 @@ TEST_CASE("Limbs that are boxes turn where they begin and in their middles", "[l
     const Vec3 either(found.x * place.x < 0.0 ? -found.x : found.x, found.y, found.z);
     CHECK(glm::distance(either, place) < 0.02 * height);
   }
+}
+
+TEST_CASE("Hips are over the crotch, but not where that lies between the bones of a pelvis", "[locators]") {
+  CHECK(hipHeightOf(0.16, 0.5) == Approx(0.19));
+  CHECK(hipHeightOf(0.47, 0.82) == Approx(0.496).margin(0.01));
+  CHECK(hipHeightOf(0.54, 0.8) < 0.5);
 }
 
 TEST_CASE("An elbow is where a thin rod meets a thick forearm", "[locators]") {
