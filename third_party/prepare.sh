@@ -59,17 +59,21 @@ show_progress() {
   [ ! -t 1 ] || printf '\r                    \r'
 }
 
-# configure run|test: where it was not done yet. Once the tests are part of the build folder they stay.
+# configure run|test|package: where it was not done yet, for a package always. Once the tests are part of the build folder they stay.
 configure() {
-  local folder="$root/build/release" log="$root/build/build.log" tests=OFF
+  local folder="$root/build/release" log="$root/build/build.log" tests=(-DSTRETCH_TESTS=OFF)
   if [ "$1" = test ]; then
-    tests=ON
+    tests=(-DSTRETCH_TESTS=ON)
   fi
-  if [ -f "$folder/build.ninja" ] && { [ "$tests" = OFF ] || grep -q '^STRETCH_TESTS:BOOL=ON' "$folder/CMakeCache.txt"; }; then
-    return
+  if [ -f "$folder/build.ninja" ]; then
+    case $1 in
+      run) return ;;
+      test) ! grep -q '^STRETCH_TESTS:BOOL=ON' "$folder/CMakeCache.txt" || return 0 ;;
+      package) tests=() ;; # tools that it installed are looked for again
+    esac
   fi
   echo "Configuring ..."
-  (cd "$root" && cmake --preset release -DSTRETCH_TESTS=$tests) >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  (cd "$root" && cmake --preset release "${tests[@]}") >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 }
 
 # build TARGET...: quiet unless something is to be built or fails.
