@@ -102,7 +102,8 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
   if (!shape || shape->type != "MAT4" || shape->component != ComponentType::float32 ||
       shape->count < joints) {
     problems.error(where, "is no accessor of one float MAT4 for each joint");
-    return std::vector<Mat4>(joints, Mat4(1.0));
+    std::vector<Mat4> unread(joints, Mat4(1.0));
+    return unread;
   }
   const Json& json = element(source.json, "accessors", static_cast<std::size_t>(accessor));
   if (find(json, "bufferView") == nullptr && find(json, "sparse") == nullptr) {
