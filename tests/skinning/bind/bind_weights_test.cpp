@@ -83,7 +83,7 @@ TEST_CASE("A bone owns its part of a tube, and two bones share the bend between 
   const Shape tube = test::tube(10.0, 1.0, 80, 12);
   const std::vector<Influences> rows = bound(tube, tubeBones);
   for (std::size_t v = 0; v < rows.size(); ++v) {
-    const double x = static_cast<double>(tube.positions[v].x);
+    const auto x = static_cast<double>(tube.positions[v].x);
     CHECK((x > 3.5 || weightOf(rows[v], 0) > 0.99));
     CHECK((x < 6.5 || weightOf(rows[v], 0) < 0.01));
     CHECK((std::abs(x - 5.0) > 0.01 || std::abs(weightOf(rows[v], 0) - 0.5) < 0.1));

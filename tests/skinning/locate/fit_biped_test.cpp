@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -23,10 +24,8 @@ constexpr double goal = 0.05; // of the height
 using Move = std::function<Vec3(const Vec3&)>;
 
 std::vector<Vec3> moved(const std::vector<Vec3>& positions, const Move& move) {
-  std::vector<Vec3> all;
-  for (const Vec3& position : positions) {
-    all.push_back(move(position));
-  }
+  std::vector<Vec3> all(positions.size());
+  std::ranges::transform(positions, all.begin(), move);
   return all;
 }
 

@@ -65,7 +65,8 @@ std::optional<double> rowOfWeights(const app::Document& document, NodeIndex join
   for (std::size_t pixel = 0; pixel < image->rgba.size() / 4; ++pixel) {
     const auto channel = [&](std::size_t i) { return static_cast<int>(image->rgba[4 * pixel + i]); };
     if (channel(0) > 120 && 2 * channel(2) < channel(0)) {
-      sum += static_cast<double>(pixel / 160) / 160.0;
+      const std::size_t row = pixel / 160;
+      sum += static_cast<double>(row) / 160.0;
       ++count;
     }
   }
