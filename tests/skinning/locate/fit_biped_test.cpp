@@ -116,6 +116,33 @@ TEST_CASE("An elbow is where a thin rod meets a thick forearm", "[locators]") {
   checkFits(tubePerson({.hasRods = true}), asMade, 1.0, 0.04);
 }
 
+TEST_CASE("A beard does not draw the head's joint forward", "[locators]") {
+  TubePerson person = tubePerson();
+  const auto first = static_cast<std::uint32_t>(person.positions.size());
+  for (std::uint32_t corner = 0; corner < 8; ++corner) { // a box before the neck and the chin
+    person.positions.emplace_back((corner & 1U) != 0 ? 0.06 : -0.06, (corner & 2U) != 0 ? 1.6 : 1.5,
+                                  (corner & 4U) != 0 ? 0.25 : 0.0);
+  }
+  for (const Triangle& side : std::vector<Triangle>{{0, 1, 3},
+                                                    {0, 3, 2},
+                                                    {4, 5, 7},
+                                                    {4, 7, 6},
+                                                    {0, 1, 5},
+                                                    {0, 5, 4},
+                                                    {2, 3, 7},
+                                                    {2, 7, 6},
+                                                    {0, 2, 6},
+                                                    {0, 6, 4},
+                                                    {1, 3, 7},
+                                                    {1, 7, 5}}) {
+    person.triangles.push_back({side[0] + first, side[1] + first, side[2] + first});
+  }
+  const Result<FittedBiped> fitted = fitBiped(person.positions, person.triangles);
+  REQUIRE(fitted);
+  const Vec3 way = jointOf(*fitted, "head").position - jointOf(*fitted, "neck").position;
+  CHECK(std::abs(way.z) < way.y);
+}
+
 TEST_CASE("What one hand holds does not make its arm longer", "[locators]") {
   checkFits(tubePerson({.holdsInRight = 0.4}));
 }
