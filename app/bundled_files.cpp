@@ -1,6 +1,6 @@
 #include "app/bundled_files.h"
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 
 namespace stretch::app {
 

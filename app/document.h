@@ -7,10 +7,10 @@
 
 #include "app/weight/weight_settings.h"
 #include "core/anim/clip.h"
-#include "core/gltf/source.h"
+#include "core/gltf/source/source.h"
 #include "core/scene/scene.h"
-#include "rig/body/detection.h"
-#include "rig/body/locators.h"
+#include "rig/body/locators/locators.h"
+#include "rig/body/reading/detection.h"
 #include "rig/controllers/adjustment.h"
 #include "rig/hold/hold.h"
 #include "rig/limb.h"

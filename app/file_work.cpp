@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/frames.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
 
 namespace stretch::app {
 

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/base/number.h"
-#include "rig/body/planned_body.h"
+#include "rig/body/reading/planned_body.h"
 
 namespace stretch::app {
 

@@ -5,13 +5,14 @@
 #include <iterator>
 #include <utility>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/sphere_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "app/files/save.h"
 #include "app/locators/locator_edits.h"
 #include "core/anim/sampling.h"
-#include "rig/body/detection.h"
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
 
 namespace stretch::app {
 

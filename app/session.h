@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/editing.h"
-#include "app/edits/key_edits.h"
-#include "app/edits/offset_edits.h"
+#include "app/edits/keys/key_edits.h"
+#include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/cache.h"
 #include "rig/motion/stroke.h"
 

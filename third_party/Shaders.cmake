@@ -1,6 +1,6 @@
 # The shaders of assets/shaders, written into a source file of the user interface: the program finds them wherever it runs.
 function(stretch_shaders)
-  if(NOT TARGET stretch_ui OR NOT EXISTS ${CMAKE_SOURCE_DIR}/ui/render/shader_sources.h)
+  if(NOT TARGET stretch_ui OR NOT EXISTS ${CMAKE_SOURCE_DIR}/ui/render/gl/shader_sources.h)
     return()
   endif()
   file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/shaders/*)
@@ -13,7 +13,7 @@ function(stretch_shaders)
   endforeach()
   list(LENGTH shaders count)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/shader_table.cpp @ONLY CONTENT [[
-#include "ui/render/shader_sources.h"
+#include "ui/render/gl/shader_sources.h"
 
 #include <array>
 #include <utility>

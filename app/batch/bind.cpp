@@ -11,7 +11,7 @@
 #include "app/files/save.h"
 #include "app/locators/fit_locators.h"
 #include "app/schema/locator_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

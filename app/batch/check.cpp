@@ -6,8 +6,8 @@
 #include "app/batch/extension_report.h"
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
-#include "core/gltf/json.h"
-#include "core/gltf/report.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/report.h"
 
 namespace stretch::app {
 

@@ -8,7 +8,7 @@
 #include "app/batch/verb.h"
 #include "app/schema/sequence_schema.h"
 #include "core/base/number.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/read_sequence.h"

@@ -9,12 +9,12 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
-#include "app/edits/starting_settings.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/trail/starting_settings.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/weight_schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

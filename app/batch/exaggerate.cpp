@@ -4,10 +4,10 @@
 #include "app/batch/trail_options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
-#include "app/edits/place_trails.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/place_trails.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/recipe/replay.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {

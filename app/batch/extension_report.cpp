@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf/extensions.h"
+#include "core/gltf/read/extensions.h"
 
 namespace stretch::app {
 

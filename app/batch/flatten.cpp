@@ -7,7 +7,7 @@
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
 #include "core/base/number.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/types.h"
 #include "skinning/elastic/cylinder.h"
 

@@ -8,8 +8,8 @@
 #include "app/batch/options.h"
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
-#include "app/edits/import_clip.h"
-#include "core/gltf/json.h"
+#include "app/edits/keys/import_clip.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

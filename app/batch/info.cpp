@@ -8,11 +8,11 @@
 #include "app/batch/trail_report.h"
 #include "app/batch/verb.h"
 #include "app/document.h"
-#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/hold_json.h"
 #include "app/schema/trail_schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/scene/mesh_sequence.h"
 
 namespace stretch::app {

@@ -7,15 +7,15 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/limb_edits.h"
-#include "app/edits/rate_edits.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/keys/rate_edits.h"
 #include "app/files/save.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/plan/body_plan.h"
 
 namespace stretch::app {

@@ -10,7 +10,7 @@
 #include "app/recipe/recipe.h"
 #include "app/schema/schema.h"
 #include "core/base/result.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/elastic/moduli.h"
 
 namespace stretch::app {

@@ -10,7 +10,7 @@
 #include "app/locators/fit_locators.h"
 #include "app/schema/locator_json.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

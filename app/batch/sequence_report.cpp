@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/export/read_back.h"
 #include "skinning/sequence/read_sequence.h"
 

@@ -4,12 +4,12 @@
 
 #include "app/batch/options.h"
 #include "app/batch/verb.h"
-#include "app/edits/place_trails.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/evaluate/evaluate.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/schema_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {

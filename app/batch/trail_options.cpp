@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "app/batch/options.h"
-#include "app/edits/starting_settings.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/starting_settings.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/motion/solve.h"
 
 namespace stretch::app {

@@ -10,7 +10,7 @@
 #include "app/evaluate/stopped.h"
 #include "app/evaluate/way_back.h"
 #include "app/schema/schema_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/limb.h"
 
 namespace stretch::app {

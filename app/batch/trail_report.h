@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/document.h"
-#include "core/gltf/json_document.h"
+#include "core/gltf/json/json_document.h"
 
 namespace stretch::app {
 

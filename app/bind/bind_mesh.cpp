@@ -10,10 +10,10 @@
 #include <fmt/core.h>
 
 #include "app/bind/body_to_bind.h"
-#include "app/edits/limb_edits.h"
+#include "app/edits/body/limb_edits.h"
 #include "app/locators/build_rig.h"
-#include "core/gltf/added_file.h"
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/added_file.h"
 #include "skinning/bind/bind_weights.h"
 #include "skinning/linear_blend_skinning.h"
 

@@ -9,7 +9,7 @@
 #include "app/bind/moved_joints.h"
 #include "app/document.h"
 #include "core/base/result.h"
-#include "rig/body/locators.h"
+#include "rig/body/locators/locators.h"
 #include "skinning/fit/alternate.h"
 
 namespace stretch::app {

@@ -6,8 +6,8 @@
 
 #include "app/locators/build_rig.h"
 #include "core/anim/sampling.h"
-#include "rig/body/bind_pose.h"
-#include "rig/body/detection.h"
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {

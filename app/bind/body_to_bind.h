@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "app/document.h"
-#include "core/gltf/added_skeleton.h"
-#include "rig/body/locators.h"
+#include "core/gltf/patch/added_skeleton.h"
+#include "rig/body/locators/locators.h"
 #include "skinning/bind/bone_lines.h"
 
 namespace stretch::app {

@@ -5,8 +5,8 @@
 
 #include "app/bind/body_to_bind.h"
 #include "app/document.h"
-#include "core/gltf/edits.h"
-#include "rig/body/locators.h"
+#include "core/gltf/patch/edits.h"
+#include "rig/body/locators/locators.h"
 
 namespace stretch::app {
 

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/edits/hold_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "core/base/index.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/edits/prop_file_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
 
 namespace stretch::app {
 

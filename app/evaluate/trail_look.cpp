@@ -11,6 +11,7 @@
 #include "app/standing_floor.h"
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "rig/limb.h"
 #include "rig/motion/bind_places.h"
 #include "rig/motion/evaluate.h"

@@ -9,14 +9,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "app/edits/prop_file_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
 #include "app/files/imported_clips.h"
 #include "app/files/saved_work.h"
 #include "app/files/user_files.h"
-#include "core/gltf/added_file.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_integers.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/json/json_integers.h"
+#include "core/gltf/source/added_file.h"
+#include "core/gltf/source/json_text.h"
 
 namespace stretch::app {
 

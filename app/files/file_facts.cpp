@@ -7,9 +7,9 @@
 #include <set>
 #include <system_error>
 
-#include "core/gltf/glb.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/glb.h"
+#include "core/gltf/source/json_text.h"
 
 namespace stretch::app {
 

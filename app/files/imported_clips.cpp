@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/edits/import_clip.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_integers.h"
+#include "app/edits/keys/import_clip.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/json/json_integers.h"
 
 namespace stretch::app {
 

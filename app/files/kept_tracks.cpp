@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/edits/track_edits.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_integers.h"
+#include "app/edits/keys/track_edits.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/json/json_integers.h"
 
 namespace stretch::app {
 

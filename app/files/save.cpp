@@ -5,13 +5,13 @@
 #include <set>
 #include <utility>
 
-#include "app/edits/prop_file_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/track_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/keyed_clip.h"
 #include "app/files/saved_work.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/rekey/bind_leaves.h"
 #include "rig/rekey/rekey.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/document.h"
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
 
 namespace stretch::app {
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/place_trails.h"
-#include "app/edits/prop_file_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/track_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/files/kept_tracks.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/hold_json.h"
@@ -19,9 +19,9 @@
 #include "app/schema/schema_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_integers.h"
-#include "rig/body/planned_body.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/json/json_integers.h"
+#include "rig/body/reading/planned_body.h"
 #include "rig/ik/limb_shape.h"
 
 namespace stretch::app {

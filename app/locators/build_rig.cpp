@@ -13,14 +13,15 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
-#include "app/edits/limb_edits.h"
-#include "app/edits/prop_file_edits.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
 #include "app/locators/fit_locators.h"
 #include "core/anim/sampling.h"
-#include "core/gltf/added_file.h"
-#include "core/gltf/added_skeleton.h"
-#include "core/gltf/edits.h"
-#include "rig/body/limb_assembly.h"
+#include "core/gltf/patch/added_skeleton.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/added_file.h"
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/limb_assembly.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {

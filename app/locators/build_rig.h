@@ -4,8 +4,8 @@
 
 #include "app/document.h"
 #include "core/base/result.h"
-#include "core/gltf/added_skeleton.h"
-#include "rig/body/locators.h"
+#include "core/gltf/patch/added_skeleton.h"
+#include "rig/body/locators/locators.h"
 
 namespace stretch::app {
 

@@ -6,7 +6,7 @@
 #include "app/document.h"
 #include "core/base/result.h"
 #include "core/scene/mesh_sequence.h"
-#include "rig/body/locators.h"
+#include "rig/body/locators/locators.h"
 #include "skinning/fit/alternate.h"
 
 namespace stretch::app {

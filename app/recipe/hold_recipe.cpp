@@ -1,7 +1,7 @@
 #include "app/recipe/recipe_parts.h"
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/hold_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/schema/hold_json.h"
 
 namespace stretch::app {

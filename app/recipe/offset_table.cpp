@@ -9,12 +9,12 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/recipe/recipe.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/json_text.h"
 
 namespace stretch::app {
 

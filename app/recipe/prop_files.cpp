@@ -4,11 +4,11 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/hand_place.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/schema_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::app {
 

@@ -8,19 +8,19 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/starting_settings.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/starting_settings.h"
 #include "app/named.h"
 #include "app/recipe/recipe_parts.h"
 #include "app/schema/adjustment_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
-#include "rig/body/planned_body.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/json_text.h"
+#include "rig/body/reading/planned_body.h"
 #include "rig/controllers/controller.h"
 #include "rig/motion/solve.h"
 

@@ -9,7 +9,7 @@
 #include "app/document.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/adjustment_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/controllers/controller.h"
 
 namespace stretch::app {

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/weight_edits.h"
 
 namespace stretch::app {
 

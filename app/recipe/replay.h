@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/edits/place_trails.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/recipe/recipe.h"
 
 namespace stretch::app {

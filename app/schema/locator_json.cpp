@@ -9,7 +9,7 @@
 
 #include "app/schema/schema_json.h"
 #include "core/base/file.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/source/json_text.h"
 #include "core/math/finite.h"
 
 namespace stretch::app {

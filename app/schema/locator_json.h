@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/schema/schema.h"
-#include "rig/body/locators.h"
+#include "rig/body/locators/locators.h"
 
 namespace stretch::app {
 

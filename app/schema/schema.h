@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/gltf/json_document.h"
+#include "core/gltf/json/json_document.h"
 
 namespace stretch::app {
 

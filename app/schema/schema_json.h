@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/schema/schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/types.h"
 
 namespace stretch::app {

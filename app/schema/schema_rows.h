@@ -6,7 +6,7 @@
 
 #include "app/schema/schema.h"
 #include "core/base/check.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/types.h"
 #include "rig/trail/trail.h"
 

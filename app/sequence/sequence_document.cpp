@@ -4,7 +4,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
 #include "skinning/body/body_skeleton.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/export/read_back.h"

@@ -7,7 +7,8 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/frame_state.h"
-#include "rig/body/detection.h"
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
 #include "rig/limb.h"
 #include "rig/motion/evaluate.h"
 #include "skinning/geometry/bone_widths.h"

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <map>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::assets {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "rig/controllers/finger_joints.h"
 
 namespace stretch::rig {

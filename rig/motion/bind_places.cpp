@@ -1,6 +1,6 @@
 #include "rig/motion/bind_places.h"
 
-#include "rig/body/body_view.h"
+#include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig {
 

@@ -4,7 +4,7 @@
 
 #include "core/math/bounds.h"
 #include "core/scene/scene.h"
-#include "rig/body/bind_pose.h"
+#include "rig/body/evidence/bind_pose.h"
 
 namespace stretch::rig {
 

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/index.h"
-#include "rig/body/body_view.h"
+#include "rig/body/evidence/body_view.h"
 
 namespace stretch::rig {
 

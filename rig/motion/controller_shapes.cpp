@@ -8,7 +8,7 @@
 
 #include "core/math/bounds.h"
 #include "core/math/rotation.h"
-#include "rig/body/body_view.h"
+#include "rig/body/evidence/body_view.h"
 #include "rig/limb_nodes.h"
 
 namespace stretch::rig {

@@ -10,7 +10,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
 #include "rig/motion/solve_adjustments.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "rig/motion/order.h"
 #include "rig/motion/part_motion.h"
 #include "rig/motion/solve_steps.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
 #include "core/scene/scene.h"
 #include "rig/rekey/rekey.h"
 

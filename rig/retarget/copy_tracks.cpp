@@ -10,7 +10,8 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/transform.h"
-#include "rig/body/detection.h"
+#include "rig/body/evidence/bind_pose.h"
+#include "rig/body/reading/detection.h"
 
 namespace stretch::rig {
 

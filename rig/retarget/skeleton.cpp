@@ -14,7 +14,7 @@
 #include "core/math/finite.h"
 #include "core/math/rotation.h"
 #include "core/math/transform.h"
-#include "rig/body/bind_pose.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "rig/controllers/finger_joints.h"
 #include "rig/motion/bind_places.h"
 #include "rig/motion/foot_roll.h"

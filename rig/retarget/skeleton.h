@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "rig/limb.h"
 
 namespace stretch::rig {

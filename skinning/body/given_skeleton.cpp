@@ -12,7 +12,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/fit/joint_tree.h"
 
 namespace stretch::skinning {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/json_text.h"
 
 namespace stretch::skinning {
 namespace {

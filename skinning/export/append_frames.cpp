@@ -14,9 +14,9 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/export/frame_stream.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/export/gltf_buffers.h"
 #include "skinning/export/key_plan.h"
 

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/check.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
-#include "core/gltf/meshopt_encoding.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/packed/meshopt_encoding.h"
 #include "skinning/export/clip_writer.h"
 #include "skinning/export/gltf_buffers.h"
 #include "skinning/export/key_plan.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/export/encode_gltf.h"
 
 namespace stretch::skinning {

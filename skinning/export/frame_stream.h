@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/gltf/source.h"
+#include "core/gltf/source/source.h"
 #include "skinning/skinned_sequence.h"
 
 namespace stretch::skinning {

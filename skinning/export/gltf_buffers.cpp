@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::skinning {
 namespace {

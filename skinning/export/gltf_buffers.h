@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::skinning {
 

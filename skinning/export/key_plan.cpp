@@ -11,8 +11,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/base/check.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
 #include "skinning/export/posed_probes.h"
 
 namespace stretch::skinning {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/gltf/source.h"
+#include "core/gltf/source/source.h"
 #include "skinning/fit/alternate.h"
 #include "skinning/skinned_sequence.h"
 

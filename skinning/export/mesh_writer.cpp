@@ -11,9 +11,9 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "core/gltf/json.h"
-#include "core/gltf/material_library.h"
-#include "core/gltf/mesh_surface.h"
+#include "core/gltf/import/material_library.h"
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::skinning {
 namespace {

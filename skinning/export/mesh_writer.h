@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/gltf/json_document.h"
+#include "core/gltf/json/json_document.h"
 #include "skinning/export/gltf_buffers.h"
 #include "skinning/export/mesh_grid.h"
 #include "skinning/skinned_sequence.h"

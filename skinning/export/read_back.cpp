@@ -5,7 +5,7 @@
 
 #include "core/anim/frame_state.h"
 #include "core/anim/sampling.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::skinning {

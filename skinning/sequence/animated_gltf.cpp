@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/load_as_it_stands.h"
-#include "core/gltf/mesh_surface.h"
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
 #include "skinning/sequence/gltf_surface.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/gltf/material_library.h"
-#include "core/gltf/texture_sets.h"
+#include "core/gltf/import/material_library.h"
+#include "core/gltf/import/texture_sets.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::skinning {

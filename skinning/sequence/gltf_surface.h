@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/mesh_surface.h"
-#include "core/gltf/source.h"
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/source/source.h"
 
 namespace stretch::skinning {
 

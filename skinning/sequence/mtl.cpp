@@ -7,8 +7,8 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
-#include "core/gltf/json.h"
-#include "core/gltf/material_library.h"
+#include "core/gltf/import/material_library.h"
+#include "core/gltf/json/json.h"
 #include "skinning/sequence/obj_surface.h"
 #include "skinning/sequence/text.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/gltf/mesh_surface.h"
-#include "core/gltf/source.h"
+#include "core/gltf/import/mesh_surface.h"
+#include "core/gltf/source/source.h"
 #include "skinning/sequence/mesh_file.h"
 
 namespace stretch::skinning {

@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
 #include "skinning/sequence/cache_header.h"
 #include "skinning/sequence/gltf_surface.h"

@@ -4,10 +4,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/limb_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "core/math/rotation.h"

@@ -11,7 +11,7 @@
 #include "app/files/save.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/bounds.h"
 #include "skinning/linear_blend_skinning.h"
 

@@ -10,9 +10,9 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;

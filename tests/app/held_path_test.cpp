@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/edits/hold_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"

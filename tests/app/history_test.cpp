@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/history.h"
 #include "tests/support/app/boxer.h"
 

@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/file.h"
-#include "core/gltf/json_text.h"
+#include "core/gltf/source/json_text.h"
 #include "tests/support/app/locator_text.h"
 #include "tests/support/temporary_folder.h"
 

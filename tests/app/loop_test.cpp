@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/commands/exaggerate.h"
-#include "app/commands/ranges.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/ranges.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/way_back.h"
 #include "app/session.h"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/matrix.hpp>
 
-#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/evaluate/quality.h"
 #include "app/evaluate/trail_look.h"

@@ -12,7 +12,7 @@
 #include "app/recipe/recipe.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 using namespace stretch;
 using namespace stretch::app;

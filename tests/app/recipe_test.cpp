@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/edits/place_trails.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/place_trails.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/session.h"

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "core/math/rotation.h"
 #include "rig/limb.h"

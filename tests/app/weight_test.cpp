@@ -14,16 +14,16 @@
 #include <glm/geometric.hpp>
 
 #include "app/batch/verb.h"
-#include "app/edits/place_trails.h"
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/trail/place_trails.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/history.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "app/schema/weight_schema.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/run_verb.h"
 

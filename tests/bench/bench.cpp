@@ -9,8 +9,8 @@
 #include <fmt/core.h>
 
 #include "app/document.h"
-#include "app/edits/offset_edits.h"
-#include "app/edits/sphere_edits.h"
+#include "app/edits/pose/offset_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"

@@ -8,15 +8,15 @@
 
 #include <imgui.h>
 
-#include "app/commands/keys.h"
-#include "app/commands/selection.h"
-#include "app/edits/key_edits.h"
+#include "app/commands/keys/keys.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/keys/key_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/open_document.h"
 #include "core/base/check.h"
 #include "core/math/rotation.h"
-#include "ui/panels/graph_model.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/context/panels.h"
+#include "ui/panels/rows/graph_model.h"
 
 namespace stretch::bench {
 

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/glb.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
-#include "core/gltf/uri.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/glb.h"
+#include "core/gltf/source/json_text.h"
+#include "core/gltf/source/uri.h"
 
 using namespace stretch;
 using namespace stretch::gltf;

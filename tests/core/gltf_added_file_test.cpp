@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <random>
 
-#include "core/gltf/added_file.h"
-#include "core/gltf/edits.h"
-#include "core/gltf/fields.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/added_file.h"
+#include "core/gltf/source/fields.h"
 #include "tests/support/core/two_sheets.h"
 
 using namespace stretch;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "core/anim/sampling.h"
-#include "core/gltf/edits.h"
-#include "core/gltf/source.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/source.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/added_skeleton.h"
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/added_skeleton.h"
+#include "core/gltf/patch/edits.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

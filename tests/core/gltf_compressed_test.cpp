@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
-#include "core/gltf/report.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/report.h"
+#include "core/gltf/patch/edits.h"
 #include "tests/support/core/compressed_files.h"
 
 using namespace stretch;

@@ -4,8 +4,8 @@
 #include <random>
 #include <utility>
 
-#include "core/gltf/json.h"
-#include "core/gltf/report.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/report.h"
 #include "tests/support/core/compressed_files.h"
 #include "tests/support/core/glb_builder.h"
 #include "tests/support/damaged_json.h"

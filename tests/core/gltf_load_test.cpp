@@ -3,8 +3,8 @@
 #include <functional>
 #include <limits>
 
-#include "core/gltf/json.h"
-#include "core/gltf/problems.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/problems.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

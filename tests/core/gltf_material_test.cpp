@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <webp/encode.h>
 
-#include "core/gltf/json.h"
-#include "core/gltf/uri.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/uri.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

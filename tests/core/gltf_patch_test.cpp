@@ -5,10 +5,10 @@
 #include <random>
 
 #include "core/anim/frame_state.h"
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
-#include "core/gltf/report.h"
-#include "core/gltf/uri.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/report.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/uri.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

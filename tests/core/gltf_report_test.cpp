@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/report.h"
+#include "core/gltf/load/report.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
 #include "tests/support/core/glb_builder.h"
 
 using namespace stretch;

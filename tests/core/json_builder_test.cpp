@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/gltf/json_builder.h"
+#include "core/gltf/json/json_builder.h"
 
 using namespace stretch;
 using namespace stretch::gltf;

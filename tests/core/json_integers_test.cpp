@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/json.h"
-#include "core/gltf/json_integers.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/json/json_integers.h"
 
 using namespace stretch;
 using gltf::Json;

@@ -78,7 +78,7 @@ def room_layers(root):
 def place_of(name):
     """The folder that a file belongs to; one that stands in the room itself is a place with its header."""
     parts = name.split("/")
-    return "/".join(parts[:2]) if len(parts) > 2 else name.rsplit(".", 1)[0]
+    return "/".join(parts[:-1]) if len(parts) > 2 else name.rsplit(".", 1)[0]
 
 
 def include_circles(root):

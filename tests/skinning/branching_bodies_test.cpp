@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
 #include "skinning/body/body_skeleton.h"
 #include "skinning/body/given_skeleton.h"
 #include "skinning/compress/chain_stretch.h"

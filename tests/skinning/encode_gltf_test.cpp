@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/read_sequence.h"

@@ -6,9 +6,9 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/gltf/edits.h"
-#include "core/gltf/json.h"
-#include "core/gltf/source.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/patch/edits.h"
+#include "core/gltf/source/source.h"
 #include "skinning/compress/compress.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/export/read_back.h"

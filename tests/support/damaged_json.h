@@ -4,7 +4,7 @@
 #include <iterator>
 #include <random>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::test {
 

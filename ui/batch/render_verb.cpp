@@ -10,19 +10,19 @@
 
 #include "app/batch/options.h"
 #include "app/document.h"
-#include "app/edits/place_trails.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/recipe/replay.h"
 #include "app/schema/parse_text.h"
 #include "app/sequence/open_any.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "skinning/sequence/read_sequence.h"
 #include "ui/batch/sequence_pictures.h"
-#include "ui/panels/view_schema.h"
-#include "ui/panels/weight_view.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/picture.h"
+#include "ui/panels/body/weight_view.h"
+#include "ui/panels/context/view_schema.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/picture/picture.h"
 
 namespace stretch::ui {
 

@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 
 #include "app/evaluate/evaluate.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/sequence_scene.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/scene/sequence_scene.h"
 #include "ui/viewport/assemble_picture.h"
 
 namespace stretch::ui {

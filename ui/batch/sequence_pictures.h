@@ -6,7 +6,7 @@
 #include "app/document.h"
 #include "core/base/result.h"
 #include "rig/motion/motion.h"
-#include "ui/render/picture.h"
+#include "ui/render/picture/picture.h"
 #include "ui/viewport/sequence_picture.h"
 
 namespace stretch::ui {

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/locators/build_rig.h"
 #include "skinning/linear_blend_skinning.h"
 #include "ui/shell/input.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/bind/bind_mesh.h"
-#include "app/commands/command.h"
+#include "app/commands/table/command.h"
 #include "app/sequence/job.h"
 
 namespace stretch::ui {

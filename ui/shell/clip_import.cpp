@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/clips.h"
+#include "app/commands/keys/clips.h"
 #include "app/files/file_facts.h"
 
 namespace stretch::ui {

@@ -6,7 +6,7 @@
 
 namespace stretch::ui {
 
-// Clips of other files for the open character (app/edits/import_clip.h), read beside the window.
+// Clips of other files for the open character (app/edits/keys/import_clip.h), read beside the window.
 
 /// Imports the clip of a file, or asks which where it holds several. A character is open.
 void askForClip(Shell& shell, const std::filesystem::path& file);

@@ -8,7 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "ui/panels/panels.h"
+#include "ui/panels/context/panels.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/gui.h"
 #include "ui/shell/key_pane.h"

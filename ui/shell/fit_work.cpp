@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
 #include "ui/shell/shell.h"
 
 namespace stretch::ui {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/command.h"
+#include "app/commands/table/command.h"
 #include "app/locators/fit_locators.h"
 #include "app/sequence/job.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/key.h"
+#include "app/commands/table/key.h"
 
 struct GLFWwindow;
 

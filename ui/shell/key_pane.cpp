@@ -5,10 +5,10 @@
 #include <string_view>
 #include <utility>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/frames.h"
-#include "app/commands/keys.h"
-#include "ui/panels/timeline_model.h"
+#include "app/commands/keys/keys.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
+#include "ui/panels/rows/timeline_model.h"
 
 namespace stretch::ui {
 

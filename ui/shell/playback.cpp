@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/frames.h"
+#include "app/commands/table/frames.h"
 
 namespace stretch::ui {
 

@@ -7,13 +7,13 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/commands/applied.h"
-#include "app/commands/command_ids.h"
-#include "app/commands/frames.h"
-#include "app/commands/past_end.h"
-#include "app/commands/selection.h"
-#include "app/commands/step_text.h"
-#include "ui/panels/panel_support.h"
+#include "app/commands/pose/step_text.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/past_end.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/applied.h"
+#include "ui/panels/context/panel_support.h"
 #include "ui/shell/key_pane.h"
 #include "ui/shell/stroke_news.h"
 #include "ui/viewport/tools.h"

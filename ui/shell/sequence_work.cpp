@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::ui {

@@ -1,6 +1,6 @@
 #include "ui/shell/shell.h"
 
-#include "ui/panels/panel_support.h"
+#include "ui/panels/context/panel_support.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/tour.h"
 

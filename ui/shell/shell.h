@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/command.h"
-#include "app/commands/keymap.h"
-#include "app/edits/import_clip.h"
+#include "app/commands/table/command.h"
+#include "app/commands/table/keymap.h"
+#include "app/edits/keys/import_clip.h"
 #include "app/file_work.h"
 #include "app/open_document.h"
 #include "app/sequence/job.h"
-#include "ui/panels/panel_context.h"
+#include "ui/panels/context/panel_context.h"
 #include "ui/shell/bind_work.h"
 #include "ui/shell/fit_work.h"
 #include "ui/shell/pane_layout.h"

@@ -4,11 +4,11 @@
 
 #include <fmt/core.h>
 
-#include "app/commands/ranges.h"
-#include "app/commands/selection.h"
-#include "app/edits/place_trails.h"
+#include "app/commands/table/ranges.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/evaluate/stopped.h"
-#include "ui/panels/panel_support.h"
+#include "ui/panels/context/panel_support.h"
 
 namespace stretch::ui {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/bundled_files.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 

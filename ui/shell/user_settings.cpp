@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/commands/frames.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
 #include "app/files/user_files.h"
 #include "app/schema/schema_json.h"
 #include "app/schema/schema_rows.h"
-#include "core/gltf/json.h"
-#include "core/gltf/json_text.h"
-#include "ui/panels/view_schema.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/json_text.h"
+#include "ui/panels/context/view_schema.h"
 
 namespace stretch::ui {
 

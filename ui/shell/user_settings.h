@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "app/session.h"
-#include "ui/panels/ui_state.h"
-#include "ui/render/camera.h"
+#include "ui/panels/context/ui_state.h"
+#include "ui/render/view/camera.h"
 #include "ui/shell/pane_layout.h"
 
 namespace stretch::ui {

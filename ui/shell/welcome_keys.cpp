@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/panels/welcome_entries.h"
+#include "ui/panels/files/welcome_entries.h"
 
 namespace stretch::ui {
 

@@ -5,7 +5,7 @@
 
 #include "app/evaluate/evaluate.h"
 #include "rig/limb_nodes.h"
-#include "ui/panels/weight_view.h"
+#include "ui/panels/body/weight_view.h"
 #include "ui/widgets/theme.h"
 
 namespace stretch::ui {

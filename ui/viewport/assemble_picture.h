@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/render/picture_content.h"
+#include "ui/render/picture/picture_content.h"
 #include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"
 

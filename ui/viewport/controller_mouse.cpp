@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "app/locators/locator_edits.h"
 #include "rig/controllers/controller.h"
-#include "ui/panels/panel_support.h"
+#include "ui/panels/context/panel_support.h"
 
 namespace stretch::ui {
 

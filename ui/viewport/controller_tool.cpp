@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "app/commands/posing.h"
-#include "app/commands/selection.h"
+#include "app/commands/pose/posing.h"
+#include "app/commands/table/selection.h"
 #include "app/locators/locator_edits.h"
 
 namespace stretch::ui {

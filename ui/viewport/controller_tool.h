@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/controller_modal.h"
+#include "app/commands/pose/controller_modal.h"
 #include "app/session.h"
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 namespace stretch::ui {
 

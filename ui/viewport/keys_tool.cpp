@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/keys.h"
+#include "app/commands/keys/keys.h"
 
 namespace stretch::ui {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "rig/limb_nodes.h"
-#include "ui/render/picking.h"
+#include "ui/render/picking/picking.h"
 #include "ui/viewport/viewport_scene.h"
 
 namespace stretch::ui {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/session.h"
-#include "ui/render/surface_picking.h"
+#include "ui/render/picking/surface_picking.h"
 
 namespace stretch::ui {
 

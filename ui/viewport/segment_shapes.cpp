@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "ui/render/palette.h"
-#include "ui/render/value_colors.h"
+#include "ui/render/scene/value_colors.h"
+#include "ui/render/view/palette.h"
 
 namespace stretch::ui {
 

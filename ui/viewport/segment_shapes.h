@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "app/sequence/sequence_document.h"
-#include "ui/render/sequence_scene.h"
+#include "ui/render/scene/sequence_scene.h"
 
 namespace stretch::ui {
 

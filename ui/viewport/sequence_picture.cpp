@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "ui/render/skeleton_drawing.h"
-#include "ui/render/value_colors.h"
+#include "ui/render/overlay/skeleton_drawing.h"
+#include "ui/render/scene/value_colors.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/widgets/theme.h"
 

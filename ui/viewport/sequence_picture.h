@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/sequence/sequence_session.h"
-#include "ui/render/overlay.h"
-#include "ui/render/palette.h"
-#include "ui/render/sequence_scene.h"
-#include "ui/render/sequence_surface.h"
+#include "ui/render/overlay/overlay.h"
+#include "ui/render/scene/sequence_scene.h"
+#include "ui/render/scene/sequence_surface.h"
+#include "ui/render/view/palette.h"
 #include "ui/viewport/segment_shapes.h"
 
 namespace stretch::ui {

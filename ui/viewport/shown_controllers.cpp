@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "app/locators/locator_edits.h"
-#include "ui/render/picking.h"
+#include "ui/render/picking/picking.h"
 
 namespace stretch::ui {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/session.h"
-#include "ui/panels/ui_state.h"
-#include "ui/render/camera.h"
-#include "ui/render/controller_drawing.h"
-#include "ui/render/controller_handles.h"
+#include "ui/panels/context/ui_state.h"
+#include "ui/render/overlay/controller_drawing.h"
+#include "ui/render/picture/controller_handles.h"
+#include "ui/render/view/camera.h"
 
 namespace stretch::ui {
 

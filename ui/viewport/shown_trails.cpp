@@ -5,7 +5,7 @@
 
 #include <glm/common.hpp>
 
-#include "app/commands/frames.h"
+#include "app/commands/table/frames.h"
 
 namespace stretch::ui {
 

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "app/edits/sphere_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "app/session.h"
-#include "ui/panels/ui_state.h"
-#include "ui/render/picking.h"
+#include "ui/panels/context/ui_state.h"
+#include "ui/render/picking/picking.h"
 
 namespace stretch::ui {
 

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/edits/sphere_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 
 namespace stretch::ui {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/commands/spheres.h"
-#include "ui/render/camera.h"
+#include "app/commands/trail/spheres.h"
+#include "ui/render/view/camera.h"
 
 namespace stretch::ui {
 

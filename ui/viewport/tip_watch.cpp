@@ -6,10 +6,10 @@
 
 #include <imgui.h>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
-#include "ui/panels/panel_support.h"
-#include "ui/render/picking.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/render/picking/picking.h"
 #include "ui/viewport/viewport_context.h"
 #include "ui/viewport/viewport_scene.h"
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/hold.h"
-#include "app/commands/keys.h"
-#include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/keys/keys.h"
+#include "app/commands/pose/hold.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/trail_edits.h"
 #include "ui/viewport/keys_tool.h"
 
 namespace stretch::ui {

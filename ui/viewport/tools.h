@@ -5,14 +5,14 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands/exaggerate.h"
-#include "app/commands/grab_modal.h"
-#include "app/commands/keys_modal.h"
-#include "app/commands/spheres.h"
-#include "app/edits/sphere_edits.h"
+#include "app/commands/keys/keys_modal.h"
+#include "app/commands/table/grab_modal.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/commands/trail/spheres.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "app/session.h"
-#include "ui/panels/ui_state.h"
-#include "ui/render/camera.h"
+#include "ui/panels/context/ui_state.h"
+#include "ui/render/view/camera.h"
 #include "ui/viewport/controller_tool.h"
 
 namespace stretch::ui {

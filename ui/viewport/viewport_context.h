@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/panel_context.h"
+#include "ui/panels/context/panel_context.h"
 #include "ui/viewport/tools.h"
 #include "ui/viewport/viewport_state.h"
 

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "rig/limb.h"
 #include "rig/motion/motion.h"
 #include "rig/trail/exaggeration.h"
-#include "ui/panels/panel_support.h"
-#include "ui/render/skeleton_drawing.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/render/overlay/skeleton_drawing.h"
 #include "ui/viewport/viewport_legend.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"

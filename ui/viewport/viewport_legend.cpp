@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/commands/selection.h"
-#include "ui/panels/panel_support.h"
-#include "ui/render/palette.h"
-#include "ui/render/value_colors.h"
+#include "app/commands/table/selection.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/render/scene/value_colors.h"
+#include "ui/render/view/palette.h"
 #include "ui/viewport/viewport_scene.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/color_legend.h"

@@ -5,11 +5,11 @@
 
 #include <imgui.h>
 
-#include "app/commands/selection.h"
-#include "ui/panels/context_menu.h"
-#include "ui/panels/panel_support.h"
-#include "ui/panels/weight_view.h"
-#include "ui/render/picking.h"
+#include "app/commands/table/selection.h"
+#include "ui/panels/body/weight_view.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/menus/context_menu.h"
+#include "ui/render/picking/picking.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/viewport/controller_mouse.h"
 

@@ -5,12 +5,12 @@
 
 #include <imgui.h>
 
-#include "app/commands/frames.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
 #include "core/base/hash.h"
-#include "ui/panels/panel_support.h"
-#include "ui/panels/panels.h"
-#include "ui/panels/weight_view.h"
+#include "ui/panels/body/weight_view.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/context/panels.h"
 #include "ui/viewport/sequence_viewport.h"
 #include "ui/viewport/viewport_labels.h"
 #include "ui/viewport/viewport_mouse.h"

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include "ui/render/bounds.h"
-#include "ui/render/quality.h"
-#include "ui/render/viewport_renderer.h"
+#include "ui/render/picture/viewport_renderer.h"
+#include "ui/render/scene/bounds.h"
+#include "ui/render/view/quality.h"
 #include "ui/viewport/sequence_picture.h"
 #include "ui/viewport/viewport_context.h"
 #include "ui/viewport/welcome.h"

@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/commands/frames.h"
-#include "app/commands/selection.h"
-#include "app/edits/mirror_edits.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/mirror_edits.h"
 #include "rig/limb.h"
 
 namespace stretch::ui {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/session.h"
-#include "ui/render/picking.h"
+#include "ui/render/picking/picking.h"
 #include "ui/viewport/assemble_picture.h"
 #include "ui/viewport/viewport_state.h"
 

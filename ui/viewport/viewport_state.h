@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 #include "ui/viewport/limb_hover.h"
 #include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/shown_trails.h"

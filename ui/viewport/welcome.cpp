@@ -5,10 +5,10 @@
 
 #include <imgui.h>
 
-#include "ui/panels/panel_support.h"
-#include "ui/panels/welcome_entries.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/picture_texture.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/files/welcome_entries.h"
+#include "ui/render/gl/picture_texture.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/layout.h"
 

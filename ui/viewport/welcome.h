@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/render/gl_objects.h"
+#include "ui/render/gl/gl_objects.h"
 #include "ui/viewport/viewport_context.h"
 
 namespace stretch::ui {

@@ -10,7 +10,7 @@
 #include "app/schema/parse_text.h"
 #include "app/schema/trail_schema.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"

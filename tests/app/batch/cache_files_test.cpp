@@ -5,8 +5,8 @@
 #include <bit>
 #include <fstream>
 
-#include "core/gltf/json.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/compressed_files.h"
 #include "tests/support/core/two_sheets.h"

@@ -12,8 +12,8 @@
 
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
-#include "core/gltf/json.h"
-#include "core/gltf/source.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/source.h"
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/app/captured_errors.h"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "core/gltf/json.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/compressed_files.h"
 #include "tests/support/rig/character_file.h"

@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "core/gltf/accessor.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
-#include "core/gltf/source.h"
-#include "core/gltf/uri.h"
+#include "core/gltf/import/accessor.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/source.h"
+#include "core/gltf/source/uri.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/glb_builder.h"
 #include "tests/support/core/two_sheets.h"

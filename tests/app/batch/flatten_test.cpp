@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/run_verb.h"
 
 using stretch::gltf::Json;

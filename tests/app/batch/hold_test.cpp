@@ -6,12 +6,12 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/edits/hold_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/recipe/recipe.h"
 #include "core/base/file.h"
-#include "core/gltf/edits.h"
+#include "core/gltf/patch/edits.h"
 #include "rig/motion/solved_holds.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/posed_file.h"

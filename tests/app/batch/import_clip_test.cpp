@@ -5,11 +5,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/import_clip.h"
+#include "app/edits/keys/import_clip.h"
 #include "app/files/autosave.h"
 #include "app/session.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/moving_biped.h"

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "app/edits/group_edits.h"
-#include "app/edits/offset_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/pose/offset_edits.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"

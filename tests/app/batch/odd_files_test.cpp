@@ -5,7 +5,7 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/files/save.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/glb_builder.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 
 #include "app/document.h"
-#include "app/edits/adjustment_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/recipe/recipe.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/temporary_folder.h"
 

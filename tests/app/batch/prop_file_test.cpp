@@ -15,7 +15,7 @@
 #include "app/session.h"
 #include "app/standing_floor.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "rig/motion/solve_holds.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/core/two_sheets.h"

@@ -9,8 +9,8 @@
 
 #include "core/anim/sampling.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/glb_builder.h"

@@ -3,12 +3,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/applied.h"
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/frames.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/trail/applied.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/session.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/exaggerate.h"
-#include "app/commands/selection.h"
-#include "app/commands/step_text.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/name_edits.h"
-#include "app/edits/sphere_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/pose/step_text.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/name_edits.h"
+#include "app/edits/trail/sphere_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/files/saved_work.h"
 #include "app/open_document.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

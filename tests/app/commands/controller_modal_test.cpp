@@ -1,4 +1,4 @@
-#include "app/commands/controller_modal.h"
+#include "app/commands/pose/controller_modal.h"
 
 #include <sstream>
 

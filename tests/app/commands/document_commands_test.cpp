@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/commands/document_commands.h"
-#include "app/commands/exaggerate.h"
-#include "app/commands/frames.h"
-#include "app/commands/keymap.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/keymap.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "app/commands/exaggerate_modal.h"
-#include "app/commands/grab_modal.h"
+#include "app/commands/table/grab_modal.h"
+#include "app/commands/trail/exaggerate_modal.h"
 
 using namespace stretch;
 using namespace stretch::app;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/exaggerate.h"
-#include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/planted_feet.h"
 #include "app/files/save.h"
 #include "app/standing_floor.h"

@@ -1,12 +1,12 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/exaggerate.h"
-#include "app/commands/selection.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/place_trails.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/place_trails.h"
 #include "app/files/saved_work.h"
 #include "app/recipe/replay.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

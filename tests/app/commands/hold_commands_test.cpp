@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/selection.h"
-#include "app/commands/step_text.h"
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/hold_edits.h"
+#include "app/commands/pose/step_text.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/evaluate/planted_feet.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"

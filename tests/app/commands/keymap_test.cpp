@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "app/commands/document_commands.h"
-#include "app/commands/keymap.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/keymap.h"
 #include "tests/support/app/key_tables.h"
 
 using namespace stretch::app;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/exaggerate.h"
+#include "app/commands/trail/exaggerate.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
 

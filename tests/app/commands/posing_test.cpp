@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <set>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/nudges.h"
-#include "app/commands/posing.h"
-#include "app/commands/selection.h"
-#include "app/commands/step_text.h"
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/pose/posing.h"
+#include "app/commands/pose/step_text.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/nudges.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/open_document.h"
 #include "tests/support/app/boxer.h"
 

@@ -1,10 +1,10 @@
 // Where E acts after an earlier E, on a limb that has a trail elsewhere, and on several limbs.
 #include <catch2/catch.hpp>
 
-#include "app/commands/exaggerate.h"
-#include "app/commands/ranges.h"
-#include "app/commands/selection.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/ranges.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
 
 using namespace stretch;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/ranges.h"
-#include "app/edits/rate_edits.h"
+#include "app/commands/table/ranges.h"
+#include "app/edits/keys/rate_edits.h"
 #include "app/files/save.h"
 #include "rig/motion/stroke.h"
 #include "tests/support/app/boxer.h"

@@ -5,12 +5,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/frames.h"
-#include "app/commands/posing.h"
-#include "app/commands/selection.h"
-#include "app/edits/adjustment_edits.h"
+#include "app/commands/pose/posing.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/files/save.h"
 #include "tests/support/app/random_edits.h"
 

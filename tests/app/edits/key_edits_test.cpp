@@ -6,12 +6,12 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/commands/past_end.h"
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/following_keys.h"
-#include "app/edits/key_edits.h"
-#include "app/edits/retime.h"
-#include "app/edits/track_edits.h"
+#include "app/commands/table/past_end.h"
+#include "app/edits/keys/following_keys.h"
+#include "app/edits/keys/key_edits.h"
+#include "app/edits/keys/retime.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "core/anim/sampling.h"
 #include "core/math/euler.h"

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/offset_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/history.h"
 #include "tests/support/app/boxer.h"

@@ -3,14 +3,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
-#include "app/commands/selection.h"
-#include "app/edits/limb_edits.h"
-#include "app/edits/prop_file_edits.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/pose/prop_file_edits.h"
 #include "app/files/save.h"
 #include "app/files/saved_work.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/rig/character_file.h"
 #include "tests/support/rig/creatures.h"

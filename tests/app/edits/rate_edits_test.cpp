@@ -1,19 +1,19 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/commands/document_commands.h"
-#include "app/commands/exaggerate.h"
-#include "app/commands/frames.h"
-#include "app/commands/selection.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/commands/table/document_commands.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "app/files/saved_work.h"
 #include "app/recipe/recipe.h"
 #include "app/session.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/edits/limb_edits.h"
-#include "app/edits/mirror_edits.h"
-#include "app/edits/sphere_edits.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/trail/mirror_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

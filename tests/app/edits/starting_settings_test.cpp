@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/exaggerate.h"
-#include "app/edits/limb_edits.h"
-#include "app/edits/starting_settings.h"
-#include "app/edits/weight_edits.h"
+#include "app/commands/trail/exaggerate.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/trail/starting_settings.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/files/saved_work.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/rig/moving_creatures.h"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/edits/style_edits.h"
+#include "app/edits/trail/style_edits.h"
 
 using namespace stretch;
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "tests/support/app/boxer.h"
 
 using namespace stretch;

@@ -3,15 +3,15 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/key_edits.h"
-#include "app/edits/retime.h"
-#include "app/edits/track_edits.h"
+#include "app/edits/keys/key_edits.h"
+#include "app/edits/keys/retime.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/files/save.h"
 #include "app/files/saved_work.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <tiny_gltf.h>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/files/save.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;

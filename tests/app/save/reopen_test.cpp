@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/document.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "core/base/file.h"

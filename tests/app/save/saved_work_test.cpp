@@ -2,12 +2,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/limb_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/body/limb_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/saved_work.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/locator_text.h"
 

@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/document_commands.h"
+#include "app/commands/table/document_commands.h"
 #include "app/files/save.h"
 #include "app/open_document.h"
 #include "tests/support/app/boxer.h"

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/bench/measure.h"
 
 namespace stretch::bench {

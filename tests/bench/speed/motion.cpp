@@ -7,12 +7,12 @@
 #include <fmt/core.h>
 
 #include "app/batch/trail_report.h"
-#include "app/edits/sphere_edits.h"
+#include "app/edits/trail/sphere_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/save.h"
 #include "core/base/check.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/bench/speed/long_clip.h"
 #include "tests/bench/speed/rows.h"
 

@@ -4,6 +4,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/sampling.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "tests/support/matrices.h"
 #include "tests/support/rig/described_limbs.h"
 

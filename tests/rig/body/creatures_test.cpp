@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/body/detection.h"
-#include "rig/body/planned_body.h"
+#include "rig/body/reading/detection.h"
+#include "rig/body/reading/planned_body.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"

@@ -1,4 +1,4 @@
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 
 #include <catch2/catch.hpp>
 

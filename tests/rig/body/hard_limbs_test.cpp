@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"

@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/body/locators.h"
+#include "rig/body/locators/locators.h"
 
 using namespace stretch;
 using namespace stretch::rig;

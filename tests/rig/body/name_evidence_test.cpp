@@ -1,4 +1,4 @@
-#include "rig/body/name_evidence.h"
+#include "rig/body/evidence/name_evidence.h"
 
 #include <catch2/catch.hpp>
 

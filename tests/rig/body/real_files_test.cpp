@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/gltf/source.h"
+#include "core/gltf/source/source.h"
 #include "tests/support/rig/described_limbs.h"
 
 using namespace stretch;

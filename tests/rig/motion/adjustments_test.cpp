@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "rig/controllers/controller.h"
 #include "rig/controllers/finger_joints.h"
 #include "tests/support/rig/adjusted_biped.h"

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 #include "tests/support/nodes.h"
 #include "tests/support/rig/rekeyed_clip.h"
 

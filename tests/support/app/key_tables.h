@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/key.h"
-#include "app/commands/keymap.h"
+#include "app/commands/table/key.h"
+#include "app/commands/table/keymap.h"
 
 namespace stretch::test {
 

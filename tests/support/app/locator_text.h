@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/schema/locator_json.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 
 namespace stretch::test {
 

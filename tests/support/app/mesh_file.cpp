@@ -4,7 +4,7 @@
 
 #include "core/base/check.h"
 #include "core/base/file.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/bounds.h"
 
 namespace stretch::test {

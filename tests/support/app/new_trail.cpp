@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 
 namespace stretch::test {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/document.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "core/math/types.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "app/edits/adjustment_edits.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/key_edits.h"
-#include "app/edits/mirror_edits.h"
-#include "app/edits/name_edits.h"
-#include "app/edits/offset_edits.h"
-#include "app/edits/rate_edits.h"
-#include "app/edits/retime.h"
-#include "app/edits/sphere_edits.h"
-#include "app/edits/style_edits.h"
-#include "app/edits/track_edits.h"
-#include "app/edits/trail_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/keys/key_edits.h"
+#include "app/edits/keys/rate_edits.h"
+#include "app/edits/keys/retime.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/pose/offset_edits.h"
+#include "app/edits/trail/group_edits.h"
+#include "app/edits/trail/mirror_edits.h"
+#include "app/edits/trail/name_edits.h"
+#include "app/edits/trail/sphere_edits.h"
+#include "app/edits/trail/style_edits.h"
+#include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 
 namespace stretch::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf/source.h"
+#include "core/gltf/source/source.h"
 
 namespace stretch::assets {
 

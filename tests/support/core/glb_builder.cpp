@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "core/base/file.h"
-#include "core/gltf/glb.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/glb.h"
 
 namespace stretch::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf/json.h"
-#include "core/gltf/source.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace stretch::test {

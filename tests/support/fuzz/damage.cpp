@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
-#include "core/gltf/glb.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/source/glb.h"
 #include "tests/support/damaged_json.h"
 
 namespace stretch::test {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/edits/place_trails.h"
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/place_trails.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/evaluate.h"
 #include "app/files/file_facts.h"
 #include "app/files/save.h"
@@ -14,11 +14,11 @@
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/base/check.h"
-#include "core/gltf/draco_mesh.h"
-#include "core/gltf/import.h"
-#include "core/gltf/json.h"
-#include "core/gltf/meshopt_view.h"
-#include "core/gltf/report.h"
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/load/report.h"
+#include "core/gltf/packed/draco_mesh.h"
+#include "core/gltf/packed/meshopt_view.h"
 #include "rig/motion/solve.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/temporary_folder.h"

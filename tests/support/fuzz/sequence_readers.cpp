@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/gltf/mesh_surface.h"
+#include "core/gltf/import/mesh_surface.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/temporary_folder.h"
 

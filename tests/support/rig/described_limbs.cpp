@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/math/rotation.h"
+#include "rig/body/evidence/bind_pose.h"
 
 namespace stretch::test {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "tests/support/rig/synthetic_biped.h"
 
 namespace stretch::test {

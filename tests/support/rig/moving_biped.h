@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/anim/clip.h"
-#include "rig/body/detection.h"
+#include "rig/body/reading/detection.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/paths.h"
 #include "rig/motion/solve.h"

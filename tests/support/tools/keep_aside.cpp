@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "app/edits/trail_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/file_work.h"
 #include "app/files/save.h"
 

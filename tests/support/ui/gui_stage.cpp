@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <epoxy/gl.h>
 
-#include "app/commands/document_commands.h"
-#include "ui/render/image_edits.h"
+#include "app/commands/table/document_commands.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/shell/shell_commands.h"
 
 namespace stretch::test {

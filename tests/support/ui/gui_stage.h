@@ -8,9 +8,9 @@
 #include <imgui.h>
 
 #include "app/open_document.h"
-#include "ui/panels/panels.h"
-#include "ui/render/offscreen_context.h"
-#include "ui/render/render_target.h"
+#include "ui/panels/context/panels.h"
+#include "ui/render/gl/offscreen_context.h"
+#include "ui/render/gl/render_target.h"
 #include "ui/viewport/viewport_pane.h"
 
 namespace stretch::test {

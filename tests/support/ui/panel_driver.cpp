@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/document_commands.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/document_commands.h"
 #include "app/files/save.h"
 
 namespace stretch::test {

@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "app/open_document.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/context/panels.h"
 
 namespace stretch::test {
 

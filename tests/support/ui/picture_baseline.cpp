@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <stb_image.h>
 
-#include "ui/render/image_edits.h"
+#include "ui/render/picture/image_edits.h"
 
 namespace stretch::test {
 

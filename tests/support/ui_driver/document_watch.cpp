@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 #include "ui/shell/shell_commands.h"
 
 namespace stretch::test {

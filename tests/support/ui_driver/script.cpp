@@ -13,7 +13,7 @@
 #include <GLFW/glfw3.h>
 
 #include "tests/support/ui_driver/script_state.h"
-#include "ui/render/image_edits.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/shell/shell_commands.h"
 
 namespace stretch::test {

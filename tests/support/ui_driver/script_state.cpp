@@ -12,21 +12,21 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/commands/frames.h"
-#include "app/commands/keys.h"
-#include "app/commands/posing.h"
-#include "app/commands/selection.h"
-#include "app/commands/spheres.h"
-#include "app/edits/group_edits.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/key_edits.h"
-#include "app/edits/offset_edits.h"
-#include "app/edits/track_edits.h"
+#include "app/commands/keys/keys.h"
+#include "app/commands/pose/posing.h"
+#include "app/commands/table/frames.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/trail/spheres.h"
+#include "app/edits/keys/key_edits.h"
+#include "app/edits/keys/track_edits.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/pose/offset_edits.h"
+#include "app/edits/trail/group_edits.h"
 #include "core/anim/sampling.h"
-#include "core/gltf/load_as_it_stands.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "rig/limb.h"
 #include "skinning/linear_blend_skinning.h"
-#include "ui/panels/view_schema.h"
+#include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
 
 namespace stretch::test {

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "ui/batch/render_verb.h"
 #include "ui/batch/sequence_pictures.h"
-#include "ui/render/image_edits.h"
+#include "ui/render/picture/image_edits.h"
 
 using namespace stretch;
 

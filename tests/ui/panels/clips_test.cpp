@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/selection.h"
-#include "app/edits/name_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/name_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "tests/support/ui/panel_driver.h"
 
 using namespace stretch;

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "core/math/euler.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/file_listing.h"
-#include "ui/panels/graph_model.h"
+#include "ui/panels/files/file_listing.h"
+#include "ui/panels/rows/graph_model.h"
 
 using namespace stretch;
 using test::PanelDriver;

@@ -3,15 +3,15 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/document.h"
-#include "app/edits/hold_edits.h"
-#include "app/edits/weight_edits.h"
+#include "app/edits/pose/hold_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/panel_support.h"
-#include "ui/panels/transport.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/time/transport.h"
 
 using namespace stretch;
 using test::PanelDriver;

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/sequence_rows.h"
+#include "ui/panels/sequence/sequence_rows.h"
 #include "ui/widgets/scatter_plot.h"
 
 using namespace stretch;

@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/selection.h"
-#include "app/edits/style_edits.h"
-#include "app/edits/trail_edits.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/style_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/trail_sections.h"
+#include "ui/panels/trails/trail_sections.h"
 
 using namespace stretch;
 using test::PanelDriver;

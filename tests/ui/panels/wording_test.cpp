@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "app/schema/trail_schema.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
-#include "ui/panels/setting_rows.h"
+#include "ui/panels/context/setting_rows.h"
 #include "ui/widgets/timeline_detail.h"
 
 using namespace stretch;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
-#include "app/edits/weight_edits.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "app/edits/trail/weight_edits.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/ui/picture_baseline.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/text.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/picture/text.h"
 
 using namespace stretch;
 

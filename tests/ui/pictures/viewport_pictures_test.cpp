@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "ui/render/camera.h"
+#include "ui/render/view/camera.h"
 
 using namespace stretch;
 using namespace stretch::ui;

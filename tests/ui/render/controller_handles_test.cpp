@@ -1,4 +1,4 @@
-#include "ui/render/controller_handles.h"
+#include "ui/render/picture/controller_handles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "ui/render/controller_drawing.h"
+#include "ui/render/overlay/controller_drawing.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -6,13 +6,13 @@
 #include <glm/geometric.hpp>
 
 #include "../../support/ui/render_scenes.h"
-#include "ui/render/arrow_mesh.h"
-#include "ui/render/bounds.h"
-#include "ui/render/lighting.h"
-#include "ui/render/quality.h"
-#include "ui/render/skeleton_drawing.h"
-#include "ui/render/trail_drawing.h"
-#include "ui/render/value_colors.h"
+#include "ui/render/overlay/arrow_mesh.h"
+#include "ui/render/overlay/skeleton_drawing.h"
+#include "ui/render/overlay/trail_drawing.h"
+#include "ui/render/scene/bounds.h"
+#include "ui/render/scene/lighting.h"
+#include "ui/render/scene/value_colors.h"
+#include "ui/render/view/quality.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "ui/render/picking.h"
+#include "ui/render/picking/picking.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -7,12 +7,12 @@
 #include "../../support/ui/picture_baseline.h"
 #include "../../support/ui/render_scenes.h"
 #include "app/evaluate/evaluate.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/offscreen_context.h"
-#include "ui/render/picture.h"
-#include "ui/render/picture_content.h"
-#include "ui/render/skeleton_drawing.h"
-#include "ui/render/viewport_renderer.h"
+#include "ui/render/gl/offscreen_context.h"
+#include "ui/render/overlay/skeleton_drawing.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/picture/picture.h"
+#include "ui/render/picture/picture_content.h"
+#include "ui/render/picture/viewport_renderer.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -8,9 +8,9 @@
 #include <glm/vector_relational.hpp>
 
 #include "../../support/ui/render_scenes.h"
-#include "ui/render/bounds.h"
-#include "ui/render/offscreen_context.h"
-#include "ui/render/viewport_renderer.h"
+#include "ui/render/gl/offscreen_context.h"
+#include "ui/render/picture/viewport_renderer.h"
+#include "ui/render/scene/bounds.h"
 
 using namespace stretch;
 using namespace stretch::ui;

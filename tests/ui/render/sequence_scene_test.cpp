@@ -8,9 +8,9 @@
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/skinning/shapes.h"
 #include "ui/batch/sequence_pictures.h"
-#include "ui/render/picture.h"
-#include "ui/render/sequence_scene.h"
-#include "ui/render/value_colors.h"
+#include "ui/render/picture/picture.h"
+#include "ui/render/scene/sequence_scene.h"
+#include "ui/render/scene/value_colors.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -15,9 +15,9 @@
 #include "tests/support/skinning/shapes.h"
 #include "tests/support/ui/picture_baseline.h"
 #include "ui/batch/sequence_pictures.h"
-#include "ui/render/image_edits.h"
-#include "ui/render/offscreen_context.h"
-#include "ui/render/sequence_surface.h"
+#include "ui/render/gl/offscreen_context.h"
+#include "ui/render/picture/image_edits.h"
+#include "ui/render/scene/sequence_surface.h"
 
 using namespace stretch;
 using namespace stretch::ui;

@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 #include "core/base/file.h"
 #include "tests/support/app/key_tables.h"
 #include "ui/shell/shell_commands.h"
@@ -21,9 +21,9 @@ std::string textOf(const fs::path& path) {
   return *text;
 }
 
-/// The ids of app/commands/command_ids.h; none is there twice.
+/// The ids of app/commands/table/command_ids.h; none is there twice.
 std::set<std::string> listedIds() {
-  const std::string text = textOf(STRETCH_SOURCE_DIR "/app/commands/command_ids.h");
+  const std::string text = textOf(STRETCH_SOURCE_DIR "/app/commands/table/command_ids.h");
   const std::regex definition("const char\\* \\w+ =\\s+\"([^\"]+)\"");
   std::set<std::string> ids;
   for (std::sregex_iterator found(text.begin(), text.end(), definition), end; found != end; ++found) {

@@ -7,12 +7,12 @@
 #include <catch2/catch.hpp>
 
 #include "app/files/autosave.h"
-#include "core/gltf/json.h"
+#include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/key_tables.h"
 #include "tests/support/app/other_value.h"
 #include "tests/support/ui_driver/script_state.h"
-#include "ui/panels/view_schema.h"
+#include "ui/panels/context/view_schema.h"
 #include "ui/shell/file_work.h"
 #include "ui/shell/input.h"
 #include "ui/shell/pane_layout.h"

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "app/commands/command_ids.h"
-#include "app/commands/selection.h"
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
 #include "app/files/save.h"
 #include "tests/support/app/boxer.h"
 #include "ui/shell/shell_commands.h"

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/commands/command_ids.h"
+#include "app/commands/table/command_ids.h"
 #include "app/open_document.h"
 #include "tests/support/app/mesh_file.h"
 #include "tests/support/skinning/tube_person.h"

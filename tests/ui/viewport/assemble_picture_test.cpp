@@ -4,14 +4,14 @@
 #include <memory>
 #include <optional>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
 #include "tests/support/app/new_trail.h"
 #include "tests/support/ui/panel_driver.h"
 #include "ui/batch/sequence_pictures.h"
-#include "ui/panels/weight_view.h"
-#include "ui/render/image_edits.h"
+#include "ui/panels/body/weight_view.h"
+#include "ui/render/picture/image_edits.h"
 #include "ui/viewport/viewport_scene.h"
 
 using namespace stretch;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "tests/support/app/boxer.h"
 #include "ui/viewport/shown_controllers.h"
 #include "ui/viewport/tools.h"

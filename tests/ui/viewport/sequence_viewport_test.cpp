@@ -6,7 +6,7 @@
 
 #include "tests/support/skinning/bodies.h"
 #include "tests/support/ui/gui_stage.h"
-#include "ui/render/value_colors.h"
+#include "ui/render/scene/value_colors.h"
 #include "ui/viewport/sequence_picture.h"
 
 using namespace stretch;

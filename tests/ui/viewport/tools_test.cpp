@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "app/commands/selection.h"
+#include "app/commands/table/selection.h"
 #include "tests/support/app/boxer.h"
 #include "ui/viewport/tools.h"
 

@@ -1,0 +1,254 @@
+#include "app/commands/pose/posing.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/core.h>
+
+#include "app/commands/table/frames.h"
+#include "app/commands/table/ranges.h"
+#include "app/commands/table/selection.h"
+#include "app/commands/table/tables.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/pose_edits.h"
+#include "app/edits/trail/sphere_edits.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool isPosedWithoutKey(const ViewState& view) {
+  return view.unkeyed.clip == view.clip && sameFrame(view.unkeyed.frame, view.frame);
+}
+
+/// Remembers what is shown and keyed nowhere; what cannot be done is refused as for a key.
+Status poseWithoutKey(Session& session, const OffsetPose& pose) {
+  ViewState& view = session.view();
+  const Result<Document> possible =
+      setOffsets(session.document(), view.clip, view.frame, pose.offsets, pose.values, {});
+  if (!possible) {
+    return possible.error();
+  }
+  if (!isPosedWithoutKey(view)) {
+    view.unkeyed = {view.clip, view.frame, {}, {}};
+  }
+  for (const ControllerOffset& offset : pose.offsets) {
+    view.unkeyed.offsets[offset.id] = offset;
+  }
+  for (const AttributeValue& value : pose.values) {
+    view.unkeyed.values[value.id] = value.value;
+  }
+  return Success{};
+}
+
+/// What was keyed is shown without a key no longer.
+void forgetUnkeyed(ViewState& view, const OffsetPose& pose) {
+  for (const ControllerOffset& offset : pose.offsets) {
+    view.unkeyed.offsets.erase(offset.id);
+  }
+  for (const AttributeValue& value : pose.values) {
+    view.unkeyed.values.erase(value.id);
+  }
+}
+
+/// Of the adjustments of one controller that have a range: the one at the playhead, else the nearest that
+/// would grow up to it. Null where there is none.
+const rig::Adjustment* rangeToEnd(const Document& document, const ViewState& view, const std::string& id,
+                                  bool start) {
+  const rig::Adjustment* nearest = nullptr;
+  double distance = 0.0;
+  for (const rig::Adjustment& adjustment : document.adjustments) {
+    if (adjustment.controller != id || adjustment.clip != view.clip || !adjustment.rangeFrames) {
+      continue;
+    }
+    const Vec2 range = *adjustment.rangeFrames;
+    const double away = start ? range.x - view.frame : view.frame - range.y;
+    const bool possible = start ? view.frame < range.y : view.frame > range.x;
+    if (possible && (nearest == nullptr || std::max(away, 0.0) < distance)) {
+      nearest = &adjustment;
+      distance = std::max(away, 0.0);
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+KeyRange keyRange(const Session& session) {
+  const ViewState& view = session.view();
+  if (view.wholeClip || !isRangeSet(view) || view.rangeEnd <= view.rangeStart) {
+    return {};
+  }
+  const double last = lastFrame(session.document(), view.clip);
+  return {Vec2(std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last))};
+}
+
+ControllerOffset shownOffset(const Session& session, const std::string& id) {
+  const ViewState& view = session.view();
+  const auto unkeyed = view.unkeyed.offsets.find(id);
+  return isPosedWithoutKey(view) && unkeyed != view.unkeyed.offsets.end()
+             ? unkeyed->second
+             : offsetAt(session.document(), view.clip, view.frame, id);
+}
+
+double shownValue(const Session& session, const std::string& id) {
+  const ViewState& view = session.view();
+  const auto unkeyed = view.unkeyed.values.find(id);
+  return isPosedWithoutKey(view) && unkeyed != view.unkeyed.values.end()
+             ? unkeyed->second
+             : valueAt(session.document(), view.clip, view.frame, id);
+}
+
+std::vector<rig::Controller> selectedControllers(const Session& session) {
+  const rig::ControllerList list = controllersOf(session.document());
+  std::vector<rig::Controller> controllers;
+  for (const std::string& id : session.view().selectedControllers) {
+    if (Result<rig::Controller> found = findController(session.document(), list, id)) {
+      controllers.push_back(std::move(found).value());
+    }
+  }
+  return controllers;
+}
+
+std::vector<rig::Attribute> attributesOf(const Session& session,
+                                         std::span<const rig::Controller> controllers) {
+  std::vector<rig::Attribute> attributes = controllersOf(session.document()).attributes;
+  std::erase_if(attributes, [&](const rig::Attribute& attribute) {
+    return std::ranges::find(controllers, attribute.limb, &rig::Controller::limb) == controllers.end();
+  });
+  return attributes;
+}
+
+std::vector<std::string> posedIds(const Session& session) {
+  const rig::ControllerList list = controllersOf(session.document());
+  std::vector<std::string> ids;
+  for (const rig::Controller& controller : selectedControllers(session)) {
+    ids.push_back(controller.id);
+    for (const rig::Attribute& attribute : attributesHeldBy(list, controller)) {
+      ids.push_back(attribute.id);
+    }
+  }
+  return ids;
+}
+
+OffsetPose shownPose(const Session& session, std::span<const std::string> ids) {
+  const rig::ControllerList list = controllersOf(session.document());
+  OffsetPose shown;
+  for (const std::string& id : ids) {
+    if (list.attribute(id) != nullptr) {
+      shown.values.push_back({id, shownValue(session, id)});
+    } else {
+      shown.offsets.push_back(shownOffset(session, id));
+    }
+  }
+  return shown;
+}
+
+std::vector<double> offsetKeyFrames(const Session& session) {
+  const std::vector<std::string> ids = posedIds(session);
+  std::set<double> frames;
+  for (const rig::Adjustment& adjustment : session.document().adjustments) {
+    if (adjustment.clip == session.view().clip &&
+        std::ranges::find(ids, adjustment.controller) != ids.end()) {
+      for (const rig::OffsetKey& key : adjustment.keys) {
+        frames.insert(key.frame);
+      }
+    }
+  }
+  return {frames.begin(), frames.end()};
+}
+
+Status endOffsetsHere(Session& session, bool start) {
+  const ViewState& view = session.view();
+  Document document = session.document();
+  for (const std::string& id : posedIds(session)) {
+    const rig::Adjustment* const meant = rangeToEnd(document, view, id, start);
+    if (meant == nullptr) {
+      continue;
+    }
+    const Vec2 range =
+        start ? Vec2(view.frame, meant->rangeFrames->y) : Vec2(meant->rangeFrames->x, view.frame);
+    Result<Document> changed =
+        setOffsetRange(document, view.clip, meant->keys.front().frame, {&id, 1}, {range});
+    if (!changed) {
+      return changed.error();
+    }
+    document = std::move(changed).value();
+  }
+  return finish(session, std::move(document), "Change the range");
+}
+
+std::optional<rig::KeyInterpolation> interpolationHere(const Session& session) {
+  const ViewState& view = session.view();
+  std::optional<rig::KeyInterpolation> here;
+  for (const std::string& id : posedIds(session)) {
+    const rig::OffsetKey* const key = offsetKeyAt(session.document(), view.clip, view.frame, id);
+    if (key != nullptr && here && *here != key->interpolation) {
+      return std::nullopt;
+    }
+    here = key == nullptr ? here : key->interpolation;
+  }
+  return here;
+}
+
+bool canTween(const Session& session) {
+  return !tweened(session, 0.5).empty();
+}
+
+OffsetPose tweened(const Session& session, double between) {
+  const ViewState& view = session.view();
+  return tweenedPose(session.document(), view.clip, view.frame, posedIds(session), between);
+}
+
+bool isWholeClip(const Session& session) {
+  const ViewState& view = session.view();
+  for (const std::string& id : posedIds(session)) {
+    if (const rig::Adjustment* const present = adjustmentAt(session.document(), view.clip, view.frame, id)) {
+      return !present->rangeFrames;
+    }
+  }
+  return !keyRange(session).rangeFrames;
+}
+
+Status keyPose(Session& session, const OffsetPose& pose, const std::string& label) {
+  ViewState& view = session.view();
+  Status done = finish(
+      session,
+      setOffsets(session.document(), view.clip, view.frame, pose.offsets, pose.values, keyRange(session)),
+      label.c_str());
+  if (done) {
+    forgetUnkeyed(view, pose);
+  }
+  return done;
+}
+
+Status poseAll(Session& session, const OffsetPose& pose, const std::string& label) {
+  return session.view().autoKey ? keyPose(session, pose, label) : poseWithoutKey(session, pose);
+}
+
+Status previewPose(Session& session, const OffsetPose& pose) {
+  const ViewState& view = session.view();
+  if (!view.autoKey) {
+    return poseWithoutKey(session, pose);
+  }
+  Result<Document> keyed =
+      setOffsets(session.atBegin(), view.clip, view.frame, pose.offsets, pose.values, keyRange(session));
+  if (!keyed) {
+    return keyed.error();
+  }
+  session.preview(std::move(keyed).value());
+  return Success{};
+}
+
+std::string poseLabel(const Document& document, const std::string& verb, std::span<const std::string> ids) {
+  if (ids.size() > 3) {
+    return fmt::format("{} {} controllers", verb, ids.size());
+  }
+  std::vector<std::string> names;
+  for (const std::string& id : ids) {
+    names.push_back(controllerTitle(document, id));
+  }
+  return fmt::format("{} the {}", verb, listed(names));
+}
+
+} // namespace stretch::app

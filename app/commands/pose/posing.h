@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/edits/pose/offset_edits.h"
+#include "app/session.h"
+#include "rig/controllers/controller.h"
+
+namespace stretch::app {
+
+// Posing the viewed clip at the playhead, as commands, tools and panels do it.
+
+/// Where a first key acts: in the working range, on the whole clip where none is set or the user chose so.
+[[nodiscard]] KeyRange keyRange(const Session& session);
+
+/// What a controller is offset by at the playhead, keyed or not.
+[[nodiscard]] ControllerOffset shownOffset(const Session& session, const std::string& id);
+[[nodiscard]] double shownValue(const Session& session, const std::string& id);
+
+/// The selected controllers, in the order of their selection.
+[[nodiscard]] std::vector<rig::Controller> selectedControllers(const Session& session);
+
+/// The attributes of the limbs of these controllers, each once.
+[[nodiscard]] std::vector<rig::Attribute> attributesOf(const Session& session,
+                                                       std::span<const rig::Controller> controllers);
+
+/// What posing acts on: the selected controllers and the attributes that go with them (attributesHeldBy).
+[[nodiscard]] std::vector<std::string> posedIds(const Session& session);
+
+/// What these are offset by at the playhead, keyed or not.
+[[nodiscard]] OffsetPose shownPose(const Session& session, std::span<const std::string> ids);
+
+/// Frames at which these have keys in the viewed clip, in order, each once.
+[[nodiscard]] std::vector<double> offsetKeyFrames(const Session& session);
+
+/// Lets the range in which the selection is offset start or end at the playhead: the range there, else the
+/// next one towards which it would grow. What holds over the whole clip is left alone.
+Status endOffsetsHere(Session& session, bool start);
+
+/// How the selected keys at the playhead are passed; nothing without one, or where they differ.
+[[nodiscard]] std::optional<rig::KeyInterpolation> interpolationHere(const Session& session);
+
+/// Posing acts on something that has a key before the playhead and one after it; ends of ranges count.
+[[nodiscard]] bool canTween(const Session& session);
+/// What posing acts on, between these keys (tweenedPose).
+[[nodiscard]] OffsetPose tweened(const Session& session, double between);
+
+/// Whether what posing acts on holds over the whole clip: as it is adjusted at the playhead, else as a first
+/// key would.
+[[nodiscard]] bool isWholeClip(const Session& session);
+
+/// Keys at the playhead, as one step, whether auto-key is on or not.
+Status keyPose(Session& session, const OffsetPose& pose, const std::string& label);
+
+/// One finished step: keyed at the playhead, or shown without a key while auto-key is off.
+Status poseAll(Session& session, const OffsetPose& pose, const std::string& label);
+
+/// The same within a drag that was begun; each preview is made from the state at its beginning.
+Status previewPose(Session& session, const OffsetPose& pose);
+
+/// "Move the left hand", "Turn 3 controllers".
+[[nodiscard]] std::string poseLabel(const Document& document, const std::string& verb,
+                                    std::span<const std::string> ids);
+
+} // namespace stretch::app

@@ -1,0 +1,272 @@
+#include "app/edits/keys/import_clip.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/named.h"
+#include "core/base/number.h"
+#include "core/gltf/load/load_as_it_stands.h"
+#include "core/gltf/patch/new_clips.h"
+#include "rig/retarget/copy_tracks.h"
+#include "rig/retarget/retarget.h"
+
+namespace stretch::app {
+
+namespace {
+
+// Another file whose clips are wanted.
+struct Donor {
+  Document document;
+  std::optional<rig::Skeleton> skeleton; // a biped's
+};
+
+bool movesJoints(const Clip& clip) {
+  return std::ranges::any_of(
+      clip.tracks, [](const CopyOnWrite<Track>& track) { return track->channel != Channel::weights; });
+}
+
+std::string titleOfClip(const Document& document, int clip) {
+  const std::string& name = clipOf(document, clip).name;
+  return name.empty() ? fmt::format("#{}", clip) : name;
+}
+
+// The donor is not moved from here on: its skeleton refers to its scene.
+Result<Donor> readDonor(const std::filesystem::path& file) {
+  Result<gltf::Loaded> loaded = gltf::loadAsItStands(file);
+  if (!loaded) {
+    return Error{loaded.error().line(), file.string(), ""};
+  }
+  Donor donor;
+  donor.document.scene = loaded->scene;
+  donor.document.source = loaded->source;
+  donor.document.clips = std::make_shared<const std::vector<Clip>>(std::move(loaded->clips));
+  donor.document.body = rig::detectBody(*donor.document.scene);
+  if (donor.document.clips->empty()) {
+    return Error{"the file holds no clip", file.string(), "give a file with an animation"};
+  }
+  donor.skeleton = rig::skeletonOf(*donor.document.scene, donor.document.body);
+  return donor;
+}
+
+// Which clips are meant: by name, "#2", or 2.
+Result<std::vector<int>> wantedClips(const Donor& donor, const ClipRequest& request) {
+  std::vector<int> clips;
+  if (request.clip.empty()) {
+    for (std::size_t i = 0; i < donor.document.clips->size(); ++i) {
+      clips.push_back(static_cast<int>(i));
+    }
+    return clips;
+  }
+  Result<int> found = findClip(donor.document, request.clip, request.file.string());
+  if (!found && parseNumber<std::size_t>(request.clip)) {
+    const Result<int> counted = findClip(donor.document, "#" + request.clip, request.file.string());
+    found = counted ? counted : found;
+  }
+  if (!found) {
+    return found.error();
+  }
+  clips.push_back(*found);
+  return clips;
+}
+
+std::size_t animatedNodes(const rig::CopiedTracks& copied) {
+  return copied.joints + copied.missing.size();
+}
+
+// Names decide where most of the joints are there; a biped's keys mean the same only on bones that are alike.
+bool isCopied(const Donor& donor, const Clip& clip, const rig::CopiedTracks& copied, const Document& document,
+              bool canRetarget) {
+  const bool hasMost = copied.joints > 0 && copied.joints * 2 >= animatedNodes(copied);
+  return hasMost && (!canRetarget || rig::haveSameBones(*donor.document.scene, clip, *document.scene));
+}
+
+Error cannotFollow(const Donor& donor, const rig::CopiedTracks& copied, const Document& document,
+                   const std::string& file) {
+  const std::string names = fmt::format("{} of its {} animated joints have names of this character",
+                                        copied.joints, animatedNodes(copied));
+  if (donor.document.scene->skins.empty() && donor.document.body.limbs.empty() && copied.joints == 0) {
+    return {"the file holds no skeleton that this character could follow", file,
+            "give a clip of a biped, or of joints with the same names"};
+  }
+  const char* const who = !donor.skeleton ? "its body is no biped" : "this character is no biped";
+  return {fmt::format("the clip cannot be brought to this character: {}, and {}", who, names), file,
+          document.body.isBiped ? "give a clip of a biped, or of joints with the same names"
+                                : "give a clip of joints with the same names"};
+}
+
+Result<NewClip> broughtOver(const Donor& donor, int index, const Document& document,
+                            const std::optional<rig::Skeleton>& own, const std::string& file,
+                            const std::function<bool(double)>& proceed) {
+  const Clip& clip = clipOf(donor.document, index);
+  const std::string title = titleOfClip(donor.document, index);
+  rig::CopiedTracks copied = rig::copyTracks(*donor.document.scene, clip, *document.scene);
+  const bool canRetarget = donor.skeleton && own && movesJoints(clip);
+  if (isCopied(donor, clip, copied, document, canRetarget)) {
+    return NewClip{std::move(copied.clip), title, false, std::move(copied.missing)};
+  }
+  if (!movesJoints(clip)) {
+    return Error{fmt::format("the clip '{}' moves no joints", title), file,
+                 "give a clip that moves a skeleton"};
+  }
+  if (!canRetarget) {
+    return cannotFollow(donor, copied, document, file);
+  }
+  Result<rig::Retargeted> brought = rig::retarget(*donor.skeleton, clip, *own, proceed);
+  if (!brought) {
+    return Error{brought.error().what, file + ": " + title, brought.error().remedy};
+  }
+  return NewClip{std::move(brought->clip), title, true, std::move(brought->left)};
+}
+
+std::string freeClipName(const std::vector<Clip>& clips, const std::string& wanted) {
+  const auto isTaken = [&](const std::string& name) {
+    return std::ranges::find(clips, name, &Clip::name) != clips.end();
+  };
+  std::string name = wanted;
+  for (int number = 2; isTaken(name); ++number) {
+    name = fmt::format("{} {}", wanted, number);
+  }
+  return name;
+}
+
+// As the file's import answers it.
+void settleClip(std::size_t index, Clip& clip) {
+  clip.sourceIndex = static_cast<int>(index);
+  bool isFirst = true;
+  for (std::size_t i = 0; i < clip.tracks.size(); ++i) {
+    clip.tracks[i].edit([&](Track& track) { track.sourceChannel = static_cast<int>(i); });
+    const auto start = static_cast<double>(clip.tracks[i]->times.front());
+    const auto end = static_cast<double>(clip.tracks[i]->times.back());
+    clip.startSeconds = isFirst ? start : std::min(clip.startSeconds, start);
+    clip.endSeconds = isFirst ? end : std::max(clip.endSeconds, end);
+    isFirst = false;
+  }
+}
+
+// "Walk, Run and 7 more".
+std::string listOf(const std::vector<std::string>& names, std::size_t most) {
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    list += (i == 0 ? "" : ", ") + names[i];
+  }
+  return names.size() > most ? list + fmt::format(" and {} more", names.size() - most) : list;
+}
+
+// What a clip moves and the character has not; empty where it has all of it.
+std::string leftText(const NewClip& clip) {
+  if (clip.left.empty()) {
+    return {};
+  }
+  constexpr std::size_t most = 6;
+  const std::string names = listOf(clip.left, most);
+  return clip.isRetargeted ? "left out what this character has no joints for: " + names
+                           : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
+                                         clip.left.size() == 1 ? "joint" : "joints", names);
+}
+
+// One line for all clips that lack the same.
+std::vector<std::string> leftLines(const std::vector<NewClip>& clips) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> clipsOfText;
+  for (const NewClip& clip : clips) {
+    const std::string text = leftText(clip);
+    if (text.empty()) {
+      continue;
+    }
+    auto known =
+        std::ranges::find(clipsOfText, text, [](const auto& one) -> const std::string& { return one.first; });
+    if (known == clipsOfText.end()) {
+      known = clipsOfText.insert(known, {text, {}});
+    }
+    known->second.push_back(clip.from);
+  }
+  constexpr std::size_t mostClips = 3;
+  std::vector<std::string> lines;
+  lines.reserve(clipsOfText.size());
+  for (const auto& [text, names] : clipsOfText) {
+    lines.push_back(listOf(names, mostClips) + ": " + text);
+  }
+  return lines;
+}
+
+} // namespace
+
+Result<NewClips> clipsFromFile(const Document& document, const ClipRequest& request,
+                               const std::function<bool(double)>& proceed) {
+  const std::string file = request.file.string();
+  const Result<Donor> donor = readDonor(request.file);
+  if (!donor) {
+    return donor.error();
+  }
+  const Result<std::vector<int>> wanted = wantedClips(*donor, request);
+  if (!wanted) {
+    return wanted.error();
+  }
+  if (!request.name.empty() && wanted->size() > 1) {
+    return Error{fmt::format("{} clips cannot have one name", wanted->size()), file,
+                 "name the clip that is wanted"};
+  }
+  const std::optional<rig::Skeleton> own = rig::skeletonOf(*document.scene, document.body);
+  NewClips brought;
+  std::optional<Error> first;
+  double done = 0.0;
+  bool isStopped = false;
+  const auto goesOn = [&](double share) {
+    isStopped = isStopped || (proceed && !proceed((done + share) / static_cast<double>(wanted->size())));
+    return !isStopped;
+  };
+  for (const int index : *wanted) {
+    if (!goesOn(0.0)) {
+      return Error{"stopped before the clips were brought over", file, "import them again"};
+    }
+    Result<NewClip> clip = broughtOver(*donor, index, document, own, file, goesOn);
+    done += 1.0;
+    if (!clip) {
+      first = first ? first : clip.error();
+      brought.warnings.push_back(clip.error().line());
+      continue;
+    }
+    clip->clip.name = !request.name.empty()     ? request.name
+                      : clip->clip.name.empty() ? request.file.stem().string()
+                                                : clip->clip.name;
+    brought.clips.push_back(std::move(clip).value());
+  }
+  if (brought.clips.empty()) {
+    return *first;
+  }
+  for (std::string& line : leftLines(brought.clips)) {
+    brought.warnings.push_back(std::move(line));
+  }
+  return brought;
+}
+
+Result<Document> withNewClips(const Document& document, const std::vector<Clip>& clips) {
+  std::vector<Clip> added = clips;
+  std::vector<Clip> all = *document.clips;
+  for (Clip& clip : added) {
+    clip.name = freeClipName(all, clip.name);
+    settleClip(all.size(), clip);
+    all.push_back(clip);
+  }
+  Result<gltf::Source> source = gltf::withNewClips(*document.source, added);
+  if (!source) {
+    return source.error();
+  }
+  Document changed = document;
+  changed.source = std::make_shared<const gltf::Source>(std::move(source).value());
+  changed.clips = std::make_shared<const std::vector<Clip>>(std::move(all));
+  if (document.sourceClips != nullptr) {
+    std::vector<Clip> unedited = *document.sourceClips;
+    unedited.insert(unedited.end(), added.begin(), added.end());
+    changed.sourceClips = std::make_shared<const std::vector<Clip>>(std::move(unedited));
+  }
+  changed.importedClips += added.size();
+  return changed;
+}
+
+} // namespace stretch::app

@@ -1,0 +1,548 @@
+#include "app/edits/keys/key_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/edits/keys/following_keys.h"
+
+namespace stretch::app {
+
+namespace {
+
+// A key on its way through an edit.
+struct HeldKey {
+  RowKey key;
+  unsigned picked = 0;  ///< Components; 0: not picked.
+  double before = -1e9; ///< Its frame before the edit; far away for a new one.
+};
+
+// The row as keys that know whether they are picked.
+struct HeldRow {
+  KeyedRow row; ///< Without keys.
+  std::vector<HeldKey> keys;
+};
+
+HeldRow heldRow(const Document& document, int clip, const PickedRow& picked, RowDetail detail) {
+  HeldRow held;
+  KeyedRow row = readRow(document, clip, picked.row, detail);
+  for (const RowKey& key : row.keys) {
+    held.keys.push_back({key, 0U, key.frame});
+  }
+  row.keys.clear();
+  held.row = std::move(row);
+  for (const PickedKey& key : picked.keys) {
+    if (key.key >= 0 && at(key.key) < held.keys.size()) {
+      held.keys[at(key.key)].picked = key.components;
+    }
+  }
+  return held;
+}
+
+// What lies a rounding off a whole frame means it.
+double settledFrame(double frame) {
+  const double whole = std::round(frame);
+  return std::abs(frame - whole) < 1e-4 ? whole : frame;
+}
+
+// In order, and of keys in one place the picked one.
+void settle(std::vector<HeldKey>& keys) {
+  std::stable_sort(keys.begin(), keys.end(), [](const HeldKey& a, const HeldKey& b) {
+    return a.key.frame < b.key.frame || (a.key.frame == b.key.frame && a.picked > b.picked);
+  });
+  // Keys that stood as near to each other before, such as the two of a step, leave each other alone.
+  const auto covers = [](const HeldKey& other, const HeldKey& key) {
+    return other.picked != 0 && std::abs(other.key.frame - key.key.frame) < keyTolerance &&
+           std::abs(other.before - key.before) >= keyTolerance;
+  };
+  std::vector<HeldKey> kept;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool covered = keys[i].picked == 0 && ((i > 0 && covers(keys[i - 1], keys[i])) ||
+                                                 (i + 1 < keys.size() && covers(keys[i + 1], keys[i])));
+    if (!covered) {
+      kept.push_back(keys[i]);
+    }
+  }
+  keys = std::move(kept);
+}
+
+Result<EditedKeys> written(EditedKeys so, int clip, HeldRow held) {
+  settle(held.keys);
+  PickedRow picked{held.row.row, {}};
+  for (const HeldKey& key : held.keys) {
+    if (key.picked != 0) {
+      picked.keys.push_back({static_cast<int>(held.row.keys.size()), key.picked});
+    }
+    held.row.keys.push_back(key.key);
+  }
+  Result<Document> changed = writeRow(so.document, clip, held.row);
+  if (!changed) {
+    return changed.error();
+  }
+  so.document = std::move(*changed);
+  if (!picked.keys.empty()) {
+    so.picked.push_back(std::move(picked));
+  }
+  return so;
+}
+
+// Each row of the selection through one change.
+using RowChange = std::function<Status(HeldRow&)>;
+Result<EditedKeys> changeRows(const Document& document, int clip, const KeySelection& selection,
+                              RowDetail detail, const RowChange& change) {
+  EditedKeys edited{document, {}};
+  for (const PickedRow& picked : selection) {
+    HeldRow held = heldRow(document, clip, picked, detail);
+    if (const Status done = change(held); !done) {
+      return done.error();
+    }
+    Result<EditedKeys> next = written(std::move(edited), clip, std::move(held));
+    if (!next) {
+      return next.error();
+    }
+    edited = std::move(*next);
+  }
+  return edited;
+}
+
+template <typename Change>
+void forPicked(HeldRow& held, Change&& change) {
+  for (HeldKey& key : held.keys) {
+    if (key.picked != 0) {
+      change(key);
+    }
+  }
+}
+
+// The one change of values that all kinds of edits make.
+void setValues(HeldKey& key, std::size_t components, const std::function<double(std::size_t, double)>& to) {
+  for (std::size_t i = 0; i < components; ++i) {
+    if ((key.picked >> i & 1U) != 0) {
+      const double value = to(i, key.key.values[i]);
+      key.key.valuesChanged = key.key.valuesChanged || value != key.key.values[i];
+      key.key.values[i] = value;
+    }
+  }
+}
+
+// The frames that the picked keys may all be moved by, around 0.
+RowPart freedomOf(const Document& document, int clip, const KeySelection& selection) {
+  RowPart freedom{-1e9, 1e9};
+  for (const PickedRow& picked : selection) {
+    HeldRow held = heldRow(document, clip, picked, RowDetail::times);
+    forPicked(held, [&](const HeldKey& key) {
+      const RowPart& part = held.row.parts[at(key.key.part)];
+      freedom.firstFrame = std::max(freedom.firstFrame, part.firstFrame - key.key.frame);
+      freedom.lastFrame = std::min(freedom.lastFrame, part.lastFrame - key.key.frame);
+    });
+  }
+  return freedom;
+}
+
+Error noKeys() {
+  return {"no key is picked", "", "click a key in the graph, or draw a box around some"};
+}
+
+double finite(double number) {
+  return std::isfinite(number) ? number : 0.0;
+}
+
+} // namespace
+
+std::size_t keyCount(const KeySelection& selection) {
+  std::size_t count = 0;
+  for (const PickedRow& row : selection) {
+    count += row.keys.size();
+  }
+  return count;
+}
+
+KeySelection keysBetween(const Document& document, int clip, std::span<const KeyRow> rows, double firstFrame,
+                         double lastFrame) {
+  KeySelection selection;
+  for (const KeyRow& row : rows) {
+    const std::vector<double> frames = keyFramesOf(document, clip, row);
+    PickedRow picked{row, {}};
+    const auto first = std::lower_bound(frames.begin(), frames.end(), firstFrame - keyTolerance);
+    for (auto frame = first; frame != frames.end() && *frame <= lastFrame + keyTolerance; ++frame) {
+      picked.keys.push_back({static_cast<int>(frame - frames.begin())});
+    }
+    if (!picked.keys.empty()) {
+      selection.push_back(std::move(picked));
+    }
+  }
+  return selection;
+}
+
+KeySelection allKeys(const Document& document, int clip, std::span<const KeyRow> rows) {
+  return keysBetween(document, clip, rows, -1e9, 1e9);
+}
+
+KeySelection joined(const KeySelection& a, const KeySelection& b) {
+  KeySelection both = a;
+  for (const PickedRow& more : b) {
+    const auto known =
+        std::find_if(both.begin(), both.end(), [&](const PickedRow& row) { return row.row == more.row; });
+    if (known == both.end()) {
+      both.push_back(more);
+      continue;
+    }
+    for (const PickedKey& key : more.keys) {
+      const auto place =
+          std::lower_bound(known->keys.begin(), known->keys.end(), key,
+                           [](const PickedKey& x, const PickedKey& y) { return x.key < y.key; });
+      if (place != known->keys.end() && place->key == key.key) {
+        place->components |= key.components;
+      } else {
+        known->keys.insert(place, key);
+      }
+    }
+  }
+  return both;
+}
+
+KeySelection stillThere(const Document& document, int clip, const KeySelection& selection) {
+  KeySelection there;
+  for (const PickedRow& picked : selection) {
+    const auto count = static_cast<int>(keyFramesOf(document, clip, picked.row).size());
+    PickedRow kept{picked.row, {}};
+    std::copy_if(picked.keys.begin(), picked.keys.end(), std::back_inserter(kept.keys),
+                 [&](const PickedKey& key) { return key.key < count; });
+    if (!kept.keys.empty()) {
+      there.push_back(std::move(kept));
+    }
+  }
+  return there;
+}
+
+std::string selectionTitle(const Document& document, const KeySelection& selection) {
+  const std::size_t keys = keyCount(selection);
+  const std::string count = keys == 1 ? "a key" : fmt::format("{} keys", keys);
+  return selection.size() == 1 ? fmt::format("{} of {}", count, rowTitle(document, selection.front().row))
+                               : fmt::format("{} of {} rows", count, selection.size());
+}
+
+Result<EditedKeys> moveKeys(const Document& document, int clip, const KeySelection& selection,
+                            const KeyMove& move) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  const RowPart freedom = freedomOf(document, clip, selection);
+  const double frames =
+      std::clamp(finite(move.frames), std::min(0.0, freedom.firstFrame), std::max(0.0, freedom.lastFrame));
+  const double value = finite(move.value);
+  return changeRows(document, clip, selection, value == 0.0 ? RowDetail::times : RowDetail::values,
+                    [&](HeldRow& held) -> Status {
+                      forPicked(held, [&](HeldKey& key) {
+                        if (frames != 0.0) {
+                          const double there = settledFrame(key.key.frame + frames);
+                          key.key.frame = move.wholeFrames ? std::round(there) : there;
+                        }
+                        if (value != 0.0) {
+                          setValues(key, held.row.components,
+                                    [&](std::size_t, double old) { return old + value; });
+                        }
+                      });
+                      return Success{};
+                    });
+}
+
+Result<EditedKeys> scaleKeys(const Document& document, int clip, const KeySelection& selection,
+                             const KeyScale& scale) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  const bool values = scale.value != 1.0;
+  return changeRows(
+      document, clip, selection, values || scale.time != 1.0 ? RowDetail::values : RowDetail::times,
+      [&](HeldRow& held) -> Status {
+        forPicked(held, [&](HeldKey& key) {
+          const RowPart& part = held.row.parts[at(key.key.part)];
+          const double there =
+              settledFrame(scale.aboutFrame + (key.key.frame - scale.aboutFrame) * finite(scale.time));
+          key.key.frame =
+              scale.time == 1.0 ? key.key.frame : std::clamp(there, part.firstFrame, part.lastFrame);
+          setValues(key, held.row.components, [&](std::size_t, double old) {
+            return values ? scale.aboutValue + (old - scale.aboutValue) * finite(scale.value) : old;
+          });
+          const double steeper = scale.time == 0.0 ? 1.0 : finite(scale.value / scale.time);
+          for (std::size_t i = 0; i < held.row.components && steeper != 1.0; ++i) {
+            key.key.inSlopes[i] *= steeper;
+            key.key.outSlopes[i] *= steeper;
+            key.key.slopesChanged = held.row.interpolation == Interpolation::cubicSpline;
+          }
+          if (scale.time < 0.0) {
+            std::swap(key.key.inSlopes, key.key.outSlopes);
+          }
+        });
+        return Success{};
+      });
+}
+
+Result<EditedKeys> snapKeys(const Document& document, int clip, const KeySelection& selection) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  return changeRows(document, clip, selection, RowDetail::times, [](HeldRow& held) -> Status {
+    forPicked(held, [&](HeldKey& key) {
+      const RowPart& part = held.row.parts[at(key.key.part)];
+      const double whole = std::round(key.key.frame);
+      const bool fits = whole >= part.firstFrame && whole <= part.lastFrame;
+      key.key.frame = fits && std::abs(whole - key.key.frame) > 1e-4 ? whole : key.key.frame;
+    });
+    return Success{};
+  });
+}
+
+Result<EditedKeys> removeKeys(const Document& document, int clip, const KeySelection& selection) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  return changeRows(document, clip, selection, RowDetail::times, [](HeldRow& held) -> Status {
+    std::erase_if(held.keys, [](const HeldKey& key) { return key.picked != 0; });
+    return Success{};
+  });
+}
+
+CopiedKeys copyKeys(const Document& document, int clip, const KeySelection& selection) {
+  CopiedKeys copied;
+  double first = 1e9;
+  for (const PickedRow& picked : selection) {
+    HeldRow held = heldRow(document, clip, picked, RowDetail::values);
+    CopiedKeys::Row row{picked.row, {}};
+    forPicked(held, [&](HeldKey& key) {
+      key.key.origin = -1;
+      key.key.valuesChanged = key.key.slopesChanged = true;
+      first = std::min(first, key.key.frame);
+      row.keys.push_back(key.key);
+    });
+    copied.rows.push_back(std::move(row));
+  }
+  for (CopiedKeys::Row& row : copied.rows) {
+    for (RowKey& key : row.keys) {
+      key.frame -= first;
+    }
+  }
+  return copied;
+}
+
+Result<EditedKeys> setKeyValue(const Document& document, int clip, const KeySelection& selection,
+                               double value) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  return changeRows(document, clip, selection, RowDetail::values, [&](HeldRow& held) -> Status {
+    forPicked(held, [&](HeldKey& key) {
+      setValues(key, held.row.components, [&](std::size_t, double) { return finite(value); });
+    });
+    return Success{};
+  });
+}
+
+namespace {
+
+int partAt(const KeyedRow& row, double frame) {
+  for (std::size_t i = 0; i < row.parts.size(); ++i) {
+    if (frame >= row.parts[i].firstFrame - keyTolerance && frame <= row.parts[i].lastFrame + keyTolerance) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+bool hasKeyAt(const HeldRow& held, double frame) {
+  return std::any_of(held.keys.begin(), held.keys.end(),
+                     [&](const HeldKey& key) { return std::abs(key.key.frame - frame) < keyTolerance; });
+}
+
+// A key on the curve: the curve stays as it is where its track can say so.
+RowKey keyOnCurve(const Document& document, int clip, const HeldRow& held, double frame) {
+  constexpr double step = 1e-3;
+  RowKey key;
+  key.frame = frame;
+  key.onCurve = true;
+  const auto before = std::find_if(held.keys.rbegin(), held.keys.rend(),
+                                   [&](const HeldKey& other) { return other.key.frame < frame; });
+  const KeyValues near = before == held.keys.rend() ? KeyValues{} : before->key.values;
+  key.values = valuesAt(document, clip, held.row.row, frame, near);
+  const KeyValues earlier = valuesAt(document, clip, held.row.row, frame - step, key.values);
+  const KeyValues later = valuesAt(document, clip, held.row.row, frame + step, key.values);
+  const bool inside = before != held.keys.rend() && frame < held.keys.back().key.frame;
+  for (std::size_t i = 0; i < mostComponents; ++i) {
+    key.inSlopes[i] = key.outSlopes[i] = inside ? (later[i] - earlier[i]) / (2.0 * step) : 0.0;
+  }
+  const bool onOffsets = held.row.row.isOffset();
+  const bool holds =
+      before != held.keys.rend() && before->key.kind == rig::KeyInterpolation::stepped && onOffsets;
+  key.kind = holds ? rig::KeyInterpolation::stepped : rig::KeyInterpolation::free;
+  return key;
+}
+
+bool sameValues(const KeyRow& a, const KeyRow& b) {
+  return a.isOffset() == b.isOffset() && (a.isOffset() || a.channel == b.channel);
+}
+
+} // namespace
+
+Result<EditedKeys> insertKeys(const Document& document, int clip, std::span<const KeyRow> rows,
+                              double frame) {
+  EditedKeys edited{document, {}};
+  bool any = false;
+  for (const KeyRow& row : rows) {
+    HeldRow held = heldRow(document, clip, {row, {}}, RowDetail::values);
+    const int part = partAt(held.row, frame);
+    if (part < 0 || !(frame >= 0.0)) {
+      continue;
+    }
+    any = true;
+    if (hasKeyAt(held, frame)) {
+      continue;
+    }
+    HeldKey key{keyOnCurve(document, clip, held, frame), ~0U};
+    key.key.part = part;
+    held.keys.push_back(key);
+    Result<EditedKeys> next = written(std::move(edited), clip, std::move(held));
+    if (!next) {
+      return next.error();
+    }
+    edited = std::move(*next);
+  }
+  if (!any) {
+    return Error{"no key can stand there", fmt::format("frame {:g}", frame),
+                 "offset keys are set by moving their controller, or choose a frame of their range"};
+  }
+  return edited;
+}
+
+Result<EditedKeys> pasteKeys(const Document& document, int clip, const CopiedKeys& copied, double frame,
+                             const std::optional<KeyRow>& target) {
+  EditedKeys edited{document, {}};
+  for (const CopiedKeys::Row& from : copied.rows) {
+    const bool toTarget = target && copied.rows.size() == 1 && sameValues(*target, from.row);
+    HeldRow held = heldRow(document, clip, {toTarget ? *target : from.row, {}}, RowDetail::times);
+    bool any = false;
+    for (RowKey key : from.keys) {
+      key.frame = settledFrame(key.frame + frame);
+      key.part = partAt(held.row, key.frame);
+      if (key.part >= 0) {
+        held.keys.push_back({key, ~0U});
+        any = true;
+      }
+    }
+    Result<EditedKeys> next =
+        any ? written(std::move(edited), clip, std::move(held)) : Result<EditedKeys>(std::move(edited));
+    if (!next) {
+      return next.error();
+    }
+    edited = std::move(*next);
+  }
+  if (edited.picked.empty()) {
+    return Error{"nothing that was copied fits there", fmt::format("frame {:g}", frame),
+                 "copy keys of this character, and paste inside the range of their controller"};
+  }
+  return edited;
+}
+
+namespace {
+
+// The slope that a kind asks for at a key, from its neighbours.
+double slopeOf(const HeldRow& held, std::size_t key, std::size_t component, rig::KeyInterpolation kind,
+               bool after) {
+  const auto point = [&](std::size_t i) {
+    return Vec2(held.keys[i].key.frame, held.keys[i].key.values[component]);
+  };
+  const bool hasBefore = key > 0;
+  const bool hasAfter = key + 1 < held.keys.size();
+  if (kind == rig::KeyInterpolation::linear && (after ? hasAfter : hasBefore)) {
+    const Vec2 piece = after ? point(key + 1) - point(key) : point(key) - point(key - 1);
+    return piece.y / piece.x;
+  }
+  const auto rowKey = [&](bool exists, std::size_t i) { return exists ? &held.keys[i].key : nullptr; };
+  return kind == rig::KeyInterpolation::automatic
+             ? followingSlope(rowKey(hasBefore, key - 1), held.keys[key].key, rowKey(hasAfter, key + 1),
+                              component)
+             : 0.0;
+}
+
+void setSlopesByKind(HeldRow& held, rig::KeyInterpolation kind) {
+  for (std::size_t i = 0; i < held.keys.size(); ++i) {
+    HeldKey& key = held.keys[i];
+    const bool follows = kind == rig::KeyInterpolation::automatic;
+    key.key.following = follows ? key.key.following | key.picked : key.key.following & ~key.picked;
+    if (key.picked == 0 || kind == rig::KeyInterpolation::free) {
+      continue;
+    }
+    for (std::size_t c = 0; c < held.row.components; ++c) {
+      if ((key.picked >> c & 1U) != 0) {
+        key.key.inSlopes[c] = slopeOf(held, i, c, kind, false);
+        key.key.outSlopes[c] = slopeOf(held, i, c, kind, true);
+      }
+    }
+    key.key.slopesChanged = true;
+  }
+}
+
+Status setTrackKind(HeldRow& held, rig::KeyInterpolation kind) {
+  const bool all =
+      std::all_of(held.keys.begin(), held.keys.end(), [](const HeldKey& key) { return key.picked != 0; });
+  const bool steps = held.row.interpolation == Interpolation::step;
+  const bool toSteps = kind == rig::KeyInterpolation::stepped;
+  if ((steps || toSteps) && steps != toSteps && !all) {
+    return Error{"a track of the clip steps as a whole", "", "pick all of its keys"};
+  }
+  if (toSteps ||
+      (kind == rig::KeyInterpolation::linear && (all || held.row.interpolation == Interpolation::linear))) {
+    held.row.interpolation = toSteps ? Interpolation::step : Interpolation::linear;
+    return Success{};
+  }
+  held.row.interpolation = Interpolation::cubicSpline;
+  setSlopesByKind(held, kind);
+  return Success{};
+}
+
+} // namespace
+
+Result<EditedKeys> setKeyKind(const Document& document, int clip, const KeySelection& selection,
+                              rig::KeyInterpolation kind) {
+  if (selection.empty()) {
+    return noKeys();
+  }
+  return changeRows(document, clip, selection, RowDetail::values, [&](HeldRow& held) -> Status {
+    if (!held.row.row.isOffset()) {
+      return setTrackKind(held, kind);
+    }
+    forPicked(held, [&](HeldKey& key) {
+      key.key.slopesChanged = kind == rig::KeyInterpolation::free && key.key.kind != kind;
+      key.key.kind = kind;
+    });
+    return Success{};
+  });
+}
+
+Result<EditedKeys> setKeySlope(const Document& document, int clip, const KeyRow& row, const PickedKey& key,
+                               TangentSide side, double slope) {
+  return changeRows(document, clip, {{row, {key}}}, RowDetail::values, [&](HeldRow& held) -> Status {
+    forPicked(held, [&](HeldKey& picked) {
+      const bool both = side == TangentSide::both || row.isOffset();
+      for (std::size_t i = 0; i < held.row.components; ++i) {
+        if ((picked.picked >> i & 1U) == 0) {
+          continue;
+        }
+        picked.key.inSlopes[i] = both || side == TangentSide::in ? finite(slope) : picked.key.inSlopes[i];
+        picked.key.outSlopes[i] = both || side == TangentSide::out ? finite(slope) : picked.key.outSlopes[i];
+      }
+      picked.key.kind = rig::KeyInterpolation::free;
+      picked.key.following &= ~picked.picked;
+      picked.key.slopesChanged = true;
+    });
+    if (!row.isOffset()) {
+      held.row.interpolation = Interpolation::cubicSpline;
+    }
+    return Success{};
+  });
+}
+
+} // namespace stretch::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+
+#include "app/document.h"
+#include "app/edits/trail/place_trails.h"
+#include "rig/hold/hold.h"
+
+namespace stretch::app {
+
+// The one door for pins, grips and props: the editor, recipes and the work that a file carries all pass
+// through it. A hold names hands, feet and nodes that the character has and a clip of the file; its numbers
+// are finite and its range lies in the clip (Entry::file: or past its end); no hand is led by itself, through
+// others or not.
+
+/// All of them or none. What the document has that holds the same limb, or the same prop, over a part of the
+/// same range gives way; two of `wanted` that do so are refused. Errors name the limb or node.
+[[nodiscard]] Result<Document> placeHolds(const Document& document, const rig::Holds& wanted,
+                                          Entry entry = Entry::request);
+
+/// One hold of a document: its place in the list of its kind.
+struct HoldPlace {
+  rig::HoldKind kind = rig::HoldKind::pin;
+  std::size_t index = 0;
+
+  friend bool operator==(const HoldPlace&, const HoldPlace&) = default;
+};
+
+/// Takes one hold away. What is not there is left alone.
+[[nodiscard]] Document removeHold(const Document& document, const HoldPlace& place);
+
+/// The hold at this place with another value; errors as those of placeHolds.
+[[nodiscard]] Result<Document> changeHold(const Document& document, const HoldPlace& place,
+                                          const rig::Holds& value);
+
+/// The holds of one clip, in their order.
+[[nodiscard]] rig::Holds holdsOfClip(const rig::Holds& holds, int clip);
+
+} // namespace stretch::app

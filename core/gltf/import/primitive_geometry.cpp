@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "core/gltf/import/primitive_parts.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+bool isNormal(const glm::vec3& normal) {
+  const float length = glm::length(normal);
+  return std::isfinite(length) && length > 1e-6F;
+}
+
+float lengthError(const glm::vec3& normal) {
+  const float error = std::abs(glm::length(normal) - 1.0F);
+  return std::isfinite(error) ? error : std::numeric_limits<float>::max();
+}
+
+// Sum of the faces' cross products, whose lengths are twice their areas.
+std::vector<glm::vec3> areaWeightedNormals(const Primitive& primitive) {
+  std::vector<glm::vec3> normals(primitive.positions.size(), glm::vec3(0.0F));
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const glm::vec3& a = primitive.positions[primitive.indices[i]];
+    const glm::vec3& b = primitive.positions[primitive.indices[i + 1]];
+    const glm::vec3& c = primitive.positions[primitive.indices[i + 2]];
+    const glm::vec3 face = glm::cross(b - a, c - a);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      normals[primitive.indices[i + corner]] += face;
+    }
+  }
+  return normals;
+}
+
+} // namespace
+
+void PrimitiveParts::completeNormals(Primitive& made) {
+  const bool isComplete =
+      !made.normals.empty() && std::all_of(made.normals.begin(), made.normals.end(), isNormal);
+  const std::vector<glm::vec3> computed = isComplete ? std::vector<glm::vec3>() : areaWeightedNormals(made);
+  const bool hasOwn = !made.normals.empty();
+  float worst = 0.0F;
+  for (const glm::vec3& normal : made.normals) {
+    worst = std::max(worst, lengthError(normal));
+  }
+  constexpr float rounding = 2e-2F; // of normals stored in bytes
+  constexpr float little = 0.1F;
+  if (worst >= little) {
+    problems_.violation(where_ + ".attributes.NORMAL", "holds normals that are not of unit length",
+                        "they are repaired");
+  } else if (worst >= rounding) {
+    problems_.warning(where_ + ".attributes.NORMAL", "holds normals a little off unit length");
+  }
+  made.normals.resize(made.positions.size());
+  for (std::size_t i = 0; i < made.normals.size(); ++i) {
+    const glm::vec3 normal = hasOwn && isNormal(made.normals[i]) ? made.normals[i] : computed[i];
+    const float length = glm::length(normal);
+    made.normals[i] = std::isfinite(length) && length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
+  }
+}
+
+bool normalizeWeights(std::vector<VertexInfluences>& influences) {
+  constexpr float rounding = 4e-3F; // what the rounding of four weights to bytes leaves
+  bool wasOff = false;
+  for (VertexInfluences& vertex : influences) {
+    const float sum = std::accumulate(vertex.weights.begin(), vertex.weights.end(), 0.0F);
+    wasOff = wasOff || std::abs(sum - 1.0F) > rounding;
+    if (sum <= 0.0F || !std::isfinite(sum)) {
+      vertex.weights.fill(0.0F);
+      vertex.weights[0] = 1.0F;
+      continue;
+    }
+    for (float& weight : vertex.weights) {
+      weight /= sum;
+    }
+  }
+  return wasOff;
+}
+
+std::vector<std::uint32_t> unrolledTriangles(const std::vector<std::uint32_t>& corners, int mode) {
+  constexpr int strip = 5;
+  constexpr int fan = 6;
+  if (mode != strip && mode != fan) {
+    return {corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(corners.size() % 3)};
+  }
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    if (mode == fan) {
+      triangles.insert(triangles.end(), {corners[0], corners[i - 1], corners[i]});
+    } else {
+      // Every second triangle of a strip is wound the other way round.
+      const bool isOdd = i % 2 == 1;
+      triangles.insert(triangles.end(),
+                       {corners[i - 2], corners[isOdd ? i : i - 1], corners[isOdd ? i - 1 : i]});
+    }
+  }
+  return triangles;
+}
+
+} // namespace stretch::gltf

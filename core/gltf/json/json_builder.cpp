@@ -1,0 +1,133 @@
+#include "core/gltf/json/json_builder.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace stretch::gltf {
+
+namespace {
+
+// A list or an object whose end is not read yet. What holds it does not grow meanwhile, so it stays where it
+// is.
+struct OpenValue {
+  Json* value;
+  std::unordered_map<std::string, std::size_t> places; ///< Of the members, where there are too many to look
+                                                       ///< through.
+
+  // The member of this name; none where it is new.
+  std::optional<std::size_t> placeOf(const std::string& name) {
+    constexpr std::size_t manyMembers = 64;
+    const Json::object_t::Container& members = value->get_ref<const Json::object_t&>();
+    if (members.size() < manyMembers) {
+      const auto member =
+          std::ranges::find(members, name, [](const auto& one) -> const std::string& { return one.first; });
+      return member == members.end() ? std::nullopt : std::optional<std::size_t>(member - members.begin());
+    }
+    for (std::size_t i = places.size(); i < members.size(); ++i) {
+      places.emplace(members[i].first, i);
+    }
+    const auto place = places.find(name);
+    return place == places.end() ? std::nullopt : std::optional(place->second);
+  }
+};
+
+// Takes the events of the library's parser. A value goes where `open_` ends: into the list there, or to the
+// key that was named last.
+class Builder {
+public:
+  explicit Builder(Json& root) : root_(root) {}
+
+  [[nodiscard]] const std::optional<JsonFailure>& failure() const { return failure_; }
+
+  // NOLINTBEGIN(readability-identifier-naming): the library's names of its events
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(Json::number_integer_t value) { return add(value); }
+  bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
+  bool number_float(Json::number_float_t value, const std::string& /*text*/) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
+  bool binary(Json::binary_t& value) { return add(std::move(value)); }
+
+  bool start_object(std::size_t /*count*/) { return open(Json::object()); }
+  bool start_array(std::size_t /*count*/) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    auto& object = open_.back().value->get_ref<Json::object_t&>();
+    Json::object_t::Container& members = object;
+    if (const std::optional<std::size_t> present = open_.back().placeOf(name)) {
+      named_ = &members[*present].second;
+      return true;
+    }
+    if (members.size() == members.capacity()) {
+      reserveMembers(object, std::max<std::size_t>(2 * members.size(), fewMembers));
+    }
+    named_ = &members.emplace_back(std::move(name), nullptr).second;
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& problem) {
+    constexpr int numberOverflow = 406; // in the library's list of exceptions
+    failure_ = {position, problem.id == numberOverflow};
+    return false;
+  }
+  // NOLINTEND(readability-identifier-naming)
+
+private:
+  static constexpr std::size_t fewMembers = 4;
+
+  Json& place(Json value) {
+    if (!open_.empty() && open_.back().value->is_array()) {
+      return open_.back().value->get_ref<Json::array_t&>().emplace_back(std::move(value));
+    }
+    Json& target = open_.empty() ? root_ : *named_;
+    target = std::move(value);
+    return target;
+  }
+
+  bool add(Json value) {
+    place(std::move(value));
+    return true;
+  }
+
+  bool open(Json value) {
+    open_.push_back({&place(std::move(value)), {}});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  Json& root_;
+  std::vector<OpenValue> open_; ///< From the root inwards.
+  Json* named_ = nullptr;
+  std::optional<JsonFailure> failure_;
+};
+
+} // namespace
+
+void reserveMembers(Json::object_t& object, std::size_t count) {
+  Json::object_t roomy;
+  roomy.reserve(count);
+  for (auto& [key, value] : object) {
+    static_cast<Json::object_t::Container&>(roomy).emplace_back(key, std::move(value));
+  }
+  object.swap(roomy);
+}
+
+std::optional<JsonFailure> buildJson(std::string_view text, Json& tree) {
+  Builder builder(tree);
+  const bool isWhole = Json::sax_parse(text, &builder);
+  if (!isWhole && !builder.failure()) {
+    return JsonFailure{};
+  }
+  return builder.failure();
+}
+
+} // namespace stretch::gltf

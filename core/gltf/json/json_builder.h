@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/gltf/json/json.h"
+
+namespace stretch::gltf {
+
+/// Room for `count` members. The map of the library grows by copying all it holds, since its keys cannot be
+/// moved; this moves the values, so that a tree is not copied with every key that stands beside it.
+void reserveMembers(Json::object_t& object, std::size_t count);
+
+/// JSON text as a tree, as Json::parse makes it: of two members with one key the first place and the last
+/// value. Much faster for trees whose objects hold long lists. The text must be nested no deeper than the
+/// caller can bear.
+struct JsonFailure {
+  std::size_t byte = 0;      ///< Where, 1-based.
+  bool isOutOfRange = false; ///< A number that double precision cannot hold; else no valid JSON.
+};
+[[nodiscard]] std::optional<JsonFailure> buildJson(std::string_view text, Json& tree);
+
+} // namespace stretch::gltf

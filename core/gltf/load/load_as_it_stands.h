@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/gltf/source/source.h"
+
+namespace stretch::gltf {
+
+/// Reads a file as any viewer does: a file of ours with its stretched limbs, instead of the source that it
+/// can be restored to. savedWork stays null. For comparing what files show.
+[[nodiscard]] Result<Loaded> loadAsItStands(const std::filesystem::path& path);
+
+} // namespace stretch::gltf

@@ -1,0 +1,346 @@
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/gltf/import/import.h"
+#include "core/gltf/json/json.h"
+#include "core/gltf/read/read.h"
+#include "core/gltf/read/structure.h"
+#include "core/gltf/source/added_file.h"
+#include "core/gltf/source/fields.h"
+#include "core/gltf/source/plain_source.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+constexpr std::size_t alignment = 4;
+
+/// Copies what the nodes of a scene need into a source of its own. Every list entry is copied once, when it
+/// is first asked for. The source has to be plain and validated.
+class ThingCopy {
+public:
+  explicit ThingCopy(const Source& from) : from_(from) { to_.json = Json{{"asset", {{"version", "2.0"}}}}; }
+
+  Source ofScene() {
+    const auto scene = static_cast<std::size_t>(indexOr(from_.json, "scene", 0));
+    Json roots = Json::array();
+    for (const int node : indicesOf(element(from_.json, "scenes", scene), "nodes")) {
+      roots.push_back(take("nodes", node));
+    }
+    Json& json = *to_.json;
+    json["scene"] = 0;
+    json["scenes"] = Json::array({Json{{"nodes", std::move(roots)}}});
+    for (auto& [list, entries] : lists_) {
+      json[list] = std::move(entries);
+    }
+    json["buffers"] = Json::array({Json{{"byteLength", bytes_.size()}}});
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+      keepExtensions(list);
+    }
+    to_.buffers = {std::move(bytes_)};
+    to_.hasBinaryChunk = true;
+    return std::move(to_);
+  }
+
+  /// One line for each picture that cannot be read.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+  int take(const std::string& list, int index) {
+    const auto [place, isNew] = taken_.try_emplace({list, index}, 0);
+    if (!isNew) {
+      return place->second;
+    }
+    Json copy = copied(list, element(from_.json, list, static_cast<std::size_t>(index)));
+    Json& entries = lists_[list];
+    entries.push_back(std::move(copy));
+    const int added = static_cast<int>(entries.size()) - 1;
+    taken_[{list, index}] = added;
+    return added;
+  }
+
+  Json copied(const std::string& list, Json entry) {
+    if (list == "nodes") {
+      return node(entry);
+    }
+    if (list == "meshes") {
+      return mesh(std::move(entry));
+    }
+    if (list == "materials") {
+      retakeTextures(entry);
+    } else if (list == "textures") {
+      retakeTexture(entry);
+    } else if (list == "images") {
+      return image(entry);
+    } else if (list == "accessors") {
+      retakeAccessor(entry);
+    } else if (list == "bufferViews") {
+      return view(entry);
+    }
+    return entry;
+  }
+
+  Json node(const Json& entry) {
+    Json copy = Json::object();
+    for (const char* key : {"name", "matrix", "translation", "rotation", "scale", "weights", "extras"}) {
+      if (const Json* value = find(entry, key)) {
+        copy[key] = *value;
+      }
+    }
+    if (const int mesh = indexOr(entry, "mesh"); mesh >= 0) {
+      copy["mesh"] = take("meshes", mesh);
+    }
+    for (const int child : indicesOf(entry, "children")) {
+      const int taken = take("nodes", child);
+      copy["children"].push_back(taken);
+    }
+    return copy;
+  }
+
+  Json mesh(Json entry) {
+    entry.erase("extensions");
+    for (Json& primitive : entry["primitives"]) {
+      primitive.erase("extensions");
+      retake(primitive, "indices", "accessors");
+      retake(primitive, "material", "materials");
+      retakeAll(primitive["attributes"]);
+      if (primitive.contains("targets")) {
+        for (Json& target : primitive["targets"]) {
+          retakeAll(target);
+        }
+      }
+    }
+    return entry;
+  }
+
+  void retake(Json& object, const char* key, const char* list) {
+    if (const int index = indexOr(object, key); index >= 0) {
+      object[key] = take(list, index);
+    }
+  }
+
+  void retakeAll(Json& attributes) {
+    for (auto& [name, accessor] : attributes.items()) {
+      accessor = take("accessors", accessor.get<int>());
+    }
+  }
+
+  // Wherever a material names a texture: its own properties, and those of its extensions.
+  void retakeTextures(Json& json) {
+    std::vector<std::string> lost;
+    for (auto& [key, value] : json.items()) {
+      const bool isTexture = key.ends_with("Texture") && indexOr(value, "index") >= 0;
+      if (isTexture && !hasPictures(element(from_.json, "textures", at(indexOr(value, "index"))))) {
+        lost.push_back(key);
+      } else if (isTexture) {
+        retake(value, "index", "textures");
+      } else if (value.is_structured()) {
+        retakeTextures(value);
+      }
+    }
+    for (const std::string& key : lost) {
+      json.erase(key);
+    }
+  }
+
+  // Whether the texture has a picture, and each that it names can be read.
+  bool hasPictures(const Json& texture) {
+    std::vector<int> images{indexOr(texture, "source")};
+    if (const Json* const extensions = find(texture, "extensions")) {
+      for (const Json& extension : *extensions) {
+        images.push_back(indexOr(extension, "source"));
+      }
+    }
+    std::erase(images, -1);
+    return !images.empty() && std::ranges::all_of(images, [&](int image) { return isReadable(image); });
+  }
+
+  bool isReadable(int image) {
+    const auto [known, isNew] = readable_.try_emplace(image, false);
+    if (isNew) {
+      const Json& entry = element(from_.json, "images", at(image));
+      known->second = encodedImage(from_, entry).has_value();
+      if (!known->second) {
+        warnings_.push_back(fmt::format("its picture '{}' cannot be read and is left out",
+                                        textOr(entry, "uri").substr(0, 200)));
+      }
+    }
+    return known->second;
+  }
+
+  void retakeTexture(Json& texture) {
+    retake(texture, "sampler", "samplers");
+    retake(texture, "source", "images");
+    if (texture.contains("extensions")) {
+      for (auto& [name, extension] : texture["extensions"].items()) {
+        retake(extension, "source", "images");
+      }
+    }
+  }
+
+  Json image(const Json& entry) {
+    Json copy = Json::object();
+    if (const Json* name = find(entry, "name")) {
+      copy["name"] = *name;
+    }
+    const Bytes bytes = encodedImage(from_, entry).value_or(Bytes()); // is readable
+    copy["mimeType"] = mediaTypeOf(entry, bytes);
+    copy["bufferView"] = addView(Json::object(), bytes);
+    return copy;
+  }
+
+  void retakeAccessor(Json& accessor) {
+    retake(accessor, "bufferView", "bufferViews");
+    if (accessor.contains("sparse")) {
+      retake(accessor["sparse"]["indices"], "bufferView", "bufferViews");
+      retake(accessor["sparse"]["values"], "bufferView", "bufferViews");
+    }
+  }
+
+  Json view(const Json& entry) {
+    const Bytes& buffer = from_.buffers[static_cast<std::size_t>(indexOr(entry, "buffer"))];
+    const auto start = static_cast<std::ptrdiff_t>(wholeOr(entry, "byteOffset", 0));
+    const auto length = static_cast<std::ptrdiff_t>(wholeOr(entry, "byteLength", 0));
+    Json copy = Json::object();
+    for (const char* key : {"byteStride", "target", "name"}) {
+      if (const Json* value = find(entry, key)) {
+        copy[key] = *value;
+      }
+    }
+    return placed(std::move(copy), {buffer.begin() + start, buffer.begin() + start + length});
+  }
+
+  Json placed(Json view, const Bytes& bytes) {
+    bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
+    Json placed{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
+    placed.update(view);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    return placed;
+  }
+
+  int addView(Json view, const Bytes& bytes) {
+    Json& views = lists_["bufferViews"];
+    views.push_back(placed(std::move(view), bytes));
+    return static_cast<int>(views.size()) - 1;
+  }
+
+  static bool uses(const Json& json, const std::string& extension) {
+    if (!json.is_structured()) {
+      return false;
+    }
+    const Json* const extensions = find(json, "extensions");
+    if (extensions != nullptr && extensions->contains(extension)) {
+      return true;
+    }
+    for (const Json& value : json) {
+      if (uses(value, extension)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Quantised attributes are told by the list alone.
+  void keepExtensions(const char* list) {
+    Json kept = Json::array();
+    for (const Json& name : find(from_.json, list) != nullptr ? *find(from_.json, list) : Json::array()) {
+      if (name == "KHR_mesh_quantization" || uses(to_.json, name.get<std::string>())) {
+        kept.push_back(name);
+      }
+    }
+    if (!kept.empty()) {
+      (*to_.json)[list] = std::move(kept);
+    }
+  }
+
+  static std::string mediaTypeOf(const Json& image, const Bytes& bytes) {
+    const bool isJpeg = bytes.size() > 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
+    const bool isWebp = bytes.size() > 12 && bytes[8] == 'W' && bytes[9] == 'E';
+    return image.contains("mimeType") ? textOr(image, "mimeType")
+           : isJpeg                   ? "image/jpeg"
+           : isWebp                   ? "image/webp"
+                                      : "image/png";
+  }
+
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+  const Source& from_;
+  Source to_;
+  std::map<std::pair<std::string, int>, int> taken_;
+  std::map<std::string, Json> lists_;
+  Bytes bytes_;
+  std::map<int, bool> readable_; // images
+  std::vector<std::string> warnings_;
+};
+
+Error inFile(const std::filesystem::path& path, const Error& error) {
+  const bool isNamed = error.where.empty() || error.where == path.string();
+  return {isNamed ? error.what : error.where + ": " + error.what, path.string(), error.remedy};
+}
+
+bool isShownMesh(const Source& thing) {
+  return sizeOf(thing.json, "meshes") > 0;
+}
+
+bool hasSkinnedNode(const Json& json) {
+  for (std::size_t i = 0; i < sizeOf(json, "nodes"); ++i) {
+    if (indexOr(element(json, "nodes", i), "skin") >= 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+Result<Thing> readThing(const std::filesystem::path& path) {
+  const Result<Loaded> loaded = load(path);
+  if (!loaded) {
+    return inFile(path, loaded.error());
+  }
+  if (hasSkinnedNode(loaded->source->json)) {
+    return Error{"holds a skinned mesh, which its joints move and not a hand", path.string(),
+                 "give a file with a thing that a hand can hold"};
+  }
+  Problems known; // of a file that was read
+  const std::optional<PlainSource> plain = plainSource(*loaded->source, known);
+  const Source& from = plain ? plain->source : *loaded->source;
+  if (sizeOf(from.json, "scenes") == 0) {
+    return Error{"has no scene", path.string(), "export it again, with its scene"};
+  }
+  ThingCopy copy(from);
+  auto thing = std::make_shared<const Source>(copy.ofScene());
+  if (!isShownMesh(*thing)) {
+    return Error{"holds no mesh", path.string(), "give a file with a thing that a hand can hold"};
+  }
+  Thing read{std::move(thing), {}};
+  for (const std::string& warning : copy.warnings()) {
+    read.warnings.push_back(path.filename().string() + ": " + warning);
+  }
+  return read;
+}
+
+bool looksLikeThing(const std::filesystem::path& path) {
+  Problems problems;
+  const std::optional<Source> source = readSource(path, problems);
+  if (!source) {
+    return false;
+  }
+  validateStructure(source->json, problems);
+  return !problems.hasErrors() && isShownMesh(*source) && !hasSkinnedNode(source->json);
+}
+
+bool isThing(const Source& thing) {
+  Problems problems;
+  validateStructure(thing.json, problems);
+  const bool isOneBuffer =
+      !problems.hasErrors() && sizeOf(thing.json, "buffers") == 1 && thing.buffers.size() == 1 &&
+      sizeOf(thing.json, "scenes") == 1 &&
+      wholeOr(element(thing.json, "buffers", 0), "byteLength", 0) <= thing.buffers[0].size();
+  return isOneBuffer && isShownMesh(thing) && !hasSkinnedNode(thing.json);
+}
+
+} // namespace stretch::gltf

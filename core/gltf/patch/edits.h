@@ -1,0 +1,92 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/gltf/source/source.h"
+
+namespace stretch::gltf {
+
+/// A node that saving appends. Its index is the number of nodes of the source and of the files added to it
+/// plus its position in
+/// Edits::addedNodes.
+struct AddedNode {
+  std::string name;
+  NodeIndex parent; ///< Of the source, or an added node that stands earlier in the list.
+  Transform rest;
+  NodeIndex meshFrom; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
+                      ///< None: no mesh.
+  bool isBindLeaf = true; ///< Marked in extras, so that readers of ours know it.
+};
+
+/// A node of the source that stands elsewhere at rest, or is turned otherwise; its scale stays.
+struct MovedNode {
+  NodeIndex node;
+  Transform rest;
+};
+
+/// Slot of a skin that follows another node than in the source.
+struct SkinSlot {
+  int skin = -1;
+  int slot = -1;    ///< Index into the skin's joints.
+  NodeIndex node;   ///< The new joint.
+  Mat4 inverseBind; ///< Its inverse bind matrix.
+};
+
+/// A skin that saving appends. Its index is the number of skins of the source plus its position in
+/// Edits::addedSkins.
+struct AddedSkin {
+  std::string name;
+  std::vector<NodeIndex> joints; ///< Of the source, or added nodes; at least one.
+  std::vector<Mat4> inverseBind; ///< One for each joint.
+};
+
+/// A node whose mesh is bound to a skin. The attributes JOINTS_0 and WEIGHTS_0 of its primitives point to new
+/// accessors, sets beyond the first go. A mesh that nodes show which are not bound, or bound in another way,
+/// is left to them: the node gets a copy, which shares every other accessor.
+struct BoundMesh {
+  NodeIndex node; ///< Of the source; holds a mesh.
+  int skin = -1;  ///< Of the source or added.
+  /// For each primitive of Mesh::primitives (core/scene/scene.h) one entry a vertex; the first four slots
+  /// count. Points and lines, which are not among those, follow the skin's first joint.
+  std::vector<std::vector<VertexInfluences>> influences;
+};
+
+/// Tracks of one clip that replace those of the source with the same (node, channel), or are new. Each gets
+/// accessors of its own: nothing that another channel or clip shares is changed in place. Tracks with equal
+/// times share one input.
+struct ClipTracks {
+  int clip = -1; ///< Index into the file's animations.
+  std::vector<Track> tracks;
+  /// Noted in the clip's extras, where the key times alone would tell another rate. 0: not noted.
+  double framesPerSecond = 0.0;
+};
+
+/// Everything that saving may change. Nothing is renumbered: nodes, accessors, samplers are appended,
+/// pointers moved.
+struct Edits {
+  std::vector<AddedFile> addedFiles; ///< Their nodes come behind those of the source, before addedNodes.
+  std::vector<AddedNode> addedNodes;
+  std::vector<MovedNode> movedNodes;
+  std::vector<SkinSlot> skinSlots;
+  std::vector<AddedSkin> addedSkins;
+  std::vector<BoundMesh> boundMeshes;
+  std::vector<ClipTracks> clips;
+  JsonDocument work; ///< The program's own data, kept in root extras beside what restores the source. Null:
+                     ///< none (a clean file).
+
+  [[nodiscard]] bool empty() const {
+    return addedFiles.empty() && addedNodes.empty() && movedNodes.empty() && skinSlots.empty() &&
+           addedSkins.empty() && boundMeshes.empty() && clips.empty() && work.isNull();
+  }
+};
+
+/// The source with the edits patched in, in memory.
+[[nodiscard]] Result<Source> patched(const Source& source, const Edits& edits);
+
+/// Writes .glb or .gltf (by the extension of `path`) atomically, with the .bin and the external images it
+/// refers to where the target folder is another. Nothing is left behind on failure.
+[[nodiscard]] Status save(Source source, const std::filesystem::path& path);
+
+} // namespace stretch::gltf

@@ -1,0 +1,64 @@
+#include "core/gltf/source/json_text.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "core/gltf/json/json_builder.h"
+
+namespace stretch::gltf {
+
+namespace {
+
+constexpr int deepestNesting = 256;
+constexpr std::string_view exportAgain = "export the file again";
+
+// Brackets outside strings; what else is wrong the parser finds.
+int nestingOf(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    if (inString) {
+      i += letter == '\\' ? 1 : 0;
+      inString = letter != '"';
+    } else if (letter == '"') {
+      inString = true;
+    } else if (letter == '{' || letter == '[') {
+      deepest = std::max(deepest, ++depth);
+    } else if (letter == '}' || letter == ']') {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+} // namespace
+
+Result<Json> parseJson(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    return Error{"starts with a byte order mark, which glTF forbids", "JSON", "save it as UTF-8 without one"};
+  }
+  if (nestingOf(text) > deepestNesting) {
+    return Error{fmt::format("is nested deeper than {} levels", deepestNesting), "JSON",
+                 std::string(exportAgain)};
+  }
+  Json json;
+  if (const auto failure = buildJson(text, json)) {
+    return Error{failure->isOutOfRange ? "holds a number out of range"
+                                       : fmt::format("is no valid JSON (at byte {})", failure->byte),
+                 "JSON", std::string(exportAgain)};
+  }
+  if (!json.is_object()) {
+    return Error{"is no JSON object, so no glTF", "JSON", std::string(exportAgain)};
+  }
+  return json;
+}
+
+Json parseAnyJson(std::string_view text) {
+  Json json;
+  return nestingOf(text) > deepestNesting || buildJson(text, json) ? Json(Json::value_t::discarded) : json;
+}
+
+} // namespace stretch::gltf

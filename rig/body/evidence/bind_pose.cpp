@@ -1,0 +1,178 @@
+#include "rig/body/evidence/bind_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <glm/matrix.hpp>
+
+#include "core/anim/sampling.h"
+#include "core/math/finite.h"
+
+namespace stretch::rig {
+
+namespace body {
+
+namespace {
+
+using Binds = std::vector<std::optional<Mat4>>;
+
+bool isNearIdentity(const Mat4& matrix) {
+  constexpr double tolerance = 1e-4;
+  const Mat4 difference = matrix - Mat4(1.0);
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 4; ++row) {
+      if (std::abs(difference[column][row]) > tolerance) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool isInvertible(const Mat4& matrix) {
+  constexpr double smallest = 1e-30;
+  return isFinite(matrix) && std::abs(glm::determinant(matrix)) > smallest;
+}
+
+struct Placer {
+  const Scene& scene;
+  std::vector<NodeIndex> order; // nodes, parents first
+  std::vector<int> depth;       // per node
+  std::vector<Mat4> locals;     // rest, per node
+  Binds bound;                  // world bind matrix of the joints placed so far, per node
+
+  explicit Placer(const Scene& source)
+      : scene(source), order(parentsFirst(source)), depth(source.nodes.size(), 0),
+        bound(source.nodes.size()) {
+    const Pose rest = restPose(scene);
+    locals.reserve(scene.nodes.size());
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      locals.push_back(localMatrix(scene, rest, NodeIndex(i)));
+    }
+    for (const NodeIndex node : order) {
+      const NodeIndex parent = scene.nodes[at(node)].parent;
+      depth[at(node)] = !parent.exists() ? 0 : depth[at(parent)] + 1;
+    }
+  }
+
+  // Where a node stands: bound, else at rest under its parent.
+  [[nodiscard]] Mat4 world(NodeIndex node) const {
+    Mat4 below(1.0);
+    for (; node.exists(); node = scene.nodes[at(node)].parent) {
+      const auto index = at(node);
+      if (bound[index]) {
+        return *bound[index] * below;
+      }
+      below = locals[index] * below;
+    }
+    return below;
+  }
+};
+
+// Model-space bind matrices of a skin's joints, per node; empty where the file's matrix cannot be one.
+Binds modelBinds(const Scene& scene, const Skin& skin) {
+  Binds binds(scene.nodes.size());
+  for (std::size_t i = 0; i < skin.joints.size() && i < skin.inverseBind.size(); ++i) {
+    const NodeIndex joint = skin.joints[i];
+    if (joint.exists() && at(joint) < binds.size() && isInvertible(skin.inverseBind[i])) {
+      binds[at(joint)] = glm::inverse(skin.inverseBind[i]);
+    }
+  }
+  return binds;
+}
+
+void dropFalseIdentities(const Placer& placer, Binds& binds) {
+  for (const NodeIndex node : placer.order) {
+    auto& bind = binds[at(node)];
+    NodeIndex parent = placer.scene.nodes[at(node)].parent;
+    while (parent.exists() && !binds[at(parent)]) {
+      parent = placer.scene.nodes[at(parent)].parent;
+    }
+    if (bind && parent.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(parent)])) {
+      bind.reset();
+    }
+  }
+}
+
+// The joint that a skin is placed by: one that stands already, else the topmost one with the most joints
+// below it.
+NodeIndex anchorOf(const Placer& placer, const Binds& binds) {
+  NodeIndex anchor;
+  std::vector<int> below(binds.size(), 0);
+  for (auto node = placer.order.rbegin(); node != placer.order.rend(); ++node) {
+    const auto index = at(*node);
+    below[index] += binds[index] ? 1 : 0;
+    const NodeIndex parent = placer.scene.nodes[index].parent;
+    if (parent.exists()) {
+      below[at(parent)] += below[index];
+    }
+  }
+  for (const NodeIndex node : placer.order) {
+    const auto index = at(node);
+    if (!binds[index]) {
+      continue;
+    }
+    if (placer.bound[index]) {
+      return node;
+    }
+    const bool higher = !anchor.exists() || placer.depth[index] < placer.depth[at(anchor)];
+    const bool level = anchor.exists() && placer.depth[index] == placer.depth[at(anchor)];
+    if (higher || (level && below[index] > below[at(anchor)])) {
+      anchor = node;
+    }
+  }
+  return anchor;
+}
+
+Mat4 placeSkin(Placer& placer, const Skin& skin) {
+  Binds binds = modelBinds(placer.scene, skin);
+  dropFalseIdentities(placer, binds);
+  const NodeIndex anchor = anchorOf(placer, binds);
+  if (!anchor.exists()) {
+    return Mat4(1.0);
+  }
+  const Mat4 placement = placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
+  if (!isFinite(placement)) {
+    return Mat4(1.0);
+  }
+  for (std::size_t node = 0; node < binds.size(); ++node) {
+    if (binds[node] && !placer.bound[node]) {
+      placer.bound[node] = placement * *binds[node];
+    }
+  }
+  return placement;
+}
+
+} // namespace
+
+BindPose placeBindPose(const Scene& scene) {
+  Placer placer(scene);
+  std::vector<std::size_t> largestFirst(scene.skins.size());
+  std::iota(largestFirst.begin(), largestFirst.end(), std::size_t{0});
+  std::ranges::stable_sort(largestFirst, std::ranges::greater{},
+                           [&](std::size_t skin) { return scene.skins[skin].joints.size(); });
+  BindPose pose;
+  pose.placements.resize(scene.skins.size(), Mat4(1.0));
+  for (const std::size_t skin : largestFirst) {
+    pose.placements[skin] = placeSkin(placer, scene.skins[skin]);
+  }
+  pose.worlds.resize(scene.nodes.size(), Mat4(1.0));
+  for (const NodeIndex node : placer.order) {
+    const auto index = at(node);
+    const NodeIndex parent = scene.nodes[index].parent;
+    pose.worlds[index] = placer.bound[index] ? *placer.bound[index]
+                         : !parent.exists()  ? placer.locals[index]
+                                             : pose.worlds[at(parent)] * placer.locals[index];
+  }
+  return pose;
+}
+
+} // namespace body
+
+std::vector<Mat4> bindPoseWorlds(const Scene& scene) {
+  return body::placeBindPose(scene).worlds;
+}
+
+} // namespace stretch::rig

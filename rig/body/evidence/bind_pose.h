@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace stretch::rig {
+
+/// World matrices of all nodes in the bind pose: what the inverse bind matrices say, placed in the world as
+/// the topmost joint of each skin stands at rest; nodes that no skin binds follow their parents by their rest
+/// transforms.
+[[nodiscard]] std::vector<Mat4> bindPoseWorlds(const Scene& scene);
+
+namespace body {
+
+struct BindPose {
+  std::vector<Mat4> worlds;     ///< World matrix of every node in the bind pose.
+  std::vector<Mat4> placements; ///< One for each skin: its bind-pose model space to world.
+};
+
+/// The bind pose of every skin, placed in the world. The largest skin stands where its topmost joint stands
+/// at rest; a skin that shares a joint with one placed before stands where that joint is; any other one hangs
+/// at rest from the nearest node above it. Matrices that cannot be a bind pose (singular, not finite, or the
+/// identity under a parent whose matrix is not, as exporters write for joints that move nothing) are replaced
+/// by the rest transform.
+[[nodiscard]] BindPose placeBindPose(const Scene& scene);
+
+} // namespace body
+
+} // namespace stretch::rig

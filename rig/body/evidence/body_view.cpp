@@ -1,0 +1,279 @@
+#include "rig/body/evidence/body_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <set>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/bounds.h"
+#include "core/math/finite.h"
+#include "core/scene/scene.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+// Beyond what any character has; keeps a file that is no character from costing much.
+constexpr int mostCandidates = 3000;
+
+// Nodes of the asked-for kind, before names and weights are looked at.
+std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
+  std::vector<bool> possible(scene.nodes.size(), candidates != Candidates::skinJoints);
+  if (candidates == Candidates::skinJoints) {
+    for (const NodeIndex joint : skinJoints(scene)) {
+      if (joint.exists() && at(joint) < possible.size()) {
+        possible[at(joint)] = true;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < possible.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    const bool carriesSkin = node.mesh >= 0 && node.skin >= 0;
+    const bool carriesMesh = node.mesh >= 0 && candidates == Candidates::nodesNoMeshes;
+    if (carriesSkin || carriesMesh || !isFinite(positionOf(bindPose.worlds[i]))) {
+      possible[i] = false;
+    }
+  }
+  return possible;
+}
+
+std::vector<std::size_t> countBelow(const Scene& scene, const std::vector<NodeIndex>& order,
+                                    const std::vector<std::vector<Vec3>>& clouds) {
+  std::vector<std::size_t> below(scene.nodes.size(), 0);
+  for (auto lowest = order.rbegin(); lowest != order.rend(); ++lowest) {
+    const auto index = at(*lowest);
+    below[index] += clouds[index].size();
+    if (scene.nodes[index].parent.exists()) {
+      below[at(scene.nodes[index].parent)] += below[index];
+    }
+  }
+  return below;
+}
+
+class ViewBuilder {
+public:
+  ViewBuilder(const Scene& scene, const BindPose& bindPose, Candidates candidates)
+      : scene_(scene), bindPose_(bindPose), order_(parentsFirst(scene)),
+        clouds_(
+            vertexClouds(scene, bindPose,
+                         candidates == Candidates::skinJoints ? RigidMeshes::bodyParts : RigidMeshes::all)),
+        below_(countBelow(scene, order_, clouds_)), possible_(possibleNodes(scene, bindPose, candidates)) {}
+
+  BodyView build() {
+    view_.candidateOfNode.assign(scene_.nodes.size(), -1);
+    for (const auto& cloud : clouds_) {
+      view_.hasVertices = view_.hasVertices || !cloud.empty();
+    }
+    measure();
+    for (const NodeIndex node : order_) {
+      const NameEvidence name = readName(scene_.nodes[at(node)].name);
+      if (view_.count() < mostCandidates && isCandidate(node, name)) {
+        add(node, name);
+      }
+    }
+    hangFromStandIns();
+    link();
+    gather();
+    return std::move(view_);
+  }
+
+private:
+  void measure() {
+    Bounds bounds;
+    for (std::size_t i = 0; i < clouds_.size(); ++i) {
+      if (possible_[i]) {
+        bounds.add(positionOf(bindPose_.worlds[i]));
+      }
+      for (const Vec3& point : clouds_[i]) {
+        bounds.add(point);
+      }
+    }
+    const double extent = bounds.largestExtent();
+    view_.size = extent > 0.0 && std::isfinite(extent) ? extent : 1.0;
+  }
+
+  [[nodiscard]] bool isCandidate(NodeIndex node, const NameEvidence& name) const {
+    const auto index = at(node);
+    if (!possible_[index] || name.end) {
+      return false;
+    }
+    const bool idle = view_.hasVertices && below_[index] == 0;
+    const bool handle = name.control && clouds_[index].empty();
+    // An ankle or wrist may move nothing itself; a handle beside the body must not pass for one.
+    return !handle && (!idle || hangsFromMovingJoint(node));
+  }
+
+  [[nodiscard]] bool hangsFromMovingJoint(NodeIndex node) const {
+    const NodeIndex parent = scene_.nodes[at(node)].parent;
+    return parent.exists() && !clouds_[at(parent)].empty();
+  }
+
+  void add(NodeIndex node, const NameEvidence& name) {
+    view_.candidateOfNode[at(node)] = view_.count();
+    view_.nodes.push_back(node);
+    view_.names.push_back(name);
+    view_.position.push_back(positionOf(bindPose_.worlds[at(node)]));
+    NodeIndex above = scene_.nodes[at(node)].parent;
+    while (above.exists() && view_.candidateOfNode[at(above)] < 0) {
+      above = scene_.nodes[at(above)].parent;
+    }
+    view_.parent.push_back(above.exists() ? view_.candidateOfNode[at(above)] : -1);
+  }
+
+  // A joint whose master was left out hangs from the joint that stands where the master's parent stands.
+  void hangFromStandIns() {
+    for (int candidate = 0; candidate < view_.count(); ++candidate) {
+      auto& parent = view_.parent[static_cast<std::size_t>(candidate)];
+      const bool isRoot = parent < 0;
+      NodeIndex above = scene_.nodes[at(view_.nodes[static_cast<std::size_t>(candidate)])].parent;
+      for (int steps = 0; above.exists() && view_.candidateOfNode[at(above)] < 0 && steps < 8; ++steps) {
+        const int instead = possible_[at(above)] || !isRoot ? standIn(above, candidate) : -1;
+        if (instead >= 0) {
+          parent = instead;
+          break;
+        }
+        above = scene_.nodes[at(above)].parent;
+      }
+    }
+  }
+
+  [[nodiscard]] int standIn(NodeIndex node, int forCandidate) const {
+    const Vec3 place = positionOf(bindPose_.worlds[at(node)]);
+    const double near = 1e-3 * view_.size;
+    if (!isFinite(place) || glm::distance(place, view_.at(forCandidate)) < near) {
+      return -1;
+    }
+    for (int other = 0; other < view_.count(); ++other) {
+      if (glm::distance(place, view_.at(other)) < near && !view_.isAboveOrSelf(forCandidate, other)) {
+        return other;
+      }
+    }
+    return -1;
+  }
+
+  // Puts parents before children again (stand-ins may come later) and fills children and depths.
+  void link() {
+    const auto count = static_cast<std::size_t>(view_.count());
+    view_.children.assign(count, {});
+    view_.depth.assign(count, 0);
+    std::vector<int> next;
+    for (int candidate = 0; candidate < view_.count(); ++candidate) {
+      const int parent = view_.parentOf(candidate);
+      if (parent < 0) {
+        next.push_back(candidate);
+      } else {
+        view_.children[static_cast<std::size_t>(parent)].push_back(candidate);
+      }
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      for (const int child : view_.childrenOf(next[i])) {
+        view_.depth[static_cast<std::size_t>(child)] = view_.depth[static_cast<std::size_t>(next[i])] + 1;
+        next.push_back(child);
+      }
+    }
+    topDown_ = std::move(next);
+  }
+
+  void gather() {
+    const auto count = static_cast<std::size_t>(view_.count());
+    view_.points.assign(count, {});
+    view_.tips.assign(count, {});
+    std::vector<int> owners(scene_.nodes.size(), -1); // the nearest candidate at or above each node
+    for (const NodeIndex node : order_) {
+      const NodeIndex parent = scene_.nodes[at(node)].parent;
+      const int own = view_.candidateOfNode[at(node)];
+      const int owner = own >= 0 || !parent.exists() ? own : owners[at(parent)];
+      owners[at(node)] = owner;
+      if (owner < 0) {
+        continue;
+      }
+      auto& points = view_.points[static_cast<std::size_t>(owner)];
+      const auto& cloud = clouds_[at(node)];
+      points.insert(points.end(), cloud.begin(), cloud.end());
+      if (possible_[at(node)] && view_.candidateOfNode[at(node)] < 0) {
+        view_.tips[static_cast<std::size_t>(owner)].push_back(positionOf(bindPose_.worlds[at(node)]));
+      }
+    }
+    gatherReach();
+  }
+
+  void gatherReach() {
+    const auto count = static_cast<std::size_t>(view_.count());
+    view_.verticesBelow.assign(count, 0);
+    view_.reach.assign(count, 0.0);
+    for (auto lowest = topDown_.rbegin(); lowest != topDown_.rend(); ++lowest) {
+      const int candidate = *lowest;
+      const auto index = static_cast<std::size_t>(candidate);
+      view_.verticesBelow[index] += view_.points[index].size();
+      if (view_.parent[index] >= 0) {
+        view_.verticesBelow[static_cast<std::size_t>(view_.parent[index])] += view_.verticesBelow[index];
+      }
+      constexpr int highest = 12; // a hand is never deeper below its limb's base
+      for (int steps = 0, above = candidate; above >= 0 && steps < highest;
+           ++steps, above = view_.parentOf(above)) {
+        double& reach = view_.reach[static_cast<std::size_t>(above)];
+        reach = std::max(reach, reachTo(view_.at(above), index));
+      }
+    }
+  }
+
+  [[nodiscard]] double reachTo(const Vec3& from, std::size_t candidate) const {
+    double farthest = glm::distance(from, view_.position[candidate]);
+    for (const Vec3& point : view_.points[candidate]) {
+      farthest = std::max(farthest, glm::distance(from, point));
+    }
+    for (const Vec3& tip : view_.tips[candidate]) {
+      farthest = std::max(farthest, glm::distance(from, tip));
+    }
+    return farthest;
+  }
+
+  const Scene& scene_;
+  const BindPose& bindPose_;
+  std::vector<NodeIndex> order_;
+  std::vector<std::vector<Vec3>> clouds_;
+  std::vector<std::size_t> below_;
+  std::vector<bool> possible_;
+  std::vector<int> topDown_;
+  BodyView view_;
+};
+
+} // namespace
+
+bool BodyView::isAboveOrSelf(int above, int candidate) const {
+  while (candidate >= 0 && candidate != above) {
+    candidate = parentOf(candidate);
+  }
+  return candidate == above;
+}
+
+int BodyView::commonAncestor(int a, int b) const {
+  while (a >= 0 && !isAboveOrSelf(a, b)) {
+    a = parentOf(a);
+  }
+  return a;
+}
+
+std::vector<int> BodyView::path(int above, int candidate) const {
+  std::vector<int> upwards;
+  while (candidate >= 0 && candidate != above) {
+    upwards.push_back(candidate);
+    candidate = parentOf(candidate);
+  }
+  if (candidate < 0) {
+    return {};
+  }
+  upwards.push_back(above);
+  std::ranges::reverse(upwards);
+  return upwards;
+}
+
+BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
+  return ViewBuilder(scene, bindPose, candidates).build();
+}
+
+} // namespace stretch::rig::body

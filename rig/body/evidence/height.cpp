@@ -1,0 +1,73 @@
+#include "rig/body/evidence/height.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/math/bounds.h"
+#include "rig/body/evidence/body_view.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+bool hasSkinnedMesh(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
+}
+
+Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex root) {
+  const bool skinned = hasSkinnedMesh(scene);
+  const std::vector<std::vector<Vec3>> clouds =
+      vertexClouds(scene, bindPose, skinned ? RigidMeshes::none : RigidMeshes::all);
+  Bounds bounds;
+  for (std::size_t node = 0; node < clouds.size(); ++node) {
+    if (clouds[node].empty() ||
+        (!skinned && root.exists() && !isAncestorOrSelf(scene, root, NodeIndex(node)))) {
+      continue;
+    }
+    for (const Vec3& point : clouds[node]) {
+      bounds.add(point);
+    }
+  }
+  return bounds;
+}
+
+Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
+  Bounds bounds;
+  for (const Skin& skin : scene.skins) {
+    for (const NodeIndex joint : skin.joints) {
+      if (joint.exists() && at(joint) < bindPose.worlds.size()) {
+        bounds.add(positionOf(bindPose.worlds[at(joint)]));
+      }
+    }
+  }
+  if (bounds.empty()) {
+    for (const Mat4& world : bindPose.worlds) {
+      bounds.add(positionOf(world));
+    }
+  }
+  return bounds;
+}
+
+} // namespace
+
+double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex root, const Vec3& bodyUp) {
+  Bounds bounds = vertexBounds(scene, bindPose, root);
+  if (bounds.empty()) {
+    bounds = jointBounds(scene, bindPose);
+  }
+  if (bounds.empty()) {
+    return 1.0;
+  }
+  const Vec3 extent = bounds.high - bounds.low;
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double length = glm::length(bodyUp);
+  const double leastCosine = std::cos(35.0 * pi / 180.0);
+  const bool stands = length <= 0.0 || std::abs(bodyUp.y) >= leastCosine * length;
+  const double height = stands && extent.y > 1e-6 * largest ? extent.y : largest;
+  return height > 0.0 && std::isfinite(height) ? height : 1.0;
+}
+
+} // namespace stretch::rig::body

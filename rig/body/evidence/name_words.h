@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rig/body/evidence/name_text.h"
+
+namespace stretch::rig::body {
+
+/// What a word in a joint name can mean, whatever its language.
+enum class Word {
+  left,
+  right,
+  upper,
+  lower,
+  fore,
+  arm,
+  leg,
+  upperArm,
+  foreArm,
+  elbow,
+  wrist,
+  hand,
+  palm,
+  finger,
+  clavicle,
+  shoulder,
+  thigh,
+  hip,
+  hips,
+  knee,
+  shin,
+  ankle,
+  foot,
+  toe,
+  spine,
+  chest,
+  torso,
+  waist,
+  body,
+  neck,
+  head,
+  twist,     ///< A joint that shares a bone with another one.
+  control,   ///< A handle of the animator's: IK target, pole, FK copy.
+  end,       ///< The tip of a bone, no joint of its own.
+  accessory, ///< Anything that a biped has besides limbs and trunk: hair, cloth, weapons.
+  face,      ///< Of the head's front: eyes, jaw, nose.
+  noise      ///< "joint", "bone": says nothing.
+};
+
+/// The meaning of a folded word, if the dictionary has it.
+[[nodiscard]] std::optional<Word> lookUpWord(std::string_view word);
+
+/// The known words of a chunk: the whole chunk as a row of dictionary words ("leftupleg", "lThigh") where
+/// that works, else part by part; parts that no word covers are left out.
+[[nodiscard]] std::vector<Word> chunkWords(const NameChunk& chunk);
+
+} // namespace stretch::rig::body

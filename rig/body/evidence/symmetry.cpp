@@ -1,0 +1,227 @@
+#include "rig/body/evidence/symmetry.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+struct Pair {
+  Vec3 direction{0.0}; // unit, from one to the other
+  Vec3 middle{0.0};
+  double weight = 0.0;
+};
+
+// What stands below a joint, the joint included.
+struct Subtree {
+  Vec3 positionSum{0.0};
+  double joints = 0.0;
+  double length = 0.0; // of all bones below, and the bone that leads to it
+  [[nodiscard]] Vec3 centre() const { return positionSum / joints; }
+};
+
+std::vector<Subtree> subtrees(const BodyView& view) {
+  std::vector<int> deepestFirst(static_cast<std::size_t>(view.count()));
+  for (int i = 0; i < view.count(); ++i) {
+    deepestFirst[static_cast<std::size_t>(i)] = i;
+  }
+  std::ranges::stable_sort(deepestFirst, std::ranges::greater{},
+                           [&](int candidate) { return view.depth[static_cast<std::size_t>(candidate)]; });
+  std::vector<Subtree> trees(deepestFirst.size());
+  for (const int candidate : deepestFirst) {
+    Subtree& tree = trees[static_cast<std::size_t>(candidate)];
+    tree.positionSum += view.at(candidate);
+    tree.joints += 1.0;
+    const int parent = view.parentOf(candidate);
+    if (parent >= 0) {
+      tree.length += glm::distance(view.at(candidate), view.at(parent));
+      Subtree& above = trees[static_cast<std::size_t>(parent)];
+      above.positionSum += tree.positionSum;
+      above.joints += tree.joints;
+      above.length += tree.length;
+    }
+  }
+  return trees;
+}
+
+double likeness(double a, double b) {
+  return std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 1.0;
+}
+
+void addPair(std::vector<Pair>& pairs, const Vec3& a, const Vec3& b, double weight, double size) {
+  const double distance = glm::distance(a, b);
+  if (distance > 1e-3 * size) {
+    pairs.push_back({(a - b) / distance, (a + b) / 2.0, weight * distance});
+  }
+}
+
+// Siblings that mirror each other stand equally far from what carries them: a neck may be as long as a
+// foreleg, and no image of it.
+bool equallyFar(const BodyView& view, int a, int b) {
+  const int parent = view.parentOf(a);
+  if (parent < 0 || parent != view.parentOf(b)) {
+    return true;
+  }
+  const double toA = glm::distance(view.at(parent), view.at(a));
+  const double toB = glm::distance(view.at(parent), view.at(b));
+  return std::abs(toA - toB) <= 0.1 * std::max(toA, toB) + 2e-3 * view.size;
+}
+
+// Where limbs are posed out of symmetry, only their first joints tell of the body's.
+void addSiblings(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees, int a,
+                 int b) {
+  const Subtree& ofA = trees[static_cast<std::size_t>(a)];
+  const Subtree& ofB = trees[static_cast<std::size_t>(b)];
+  const double weight = ofA.length + ofB.length + 1e-2 * view.size;
+  const double apart = glm::distance(view.at(a), view.at(b));
+  if (apart > 0.02 * view.size) {
+    addPair(pairs, view.at(a), view.at(b), weight, view.size);
+  } else {
+    addPair(pairs, ofA.centre(), ofB.centre(), weight, view.size);
+  }
+}
+
+void addSiblingPairs(std::vector<Pair>& pairs, const BodyView& view, const std::vector<Subtree>& trees,
+                     std::vector<int> siblings) {
+  constexpr std::size_t mostSiblings = 48;
+  std::ranges::stable_sort(siblings, std::ranges::greater{},
+                           [&](int candidate) { return trees[static_cast<std::size_t>(candidate)].length; });
+  siblings.resize(std::min(siblings.size(), mostSiblings));
+  for (std::size_t i = 0; i < siblings.size(); ++i) {
+    for (std::size_t j = i + 1; j < siblings.size(); ++j) {
+      const Subtree& a = trees[static_cast<std::size_t>(siblings[i])];
+      const Subtree& b = trees[static_cast<std::size_t>(siblings[j])];
+      if (likeness(a.joints, b.joints) >= 0.7 && likeness(a.length, b.length) >= 0.75 &&
+          equallyFar(view, siblings[i], siblings[j])) {
+        addSiblings(pairs, view, trees, siblings[i], siblings[j]);
+      }
+    }
+  }
+}
+
+void addNamedPairs(std::vector<Pair>& pairs, const BodyView& view) {
+  std::map<std::string, std::vector<int>> left;
+  for (int i = 0; i < view.count(); ++i) {
+    if (view.name(i).side == Side::left) {
+      left[view.name(i).key].push_back(i);
+    }
+  }
+  for (int i = 0; i < view.count(); ++i) {
+    const auto found = view.name(i).side == Side::right ? left.find(view.name(i).key) : left.end();
+    if (found != left.end() && found->second.size() == 1) {
+      const int other = found->second.front();
+      const bool siblings = view.parentOf(i) == view.parentOf(other); // farther out a pose moves them
+      addPair(pairs, view.at(i), view.at(other), (siblings ? 0.3 : 0.06) * view.size, view.size);
+    }
+  }
+}
+
+std::vector<Pair> mirrorPairs(const BodyView& view) {
+  const std::vector<Subtree> trees = subtrees(view);
+  std::vector<Pair> pairs;
+  std::vector<int> roots;
+  for (int i = 0; i < view.count(); ++i) {
+    if (view.parentOf(i) < 0) {
+      roots.push_back(i);
+    }
+    addSiblingPairs(pairs, view, trees, view.childrenOf(i));
+  }
+  addSiblingPairs(pairs, view, trees, roots);
+  addNamedPairs(pairs, view);
+  std::ranges::stable_sort(pairs, std::ranges::greater{}, &Pair::weight);
+  return pairs;
+}
+
+// How much of the pairs' weight lies along an axis, deviations up to about 25 degrees counting in part.
+double support(const std::vector<Pair>& pairs, const Vec3& axis) {
+  double sum = 0.0;
+  for (const Pair& pair : pairs) {
+    sum += pair.weight * std::max(0.0, std::abs(glm::dot(pair.direction, axis)) - 0.9) / 0.1;
+  }
+  return sum;
+}
+
+Vec3 bestAxis(const std::vector<Pair>& pairs) {
+  double total = 0.0;
+  for (const Pair& pair : pairs) {
+    total += pair.weight;
+  }
+  Vec3 best(1, 0, 0);
+  double bestSupport = support(pairs, best) + 0.1 * total; // glTF characters face along Z
+  const std::size_t hypotheses = std::min<std::size_t>(pairs.size(), 60);
+  for (std::size_t i = 0; i < hypotheses; ++i) {
+    // Hardly a character lies on its side.
+    const double here = support(pairs, pairs[i].direction) * (1.0 - 0.4 * std::abs(pairs[i].direction.y));
+    if (here > bestSupport * (1.0 + 1e-9)) {
+      bestSupport = here;
+      best = pairs[i].direction;
+    }
+  }
+  Vec3 mean(0.0);
+  for (const Pair& pair : pairs) {
+    const double along = glm::dot(pair.direction, best);
+    if (std::abs(along) > 0.95) {
+      mean += pair.direction * (along > 0.0 ? pair.weight : -pair.weight);
+    }
+  }
+  const Vec3 axis = glm::length(mean) > 0.0 ? glm::normalize(mean) : best;
+  // A limb at rest out of symmetry tilts the mean by a few degrees; characters are made along the axes.
+  constexpr double nearAxis = 0.99;
+  for (const Vec3& world : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    if (std::abs(glm::dot(axis, world)) > nearAxis) {
+      return glm::dot(axis, world) > 0.0 ? world : -world;
+    }
+  }
+  return axis;
+}
+
+double weightedMedian(std::vector<std::pair<double, double>> values) {
+  std::ranges::sort(values);
+  double total = 0.0;
+  for (const auto& value : values) {
+    total += value.second;
+  }
+  double sum = 0.0;
+  for (const auto& value : values) {
+    sum += value.second;
+    if (sum >= total / 2.0) {
+      return value.first;
+    }
+  }
+  return 0.0;
+}
+
+} // namespace
+
+double MirrorPlane::lateral(const Vec3& point) const {
+  return glm::dot(normal, point) - offset;
+}
+
+Vec3 MirrorPlane::mirrored(const Vec3& point) const {
+  return point - 2.0 * lateral(point) * normal;
+}
+
+MirrorPlane findMirrorPlane(const BodyView& view) {
+  const std::vector<Pair> pairs = mirrorPairs(view);
+  MirrorPlane plane;
+  plane.normal = bestAxis(pairs);
+  std::vector<std::pair<double, double>> offsets;
+  for (const Pair& pair : pairs) {
+    if (std::abs(glm::dot(pair.direction, plane.normal)) > 0.9) {
+      offsets.emplace_back(glm::dot(pair.middle, plane.normal), pair.weight);
+    }
+  }
+  if (offsets.empty()) {
+    for (int i = 0; i < view.count(); ++i) {
+      offsets.emplace_back(glm::dot(view.at(i), plane.normal), 1.0);
+    }
+  }
+  plane.offset = weightedMedian(std::move(offsets));
+  return plane;
+}
+
+} // namespace stretch::rig::body

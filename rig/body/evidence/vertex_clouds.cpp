@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include "core/math/finite.h"
+
+#include "core/scene/scene.h"
+#include "rig/body/evidence/body_view.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+NodeIndex strongestJoint(const VertexInfluences& influences, const Skin& skin) {
+  const auto* const strongest = std::ranges::max_element(influences.weights);
+  if (!(*strongest > 0.0F)) {
+    return NodeIndex::none;
+  }
+  const auto slot = static_cast<std::size_t>(strongest - influences.weights.begin());
+  const std::size_t joint = influences.joints[slot];
+  return joint < skin.joints.size() ? skin.joints[joint] : NodeIndex::none;
+}
+
+void addPoint(std::vector<std::vector<Vec3>>& clouds, NodeIndex node, const Mat4& placement,
+              const glm::vec3& position) {
+  const Vec3 world = transformPoint(placement, Vec3(position));
+  if (node.exists() && at(node) < clouds.size() && isFinite(world)) {
+    clouds[at(node)].push_back(world);
+  }
+}
+
+void addSkinned(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, const Skin& skin,
+                const Mat4& placement) {
+  const std::size_t count = std::min(primitive.positions.size(), primitive.influences.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    addPoint(clouds, strongestJoint(primitive.influences[i], skin), placement, primitive.positions[i]);
+  }
+}
+
+void addRigid(std::vector<std::vector<Vec3>>& clouds, const Primitive& primitive, NodeIndex node,
+              const Mat4& world) {
+  for (const glm::vec3& position : primitive.positions) {
+    addPoint(clouds, node, world, position);
+  }
+}
+
+bool isIndex(int index, std::size_t size) {
+  return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+} // namespace
+
+namespace {
+
+void addSkinnedMeshes(const Scene& scene, const BindPose& bindPose, std::vector<std::vector<Vec3>>& clouds) {
+  for (const Node& node : scene.nodes) {
+    if (!isIndex(node.mesh, scene.meshes.size()) || !isIndex(node.skin, scene.skins.size())) {
+      continue;
+    }
+    const auto skin = static_cast<std::size_t>(node.skin);
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (!primitive.influences.empty()) {
+        addSkinned(clouds, primitive, scene.skins[skin], bindPose.placements[skin]);
+      }
+    }
+  }
+}
+
+NodeIndex jointAbove(const Scene& scene, const std::set<NodeIndex>& joints, NodeIndex node) {
+  while (node.exists() && joints.count(node) == 0) {
+    node = scene.nodes[at(node)].parent;
+  }
+  return node;
+}
+
+// Rigid meshes of the body in a scene with skins: on at least two joints in a row that move no vertices. One
+// alone is the slot of a prop.
+std::vector<bool> bodyParts(const Scene& scene, const std::vector<std::vector<Vec3>>& skinned) {
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  std::vector<NodeIndex> jointOf(scene.nodes.size());
+  std::set<NodeIndex> carriers;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const NodeIndex joint = jointAbove(scene, joints, NodeIndex(node));
+    if (scene.nodes[node].mesh >= 0 && scene.nodes[node].skin < 0 && joint.exists() &&
+        skinned[at(joint)].empty()) {
+      jointOf[node] = joint;
+      carriers.insert(joint);
+    }
+  }
+  std::set<NodeIndex> inRow;
+  for (const NodeIndex joint : carriers) {
+    const NodeIndex above = jointAbove(scene, joints, scene.nodes[at(joint)].parent);
+    if (above.exists() && carriers.count(above) != 0) {
+      inRow.insert({joint, above});
+    }
+  }
+  std::vector<bool> parts;
+  parts.reserve(jointOf.size());
+  for (const NodeIndex joint : jointOf) {
+    parts.push_back(joint.exists() && inRow.count(joint) != 0);
+  }
+  return parts;
+}
+
+} // namespace
+
+std::vector<std::vector<Vec3>> vertexClouds(const Scene& scene, const BindPose& bindPose, RigidMeshes rigid) {
+  std::vector<std::vector<Vec3>> clouds(scene.nodes.size());
+  addSkinnedMeshes(scene, bindPose, clouds);
+  if (rigid == RigidMeshes::none) {
+    return clouds;
+  }
+  const std::vector<bool> parts = rigid == RigidMeshes::bodyParts
+                                      ? bodyParts(scene, clouds)
+                                      : std::vector<bool>(scene.nodes.size(), true);
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const Node& holder = scene.nodes[node];
+    if (!isIndex(holder.mesh, scene.meshes.size()) || !parts[node]) {
+      continue;
+    }
+    const bool isSkinned = isIndex(holder.skin, scene.skins.size());
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(holder.mesh)].primitives) {
+      if (!isSkinned || primitive.influences.empty()) {
+        addRigid(clouds, primitive, NodeIndex(node), bindPose.worlds[node]);
+      }
+    }
+  }
+  return clouds;
+}
+
+} // namespace stretch::rig::body

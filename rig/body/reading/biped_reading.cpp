@@ -1,0 +1,229 @@
+#include "rig/body/reading/biped_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr std::size_t guessesOnASide = 50;
+constexpr std::size_t mostPairs = 40;
+constexpr double leastNameFitAlone = 1.4; // a limb without a counterpart must be named
+
+std::vector<const LimbGuess*> limbsOf(const LimbPair& pair) {
+  std::vector<const LimbGuess*> limbs;
+  for (const std::optional<LimbGuess>* limb : {&pair.negative, &pair.positive}) {
+    if (*limb) {
+      limbs.push_back(&**limb);
+    }
+  }
+  return limbs;
+}
+
+double boneLength(const BodyView& view, const LimbGuess& guess, bool upper) {
+  const Vec3 middle = guess.middle >= 0 ? view.at(guess.middle) : guess.endPosition;
+  return glm::distance(upper ? view.at(guess.base) : guess.endPosition, middle);
+}
+
+// Compares where the joints are, and for characters that stand out of symmetry the bases and bone lengths
+// alone.
+double mirrorError(const BodyView& view, const MirrorPlane& plane, const LimbGuess& a, const LimbGuess& b) {
+  const double base = glm::distance(plane.mirrored(view.at(a.base)), view.at(b.base));
+  const double end = glm::distance(plane.mirrored(a.endPosition), b.endPosition);
+  const bool bends = a.middle >= 0 && b.middle >= 0;
+  const double middle = bends ? glm::distance(plane.mirrored(view.at(a.middle)), view.at(b.middle)) : 0.0;
+  const double posed = (base + middle + end) / (bends ? 3.0 : 2.0);
+  const double lengths = std::abs(boneLength(view, a, true) - boneLength(view, b, true)) +
+                         std::abs(boneLength(view, a, false) - boneLength(view, b, false));
+  const double size = std::max(a.length, b.length);
+  return std::min(posed / size, 0.05 + (base + lengths) / 2.0 / size);
+}
+
+bool shareJoint(const BodyView& view, const LimbGuess& a, const LimbGuess& b) {
+  return view.isAboveOrSelf(a.base, b.base) || view.isAboveOrSelf(b.base, a.base) ||
+         (a.end >= 0 && a.end == b.end);
+}
+
+// Joints from `from` to `to`; 0 where one of them is missing.
+std::size_t jointsBetween(const BodyView& view, int from, int to) {
+  return from < 0 || to < 0 ? 0 : view.path(from, to).size();
+}
+
+// 0 where both have the same joints; a missing end is worth less than a missing bone.
+double structurePenalty(const BodyView& view, const LimbGuess& a, const LimbGuess& b) {
+  if (jointsBetween(view, a.base, a.middle) != jointsBetween(view, b.base, b.middle)) {
+    return 0.5;
+  }
+  if ((a.end < 0) != (b.end < 0)) {
+    return 0.1;
+  }
+  return jointsBetween(view, a.middle, a.end) == jointsBetween(view, b.middle, b.end) ? 0.0 : 0.5;
+}
+
+LimbPair makePair(const BodyView& view, const MirrorPlane& plane, const LimbGuess& negative,
+                  const LimbGuess& positive) {
+  LimbPair pair{negative, positive};
+  pair.mirrorError = mirrorError(view, plane, negative, positive);
+  const Side first = namedSide(view, negative);
+  const Side second = namedSide(view, positive);
+  const double sides = first == Side::none || second == Side::none ? 0.0 : first == second ? -0.5 : 0.3;
+  pair.score = negative.score() + positive.score() - std::min(2.0, 4.0 * pair.mirrorError) + sides -
+               structurePenalty(view, negative, positive);
+  return pair;
+}
+
+LimbPair makeSingle(const LimbGuess& guess) {
+  LimbPair pair;
+  (guess.lateral < 0.0 ? pair.negative : pair.positive) = guess;
+  pair.score = guess.score() - 0.8;
+  return pair;
+}
+
+std::vector<LimbPair> likelyPairs(const BodyView& view, const MirrorPlane& plane, Region region) {
+  const std::vector<LimbGuess> guesses = guessLimbs(view, plane, region, guessesOnASide);
+  std::vector<LimbPair> pairs;
+  for (const LimbGuess& guess : guesses) {
+    if (guess.nameFit >= leastNameFitAlone) {
+      pairs.push_back(makeSingle(guess));
+    }
+    for (const LimbGuess& other : guesses) {
+      if (guess.lateral < 0.0 && other.lateral > 0.0 && !shareJoint(view, guess, other)) {
+        pairs.push_back(makePair(view, plane, guess, other));
+      }
+    }
+  }
+  std::ranges::stable_sort(pairs, std::ranges::greater{}, &LimbPair::score);
+  pairs.resize(std::min(pairs.size(), mostPairs));
+  return pairs;
+}
+
+double cosine(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 0.0;
+}
+
+bool overlap(const BodyView& view, const LimbPair& arms, const LimbPair& legs) {
+  for (const LimbGuess* arm : limbsOf(arms)) {
+    for (const LimbGuess* leg : limbsOf(legs)) {
+      if (shareJoint(view, *arm, *leg)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+double meanLength(const LimbPair& pair) {
+  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
+  double sum = 0.0;
+  for (const LimbGuess* limb : limbs) {
+    sum += limb->length;
+  }
+  return limbs.empty() ? 0.0 : sum / static_cast<double>(limbs.size());
+}
+
+// 1 where the ends are the body's lowest joints along `up`, 0 where much of it is lower.
+double endsLowest(const BodyView& view, const LimbPair& pair, const Vec3& up) {
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (int i = 0; i < view.count(); ++i) {
+    if (view.movesMesh(i)) {
+      low = std::min(low, glm::dot(view.at(i), up));
+      high = std::max(high, glm::dot(view.at(i), up));
+    }
+  }
+  const double share = high > low ? (glm::dot(meanEnd(pair), up) - low) / (high - low) : 1.0;
+  return std::clamp(1.0 - 4.0 * std::max(0.0, share - 0.1), 0.0, 1.0);
+}
+
+// A joint in the middle of the body that is beyond the arms as seen from the legs: head or neck.
+bool headBeyond(const BodyView& view, const MirrorPlane& plane, const Vec3& from, const Vec3& up,
+                double trunk) {
+  for (int i = 0; i < view.count(); ++i) {
+    const Vec3 offset = view.at(i) - from;
+    if (view.movesMesh(i) && std::abs(plane.lateral(view.at(i))) < 0.02 * view.size &&
+        glm::dot(offset, up) > -0.05 * trunk && glm::length(offset) < 1.5 * trunk) {
+      return true;
+    }
+  }
+  return false;
+}
+
+double relation(const BodyView& view, const MirrorPlane& plane, const LimbPair& arms, const LimbPair& legs) {
+  const Vec3 legBase = meanBase(view, legs);
+  const Vec3 trunk = meanBase(view, arms) - legBase;
+  const double trunkLength = glm::length(trunk);
+  if (trunkLength < 0.02 * view.size) {
+    return -1.0;
+  }
+  const Vec3 up = trunk / trunkLength;
+  const Vec3 legDirection = meanEnd(legs) - legBase;
+  const double ratio = meanLength(arms) / std::max(1e-12, meanLength(legs));
+  // Of a body that lies along its trunk the feet are still what stands on the ground.
+  constexpr double flat = 0.5;
+  const Vec3 above = std::abs(up.y) < flat ? Vec3(0, 1, 0) : up;
+  double score = 0.6 * cosine(-legDirection, trunk) + 0.5 * up.y + 0.5 * endsLowest(view, legs, above);
+  score -= std::abs(up.y) < flat ? 0.5 * endsLowest(view, arms, above) : 0.0;
+  score -= std::clamp(std::abs(std::log(std::max(ratio, 1e-6))) - std::log(2.0), 0.0, 1.0);
+  return score + (headBeyond(view, plane, meanBase(view, arms), up, trunkLength) ? 0.3 : 0.0);
+}
+
+constexpr double missingPair = -1.5;
+
+void keepBetter(BipedReading& best, const LimbPair* arms, const LimbPair* legs, double score,
+                double relation) {
+  if (score > best.score) {
+    best.arms = arms != nullptr ? std::optional(*arms) : std::nullopt;
+    best.legs = legs != nullptr ? std::optional(*legs) : std::nullopt;
+    best.score = score;
+    best.relation = relation;
+  }
+}
+
+} // namespace
+
+Vec3 meanBase(const BodyView& view, const LimbPair& pair) {
+  Vec3 sum(0.0);
+  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
+  for (const LimbGuess* limb : limbs) {
+    sum += view.at(limb->base);
+  }
+  return sum / std::max(1.0, static_cast<double>(limbs.size()));
+}
+
+Vec3 meanEnd(const LimbPair& pair) {
+  Vec3 sum(0.0);
+  const std::vector<const LimbGuess*> limbs = limbsOf(pair);
+  for (const LimbGuess* limb : limbs) {
+    sum += limb->endPosition;
+  }
+  return sum / std::max(1.0, static_cast<double>(limbs.size()));
+}
+
+BipedReading readBiped(const BodyView& view, const MirrorPlane& plane) {
+  const std::vector<LimbPair> arms = likelyPairs(view, plane, Region::arm);
+  const std::vector<LimbPair> legs = likelyPairs(view, plane, Region::leg);
+  BipedReading best;
+  best.score = 2.0 * missingPair;
+  for (const LimbPair& leg : legs) {
+    keepBetter(best, nullptr, &leg, leg.score + missingPair, 0.0);
+  }
+  for (const LimbPair& arm : arms) {
+    // What stands on the ground alone is no arm.
+    const double standing = endsLowest(view, arm, Vec3(0, 1, 0));
+    keepBetter(best, &arm, nullptr, arm.score + missingPair - 2.0 * standing, 0.0);
+    for (const LimbPair& leg : legs) {
+      if (!overlap(view, arm, leg)) {
+        const double related = relation(view, plane, arm, leg);
+        keepBetter(best, &arm, &leg, arm.score + leg.score + related, related);
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace stretch::rig::body

@@ -1,0 +1,358 @@
+#include "rig/body/reading/detection.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/evidence/height.h"
+#include "rig/body/reading/humanoid.h"
+#include "rig/body/reading/limb_assembly.h"
+#include "rig/body/reading/plan_reading.h"
+#include "rig/body/reading/planned_body.h"
+#include "rig/body/reading/stance.h"
+#include "rig/limb.h"
+
+namespace stretch::rig {
+
+namespace body {
+
+namespace {
+
+constexpr double leastConfidence = 0.25; // below it a limb is not reported
+constexpr double sureConfidence = 0.35;  // from it on a limb counts towards a biped
+constexpr double doubtful = 0.3;         // most that a limb of something else gets
+
+// What one way of choosing candidates found.
+struct Finding {
+  Body result;
+  int legs = 0; // that it stands on
+  Vec3 bodyUp{0.0};
+  Vec3 legsReach{0.0}; // from the hips to the feet
+
+  [[nodiscard]] double weight() const {
+    double sum = 0.0;
+    for (const Limb& limb : result.limbs) {
+      sum += limb.confidence;
+    }
+    return sum;
+  }
+};
+
+bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
+  const Limb* limb = limbAt(limbs, place);
+  return limb != nullptr && limb->confidence >= sureConfidence;
+}
+
+bool makesBiped(const std::vector<Limb>& limbs) {
+  const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
+  const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
+  return legs && (arms || isSure(limbs, biped::spine));
+}
+
+Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
+  if (trunk.hips >= 0 && trunk.head >= 0) {
+    return view.at(trunk.head) - view.at(trunk.hips);
+  }
+  if (reading.legs) {
+    return (reading.arms ? meanBase(view, *reading.arms) : meanBase(view, *reading.legs)) -
+           meanEnd(*reading.legs);
+  }
+  return Vec3(0.0);
+}
+
+Finding findWith(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
+  const BodyView view = viewBody(scene, bindPose, candidates);
+  const MirrorPlane plane = findMirrorPlane(view);
+  const BipedReading reading = readBiped(view, plane);
+  Finding finding;
+  if (!reading.arms && !reading.legs) {
+    return finding;
+  }
+  const Sides sides = findSides(view, plane, reading);
+  const Trunk trunk = readTrunk(view, plane, reading);
+  Body& result = finding.result;
+  result.limbs = limbsOfReading(scene, view, reading, sides, bindPose);
+  std::ranges::move(limbsOfTrunk(scene, view, reading, trunk, bindPose), std::back_inserter(result.limbs));
+  std::erase_if(result.limbs,
+                [](const Limb& limb) { return limb.confidence < leastConfidence || !isSound(limb); });
+  result.hips = trunk.hips < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.hips)];
+  result.head = trunk.head < 0 ? NodeIndex::none : view.nodes[stretch::at(trunk.head)];
+  // Limbs without an upright body between them are no biped's, unless it stands on two of them.
+  constexpr double leastRelation = 0.6;
+  finding.legs = standingLegs(view, plane, reading);
+  const bool upright = !reading.arms || !reading.legs || reading.relation >= leastRelation ||
+                       (finding.legs == 2 && reading.relation >= 0.0);
+  result.isBiped = finding.legs <= 2 && upright && makesBiped(result.limbs);
+  if (finding.legs <= 2) {
+    result.warnings = sides.warnings;
+  }
+  finding.bodyUp = bodyUpOf(view, reading, trunk);
+  if (reading.legs) {
+    finding.legsReach = meanEnd(*reading.legs) - meanBase(view, *reading.legs);
+  }
+  return finding;
+}
+
+bool hasRigidParts(const Scene& scene) {
+  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin < 0; });
+}
+
+// Arms may be rigid pieces on nodes that no skin knows, while the rest is skinned.
+bool mayMissParts(const Scene& scene, const Body& found) {
+  return hasRigidParts(scene) &&
+         (limbAt(found.limbs, biped::leftArm) == nullptr || limbAt(found.limbs, biped::rightArm) == nullptr);
+}
+
+bool isBetter(const Finding& finding, const Finding& than) {
+  if (finding.result.isBiped != than.result.isBiped) {
+    return finding.result.isBiped;
+  }
+  return finding.weight() > than.weight() + 1e-9;
+}
+
+Finding findLimbs(const Scene& scene, const BindPose& bindPose) {
+  std::optional<Finding> best;
+  for (const Candidates candidates :
+       {Candidates::skinJoints, Candidates::nodesNoMeshes, Candidates::allNodes}) {
+    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+      continue;
+    }
+    Finding finding = findWith(scene, bindPose, candidates);
+    const bool isWhole = finding.result.isBiped && !mayMissParts(scene, finding.result);
+    const bool isFirst = !best;
+    if (isFirst || isBetter(finding, *best)) {
+      best = std::move(finding);
+    }
+    if (isWhole || (isFirst && best->legs > 2)) {
+      break;
+    }
+  }
+  return *std::move(best);
+}
+
+// The limb that was found without the table and stands in for one that the table lacks: of the same sort,
+// whichever side it was taken for, and none of the table's own.
+const Limb* standIn(const std::vector<Limb>& found, const std::vector<Limb>& table,
+                    const LimbPlace& missing) {
+  const auto matches = [&](const Limb& limb) {
+    return limb.kind == missing.kind && std::ranges::none_of(table, [&](const Limb& entry) {
+             return std::ranges::find(entry.joints, limb.joints.front()) != entry.joints.end();
+           });
+  };
+  const auto match = std::ranges::find_if(found, matches);
+  return match == found.end() ? nullptr : &*match;
+}
+
+// The table's limbs, and what it leaves out as it was found without it.
+void applyHumanoid(Finding& finding, const HumanoidTable& table) {
+  if (table.limbs.empty()) {
+    return;
+  }
+  Body& result = finding.result;
+  std::vector<Limb> limbs = table.limbs;
+  // The table leaves the neck out where there is none; the others it must name.
+  for (const LimbPlace& missing :
+       {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine}) {
+    const Limb* limb = limbAt(limbs, missing) == nullptr ? standIn(result.limbs, limbs, missing) : nullptr;
+    if (limb != nullptr) {
+      limbs.push_back(*limb);
+      static_cast<LimbPlace&>(limbs.back()) = missing;
+      limbs.back().id = limbName(missing);
+      result.warnings.push_back("the VRM humanoid table names no complete " + limbs.back().id +
+                                ": found without it");
+    }
+  }
+  std::ranges::stable_sort(limbs, std::less<>());
+  result.limbs = std::move(limbs);
+  result.hips = table.hips.exists() ? table.hips : result.hips;
+  result.head = table.head.exists() ? table.head : result.head;
+  result.isBiped = makesBiped(result.limbs);
+  finding.legs = 2;
+}
+
+std::string legCount(int legs) {
+  return legs == 4   ? "four legs"
+         : legs == 6 ? "six legs"
+         : legs == 8 ? "eight legs"
+                     : std::to_string(legs) + " legs";
+}
+
+bool movesMorphTargets(const Scene& scene) {
+  return scene.skins.empty() &&
+         std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.morphWeights.empty(); });
+}
+
+void warn(const Scene& scene, Finding& finding) {
+  Body& result = finding.result;
+  if (result.isBiped) {
+    for (const LimbPlace& usual : {biped::leftArm, biped::rightArm, biped::spine}) {
+      if (limbAt(result.limbs, usual) == nullptr) {
+        result.warnings.push_back("no " + limbName(usual) +
+                                  " found: choose a chain of joints if there is one");
+      }
+    }
+    return;
+  }
+  if (result.plan != "biped" && !result.limbs.empty()) {
+    return;
+  }
+  for (Limb& limb : result.limbs) {
+    limb.confidence = std::min(limb.confidence, doubtful);
+  }
+  result.warnings.emplace_back(
+      result.limbs.empty() && movesMorphTargets(scene)
+          ? "no joints found, but morph targets: make a skinned clip of its meshes by compress"
+      : result.limbs.empty() && scene.skins.empty() && !scene.meshes.empty()
+          ? "no skeleton found: bind the mesh first"
+      : result.limbs.empty() ? "no biped found: choose chains of joints by hand"
+                             : "no complete biped found: check the limbs by hand");
+}
+
+// The joints, else every node that may be one, until `read` answers something.
+template <typename Read>
+auto readAnyView(const Scene& scene, const BindPose& bindPose, const Read& read) {
+  for (const Candidates candidates : {Candidates::skinJoints, Candidates::nodesNoMeshes}) {
+    if (candidates == Candidates::skinJoints && scene.skins.empty()) {
+      continue;
+    }
+    if (auto found = read(viewBody(scene, bindPose, candidates))) {
+      return found;
+    }
+  }
+  return read(viewBody(scene, bindPose, Candidates::allNodes));
+}
+
+void takeReading(PlanReading reading, Finding& finding) {
+  Body& result = finding.result;
+  result.plan = reading.plan->id;
+  result.planConfidence = reading.confidence;
+  result.planReasons = std::move(reading.reasons);
+  result.limbs = std::move(reading.limbs);
+  result.hips = reading.hips;
+  result.head = reading.head;
+  result.warnings = std::move(reading.warnings);
+  result.isBiped = false;
+}
+
+void takeChains(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Body& result = finding.result;
+  result.plan = "other";
+  result.planReasons = {"its limbs are the rows of joints between branchings"};
+  result.isBiped = false;
+  const auto chains = readAnyView(scene, bindPose, [&](const BodyView& view) {
+    std::vector<Limb> found = chainsOfTree(scene, bindPose, view);
+    return found.empty() ? std::nullopt : std::optional(std::move(found));
+  });
+  result.limbs = chains.value_or(std::vector<Limb>{});
+  result.planConfidence = result.limbs.empty() ? 0.0 : 1.0;
+}
+
+// Head over hips, and legs that go on where the trunk ends.
+bool standsUpright(const Finding& finding) {
+  constexpr double leastRise = 0.75;  // sine
+  constexpr double leastInLine = 0.8; // cosine
+  const Vec3& up = finding.bodyUp;
+  const Vec3& legs = finding.legsReach;
+  const bool inLine = -glm::dot(up, legs) >= leastInLine * glm::length(up) * glm::length(legs);
+  return finding.result.isBiped && up.y >= leastRise * glm::length(up) && inLine;
+}
+
+// Whether a body that may be a biped in an odd pose is rather what it was read as: a bird's legs stand across
+// its trunk, and a biped that lies has no tail.
+bool isRather(const PlanReading& reading) {
+  const bool hasTail = limbAt(reading.limbs, {LimbKind::tail}) != nullptr;
+  return reading.plan->legs == 2 || (reading.plan->legs == 4 && hasTail);
+}
+
+// Anything but an upright body on two legs: read as one of the other plans, where one fits.
+void takePlan(const Scene& scene, const BindPose& bindPose, Finding& finding) {
+  Body& result = finding.result;
+  if (standsUpright(finding)) {
+    return;
+  }
+  constexpr double sure = 0.5;
+  std::optional<PlanReading> reading =
+      readAnyView(scene, bindPose, [&](const BodyView& view) { return readPlan(scene, bindPose, view); });
+  const bool fits = reading && reading->confidence >= sure && (!result.isBiped || isRather(*reading));
+  if (fits) {
+    takeReading(std::move(*reading), finding);
+  } else if (!result.isBiped && (finding.legs > 2 || result.limbs.empty())) {
+    takeChains(scene, bindPose, finding);
+    result.planReasons.emplace_back(finding.legs > 2 ? "it stands on " + legCount(finding.legs) +
+                                                           ", and no other plan fits"
+                                                     : "no plan fits");
+  }
+}
+
+void tellBiped(Finding& finding) {
+  Body& result = finding.result;
+  result.planReasons = {result.isBiped ? "two legs, and arms or a spine, on an upright body"
+                                       : "no plan fits: taken for a biped that is not complete"};
+  double sum = 0.0;
+  for (const Limb& limb : result.limbs) {
+    sum += limb.confidence;
+  }
+  result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
+}
+
+NodeIndex topmost(const Scene& scene, NodeIndex node) {
+  while (node.exists() && scene.nodes[at(node)].parent.exists()) {
+    node = scene.nodes[at(node)].parent;
+  }
+  return node;
+}
+
+} // namespace
+
+} // namespace body
+
+Body detectBody(const Scene& scene) {
+  const body::BindPose bindPose = body::placeBindPose(scene);
+  body::Finding finding = body::findLimbs(scene, bindPose);
+  const body::HumanoidTable table = body::readHumanoid(scene, bindPose);
+  body::applyHumanoid(finding, table);
+  if (table.limbs.empty()) {
+    body::takePlan(scene, bindPose, finding);
+  }
+  setLeadingEnds(bindPose.worlds, finding.result);
+  body::warn(scene, finding);
+  if (finding.result.plan == "biped") {
+    body::tellBiped(finding);
+  }
+  finding.result.height =
+      body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
+  return std::move(finding.result);
+}
+
+Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
+  const body::BindPose bindPose = body::placeBindPose(scene);
+  body::Finding finding = body::findLimbs(scene, bindPose);
+  finding.result.warnings.clear();
+  if (plan.id == "biped") {
+    body::applyHumanoid(finding, body::readHumanoid(scene, bindPose));
+  } else if (plan.id == "other") {
+    body::takeChains(scene, bindPose, finding);
+  } else {
+    const auto reading = body::readAnyView(scene, bindPose, [&](const body::BodyView& view) {
+      body::PlanReading found = body::readAsPlan(scene, bindPose, view, plan);
+      return found.limbs.empty() ? std::nullopt : std::optional(std::move(found));
+    });
+    finding.result = Body{};
+    finding.result.plan = plan.id;
+    if (reading) {
+      body::takeReading(*reading, finding);
+    }
+  }
+  Body& result = finding.result;
+  setLeadingEnds(bindPose.worlds, result);
+  if (result.limbs.empty()) {
+    result.warnings = {"no limb of " + plan.title + " found: choose another body plan, or chains of joints"};
+  }
+  result.planConfidence = 1.0;
+  result.planReasons = {"chosen by hand"};
+  result.height = body::characterHeight(scene, bindPose, body::topmost(scene, result.hips), finding.bodyUp);
+  return std::move(result);
+}
+
+} // namespace stretch::rig

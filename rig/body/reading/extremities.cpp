@@ -1,0 +1,403 @@
+#include "rig/body/reading/extremities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/evidence/name_text.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+struct PartEntry {
+  std::string_view text;
+  PartWord word;
+};
+
+// clang-format off
+constexpr std::array partEntries = std::to_array<PartEntry>({
+    {"leg", PartWord::leg}, {"legs", PartWord::leg}, {"foot", PartWord::leg}, {"feet", PartWord::leg},
+    {"paw", PartWord::leg}, {"hoof", PartWord::leg}, {"hock", PartWord::leg}, {"toe", PartWord::leg},
+    {"toes", PartWord::leg}, {"thigh", PartWord::leg}, {"shin", PartWord::leg}, {"calf", PartWord::leg},
+    {"knee", PartWord::leg}, {"femur", PartWord::leg}, {"tibia", PartWord::leg}, {"tarsus", PartWord::leg},
+    {"metatarsus", PartWord::leg}, {"coxa", PartWord::leg}, {"ankle", PartWord::leg},
+    {"upleg", PartWord::leg}, {"patte", PartWord::leg}, {"jambe", PartWord::leg}, {"bein", PartWord::leg},
+    {"arm", PartWord::arm}, {"forearm", PartWord::arm}, {"upperarm", PartWord::arm},
+    {"hand", PartWord::arm}, {"wrist", PartWord::arm}, {"elbow", PartWord::arm}, {"bras", PartWord::arm},
+    {"wing", PartWord::wing}, {"wings", PartWord::wing}, {"feather", PartWord::wing},
+    {"aile", PartWord::wing}, {"ala", PartWord::wing}, {"fluegel", PartWord::wing},
+    {"fin", PartWord::fin}, {"fins", PartWord::fin}, {"flipper", PartWord::fin}, {"fluke", PartWord::fin},
+    {"pectoral", PartWord::fin}, {"dorsal", PartWord::fin}, {"nageoire", PartWord::fin},
+    {"antenna", PartWord::feeler}, {"antennae", PartWord::feeler}, {"feeler", PartWord::feeler},
+    {"tentacle", PartWord::feeler}, {"palp", PartWord::feeler}, {"pedipalp", PartWord::feeler},
+    {"tail", PartWord::tail}, {"queue", PartWord::tail}, {"schwanz", PartWord::tail},
+    {"cola", PartWord::tail}, {"coda", PartWord::tail}, {"abdomen", PartWord::tail},
+    {"head", PartWord::head}, {"neck", PartWord::head}, {"skull", PartWord::head},
+    {"jaw", PartWord::head}, {"mouth", PartWord::head}, {"tongue", PartWord::head},
+    {"tete", PartWord::head}, {"cou", PartWord::head}, {"kopf", PartWord::head}, {"hals", PartWord::head},
+    {"ear", PartWord::ornament}, {"ears", PartWord::ornament}, {"horn", PartWord::ornament},
+    {"eye", PartWord::ornament}, {"eyes", PartWord::ornament}, {"teeth", PartWord::ornament},
+    {"tooth", PartWord::ornament}, {"fang", PartWord::ornament}, {"mandible", PartWord::ornament},
+    {"whisker", PartWord::ornament}, {"brow", PartWord::ornament}, {"lid", PartWord::ornament},
+    {"hair", PartWord::ornament}, {"mane", PartWord::ornament}, {"saddle", PartWord::ornament},
+    {"beak", PartWord::ornament}, {"lip", PartWord::ornament}, {"cheek", PartWord::ornament},
+});
+// clang-format on
+
+// Joints farther from the mirror plane than this stand on a side; in sizes of the body.
+constexpr double offMiddle = 0.004;
+
+// No body has more limbs, ears and teeth on a side; keeps a file that is none from costing much.
+constexpr std::size_t mostOfOneSide = 64;
+
+class Dissection {
+public:
+  Dissection(const Scene& scene, const BindPose& bindPose, const BodyView& view, const MirrorPlane& plane,
+             const Vec3& up)
+      : scene_(scene), bindPose_(bindPose), view_(view), plane_(plane), up_(up),
+        sided_(static_cast<std::size_t>(view.count()), false) {
+    findSided();
+  }
+
+  Extremities run() {
+    Extremities result;
+    measureHeights(result);
+    std::vector<Extremity> left;
+    std::vector<Extremity> right;
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      const int parent = view_.parentOf(joint);
+      if (isSided(joint) && (parent < 0 || !isSided(parent))) {
+        collect(joint, parent, sideSum_[index(joint)] > 0.0 ? left : right);
+      }
+    }
+    if (std::max(left.size(), right.size()) > mostOfOneSide) {
+      return result;
+    }
+    result.pairs = pairUp(std::move(right), std::move(left));
+    result.middle = middleRows();
+    return result;
+  }
+
+private:
+  static std::size_t index(int candidate) { return static_cast<std::size_t>(candidate); }
+  [[nodiscard]] bool isSided(int candidate) const { return sided_[index(candidate)]; }
+  [[nodiscard]] double heightOf(const Vec3& point) const { return glm::dot(point, up_); }
+
+  // A joint whose whole subtree stands on one side.
+  void findSided() {
+    const double tolerance = offMiddle * view_.size;
+    std::vector<double> least(sided_.size());
+    std::vector<double> most(sided_.size());
+    sideSum_.assign(sided_.size(), 0.0);
+    below_.assign(sided_.size(), 0.0);
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      const double lateral = plane_.lateral(view_.at(joint));
+      least[index(joint)] = most[index(joint)] = sideSum_[index(joint)] = lateral;
+      deepestFirst_.push_back(joint);
+    }
+    std::ranges::stable_sort(deepestFirst_, std::ranges::greater{},
+                             [&](int joint) { return view_.depth[index(joint)]; });
+    for (const int joint : deepestFirst_) {
+      sided_[index(joint)] = (least[index(joint)] > -tolerance && most[index(joint)] > 3.0 * tolerance) ||
+                             (most[index(joint)] < tolerance && least[index(joint)] < -3.0 * tolerance);
+      const int parent = view_.parentOf(joint);
+      if (parent >= 0) {
+        least[index(parent)] = std::min(least[index(parent)], least[index(joint)]);
+        most[index(parent)] = std::max(most[index(parent)], most[index(joint)]);
+        sideSum_[index(parent)] += sideSum_[index(joint)];
+        below_[index(parent)] = std::max(
+            below_[index(parent)], below_[index(joint)] + glm::distance(view_.at(joint), view_.at(parent)));
+      }
+    }
+  }
+
+  [[nodiscard]] double reachOf(int from, int child) const {
+    return below_[index(child)] + glm::distance(view_.at(from), view_.at(child));
+  }
+
+  // Follows the longest way down; where several long ones start near the beginning, each is one of its own.
+  void collect(int base, int attach, std::vector<Extremity>& found) {
+    constexpr std::size_t most = 400;
+    std::vector<int> path{base};
+    double length = 0.0;
+    const double whole = below_[index(base)];
+    while (!view_.childrenOf(path.back()).empty()) {
+      const int here = path.back();
+      std::vector<int> children = view_.childrenOf(here);
+      if (path.size() > 2) { // A wing ends at its tip, not at a feather that hangs from it.
+        std::erase_if(children, [&](int child) { return isFeather(child) && !isFeather(here); });
+      }
+      if (children.empty()) {
+        break;
+      }
+      std::ranges::stable_sort(children, std::ranges::greater{}, [&](int c) { return reachOf(here, c); });
+      const double longest = reachOf(here, children.front());
+      const auto isLong = [&](int child) { return reachOf(here, child) >= 0.5 * longest; };
+      if (std::ranges::count_if(children, isLong) > 1 && length <= 0.2 * whole && found.size() < most) {
+        for (const int child : children) {
+          if (isLong(child)) {
+            collect(child, attach, found);
+          }
+        }
+        return;
+      }
+      length += glm::distance(view_.at(here), view_.at(children.front()));
+      path.push_back(children.front());
+    }
+    found.push_back(extremityOf(trimmed(std::move(path)), attach));
+  }
+
+  [[nodiscard]] bool isFeather(int joint) const {
+    const std::string& name = scene_.nodes[at(view_.nodes[index(joint)])].name;
+    return name.find("feather") != std::string::npos || name.find("Feather") != std::string::npos;
+  }
+
+  // Anchors: joints in the middle of the body, or with hardly a bone of their own.
+  [[nodiscard]] std::vector<int> trimmed(std::vector<int> path) const {
+    constexpr double shortBone = 0.14;
+    const double whole = below_[index(path.front())];
+    const auto isAnchor = [&] {
+      return std::abs(plane_.lateral(view_.at(path[0]))) <= offMiddle * view_.size ||
+             glm::distance(view_.at(path[0]), view_.at(path[1])) < shortBone * whole;
+    };
+    while (path.size() > 2 && isAnchor()) {
+      path.erase(path.begin());
+    }
+    return path;
+  }
+
+  // The last joints of a row that hang from each other in the file: some rigs hang them side by side.
+  [[nodiscard]] std::vector<int> inOneLine(std::vector<int> path) const {
+    for (std::size_t i = path.size() - 1; i > 0; --i) {
+      if (!isAncestorOrSelf(scene_, view_.nodes[index(path[i - 1])], view_.nodes[index(path[i])])) {
+        path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
+        break;
+      }
+    }
+    return path;
+  }
+
+  // The farthest node below a joint that is no candidate: a tip.
+  [[nodiscard]] NodeIndex tipBelow(int last) const {
+    const NodeIndex joint = view_.nodes[index(last)];
+    const Vec3 from = view_.at(last);
+    NodeIndex best;
+    double farthest = 0.01 * view_.size;
+    std::vector<NodeIndex> open = scene_.nodes[at(joint)].children;
+    for (std::size_t i = 0; i < open.size() && i < 64; ++i) {
+      const Node& node = scene_.nodes[at(open[i])];
+      const Vec3 place = positionOf(bindPose_.worlds[at(open[i])]);
+      if (node.mesh >= 0 || node.isBindLeaf || view_.candidateOfNode[at(open[i])] >= 0 || !isFinite(place)) {
+        continue;
+      }
+      if (glm::distance(place, from) > farthest) {
+        farthest = glm::distance(place, from);
+        best = open[i];
+      }
+      open.insert(open.end(), node.children.begin(), node.children.end());
+    }
+    return best;
+  }
+
+  [[nodiscard]] Extremity extremityOf(std::vector<int> path, int attach) const {
+    Extremity extremity;
+    extremity.attach = attach;
+    extremity.path = inOneLine(std::move(path));
+    extremity.tip = tipBelow(extremity.path.back());
+    extremity.lowest = std::numeric_limits<double>::max();
+    extremity.highest = std::numeric_limits<double>::lowest();
+    for (const int joint : extremity.path) {
+      addJoint(joint, extremity);
+    }
+    if (extremity.tip.exists()) {
+      extremity.points.push_back(positionOf(bindPose_.worlds[at(extremity.tip)]));
+      extremity.lowest = std::min(extremity.lowest, heightOf(extremity.points.back()));
+    }
+    for (std::size_t i = 1; i < extremity.points.size(); ++i) {
+      extremity.length += glm::distance(extremity.points[i - 1], extremity.points[i]);
+    }
+    for (double& share : extremity.words) {
+      share /= static_cast<double>(extremity.path.size());
+    }
+    return extremity;
+  }
+
+  void addJoint(int joint, Extremity& extremity) const {
+    const Vec3& place = view_.at(joint);
+    extremity.points.push_back(place);
+    extremity.lateral += plane_.lateral(place) / static_cast<double>(extremity.path.size());
+    extremity.lowest = std::min(extremity.lowest, heightOf(place));
+    extremity.highest = std::max(extremity.highest, heightOf(place));
+    for (const Vec3& point : view_.points[index(joint)]) {
+      extremity.lowest = std::min(extremity.lowest, heightOf(point));
+    }
+    const std::string& name = scene_.nodes[at(view_.nodes[index(joint)])].name;
+    for (std::size_t word = 0; word < partWordCount; ++word) {
+      extremity.words[word] += saysPart(name, static_cast<PartWord>(word)) ? 1.0 : 0.0;
+    }
+  }
+
+  void measureHeights(Extremities& result) const {
+    double floor = std::numeric_limits<double>::max();
+    double top = std::numeric_limits<double>::lowest();
+    const auto add = [&](const Vec3& point) {
+      floor = std::min(floor, heightOf(point));
+      top = std::max(top, heightOf(point));
+    };
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      const bool isRoot = view_.parentOf(joint) < 0 && view_.points[index(joint)].empty();
+      if (view_.movesMesh(joint) && !isRoot) {
+        add(view_.at(joint));
+      }
+      std::ranges::for_each(view_.points[index(joint)], add);
+      std::ranges::for_each(view_.tips[index(joint)], add);
+    }
+    result.floor = floor;
+    result.top = std::max(floor, top);
+  }
+
+  // A point of an extremity by its share of the length.
+  [[nodiscard]] static Vec3 pointAlong(const Extremity& extremity, double share) {
+    double left = share * extremity.length;
+    for (std::size_t i = 1; i < extremity.points.size(); ++i) {
+      const double bone = glm::distance(extremity.points[i - 1], extremity.points[i]);
+      if (left <= bone && bone > 0.0) {
+        return glm::mix(extremity.points[i - 1], extremity.points[i], left / bone);
+      }
+      left -= bone;
+    }
+    return extremity.points.back();
+  }
+
+  [[nodiscard]] double mirrorError(const Extremity& a, const Extremity& b) const {
+    const double size = std::max(a.length, b.length);
+    if (!(size > 0.0)) {
+      return std::numeric_limits<double>::max();
+    }
+    double sum = 0.0;
+    for (const double share : {0.0, 0.33, 0.67, 1.0}) {
+      sum += glm::distance(plane_.mirrored(pointAlong(a, share)), pointAlong(b, share)) / 4.0;
+    }
+    const double apart = a.attach == b.attach ? 0.0 : 0.02;
+    return sum / size + apart;
+  }
+
+  struct Match {
+    double error = 0.0;
+    std::size_t negative = 0;
+    std::size_t positive = 0;
+  };
+
+  // Best matches first; what is left over is no pair.
+  [[nodiscard]] std::vector<ExtremityPair> pairUp(std::vector<Extremity> negative,
+                                                  std::vector<Extremity> positive) {
+    constexpr double mostError = 0.4;
+    std::vector<Match> matches;
+    for (std::size_t a = 0; a < negative.size(); ++a) {
+      for (std::size_t b = 0; b < positive.size(); ++b) {
+        const double error = mirrorError(negative[a], positive[b]);
+        if (error < mostError) {
+          matches.push_back({error, a, b});
+        }
+      }
+    }
+    std::ranges::stable_sort(matches, {}, &Match::error);
+    std::vector<bool> negativeTaken(negative.size(), false);
+    std::vector<bool> positiveTaken(positive.size(), false);
+    std::vector<ExtremityPair> pairs;
+    for (const Match& match : matches) {
+      if (!negativeTaken[match.negative] && !positiveTaken[match.positive]) {
+        negativeTaken[match.negative] = positiveTaken[match.positive] = true;
+        pairs.push_back({negative[match.negative], positive[match.positive], match.error});
+      }
+    }
+    markPaired(pairs);
+    return pairs;
+  }
+
+  // The joints of the pairs, and what hangs above and below them.
+  void markPaired(const std::vector<ExtremityPair>& pairs) {
+    std::vector<bool> paired(sided_.size(), false);
+    for (const ExtremityPair& pair : pairs) {
+      for (const Extremity* one : {&pair.negative, &pair.positive}) {
+        for (const int joint : one->path) {
+          paired[index(joint)] = true;
+        }
+      }
+    }
+    std::vector<bool> below = paired;
+    std::vector<bool> above = paired;
+    for (auto joint = deepestFirst_.rbegin(); joint != deepestFirst_.rend(); ++joint) {
+      const int parent = view_.parentOf(*joint);
+      below[index(*joint)] = below[index(*joint)] || (parent >= 0 && below[index(parent)]);
+    }
+    for (const int joint : deepestFirst_) {
+      const int parent = view_.parentOf(joint);
+      if (parent >= 0 && above[index(joint)]) {
+        above[index(parent)] = true;
+      }
+    }
+    carriesPaired_.resize(paired.size());
+    for (std::size_t joint = 0; joint < paired.size(); ++joint) {
+      carriesPaired_[joint] = below[joint] || above[joint];
+    }
+  }
+
+  // Of the joints on no side, and of the rows without a counterpart.
+  [[nodiscard]] std::vector<Extremity> middleRows() const {
+    const auto isMiddle = [&](int joint) { return !isSided(joint) || !carriesPaired(joint); };
+    std::vector<Extremity> rows;
+    for (int joint = 0; joint < view_.count() && rows.size() < 200; ++joint) {
+      const auto& children = view_.childrenOf(joint);
+      if (!isMiddle(joint) || std::ranges::any_of(children, isMiddle)) {
+        continue;
+      }
+      int top = joint;
+      while (view_.parentOf(top) >= 0) {
+        top = view_.parentOf(top);
+      }
+      rows.push_back(extremityOf(view_.path(top, joint), -1));
+    }
+    return rows;
+  }
+
+  // Whether the joint belongs to a row with a counterpart, or hangs above or below it on its side.
+  [[nodiscard]] bool carriesPaired(int joint) const { return carriesPaired_[index(joint)]; }
+
+  const Scene& scene_;
+  const BindPose& bindPose_;
+  const BodyView& view_;
+  const MirrorPlane& plane_;
+  Vec3 up_;
+  std::vector<bool> sided_;
+  std::vector<double> sideSum_; // of signed distances, of the joint and all below it
+  std::vector<double> below_;   // length of the longest row below
+  std::vector<int> deepestFirst_;
+  std::vector<bool> carriesPaired_;
+};
+
+} // namespace
+
+Extremities takeApart(const Scene& scene, const BindPose& bindPose, const BodyView& view,
+                      const MirrorPlane& plane, const Vec3& up) {
+  return Dissection(scene, bindPose, view, plane, up).run();
+}
+
+bool saysPart(std::string_view name, PartWord word) {
+  for (const NameChunk& chunk : nameChunks(name)) {
+    const auto is = [&](std::string_view text) {
+      return std::ranges::any_of(
+          partEntries, [&](const PartEntry& entry) { return entry.word == word && entry.text == text; });
+    };
+    if (is(chunk.whole) || std::ranges::any_of(chunk.parts, is)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace stretch::rig::body

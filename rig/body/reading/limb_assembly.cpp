@@ -1,0 +1,264 @@
+#include "rig/body/reading/limb_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+double lengthOf(const std::vector<NodeIndex>& joints, const Vec3& end, const std::vector<Mat4>& worlds) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const Vec3 from = positionOf(worlds[at(joints[i])]);
+    const Vec3 to = i + 1 < joints.size() ? positionOf(worlds[at(joints[i + 1])]) : end;
+    length += glm::distance(from, to);
+  }
+  return length;
+}
+
+// Joints strictly between two that stand off their bone by more than a twist joint would: they bend the limb
+// as well.
+std::vector<int> bendingBetween(const BodyView& view, int from, int to) {
+  constexpr double leastOffset = 0.08; // of the bone
+  const std::vector<int> path = view.path(from, to);
+  const Vec3 bone = view.at(to) - view.at(from);
+  std::vector<int> bending;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Vec3 there = view.at(path[i]) - view.at(from);
+    const Vec3 off = there - bone * (glm::dot(there, bone) / glm::dot(bone, bone));
+    if (!view.name(path[i]).twist && glm::length(off) > leastOffset * glm::length(bone)) {
+      bending.push_back(path[i]);
+    }
+  }
+  return bending;
+}
+
+std::vector<int> jointsOf(const BodyView& view, const LimbGuess& guess) {
+  std::vector<int> joints{guess.base};
+  const auto extend = [&](int from, int to) {
+    const std::vector<int> bending = bendingBetween(view, from, to);
+    joints.insert(joints.end(), bending.begin(), bending.end());
+  };
+  if (guess.middle >= 0) {
+    extend(guess.base, guess.middle);
+    joints.push_back(guess.middle);
+    if (guess.end >= 0 && !guess.endDetached) {
+      extend(guess.middle, guess.end);
+    }
+  }
+  return joints;
+}
+
+std::vector<NodeIndex> nodesOf(const BodyView& view, const std::vector<int>& candidates) {
+  std::vector<NodeIndex> nodes;
+  nodes.reserve(candidates.size());
+
+  for (const int candidate : candidates) {
+    nodes.push_back(view.nodes[static_cast<std::size_t>(candidate)]);
+  }
+  return nodes;
+}
+
+LimbEnd jointEnd(const BodyView& view, int candidate) {
+  return {view.nodes[static_cast<std::size_t>(candidate)], view.at(candidate)};
+}
+
+double combine(double nameShare, double shape) {
+  return 1.0 - (1.0 - 0.9 * nameShare) * (1.0 - 0.7 * shape);
+}
+
+double confidenceOf(const LimbGuess& guess, const LimbPair& pair, const Sides& sides) {
+  // Three joints well named, or the one or two that the limb has.
+  const double fullNameFit = guess.middle < 0 ? 0.9 : guess.end < 0 ? 1.7 : 2.6;
+  const double names = std::clamp(guess.nameFit / fullNameFit, 0.0, 1.0);
+  const bool paired = pair.negative && pair.positive;
+  const double mirror = paired ? std::exp(-4.0 * pair.mirrorError) : 0.6;
+  // Of two that mirror each other the better shape counts: a prop in one hand makes no difference.
+  const bool alike = paired && pair.mirrorError < 0.1;
+  const double penalty =
+      alike ? std::min(pair.negative->shapePenalty, pair.positive->shapePenalty) : guess.shapePenalty;
+  const double shape = std::exp(-0.6 * std::max(0.0, penalty)) * mirror;
+  constexpr double contradictedShare = 0.75;
+  return combine(names, shape) * (guess.end < 0 ? 0.95 : 1.0) * (0.85 + 0.15 * sides.certainty) *
+         (sides.contradicted ? contradictedShare : 1.0);
+}
+
+std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, const LimbGuess& guess,
+                                   const LimbPair& pair, const Sides& sides) {
+  std::vector<int> joints{guess.base};
+  for (const int joint : {guess.middle, guess.end}) {
+    if (joint >= 0) {
+      joints.push_back(joint);
+    }
+  }
+  std::vector<std::string> reasons;
+  const std::string names = nodeNames(scene, nodesOf(view, joints));
+  constexpr double someNameFit = 0.8;
+  reasons.push_back(guess.nameFit >= someNameFit
+                        ? "joint names: " + names
+                        : "names say little: found by position and proportions (" + names + ")");
+  if (pair.negative && pair.positive) {
+    constexpr double goodMirror = 0.1;
+    reasons.emplace_back(pair.mirrorError < goodMirror ? "mirrors the limb on the other side"
+                                                       : "does not quite mirror the limb on the other side");
+  } else {
+    reasons.emplace_back("no counterpart on the other side");
+  }
+  reasons.push_back(sides.reason);
+  if (guess.end < 0) {
+    const std::optional<EstimatedEnd> end = estimateEnd(view, guess.middle >= 0 ? guess.middle : guess.base);
+    reasons.emplace_back(end && end->fromPalms
+                             ? "no end joint: estimated from the palm joints"
+                             : "no end joint: estimated from the vertices of the last bone");
+  } else if (guess.endDetached) {
+    reasons.emplace_back("the end joint is no descendant of the limb: it follows through its own channels");
+  }
+  return reasons;
+}
+
+LimbPlace placeOf(Region region, bool left) {
+  return {region == Region::arm ? LimbKind::arm : LimbKind::leg, left ? LimbSide::left : LimbSide::right};
+}
+
+LimbEnd spineEnd(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
+  if (!trunk.neck.empty()) {
+    return jointEnd(view, trunk.neck.front());
+  }
+  if (trunk.head >= 0) {
+    return jointEnd(view, trunk.head);
+  }
+  return reading.arms ? LimbEnd{NodeIndex::none, meanBase(view, *reading.arms)} : LimbEnd{};
+}
+
+std::optional<Limb> spineOf(const Scene& scene, const BodyView& view, const BipedReading& reading,
+                            const Trunk& trunk, const BindPose& bindPose) {
+  std::vector<int> joints = trunk.spine;
+  std::vector<std::string> reasons;
+  LimbEnd end;
+  if (joints.size() >= 2) {
+    end = jointEnd(view, joints.back());
+    joints.pop_back();
+    reasons.emplace_back("from the first joint above the hips to the last one of the chest");
+  } else {
+    end = spineEnd(view, reading, trunk);
+    reasons.emplace_back(joints.empty() ? "no joint above the hips: starts at the hips"
+                                        : "one joint above the hips");
+    if (joints.empty() && trunk.hips >= 0) {
+      joints.push_back(trunk.hips);
+    }
+  }
+  if (joints.empty() || (!end.node.exists() && !reading.arms)) {
+    return std::nullopt;
+  }
+  Limb limb = makeLimb(biped::spine, nodesOf(view, joints), end, bindPose.worlds);
+  if (limb.restLength < 0.02 * view.size) {
+    return std::nullopt;
+  }
+  const double shape = (reading.arms && reading.legs ? 0.9 : 0.4) * (trunk.spine.size() >= 2 ? 1.0 : 0.7);
+  limb.confidence = combine(std::clamp(trunk.spineNameFit, 0.0, 1.0), shape);
+  reasons.push_back(nodeNames(scene, limb.joints));
+  if (!end.node.exists()) {
+    reasons.emplace_back("no end joint: estimated between the shoulders");
+  }
+  limb.reasons = std::move(reasons);
+  return limb;
+}
+
+std::optional<Limb> neckOf(const Scene& scene, const BodyView& view, const Trunk& trunk,
+                           const BindPose& bindPose) {
+  if (trunk.neck.empty()) {
+    return std::nullopt;
+  }
+  LimbEnd end;
+  if (trunk.head >= 0) {
+    end = jointEnd(view, trunk.head);
+  } else if (const std::optional<EstimatedEnd> estimated = estimateEnd(view, trunk.neck.back())) {
+    end.position = estimated->position;
+  } else {
+    return std::nullopt;
+  }
+  Limb limb = makeLimb(biped::neck, nodesOf(view, trunk.neck), end, bindPose.worlds);
+  if (limb.restLength < 1e-3 * view.size) {
+    return std::nullopt;
+  }
+  limb.confidence = combine(std::clamp(trunk.neckNameFit, 0.0, 1.0), end.node.exists() ? 0.75 : 0.35);
+  limb.reasons = {"between the chest and the head", nodeNames(scene, limb.joints)};
+  if (!end.node.exists()) {
+    limb.reasons.emplace_back("no head joint: estimated from the vertices of the last bone");
+  }
+  return limb;
+}
+
+} // namespace
+
+Limb makeLimb(const LimbPlace& place, std::vector<NodeIndex> joints, const LimbEnd& end,
+              const std::vector<Mat4>& bindWorlds) {
+  Limb limb;
+  static_cast<LimbPlace&>(limb) = place;
+  limb.id = limbName(place);
+  limb.endNode = end.node;
+  const Vec3 position = end.node.exists() ? positionOf(bindWorlds[at(end.node)]) : end.position;
+  if (!end.node.exists()) {
+    const Mat4& last = bindWorlds[at(joints.back())];
+    limb.endOffset = transformPoint(glm::inverse(last), position);
+  }
+  limb.restLength = lengthOf(joints, position, bindWorlds);
+  limb.joints = std::move(joints);
+  return limb;
+}
+
+bool isSound(const Limb& limb) {
+  const Vec3& offset = limb.endOffset;
+  return limb.restLength > 0.0 && std::isfinite(limb.restLength + offset.x + offset.y + offset.z);
+}
+
+std::vector<Limb> limbsOfReading(const Scene& scene, const BodyView& view, const BipedReading& reading,
+                                 const Sides& sides, const BindPose& bindPose) {
+  std::vector<Limb> limbs;
+  for (const Region region : {Region::arm, Region::leg}) {
+    const std::optional<LimbPair>& pair = region == Region::arm ? reading.arms : reading.legs;
+    for (const bool left : {true, false}) {
+      const bool positive = left == sides.leftIsPositive;
+      const std::optional<LimbGuess>* guess = !pair ? nullptr : positive ? &pair->positive : &pair->negative;
+      if (guess == nullptr || !*guess) {
+        continue;
+      }
+      const LimbEnd end = (*guess)->end >= 0 ? jointEnd(view, (*guess)->end)
+                                             : LimbEnd{NodeIndex::none, (*guess)->endPosition};
+      limbs.push_back(
+          makeLimb(placeOf(region, left), nodesOf(view, jointsOf(view, **guess)), end, bindPose.worlds));
+      limbs.back().confidence = confidenceOf(**guess, *pair, sides);
+      limbs.back().reasons = reasonsOf(scene, view, **guess, *pair, sides);
+    }
+  }
+  return limbs;
+}
+
+std::vector<Limb> limbsOfTrunk(const Scene& scene, const BodyView& view, const BipedReading& reading,
+                               const Trunk& trunk, const BindPose& bindPose) {
+  std::vector<Limb> limbs;
+  if (std::optional<Limb> spine = spineOf(scene, view, reading, trunk, bindPose)) {
+    limbs.push_back(std::move(*spine));
+  }
+  if (std::optional<Limb> neck = neckOf(scene, view, trunk, bindPose)) {
+    limbs.push_back(std::move(*neck));
+  }
+  return limbs;
+}
+
+std::string nodeNames(const Scene& scene, const std::vector<NodeIndex>& nodes) {
+  std::string text;
+  for (const NodeIndex node : nodes) {
+    const std::string& name = scene.nodes[at(node)].name;
+    text += text.empty() ? "" : ", ";
+    text += name.empty() ? fmt::format("#{}", node.value) : name;
+  }
+  return text;
+}
+
+} // namespace stretch::rig::body

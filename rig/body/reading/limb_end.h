@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "rig/body/evidence/body_view.h"
+
+namespace stretch::rig::body {
+
+/// An end made for a limb whose last joint has no wrist, ankle or tip below it.
+struct EstimatedEnd {
+  Vec3 position{0.0}; ///< World, bind pose.
+  bool fromPalms = false;
+};
+
+/// The mean of the palm joints that hang from `last` (of all its children where at least three fan out
+/// unnamed), else the far end of the vertices that follow it, along the line from the joint to their centre.
+/// Nothing without either.
+[[nodiscard]] std::optional<EstimatedEnd> estimateEnd(const BodyView& view, int last);
+
+/// Whether fingers or palms start at a joint: three children or more, or two that are named palms.
+[[nodiscard]] bool isFan(const BodyView& view, int candidate);
+
+} // namespace stretch::rig::body

@@ -1,0 +1,181 @@
+#include "rig/body/reading/limb_guess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "rig/body/reading/limb_score.h"
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr int deepest = 6; // joints from base to middle and from middle to end, twist joints included
+constexpr std::size_t mostBelow = 160;     // joints looked at below one joint
+constexpr std::size_t mostGuesses = 60000; // of one region: a file with more is no character
+constexpr int mostForDetached = 800;       // joints of a tree in which ends are looked for elsewhere
+constexpr double shortestBone = 0.02;      // of the body's size
+
+// Joints up to `deepest` levels below, nearest first.
+std::vector<int> descendants(const BodyView& view, int from) {
+  std::vector<int> found{from};
+  const int lowest = view.depth[static_cast<std::size_t>(from)] + deepest;
+  for (std::size_t i = 0; i < found.size() && found.size() < mostBelow; ++i) {
+    if (view.depth[static_cast<std::size_t>(found[i])] < lowest) {
+      const auto& children = view.childrenOf(found[i]);
+      found.insert(found.end(), children.begin(), children.end());
+    }
+  }
+  found.erase(found.begin());
+  return found;
+}
+
+class Guesser {
+public:
+  Guesser(const BodyView& view, const MirrorPlane& plane, Region region)
+      : view_(view), plane_(plane), region_(region) {
+    for (int joint = 0; joint < view.count(); ++joint) {
+      ends_.push_back(estimateEnd(view, joint));
+      if (region == Region::leg && ends_.back()) {
+        ends_.back()->position = withoutFoot(view.at(joint), ends_.back()->position);
+      }
+    }
+  }
+
+  std::vector<LimbGuess> all() {
+    for (int base = 0; base < view_.count() && guesses_.size() < mostGuesses; ++base) {
+      if (canBend(base)) {
+        guessFrom(base);
+      }
+    }
+    return std::move(guesses_);
+  }
+
+private:
+  // A foot in the last bone's mesh pulls its far end forward: the ankle of a standing leg is straight below.
+  [[nodiscard]] Vec3 withoutFoot(const Vec3& joint, const Vec3& end) const {
+    const Vec3 offset = end - joint;
+    const Vec3 forward = glm::cross(plane_.normal, Vec3(0, 1, 0));
+    const bool hangs = -offset.y > 0.6 * glm::length(offset);
+    return hangs ? end - forward * glm::dot(offset, forward) : end;
+  }
+
+  [[nodiscard]] bool canBend(int candidate) const {
+    const NameEvidence& name = view_.name(candidate);
+    return view_.movesMesh(candidate) && !name.finger && !name.accessory;
+  }
+
+  [[nodiscard]] bool isBone(const Vec3& from, const Vec3& to) const {
+    return glm::distance(from, to) > shortestBone * view_.size;
+  }
+
+  [[nodiscard]] const std::optional<EstimatedEnd>& endOf(int joint) const {
+    return ends_[static_cast<std::size_t>(joint)];
+  }
+
+  void guessFrom(int base) {
+    const std::vector<int> below = descendants(view_, base);
+    for (const int middle : below) {
+      if (canBend(middle) && isBone(view_.at(base), view_.at(middle))) {
+        guessFrom(base, middle);
+      }
+    }
+    const bool alone = std::ranges::none_of(below, [&](int joint) { return canBend(joint); });
+    const std::optional<EstimatedEnd> end = alone ? endOf(base) : std::nullopt;
+    if (end) {
+      keep({.base = base, .endPosition = end->position});
+    }
+  }
+
+  void guessFrom(int base, int middle) {
+    const std::vector<int> below = descendants(view_, middle);
+    for (const int end : below) {
+      if (isBone(view_.at(middle), view_.at(end))) {
+        keep({.base = base, .middle = middle, .end = end, .endPosition = view_.at(end)});
+      }
+    }
+    if (const std::optional<EstimatedEnd>& end = endOf(middle)) {
+      keep({.base = base, .middle = middle, .endPosition = end->position});
+    }
+    if (view_.count() <= mostForDetached &&
+        std::ranges::all_of(below, [&](int joint) { return view_.name(joint).twist; })) {
+      guessDetached(base, middle);
+    }
+  }
+
+  // An end joint that hangs from elsewhere: named as one of the same side, or standing where the last bone's
+  // mesh ends.
+  void guessDetached(int base, int middle) {
+    const Role role = region_ == Region::arm ? Role::wrist : Role::ankle;
+    const std::optional<EstimatedEnd>& end = endOf(middle);
+    const double upper = glm::distance(view_.at(base), view_.at(middle));
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      const bool named =
+          view_.name(joint).role(role) >= 0.8 && view_.name(joint).side == view_.name(middle).side;
+      const bool near =
+          end && glm::distance(end->position, view_.at(joint)) < 0.35 * upper && view_.movesMesh(joint);
+      const bool sameSide = plane_.lateral(view_.at(joint)) * plane_.lateral(view_.at(middle)) > 0.0;
+      if ((named || near) && sameSide && isBone(view_.at(middle), view_.at(joint)) &&
+          !view_.isAboveOrSelf(base, joint) && !view_.isAboveOrSelf(joint, base)) {
+        keep({.base = base,
+              .middle = middle,
+              .end = joint,
+              .endDetached = true,
+              .endPosition = view_.at(joint)});
+      }
+    }
+  }
+
+  // A posed limb may reach across the body: where its base stands beside the middle, that tells.
+  [[nodiscard]] double sideOf(const Vec3& base, const Vec3& middle) const {
+    const double atBase = plane_.lateral(base);
+    return std::abs(atBase) > 0.02 * view_.size ? atBase : plane_.lateral(middle);
+  }
+
+  void keep(LimbGuess guess) {
+    const Vec3 base = view_.at(guess.base);
+    const Vec3 middle = guess.middle >= 0 ? view_.at(guess.middle) : guess.endPosition;
+    guess.length = glm::distance(base, middle) + glm::distance(middle, guess.endPosition);
+    guess.lateral = sideOf(base, middle);
+    if (guess.length <= 0.0 || std::abs(guess.lateral) < 0.005 * view_.size) {
+      return;
+    }
+    guess.nameFit = nameFit(view_, guess, region_);
+    guess.shapePenalty = shapePenalty(view_, plane_, guess, region_);
+    guesses_.push_back(guess);
+  }
+
+  const BodyView& view_;
+  const MirrorPlane& plane_;
+  Region region_;
+  std::vector<std::optional<EstimatedEnd>> ends_; // one for each candidate
+  std::vector<LimbGuess> guesses_;
+};
+
+} // namespace
+
+std::vector<LimbGuess> guessLimbs(const BodyView& view, const MirrorPlane& plane, Region region,
+                                  std::size_t most) {
+  std::vector<LimbGuess> guesses = Guesser(view, plane, region).all();
+  std::ranges::stable_sort(guesses, std::ranges::greater{}, &LimbGuess::score);
+  std::size_t negative = 0;
+  std::size_t positive = 0;
+  std::erase_if(guesses,
+                [&](const LimbGuess& guess) { return ++(guess.lateral < 0.0 ? negative : positive) > most; });
+  return guesses;
+}
+
+Side namedSide(const BodyView& view, const LimbGuess& guess) {
+  int votes = 0;
+  for (const int joint : {guess.base, guess.middle, guess.end}) {
+    if (joint >= 0) {
+      const Side side = view.name(joint).side;
+      votes += side == Side::left ? 1 : side == Side::right ? -1 : 0;
+    }
+  }
+  return votes > 0 ? Side::left : votes < 0 ? Side::right : Side::none;
+}
+
+} // namespace stretch::rig::body

@@ -1,0 +1,167 @@
+#include "rig/body/reading/limb_score.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+struct LimbRoles {
+  Role base;
+  Role middle;
+  Role end;
+};
+
+constexpr LimbRoles rolesOf(Region region) {
+  return region == Region::arm ? LimbRoles{Role::upperArm, Role::foreArm, Role::wrist}
+                               : LimbRoles{Role::thigh, Role::shin, Role::ankle};
+}
+
+double jointFit(const NameEvidence& name, Role role) {
+  const double here = name.role(role);
+  const double best = *std::ranges::max_element(name.roles);
+  constexpr double clear = 0.8;
+  const double against = best >= clear ? 0.5 * (best - here) : 0.0;
+  return here - against - (name.finger ? 0.6 : 0.0) - (name.accessory ? 0.8 : 0.0) - (name.twist ? 0.6 : 0.0);
+}
+
+// Names of joints between two of a guess: one that clearly is a limb joint should not have been skipped.
+double skippedFit(const BodyView& view, const std::vector<int>& path, const LimbRoles& roles) {
+  double fit = 0.0;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const NameEvidence& name = view.name(path[i]);
+    const double role = std::max({name.role(roles.base), name.role(roles.middle), name.role(roles.end)});
+    fit -= role >= 0.8 && !name.twist && name.key != view.name(path.front()).key ? 0.4 : 0.0;
+  }
+  return fit;
+}
+
+// Joints skipped cost little where they share the bone (twist and split joints lie on its line) and much
+// where they bend.
+double skipPenalty(const BodyView& view, const std::vector<int>& path) {
+  if (path.size() < 3) {
+    return 0.0;
+  }
+  const Vec3 from = view.at(path.front());
+  const Vec3 bone = view.at(path.back()) - from;
+  const double length = glm::length(bone);
+  double penalty = 0.0;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Vec3 there = view.at(path[i]) - from;
+    const double along = glm::dot(there, bone) / (length * length);
+    const double off = glm::length(there - along * bone) / length;
+    const double outside = std::max({0.0, -along, along - 1.0});
+    penalty += (view.name(path[i]).twist ? 0.02 : 0.12) +
+               std::min(1.2, 8.0 * std::max(0.0, off - 0.01) + 2.0 * outside);
+  }
+  return penalty;
+}
+
+double angleBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0.0;
+}
+
+// Beyond the end a hand or foot remains: some, but less than the limb.
+double remainderPenalty(const BodyView& view, const LimbGuess& guess, Region region) {
+  if (guess.end < 0 || guess.endDetached) {
+    return 0.0;
+  }
+  const double beyond = view.reach[static_cast<std::size_t>(guess.end)];
+  const double fraction = beyond / (guess.length + beyond);
+  const double least = region == Region::arm ? 0.1 : 0.08;
+  const double most = region == Region::arm ? 0.4 : 0.5;
+  const double outside = std::max(least - fraction, fraction - most);
+  return outside > 0.0 ? std::min(0.6, 0.15 + 2.0 * outside) : 0.0;
+}
+
+// A base in the middle of the body is a clavicle or the pelvis; a long bone of the same line before it is the
+// real base.
+double basePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {
+  const double lateral = std::abs(plane.lateral(view.at(guess.base)));
+  const double least = (region == Region::arm ? 0.12 : 0.04) * guess.length;
+  double penalty = lateral < least ? 0.45 : 0.0;
+  const int before = view.parentOf(guess.base);
+  if (before >= 0 && guess.middle >= 0) {
+    const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
+    const Vec3 earlier = view.at(guess.base) - view.at(before);
+    const bool offPlane = std::abs(plane.lateral(view.at(before))) > least;
+    const bool sameLine = angleBetween(upper, earlier) < pi / 3.0;
+    penalty += offPlane && sameLine && glm::length(earlier) > 0.5 * glm::length(upper) ? 0.5 : 0.0;
+  }
+  return penalty;
+}
+
+double fanPenalty(const BodyView& view, const LimbGuess& guess, Region region) {
+  if (region != Region::arm || guess.middle < 0) {
+    return 0.0;
+  }
+  const bool middleFans = isFan(view, guess.middle);
+  if (guess.end < 0) {
+    return middleFans ? 0.15 : 0.5;
+  }
+  const bool endFans = isFan(view, guess.end);
+  if (middleFans && !endFans) {
+    return 0.6;
+  }
+  return endFans ? -0.3 : 0.0;
+}
+
+double lengthPenalty(const BodyView& view, const LimbGuess& guess) {
+  const double share = guess.length / view.size;
+  return 1.2 * std::max(0.0, 1.0 - share / 0.25) + std::max(0.0, share - 0.75);
+}
+
+double bonesPenalty(const BodyView& view, const LimbGuess& guess, Region region) {
+  const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
+  const Vec3 lower = guess.endPosition - view.at(guess.middle);
+  const double upperLength = glm::length(upper);
+  const double lowerLength = glm::length(lower);
+  if (upperLength <= 0.0 || lowerLength <= 0.0) {
+    return 2.0;
+  }
+  const double ratio = std::abs(std::log(upperLength / lowerLength)) / std::log(3.0);
+  const double widest = region == Region::arm ? 100.0 : 60.0;
+  const double bend = angleBetween(upper, lower) * 180.0 / pi;
+  return 0.8 * std::min(1.5, ratio) + (bend > widest ? 0.4 : 0.0);
+}
+
+} // namespace
+
+double nameFit(const BodyView& view, const LimbGuess& guess, Region region) {
+  const LimbRoles roles = rolesOf(region);
+  double fit = jointFit(view.name(guess.base), roles.base);
+  if (guess.middle >= 0) {
+    fit += jointFit(view.name(guess.middle), roles.middle);
+    fit += skippedFit(view, view.path(guess.base, guess.middle), roles);
+  }
+  if (guess.end >= 0) {
+    fit += jointFit(view.name(guess.end), roles.end);
+    fit += skippedFit(view, view.path(guess.middle, guess.end), roles);
+  }
+  const int before = view.parentOf(guess.base);
+  if (before >= 0 && region == Region::arm) {
+    fit += 0.3 * view.name(before).role(Role::clavicle);
+  }
+  return fit;
+}
+
+double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {
+  double penalty = lengthPenalty(view, guess) + basePenalty(view, plane, guess, region);
+  if (guess.middle < 0) {
+    return penalty + 1.2;
+  }
+  penalty += bonesPenalty(view, guess, region) + skipPenalty(view, view.path(guess.base, guess.middle));
+  penalty += fanPenalty(view, guess, region) + remainderPenalty(view, guess, region);
+  if (guess.endDetached) {
+    return penalty + 0.2;
+  }
+  return penalty + (guess.end < 0 && region == Region::leg ? 0.5 : 0.0) +
+         (guess.end >= 0 ? skipPenalty(view, view.path(guess.middle, guess.end)) : 0.0);
+}
+
+} // namespace stretch::rig::body

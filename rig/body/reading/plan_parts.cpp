@@ -1,0 +1,379 @@
+#include "rig/body/reading/plan_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr double namedShare = 0.3; // of a row's joints
+
+class PartFinder {
+public:
+  PartFinder(const Scene& scene, const BodyView& view, const MirrorPlane& plane, const Vec3& up,
+             std::optional<int> legPairs)
+      : scene_(scene), view_(view), plane_(plane), up_(up), legPairs_(legPairs) {}
+
+  PlanParts run(Extremities extremities) {
+    parts_.extremities = std::move(extremities);
+    sortPairs();
+    findHeadRow();
+    findForward();
+    orderPairs();
+    findTrunk();
+    findTail();
+    return std::move(parts_);
+  }
+
+private:
+  static std::size_t index(int candidate) { return static_cast<std::size_t>(candidate); }
+  [[nodiscard]] double height() const {
+    return std::max(parts_.extremities.top - parts_.extremities.floor, 1e-9 * view_.size);
+  }
+
+  // Reaches the ground from well above it.
+  [[nodiscard]] bool stands(const ExtremityPair& pair) const {
+    const auto one = [&](const Extremity& limb) {
+      return limb.lowest < parts_.extremities.floor + 0.12 * height() &&
+             limb.highest - limb.lowest > std::max(0.2 * height(), 0.06 * view_.size) &&
+             limb.length > 0.08 * view_.size;
+    };
+    return one(pair.negative) && one(pair.positive);
+  }
+
+  [[nodiscard]] static bool isNamed(const ExtremityPair& pair, PartWord word) {
+    return pair.word(word) >= namedShare;
+  }
+
+  // By name, else by what it does; nothing for ears, teeth and what is too small to be a limb.
+  [[nodiscard]] std::optional<LimbKind> kindOf(const ExtremityPair& pair) const {
+    const bool large = pair.length() > 0.08 * view_.size;
+    const bool isStanding = stands(pair);
+    if (pair.length() > 0.03 * view_.size) {
+      for (const auto& [word, kind] :
+           {std::pair(PartWord::wing, LimbKind::wing), std::pair(PartWord::fin, LimbKind::fin),
+            std::pair(PartWord::feeler, LimbKind::feeler)}) {
+        if (isNamed(pair, word)) {
+          return kind;
+        }
+      }
+    }
+    if (!large || isNamed(pair, PartWord::ornament) || isNamed(pair, PartWord::head)) {
+      return std::nullopt;
+    }
+    if (isStanding || isNamed(pair, PartWord::leg)) {
+      return LimbKind::leg;
+    }
+    return isNamed(pair, PartWord::arm) ? LimbKind::arm : LimbKind::chain; // to be told by the others
+  }
+
+  void sortPairs() {
+    for (const ExtremityPair& pair : parts_.extremities.pairs) {
+      if (const std::optional<LimbKind> kind = kindOf(pair)) {
+        parts_.pairs.push_back({*kind, pair, stands(pair)});
+      } else {
+        ornaments_.push_back(&pair);
+      }
+    }
+    dropFlatLegs();
+    if (legPairs_) {
+      chooseLegs(static_cast<std::size_t>(*legPairs_));
+    }
+    const auto legs = std::ranges::count(parts_.pairs, LimbKind::leg, &KindredPair::kind);
+    for (KindredPair& one : parts_.pairs) {
+      if (one.kind == LimbKind::chain) {
+        one.kind = legs == 0 ? LimbKind::fin : legs >= 3 ? LimbKind::feeler : armOrWing(one.pair);
+      }
+    }
+  }
+
+  // One pair alone carries the body only where it goes down: the fins of a fish that lies reach its lowest
+  // point as well.
+  void dropFlatLegs() {
+    constexpr double leastSteepness = 0.5; // sine
+    if (std::ranges::count(parts_.pairs, true, &KindredPair::stands) != 1) {
+      return;
+    }
+    KindredPair& only = *std::ranges::find(parts_.pairs, true, &KindredPair::stands);
+    const std::vector<Vec3>& points = only.pair.positive.points;
+    const Vec3 reach = points.back() - points.front();
+    if (-glm::dot(reach, up_) < leastSteepness * glm::length(reach)) {
+      only.stands = false;
+      only.kind = isNamed(only.pair, PartWord::leg) ? LimbKind::leg : LimbKind::chain;
+    }
+  }
+
+  [[nodiscard]] LimbKind armOrWing(const ExtremityPair& pair) const {
+    const Vec3 along = pair.positive.points.back() - pair.positive.points.front();
+    constexpr double onUprightTrunk = 0.25; // of the body, above the legs
+    double legHeight = 0.0;
+    for (const KindredPair* leg : legs()) {
+      legHeight += glm::dot(baseOf(leg->pair), up_) / static_cast<double>(legs().size());
+    }
+    const bool isHigh = glm::dot(baseOf(pair), up_) - legHeight > onUprightTrunk * view_.size;
+    const bool spreads = !isHigh && std::abs(glm::dot(along, plane_.normal)) > 0.7 * glm::length(along);
+    return spreads && pair.length() > 0.25 * view_.size ? LimbKind::wing : LimbKind::arm;
+  }
+
+  // The pairs that are likeliest legs become them, the others none.
+  void chooseLegs(std::size_t count) {
+    std::ranges::stable_sort(parts_.pairs, std::ranges::greater{}, [](const KindredPair& one) {
+      return std::tuple(one.kind == LimbKind::leg && one.stands, one.kind == LimbKind::leg,
+                        one.kind == LimbKind::chain || one.kind == LimbKind::arm, one.pair.length());
+    });
+    for (std::size_t i = 0; i < parts_.pairs.size(); ++i) {
+      LimbKind& kind = parts_.pairs[i].kind;
+      kind = i < count ? LimbKind::leg : kind == LimbKind::leg ? LimbKind::chain : kind;
+    }
+  }
+
+  [[nodiscard]] bool isOn(const std::vector<int>& row, int joint) const {
+    return std::ranges::find(row, joint) != row.end();
+  }
+
+  // Where a pair hangs on the row: its carrier or the nearest joint above that is of the row; -1: nowhere.
+  [[nodiscard]] int placeOn(const std::vector<int>& row, int joint) const {
+    while (joint >= 0 && !isOn(row, joint)) {
+      joint = view_.parentOf(joint);
+    }
+    return joint < 0 ? -1 : static_cast<int>(std::ranges::find(row, joint) - row.begin());
+  }
+
+  [[nodiscard]] double headness(const Extremity& row) const {
+    double score = 2.0 * (row.word(PartWord::head) > 0.0 ? 1.0 : 0.0) -
+                   2.0 * (row.word(PartWord::tail) > 0.0 ? 1.0 : 0.0) + 0.1 * row.length / view_.size;
+    for (const KindredPair& one : parts_.pairs) {
+      score += isOn(row.path, one.pair.positive.attach) ? 0.5 : 0.0;
+    }
+    for (const ExtremityPair* ornament : ornaments_) {
+      score += isOn(row.path, ornament->positive.attach) ? 0.5 : 0.0;
+    }
+    return score - (row.word(PartWord::ornament) > 0.0 ? 0.5 : 0.0);
+  }
+
+  void findHeadRow() {
+    const std::vector<Extremity>& rows = parts_.extremities.middle;
+    const auto head = std::ranges::max_element(rows, {}, [&](const Extremity& row) { return headness(row); });
+    if (head != rows.end()) {
+      parts_.axis.row = head->path;
+      parts_.axis.headIsNamed = head->word(PartWord::head) > 0.0;
+      parts_.axis.head = headOf(*head);
+    }
+  }
+
+  // Of the vertices that follow a joint.
+  [[nodiscard]] double bulk(int joint) const {
+    Vec3 low(std::numeric_limits<double>::max());
+    Vec3 high(std::numeric_limits<double>::lowest());
+    for (const Vec3& point : view_.points[index(joint)]) {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+    return high.x >= low.x ? glm::distance(low, high) : 0.0;
+  }
+
+  [[nodiscard]] bool carriesLimb(int joint) const {
+    return std::ranges::any_of(parts_.pairs, [&](const KindredPair& one) {
+      return view_.isAboveOrSelf(joint, one.pair.positive.attach);
+    });
+  }
+
+  // The last joint of a row, or the one before where the last one carries little: a jaw, a tip.
+  [[nodiscard]] int lastOf(const std::vector<int>& row) const {
+    constexpr double little = 0.4;
+    const int before = row.size() > 1 ? row[row.size() - 2] : row.back();
+    const bool isTip = !carriesLimb(before) && bulk(row.back()) < little * bulk(before);
+    return isTip ? before : row.back();
+  }
+
+  // The last joint that is named head, else the one at which ears and jaws branch off, else the last one.
+  [[nodiscard]] int headOf(const Extremity& row) const {
+    int named = -1;
+    int branching = -1;
+    for (const int joint : row.path) {
+      const NameEvidence& name = view_.name(joint);
+      named = name.role(Role::head) >= 0.5 ? joint : named;
+      if (branching < 0 && !carriesLimb(joint) && view_.childrenOf(joint).size() > 1) {
+        branching = joint;
+      }
+    }
+    return named >= 0 ? named : branching >= 0 ? branching : lastOf(row.path);
+  }
+
+  [[nodiscard]] std::vector<const KindredPair*> legs() const {
+    std::vector<const KindredPair*> found;
+    for (const KindredPair& one : parts_.pairs) {
+      if (one.kind == LimbKind::leg) {
+        found.push_back(&one);
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] static Vec3 baseOf(const ExtremityPair& pair) {
+    return (pair.negative.points.front() + pair.positive.points.front()) / 2.0;
+  }
+
+  // From where the other rows and the legs are to the head.
+  void findForward() {
+    Vec3 forward = glm::cross(plane_.normal, up_);
+    forward = glm::length(forward) > 1e-6 ? glm::normalize(forward) : Vec3(0.0, 0.0, 1.0);
+    Vec3 middle(0.0);
+    double count = 0.0;
+    for (const Extremity& row : parts_.extremities.middle) {
+      middle += row.points.back();
+      count += 1.0;
+    }
+    for (const KindredPair* leg : legs()) {
+      middle += baseOf(leg->pair);
+      count += 1.0;
+    }
+    const int head = parts_.axis.head;
+    const double ahead = head >= 0 && count > 0.0 ? glm::dot(view_.at(head) - middle / count, forward) : 0.0;
+    const bool backwards = std::abs(ahead) > 0.02 * view_.size ? ahead < 0.0 : forward.z < 0.0;
+    parts_.axis.forward = backwards ? -forward : forward;
+  }
+
+  void orderPairs() {
+    std::ranges::stable_sort(parts_.pairs, [&](const KindredPair& a, const KindredPair& b) {
+      const auto ahead = [&](const KindredPair& one) {
+        const Vec3 middle =
+            one.kind == LimbKind::leg && legs().size() > 2
+                ? (baseOf(one.pair) +
+                   (one.pair.negative.points.back() + one.pair.positive.points.back()) / 2.0) /
+                      2.0
+                : baseOf(one.pair);
+        return -glm::dot(middle, parts_.axis.forward);
+      };
+      return std::pair(a.kind, ahead(a)) < std::pair(b.kind, ahead(b));
+    });
+  }
+
+  // Places on the row where the legs hang, and what else carries limbs before the head.
+  struct Hangs {
+    int first = -1;
+    int last = -1;
+  };
+  [[nodiscard]] Hangs hangs() const {
+    Hangs hangs;
+    const auto legCount = legs().size();
+    for (const KindredPair& one : parts_.pairs) {
+      const bool counts = one.kind == LimbKind::leg || (legCount < 2 && one.kind != LimbKind::feeler);
+      const int place = counts ? placeOn(parts_.axis.row, one.pair.positive.attach) : -1;
+      if (place < 0) {
+        continue;
+      }
+      if (one.kind == LimbKind::leg || legCount == 0) {
+        hangs.first = hangs.first < 0 ? place : std::min(hangs.first, place);
+      }
+      hangs.last = std::max(hangs.last, place);
+    }
+    return hangs;
+  }
+
+  void findTrunk() {
+    Axis& axis = parts_.axis;
+    if (axis.row.empty()) {
+      return;
+    }
+    const int head = placeOn(axis.row, axis.head);
+    Hangs joints = hangs();
+    const int first = std::clamp(joints.first, 0, std::max(head, 0));
+    int chest = std::clamp(joints.last, first, std::max(head, first));
+    axis.hips = axis.row[index(first)];
+    const auto row = [&](int from, int to) {
+      return from > to ? std::vector<int>{}
+                       : std::vector<int>(axis.row.begin() + from, axis.row.begin() + to + 1);
+    };
+    if (legs().empty() || legs().size() > 2) {
+      axis.spine = row(first + 1, head - 1);
+      axis.spineEnd = axis.head;
+      if (axis.spine.empty() && first < head) {
+        axis.spine = {axis.hips};
+      }
+      return;
+    }
+    if (chest == first) {
+      chest = neckStart(first, head) - 1;
+    }
+    axis.neck = row(chest + 1, head - 1);
+    axis.spine = row(first + 1, chest - 1);
+    axis.spineEnd = chest > first ? axis.row[index(chest)] : -1;
+    if (axis.spine.empty() && chest > first) { // one joint above the hips
+      axis.spine = {axis.row[index(chest)]};
+      axis.spineEnd = chest < head ? axis.row[index(chest + 1)] : -1;
+    }
+    if (axis.spineEnd < 0 && first < head) {
+      axis.spine = {axis.hips};
+      axis.spineEnd = axis.row[index(first + 1)];
+    }
+  }
+
+  // Of the first joint that is named so; without names the upper half of what lies before the head.
+  [[nodiscard]] int neckStart(int first, int head) const {
+    for (int place = first + 1; place < head; ++place) {
+      if (view_.name(parts_.axis.row[index(place)]).role(Role::neck) >= 0.5) {
+        return place;
+      }
+    }
+    return std::max(first + 1, (first + head + 1) / 2);
+  }
+
+  // A row of the middle that goes back from the trunk.
+  void findTail() {
+    const std::vector<int>& row = parts_.axis.row;
+    double best = 0.0;
+    for (const Extremity& other : parts_.extremities.middle) {
+      const auto [ownEnd, otherStart] = std::ranges::mismatch(row, other.path);
+      const auto shared = static_cast<std::size_t>(otherStart - other.path.begin());
+      if (otherStart == other.path.end() || ownEnd == row.end()) {
+        continue;
+      }
+      Extremity rest = other;
+      rest.path.assign(otherStart, other.path.end());
+      rest.points.erase(rest.points.begin(), rest.points.begin() + static_cast<std::ptrdiff_t>(shared));
+      rest.length = 0.0;
+      for (std::size_t i = 1; i < rest.points.size(); ++i) {
+        rest.length += glm::distance(rest.points[i - 1], rest.points[i]);
+      }
+      const bool named = std::ranges::any_of(rest.path, [&](int joint) {
+        return saysPart(scene_.nodes[at(view_.nodes[index(joint)])].name, PartWord::tail);
+      });
+      const bool back = glm::dot(rest.points.back() - rest.points.front(), parts_.axis.forward) < 0.0;
+      const bool isOrnament = rest.word(PartWord::ornament) > 0.0;
+      const double least = (named ? 0.03 : 0.12) * view_.size;
+      const double score = rest.length + (named ? view_.size : 0.0);
+      if (rest.length > least && (named || (back && !isOrnament)) && score > best) {
+        best = score;
+        parts_.axis.tail = rest;
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const BodyView& view_;
+  const MirrorPlane& plane_;
+  Vec3 up_;
+  std::optional<int> legPairs_;
+  PlanParts parts_;
+  std::vector<const ExtremityPair*> ornaments_;
+};
+
+} // namespace
+
+int PlanParts::standingLegs() const {
+  return 2 * static_cast<int>(std::ranges::count_if(
+                 pairs, [](const KindredPair& one) { return one.kind == LimbKind::leg && one.stands; }));
+}
+
+PlanParts partsOfBody(const Scene& scene, const BindPose& bindPose, const BodyView& view,
+                      const MirrorPlane& plane, const Vec3& up, std::optional<int> legPairs) {
+  return PartFinder(scene, view, plane, up, legPairs).run(takeApart(scene, bindPose, view, plane, up));
+}
+
+} // namespace stretch::rig::body

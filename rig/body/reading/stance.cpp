@@ -1,0 +1,125 @@
+#include "rig/body/reading/stance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace stretch::rig::body {
+
+namespace {
+
+constexpr double leastElevation = 0.55; // sine: flatter than this the trunk of a four-legged body lies
+
+double elevation(const Vec3& offset) {
+  const double length = glm::length(offset);
+  return length > 0.0 ? std::abs(offset.y) / length : 1.0;
+}
+
+class Stance {
+public:
+  Stance(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading)
+      : view_(view), plane_(plane), reading_(reading), low_(static_cast<std::size_t>(view.count())),
+        high_(low_.size()) {
+    std::vector<int> deepestFirst(low_.size());
+    for (int joint = 0; joint < view.count(); ++joint) {
+      deepestFirst[static_cast<std::size_t>(joint)] = joint;
+      low_[static_cast<std::size_t>(joint)] = lowestOf(joint);
+      high_[static_cast<std::size_t>(joint)] = view.at(joint).y;
+    }
+    std::ranges::stable_sort(deepestFirst, std::ranges::greater{},
+                             [&](int joint) { return view.depth[static_cast<std::size_t>(joint)]; });
+    for (const int joint : deepestFirst) {
+      const auto index = static_cast<std::size_t>(joint);
+      const int parent = view.parentOf(joint);
+      floor_ = view.movesMesh(joint) ? std::min(floor_, low_[index]) : floor_;
+      top_ = view.movesMesh(joint) ? std::max(top_, view.at(joint).y) : top_;
+      if (parent >= 0) {
+        const auto above = static_cast<std::size_t>(parent);
+        low_[above] = std::min(low_[above], low_[index]);
+        high_[above] = std::max(high_[above], high_[index]);
+      }
+    }
+  }
+
+  [[nodiscard]] int legs() const {
+    const bool upright = isUpright();
+    int left = 0;
+    int right = 0;
+    for (int joint = 0; joint < view_.count(); ++joint) {
+      if (isBranch(joint) && reachesGround(joint) && !(upright && belongsToUpright(joint))) {
+        ++(plane_.lateral(view_.at(joint)) > 0.0 ? left : right);
+      }
+    }
+    return 2 * std::min(left, right);
+  }
+
+private:
+  [[nodiscard]] double lowestOf(int joint) const {
+    const auto index = static_cast<std::size_t>(joint);
+    double low = view_.at(joint).y;
+    for (const std::vector<Vec3>* points : {&view_.points[index], &view_.tips[index]}) {
+      for (const Vec3& point : *points) {
+        low = std::min(low, point.y);
+      }
+    }
+    return low;
+  }
+
+  [[nodiscard]] bool isOff(int joint) const {
+    return std::abs(plane_.lateral(view_.at(joint))) > 0.02 * view_.size;
+  }
+
+  [[nodiscard]] bool isBranch(int joint) const {
+    const int parent = view_.parentOf(joint);
+    const NameEvidence& name = view_.name(joint);
+    return isOff(joint) && (parent < 0 || !isOff(parent)) && view_.movesMesh(joint) && !name.accessory &&
+           !name.control && !view_.childrenOf(joint).empty();
+  }
+
+  [[nodiscard]] bool reachesGround(int joint) const {
+    const double height = top_ - floor_;
+    const double low = low_[static_cast<std::size_t>(joint)];
+    const double high = high_[static_cast<std::size_t>(joint)];
+    return low < floor_ + 0.08 * height && high - low > 0.2 * height;
+  }
+
+  [[nodiscard]] bool isUpright() const {
+    return reading_.arms && reading_.legs &&
+           elevation(meanBase(view_, *reading_.arms) - meanBase(view_, *reading_.legs)) > leastElevation;
+  }
+
+  [[nodiscard]] static bool holds(const BodyView& view, int branch, const std::optional<LimbPair>& pair) {
+    return (pair->negative && view.isAboveOrSelf(branch, pair->negative->base)) ||
+           (pair->positive && view.isAboveOrSelf(branch, pair->positive->base));
+  }
+
+  // Its arms, and what hangs beside its legs without being one.
+  [[nodiscard]] bool belongsToUpright(int joint) const {
+    if (holds(view_, joint, reading_.arms)) {
+      return true;
+    }
+    Vec3 offset = view_.at(joint) - meanBase(view_, *reading_.legs);
+    offset.y = 0.0;
+    offset -= plane_.normal * glm::dot(offset, plane_.normal);
+    const double legHeight = meanBase(view_, *reading_.legs).y - floor_;
+    return !holds(view_, joint, reading_.legs) && glm::length(offset) < 0.4 * legHeight;
+  }
+
+  const BodyView& view_;
+  const MirrorPlane& plane_;
+  const BipedReading& reading_;
+  std::vector<double> low_;  // y of the lowest point of each joint and what hangs on it
+  std::vector<double> high_; // of the highest joint
+  double floor_ = std::numeric_limits<double>::max();
+  double top_ = std::numeric_limits<double>::lowest();
+};
+
+} // namespace
+
+int standingLegs(const BodyView& view, const MirrorPlane& plane, const BipedReading& reading) {
+  return Stance(view, plane, reading).legs();
+}
+
+} // namespace stretch::rig::body

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/panels/context/panel_context.h"
+
+namespace stretch::ui {
+
+/// A control in a row that may be too short for all of them.
+struct RowPart {
+  float width = 0.0F;         ///< Screen pixels, with the space behind it.
+  std::function<void()> draw; ///< At the cursor; the next part follows on the same line.
+};
+
+/// As many parts as fit, the first ones first; the others behind a button at the row's end, which opens them
+/// below each other. The button is `id`, its list `id` and "/list".
+void rowOfParts(PanelContext& context, const std::string& id, float available,
+                const std::vector<RowPart>& parts);
+
+} // namespace stretch::ui

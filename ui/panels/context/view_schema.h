@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/schema/schema.h"
+#include "app/sequence/sequence_session.h"
+#include "ui/panels/context/ui_state.h"
+
+namespace stretch::ui {
+
+/// What the viewport draws over the character: all of it is remembered.
+[[nodiscard]] const app::Schema<ViewportOverlays>& overlaySchema();
+
+/// What is shown of a mesh sequence, in the window and by `render`.
+[[nodiscard]] const app::Schema<app::SequenceView>& sequenceViewSchema();
+
+/// Theme, size, navigation and the like: what is remembered of the window's ways.
+[[nodiscard]] const app::Schema<UiState>& windowSchema();
+
+} // namespace stretch::ui

@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <cfloat>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "app/commands/table/command_ids.h"
+#include "app/commands/table/selection.h"
+#include "rig/plan/body_plan.h"
+#include "ui/panels/context/dialog_frame.h"
+#include "ui/panels/context/panel_support.h"
+#include "ui/panels/context/panels.h"
+#include "ui/panels/menus/context_menu.h"
+#include "ui/widgets/icons.h"
+
+namespace stretch::ui {
+
+namespace {
+
+/// A menu's entries by command id; an empty id is a separator.
+struct Menu {
+  const char* title;
+  std::vector<const char*> commands;
+};
+
+void recentFiles(PanelContext& context) {
+  if (context.ui.recentFiles.empty() || !ImGui::BeginMenu("Open recent")) {
+    return;
+  }
+  for (const std::filesystem::path& path : context.ui.recentFiles) {
+    if (ImGui::MenuItem(path.filename().string().c_str())) {
+      context.ui.answers.file = FileChoice{FilePurpose::openModel, path};
+    }
+    tooltip(widgetsOf(context), {path.filename().string(), path.parent_path().string(), {}});
+  }
+  ImGui::EndMenu();
+}
+
+void drawMenu(PanelContext& context, const Menu& menu, bool withRecent) {
+  // One that is taller than the window would cover its own title, and so be closed at once: it scrolls
+  // instead.
+  const float below = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - 2.0F * context.theme.unit();
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, below});
+  const bool open = ImGui::BeginMenu(menu.title);
+  context.items.add(std::string("menu/") + menu.title, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  if (!open) {
+    return;
+  }
+  bool first = true;
+  for (const char* id : menu.commands) {
+    if (id[0] == '\0') {
+      ImGui::Separator();
+    } else {
+      commandEntry(context, "menu/", id);
+    }
+    if (first && withRecent) {
+      recentFiles(context);
+    }
+    first = false;
+  }
+  if (keyPressed(ImGuiKey_Escape)) {
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndMenu();
+}
+
+/// What is open, whether it holds work that no file has, and the button that saves it: at the bar's right
+/// end, where they are seen in full screen as well.
+void openFileName(PanelContext& context) {
+  const EditorStatus& status = context.status;
+  const Theme& theme = context.theme;
+  if (status.fileName.empty()) {
+    return;
+  }
+  const WidgetContext widgets = widgetsOf(context);
+  const float saveWidth = theme.px(72.0F);
+  const float gap = theme.unit();
+  const float markWidth = status.unsaved ? theme.px(14.0F) : 0.0F;
+  const float free = ImGui::GetContentRegionAvail().x - saveWidth - 2.0F * gap; // One at the window's edge.
+  const float width =
+      std::min(free, textSize(theme.fonts.body, status.fileName).x + markWidth + theme.px(4.0F));
+  if (width < theme.px(40.0F)) {
+    return;
+  }
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free - width);
+  const Control place = takePlace(widgets, "menu-bar/file", {width, ImGui::GetFrameHeight()}, false);
+  if (status.unsaved) {
+    ImGui::GetWindowDrawList()->AddCircleFilled({place.box.min.x + theme.px(5.0F), place.box.centre().y},
+                                                theme.px(4.0F), theme.colours.accent);
+  }
+  drawText(widgets, theme.fonts.body, {{place.box.min.x + markWidth, place.box.min.y}, place.box.max},
+           theme.colours.text, cutInMiddle(theme.fonts.body, status.fileName, width - markWidth));
+  tooltip(
+      widgets,
+      {status.fileName, status.unsaved ? "Holds work that is not saved yet." : "Everything is saved.", {}});
+  ImGui::SameLine(0.0F, gap);
+  commandButton(context, {.command = command::fileSave,
+                          .icon = icon::save,
+                          .text = "Save",
+                          .emphasis = status.unsaved ? Emphasis::primary : Emphasis::normal,
+                          .width = saveWidth});
+}
+
+void poseMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context,
+           {"Pose",
+            {controllerMove,
+             controllerTurn,
+             "",
+             controllerNext,
+             controllerPrevious,
+             controllersAll,
+             controllersKeyed,
+             "",
+             poseKey,
+             poseDeleteKey,
+             poseAutoKey,
+             poseWholeClip,
+             "",
+             poseReset,
+             poseResetRange,
+             poseResetRig,
+             poseResetRigRange,
+             "",
+             poseMirror,
+             poseCopy,
+             posePaste,
+             poseTween,
+             "",
+             poseCurlMore,
+             poseCurlLess,
+             "",
+             poseKeyAutomatic,
+             poseKeyFlat,
+             poseKeyLinear,
+             poseKeyStepped,
+             poseKeyFree}},
+           false);
+}
+
+/// The limbs that the character has keys for; a biped's where none is open.
+std::vector<const char*> limbEntries(const PanelContext& context) {
+  constexpr std::size_t ofBiped = 6;
+  const app::Session* const character = context.open.character();
+  const std::size_t limbs = character == nullptr ? ofBiped : app::limbsByKey(character->document()).size();
+  const std::size_t shown = std::min(limbs, command::limbSlots.size());
+  return {command::limbSlots.begin(), command::limbSlots.begin() + static_cast<std::ptrdiff_t>(shown)};
+}
+
+void drawLimbMenu(PanelContext& context) {
+  using namespace command;
+  std::vector<const char*> entries = limbEntries(context);
+  for (const char* const id : {selectAllLimbs, selectNone, "", weightToggle, weightAll, weightRemove, "",
+                               holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
+    entries.push_back(id);
+  }
+  drawMenu(context, {"Limb", std::move(entries)}, false);
+}
+
+void drawRigMenu(PanelContext& context) {
+  using namespace command;
+  std::vector<std::string> plans;
+  for (const rig::BodyPlan& plan : rig::bodyPlans()) {
+    plans.push_back(planPrefix + plan.id);
+  }
+  std::vector<const char*> entries{
+      pickChain,    detectAgain, "",      locatorsFit, locatorsReset, locatorsMirror,
+      locatorsSnap, rigBuild,    rigBack, "",          bindMesh,      ""};
+  std::ranges::transform(plans, std::back_inserter(entries), &std::string::c_str);
+  drawMenu(context, {"Rig", std::move(entries)}, false);
+}
+
+} // namespace
+
+namespace {
+
+void drawKeysMenu(PanelContext& context) {
+  using namespace command;
+  drawMenu(context, {"Keys", {keysInsert, keysDelete,  keysCopy,      keysPaste,  keysAll, "",
+                              keysGrab,   keysScale,   keysSnap,      keysRetime, "",      keysAuto,
+                              keysFlat,   keysLinear,  keysStepped,   keysFree,   "",      graphIsolate,
+                              "",         keysRestore, keysRestoreAll}},
+           false);
+}
+
+} // namespace
+
+void drawMenuBar(PanelContext& context) {
+  using namespace command;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.theme.unit(), context.theme.unit()));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.theme.px(16.0F), context.theme.px(8.0F)));
+  drawMenu(context,
+           {"File",
+            {fileOpen, bundledPunch, bundledSwing, bundledLeap, "", fileSave, fileSaveAs, fileSaveIncremental,
+             fileExportClean, "", clipImport, propAdd, "", recipeLoad, recipeSave, "", fileQuit}},
+           true);
+  drawMenu(context, {"Edit", {undo, redo, history, "", copyTrail, pasteTrail, mirrorTrail, "", settings}},
+           false);
+  drawLimbMenu(context);
+  drawRigMenu(context);
+  poseMenu(context);
+  drawMenu(context,
+           {"Trail",
+            {trailToggle,
+             trailExaggerate,
+             trailConnect,
+             trailFollow,
+             trailApply,
+             trailApplyAll,
+             "",
+             trailBlend,
+             trailShowOriginal,
+             "",
+             trailGroup,
+             trailTakeApart,
+             trailSelectGroup,
+             "",
+             spherePrevious,
+             sphereNext,
+             sphereAdd,
+             sphereReset,
+             sphereSmooth,
+             "",
+             trailDelete,
+             trailDeleteAll}},
+           false);
+  drawKeysMenu(context);
+  drawMenu(context,
+           {"Time", {timePlay,    timeBack,       timeForward, timeFarBack, timeFarForward, timePreviousKey,
+                     timeNextKey, timeStart,      timeEnd,     "",          rangeStart,     rangeEnd,
+                     "",          timeEveryFrame, timeOnTwos,  "",          clipPrevious,   clipNext,
+                     clipRate24,  clipRate25,     clipRate30,  clipRateOwn}},
+           false);
+  drawMenu(context,
+           {"View",
+            {viewFrameSelection, viewFrameAll, "", viewFront, viewSide, viewTop, viewPerspective, "",
+             viewControllers, viewSkeleton, viewWire, viewJointNames, viewWeights, viewHeatMap, viewGhosts,
+             viewFrameNumbers, viewGrid, viewSideBySide}},
+           false);
+  drawMenu(context, {"Help", {palette, keys, tour, about}}, false);
+  openFileName(context);
+  ImGui::PopStyleVar(2);
+}
+
+} // namespace stretch::ui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ui/panels/context/panel_context.h"
+#include "ui/widgets/timeline.h"
+
+namespace stretch::ui {
+
+enum class RowDetail {
+  selection, ///< One row: the keys of the selected limbs, or of the whole clip.
+  everyLimb  ///< A row for each limb.
+};
+
+/// What the timeline shows of the session; the viewed clip must exist.
+[[nodiscard]] TimelineModel timelineModel(PanelContext& context, RowDetail detail);
+
+/// The visible frames: as the user left them, else the whole clip.
+[[nodiscard]] Span visibleFrames(const PanelContext& context);
+
+/// The working range as new trails would take it.
+[[nodiscard]] Span shownRange(const app::Session& session);
+
+} // namespace stretch::ui
