@@ -140,7 +140,7 @@ void poseMenu(PanelContext& context) {
 }
 
 /// The limbs that the character has keys for; a biped's where none is open.
-std::vector<const char*> limbEntries(const PanelContext& context) {
+std::vector<const char*> limbMenuEntries(const PanelContext& context) {
   constexpr std::size_t ofBiped = 6;
   const app::Session* const character = context.open.character();
   const std::size_t limbs = character == nullptr ? ofBiped : app::limbsByKey(character->document()).size();
@@ -150,7 +150,7 @@ std::vector<const char*> limbEntries(const PanelContext& context) {
 
 void drawLimbMenu(PanelContext& context) {
   using namespace command;
-  std::vector<const char*> entries = limbEntries(context);
+  std::vector<const char*> entries = limbMenuEntries(context);
   for (const char* const id : {selectAllLimbs, selectNone, "", weightToggle, weightAll, weightRemove, "",
                                holdPin, holdPinFeet, holdMatch, holdProp, holdLetGo, holdRemove}) {
     entries.push_back(id);
