@@ -1,6 +1,7 @@
 """How long functions are, told by their braces: no compiler is needed, and a file that does not compile is read too."""
 
 import re
+from dataclasses import dataclass
 
 from findings import Finding
 from sources import code_files
@@ -30,25 +31,38 @@ def is_function(head):
     return ")" in head and not SCOPE.match(head) and not re.search(r"=\s*$", head)
 
 
-def functions(text):
-    """First and last line of every function that stands in no other one, signature included."""
-    code = blanked(text)
-    found, inside = [], []  # `inside`: for each open brace the first line of a function, or 0 for another scope.
+@dataclass(frozen=True)
+class Function:
+    """A function that stands in no other one, as places in the text of its file."""
+
+    begin: int  # Where its signature begins.
+    opening: int  # Its first brace
+    closing: int  # and its last.
+
+    def lines(self, text):
+        return text.count("\n", 0, self.begin) + 1, text.count("\n", 0, self.closing) + 1
+
+
+def function_spans(code):
+    """Every function of a text whose silent parts are blank."""
+    found, inside = [], []  # `inside`: for each open brace where a function began, or None for another scope.
     begin = 0
     for match in re.finditer(r"[{};]", code):
-        head = code[begin : match.start()].strip()
+        head = code[begin : match.start()]
         if match.group(0) == "{":
-            first = 0
-            if not any(inside) and is_function(head):
-                start = begin + len(code[begin : match.start()]) - len(code[begin : match.start()].lstrip())
-                first = code.count("\n", 0, start) + 1
-            inside.append(first)
+            is_begin = all(outer is None for outer in inside) and is_function(head.strip())
+            inside.append((begin + len(head) - len(head.lstrip()), match.start()) if is_begin else None)
         elif match.group(0) == "}" and inside:
-            first = inside.pop()
-            if first:
-                found.append((first, code.count("\n", 0, match.start()) + 1))
+            begun = inside.pop()
+            if begun:
+                found.append(Function(*begun, match.start()))
         begin = match.end()
     return found
+
+
+def functions(text):
+    """First and last line of every function that stands in no other one, signature included."""
+    return [function.lines(text) for function in function_spans(blanked(text))]
 
 
 def function_size(root):

@@ -8,10 +8,13 @@
 import pathlib
 import sys
 
+import comment_rules
 import format_rule
 import function_rule
 import include_rules
 import pointer_rules
+import shape_rules
+import size_rules
 import text_rules
 
 RULES = {
@@ -29,6 +32,14 @@ RULES = {
     "pragma-once": text_rules.pragma_once,
     "clocks-and-chance": text_rules.clocks_and_chance,
     "formatting": format_rule.formatting,
+    "folder-size": size_rules.folder_size,
+    "product-lines": size_rules.product_lines,
+    "struct-members": shape_rules.struct_members,
+    "parameters": shape_rules.parameter_count,
+    "kind-switches": shape_rules.kind_switches,
+    "settings-json": shape_rules.settings_json,
+    "same-bodies": shape_rules.same_bodies,
+    "comment-openings": comment_rules.comment_openings,
 }
 SKIPPED = 77
 
