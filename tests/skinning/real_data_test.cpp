@@ -1,30 +1,25 @@
 // Checks on real simulations and meshes. They run where the environment variable STRETCH_DATA names the
-// folder that holds them, and pass unseen elsewhere.
+// folder that holds them, and are told as skipped elsewhere.
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "skinning/compress/compress.h"
 #include "skinning/compress/flattening.h"
 #include "skinning/export/encode_gltf.h"
 #include "skinning/sequence/read_sequence.h"
+#include "tests/support/real_files.h"
 
 using namespace stretch;
 using namespace stretch::skinning;
 
 namespace {
 
-std::filesystem::path dataFolder() {
-  const char* folder = std::getenv("STRETCH_DATA");
-  return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder);
-}
-
 constexpr double fullResolutionMetres = 2.026319e-06;
 const Vec3 simulatedGravity(0.0, -9.8, 0.0);
 
 MeshSequence worm(const std::string& base, const std::string& cache) {
-  auto sequence = readSequence({dataFolder() / "worm" / base, dataFolder() / "worm" / cache});
+  auto sequence = readSequence({test::realFiles() / "worm" / base, test::realFiles() / "worm" / cache});
   REQUIRE(sequence);
   return std::move(sequence.value());
 }
@@ -59,7 +54,7 @@ LineFit lineOver(const BodyStretch& model, std::size_t first, std::size_t last) 
 TEST_CASE("a crawling worm: measured stretch halves the error of rigid bones, elastic lies between none and "
           "measured",
           "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   const MeshSequence sequence = crawl();
@@ -73,7 +68,7 @@ TEST_CASE("a crawling worm: measured stretch halves the error of rigid bones, el
 }
 
 TEST_CASE("a crawling worm of 31 joints: an elastic frame is at most 1 / 138 of its positions", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   const MeshSequence sequence = crawl();
@@ -83,7 +78,7 @@ TEST_CASE("a crawling worm of 31 joints: an elastic frame is at most 1 / 138 of 
 }
 
 TEST_CASE("a crawling worm's length follows its curvature while activation grows, then saturates", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   const auto result = compressed(crawl(), 30, StretchOption::none);
@@ -97,9 +92,9 @@ TEST_CASE("a crawling worm's length follows its curvature while activation grows
 }
 
 TEST_CASE(
-    "a swimming worm with real mesh defects compresses with a warning; its length is a line of its curvature",
+    "a swimming worm with real mesh defects compresses with a warning, its length is a line of its curvature",
     "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   const MeshSequence sequence = halfSwim();
@@ -111,7 +106,7 @@ TEST_CASE(
 }
 
 TEST_CASE("gravity flattens a lying worm as the particles say, and a modulus explains it", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   BodyStretchSettings settings;
@@ -130,10 +125,10 @@ TEST_CASE("gravity flattens a lying worm as the particles say, and a modulus exp
 
 TEST_CASE("a hundred frames of a bone that bends: measured stretch halves the error of rigid bones",
           "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
-  const auto sequence = readSequence({dataFolder() / "mesh-sequence" / "dem-bones" / "frames"});
+  const auto sequence = readSequence({test::realFiles() / "mesh-sequence" / "dem-bones" / "frames"});
   REQUIRE(sequence);
   CHECK(sequence->frameCount() == 100);
   CHECK(compressed(*sequence, 10, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.353);
@@ -141,30 +136,30 @@ TEST_CASE("a hundred frames of a bone that bends: measured stretch halves the er
 }
 
 TEST_CASE("a wolf is followed at half the error of rigid bones", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
-  const auto wolf = readSequence({dataFolder() / "mesh-sequence" / "wolf"});
+  const auto wolf = readSequence({test::realFiles() / "mesh-sequence" / "wolf"});
   REQUIRE(wolf);
   CHECK(compressed(*wolf, 10, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.402);
   CHECK(compressed(*wolf, 20, StretchOption::measured).metrics.rmsePercent <= 0.5 * 0.141);
 }
 
 TEST_CASE("frames without leading zeros and morph-target clips are read as sequences", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
-  const auto wolf = readSequence({dataFolder() / "mesh-sequence" / "wolf"});
+  const auto wolf = readSequence({test::realFiles() / "mesh-sequence" / "wolf"});
   REQUIRE(wolf);
   CHECK(wolf->frameCount() == 21);
   CHECK(wolf->frameNames[1] == "wolf-2.obj");
-  const auto morph = readSequence({dataFolder() / "mesh-sequence" / "morph" / "MorphStressTest.gltf"});
+  const auto morph = readSequence({test::realFiles() / "mesh-sequence" / "morph" / "MorphStressTest.gltf"});
   REQUIRE(morph);
   CHECK(morph->frameCount() > 10);
 }
 
 TEST_CASE("a crawling worm without stretch: the row turns at most 1.2 times as much as the body", "[data]") {
-  if (dataFolder().empty()) {
+  if (!test::hasRealFiles()) {
     return;
   }
   const CompressedSequence result = compressed(crawl(), 30, StretchOption::none);

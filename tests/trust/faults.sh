@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# faults.sh PROGRAM ROOT: a full disk, folders and files that may not be written, output that nobody takes. What was there is there
-# afterwards, nothing else is, and one line says why.
+# faults.sh PROGRAM ROOT [disks]: folders and files that may not be written, output that nobody takes; or a full disk and one that
+# may only be read. What was there is there afterwards, nothing else is, and one line says why. Exit code 77 where no disk may be
+# mounted.
 set -euo pipefail
 program=$(realpath "$1") root=$(realpath "$2")
 work=$(mktemp -d)
@@ -49,16 +50,12 @@ unchanged_by() {
   [ "$(contents "$folder")" = "$before" ] || fail "$folder is not as it was: $*"
 }
 
-mkdir "$work/limited"
-old_work "$work/limited"
-for name in punch.glb pair.gltf; do
-  # shellcheck disable=SC2046
-  unchanged_by "cannot be written" "$work/limited" bash -c "ulimit -f 200 && exec $(save "$work/limited/$name")"
-done
-echo "a limit on the size of files: told, nothing changed"
-
-mkdir "$work/disk"
-if mount -t tmpfs -o size=300k none "$work/disk" 2>/dev/null; then
+if [ "${3:-}" = disks ]; then
+  mkdir "$work/disk"
+  if ! mount -t tmpfs -o size=300k none "$work/disk" 2>/dev/null; then
+    echo "left out: mounting is not allowed here"
+    exit 77
+  fi
   mounted+=("$work/disk")
   old_work "$work/disk"
   for name in punch.glb pair.gltf new.glb; do
@@ -72,9 +69,16 @@ if mount -t tmpfs -o size=300k none "$work/disk" 2>/dev/null; then
     unchanged_by "Read-only file system" "$work/disk" $(save "$work/disk/$name")
   done
   echo "a disk that may only be read: told, nothing changed"
-else
-  echo "a full disk is left out: mounting is not allowed here"
+  exit
 fi
+
+mkdir "$work/limited"
+old_work "$work/limited"
+for name in punch.glb pair.gltf; do
+  # shellcheck disable=SC2046
+  unchanged_by "cannot be written" "$work/limited" bash -c "ulimit -f 200 && exec $(save "$work/limited/$name")"
+done
+echo "a limit on the size of files: told, nothing changed"
 
 mkdir "$work/protected"
 old_work "$work/protected"

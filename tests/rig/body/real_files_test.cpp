@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -6,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/gltf/source/source.h"
+#include "tests/support/real_files.h"
 #include "tests/support/rig/described_limbs.h"
 
 using namespace stretch;
@@ -126,11 +126,6 @@ const std::vector<Expectation> expectations{
       "tail13 tail14 tail15 tail16 tail17 tail18 tail19 tail20 -> tail_tip"}},
 };
 
-std::filesystem::path dataFolder() {
-  const char* folder = std::getenv("STRETCH_DATA");
-  return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder);
-}
-
 std::string describe(const Scene& scene, const Limb& limb) {
   std::string text = limb.id + ":";
   for (const NodeIndex joint : limb.joints) {
@@ -158,13 +153,12 @@ Scene withoutNames(Scene scene) {
 } // namespace
 
 TEST_CASE("real characters have the limbs that a person sees") {
-  if (dataFolder().empty()) {
-    WARN("STRETCH_DATA is not set: skipped");
+  if (!test::hasRealFiles()) {
     return;
   }
   for (const Expectation& expected : expectations) {
     DYNAMIC_SECTION(expected.file) {
-      const auto loaded = gltf::load(dataFolder() / expected.file);
+      const auto loaded = gltf::load(test::realFiles() / expected.file);
       REQUIRE(loaded.ok());
       const Body biped = detectBody(*loaded->scene);
       CHECK(biped.plan == expected.plan);
@@ -175,8 +169,7 @@ TEST_CASE("real characters have the limbs that a person sees") {
 }
 
 TEST_CASE("real characters have the same limbs when their names are wiped") {
-  if (dataFolder().empty()) {
-    WARN("STRETCH_DATA is not set: skipped");
+  if (!test::hasRealFiles()) {
     return;
   }
   for (const Expectation& expected : expectations) {
@@ -185,7 +178,7 @@ TEST_CASE("real characters have the same limbs when their names are wiped") {
       continue;
     }
     DYNAMIC_SECTION(expected.file) {
-      const auto loaded = gltf::load(dataFolder() / expected.file);
+      const auto loaded = gltf::load(test::realFiles() / expected.file);
       REQUIRE(loaded.ok());
       const Body biped = detectBody(withoutNames(*loaded->scene));
       CHECK(biped.plan == expected.plan);

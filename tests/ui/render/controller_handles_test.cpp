@@ -85,7 +85,7 @@ TEST_CASE("The mouse takes the arrow, square or near half of a ring that it is o
 }
 
 TEST_CASE(
-    "Controllers are thin lines of one width with an edge; the one under the mouse is thicker and last") {
+    "Controllers are thin lines of one width with an edge, the one under the mouse is thicker and last") {
   ControllerPicture left;
   left.lines = {{Vec3(0.0), Vec3(1.0)}};
   left.side = BodySide::left;

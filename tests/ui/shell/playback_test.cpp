@@ -25,7 +25,7 @@ struct Playing {
 } // namespace
 
 TEST_CASE(
-    "Playing in time passes over frames that a slow machine has no time for; every frame leaves none out") {
+    "Playing in time passes over frames that a slow machine has no time for, every frame leaves none out") {
   Playing inTime;
   play(inTime.shell, 0.125);
   CHECK(inTime.frame() == Approx(3.0));
