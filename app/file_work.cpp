@@ -46,7 +46,7 @@ void tellDisconnected(FileUser& user, const Document& document) {
 }
 
 WorkPlace placeOf(const ViewState& view) {
-  return {view.clip, view.frame, view.selectedLimbs, view.selectedTrail};
+  return {view.clip, view.frame, view.selection.limbs(), view.selection.trail()};
 }
 
 /// The clip that was worked on with its frame and selection; where nothing says so, the first with a trail.
@@ -60,10 +60,10 @@ void showWhereWorkWas(Session& session, const std::optional<WorkPlace>& where) {
   }
   view.clip = place.clip;
   view.frame = std::clamp(place.frame, 0.0, lastFrame(document, place.clip));
-  view.selectedLimbs = place.limbs;
-  std::erase_if(view.selectedLimbs,
+  view.selection.editTrails().limbs = place.limbs;
+  std::erase_if(view.selection.editTrails().limbs,
                 [&](const std::string& limb) { return findLimb(document, limb) == nullptr; });
-  view.selectedSpheres.clear();
+  view.selection.dropSpheres();
   selectTrail(session, place.trail);
 }
 

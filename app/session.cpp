@@ -186,7 +186,7 @@ const std::optional<rig::Stroke>& Session::movementOf(const rig::Limb& limb) con
 }
 
 void Session::followSelection() {
-  const rig::Trail* const trail = findTrail(document(), view_.selectedTrail);
+  const rig::Trail* const trail = findTrail(document(), view_.selection.trail());
   const Followed now = trail == nullptr
                            ? Followed{}
                            : Followed{trail->id, trail->settings.startFrame, trail->settings.endFrame};
@@ -220,8 +220,10 @@ void Session::followRate() {
       view_.rangeStart = std::round(view_.rangeStart * factor);
       view_.rangeEnd = std::max(view_.rangeStart + 1.0, std::round(view_.rangeEnd * factor));
     }
-    for (double& frame : view_.selectedSpheres) {
-      frame *= factor;
+    if (!view_.selection.spheres().empty()) {
+      for (double& frame : view_.selection.editTrails().spheres) {
+        frame *= factor;
+      }
     }
     if (view_.copiedTrail && view_.copiedTrail->clip == view_.clip) {
       view_.copiedTrail = recounted(*view_.copiedTrail, factor);
@@ -231,35 +233,35 @@ void Session::followRate() {
   rate_ = now;
 }
 
-void Session::keepControllers() {
-  std::vector<std::string>& selected = view_.selectedControllers;
-  if (selected.empty()) {
-    return;
-  }
-  if (view_.selectedTrail != 0) { // One that came back with undo.
-    selected.clear();
-    return;
-  }
-  const rig::ControllerList list = controllersOf(document());
-  std::erase_if(selected, [&](const std::string& id) { return !findController(document(), list, id).ok(); });
+void Session::keepHandles() {
+  const Document& shown = document();
+  const rig::ControllerList list = controllersOf(shown);
+  std::vector<std::string> controllers = view_.selection.controllers();
+  std::erase_if(controllers, [&](const std::string& id) { return !findController(shown, list, id).ok(); });
+  view_.selection.setControllers(std::move(controllers));
+  std::vector<std::string> locators = view_.selection.locators();
+  std::erase_if(locators, [&](const std::string& name) {
+    return !showsLocators(shown, view_.showLocators) || rig::findLocator(shown.locators, name) == nullptr;
+  });
+  view_.selection.setLocators(std::move(locators));
 }
 
 void Session::keepSelectedTrail(const std::vector<int>& appeared) {
   const Document& shown = document();
-  if (view_.selectedTrail != 0 && findTrail(shown, view_.selectedTrail) == nullptr) {
-    lost_ = {view_.selectedTrail, 0.0, 0.0};
-    lostSpheres_ = std::exchange(view_.selectedSpheres, {});
-    view_.selectedTrail = 0;
+  if (view_.selection.trail() != 0 && findTrail(shown, view_.selection.trail()) == nullptr) {
+    lost_ = {view_.selection.trail(), 0.0, 0.0};
+    lostSpheres_ = view_.selection.spheres();
+    view_.selection.dropTrail();
   }
-  if (view_.selectedTrail != 0 || appeared.empty()) {
+  if (view_.selection.trail() != 0 || appeared.empty()) {
     return;
   }
   if (std::find(appeared.begin(), appeared.end(), lost_.trail) != appeared.end()) {
-    view_.selectedTrail = lost_.trail;
-    view_.selectedSpheres = std::exchange(lostSpheres_, {});
+    view_.selection.editTrails().trail = lost_.trail;
+    view_.selection.editTrails().spheres = std::exchange(lostSpheres_, {});
   } else if (appeared.size() == 1) {
-    view_.selectedTrail = appeared.front();
-    view_.selectedSpheres.clear();
+    view_.selection.dropSpheres();
+    view_.selection.editTrails().trail = appeared.front();
   }
 }
 
@@ -278,12 +280,11 @@ void Session::documentChanged() {
   }
   knownTrails_ = std::move(trails);
   keepSelectedTrail(appeared);
-  std::erase_if(view_.selectedLimbs,
-                [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
-  keepControllers();
-  std::erase_if(view_.selectedLocators, [&](const std::string& name) {
-    return !showsLocators(shown, view_.showLocators) || rig::findLocator(shown.locators, name) == nullptr;
-  });
+  if (!view_.selection.limbs().empty()) {
+    std::erase_if(view_.selection.editTrails().limbs,
+                  [&](const std::string& limb) { return findLimb(shown, limb) == nullptr; });
+  }
+  keepHandles();
   keepPickedKeys();
   followSelection();
 }

@@ -11,6 +11,7 @@
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/cache.h"
+#include "app/selection.h"
 #include "rig/motion/stroke.h"
 
 namespace stretch::app {
@@ -31,17 +32,12 @@ struct UnkeyedPose {
 /// keeps it valid).
 struct ViewState {
   int clip = 0;
-  double frame = 0.0;                     ///< Playhead, in frames of the clip.
-  std::vector<std::string> selectedLimbs; ///< Limb ids.
-  int selectedTrail = 0;                  ///< Trail id; 0 none.
-  std::vector<double> selectedSpheres;    ///< Frames of the selected control spheres of the selected trail.
-  /// Ids of controllers. While one is selected no limb, trail or sphere is, so that a key has one meaning.
-  std::vector<std::string> selectedControllers;
-  std::vector<std::string> selectedLocators; ///< Names; while one is selected nothing else is.
-  bool mirrorLocators = true;                ///< What moves a locator moves its counterpart.
-  bool showLocators = false; ///< Also while joints stand at them: to be moved and bound again.
-  bool autoKey = true;       ///< What is posed is keyed at once.
-  bool wholeClip = false;    ///< First keys act on the whole clip, not in the working range alone.
+  double frame = 0.0; ///< Playhead, in frames of the clip.
+  Selection selection;
+  bool mirrorLocators = true; ///< What moves a locator moves its counterpart.
+  bool showLocators = false;  ///< Also while joints stand at them: to be moved and bound again.
+  bool autoKey = true;        ///< What is posed is keyed at once.
+  bool wholeClip = false;     ///< First keys act on the whole clip, not in the working range alone.
   UnkeyedPose unkeyed;
   double rangeStart = 0.0;   ///< The working range, for new trails.
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
@@ -141,7 +137,7 @@ private:
   mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
-  void keepControllers();
+  void keepHandles();
   void keepPickedKeys();
 
   Followed followed_;

@@ -349,7 +349,7 @@ TEST_CASE("After a save under another name unsaved work is kept for the file tha
   CHECK(work.path() == desk.file("saved.glb"));
   desk.edit();
   desk.document.character()->view().frame = 7.0;
-  desk.document.character()->view().selectedLimbs = {"left-arm"};
+  desk.document.character()->view().selection.editTrails().limbs = {"left-arm"};
   work.update(desk, desk.clock + 100.0);
   CHECK_FALSE(findAutosave(desk.file("a.glb")));
   FileWork next;
@@ -358,7 +358,7 @@ TEST_CASE("After a save under another name unsaved work is kept for the file tha
   REQUIRE(next.question().kind == Kind::restore);
   next.answer(desk, FileAnswer::restore);
   CHECK(desk.document.character()->view().frame == 7.0);
-  CHECK(desk.document.character()->view().selectedLimbs == std::vector<std::string>{"left-arm"});
+  CHECK(desk.document.character()->view().selection.limbs() == std::vector<std::string>{"left-arm"});
 }
 
 TEST_CASE("Save incremental takes the next free number") {

@@ -39,7 +39,7 @@ std::optional<WayBackProblem> problemOf(const Document& document) {
 }
 
 Result<ExaggerateTargets> exaggeratedOver(Session& session, double start, double end) {
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   session.view().rangeStart = start;
   session.view().rangeEnd = end;
   return exaggerateTargets(session);
@@ -120,7 +120,7 @@ TEST_CASE("What was decided about the loop is not decided again, and other clips
 
 TEST_CASE("The strokes of a limb are gone through, round and round, by trails that were made just now") {
   Session session(test::boxer());
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   const Result<ExaggerateTargets> made = exaggerateTargets(session);
   REQUIRE(made);
   CHECK(findTrail(made->document, made->trailIds.front())->settings.endFrame == 10.0); // The stronger one.

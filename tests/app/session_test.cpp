@@ -80,11 +80,11 @@ TEST_CASE("No edit slips in while a drag is on") {
 TEST_CASE("What undo takes away is no longer selected") {
   Session session(test::boxer());
   session.edit(withTrail(session.document(), 2.0), "Trail");
-  session.view().selectedTrail = session.document().trails.front().id;
-  session.view().selectedSpheres = {5.0};
+  session.view().selection.editTrails().trail = session.document().trails.front().id;
+  session.view().selection.editTrails().spheres = {5.0};
   session.undo();
-  CHECK(session.view().selectedTrail == 0);
-  CHECK(session.view().selectedSpheres.empty());
+  CHECK(session.view().selection.trail() == 0);
+  CHECK(session.view().selection.spheres().empty());
 }
 
 TEST_CASE("What the session remembers of a frame is what evaluating gives, whatever was edited in between") {

@@ -204,11 +204,11 @@ Status beginExaggerating(Shell& shell) {
 }
 
 bool hasSpheres(const Shell& shell) {
-  return hasFile(shell) && !shell.open.character()->view().selectedSpheres.empty();
+  return hasFile(shell) && !shell.open.character()->view().selection.spheres().empty();
 }
 
 bool hasLimb(const Shell& shell) {
-  return hasFile(shell) && !shell.open.character()->view().selectedLimbs.empty();
+  return hasFile(shell) && !shell.open.character()->view().selection.limbs().empty();
 }
 
 bool viewsClip(const Shell& shell) {
@@ -218,7 +218,7 @@ bool viewsClip(const Shell& shell) {
 
 bool canPose(const Shell& shell) {
   return hasFile(shell) && ((app::hasControllers(*shell.open.character()) && viewsClip(shell)) ||
-                            !shell.open.character()->view().selectedLocators.empty());
+                            !shell.open.character()->view().selection.locators().empty());
 }
 
 bool canExaggerate(const Shell& shell) {

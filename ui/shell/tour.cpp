@@ -37,7 +37,7 @@ const rig::Trail* punchTrail(const Shell& shell) {
 }
 
 bool picked(const Shell& shell) {
-  const auto& limbs = sessionOf(shell).view().selectedLimbs;
+  const auto& limbs = sessionOf(shell).view().selection.limbs();
   return std::find(limbs.begin(), limbs.end(), tourLimb) != limbs.end();
 }
 

@@ -145,8 +145,8 @@ std::string viewText(const app::ViewState& view, const Camera& camera) {
               {"clip", view.clip},
               {"frame", view.frame},
               {"range", {view.rangeStart, view.rangeEnd}},
-              {"limbs", view.selectedLimbs},
-              {"trail", view.selectedTrail},
+              {"limbs", view.selection.limbs()},
+              {"trail", view.selection.trail()},
               {"camera",
                {{"target", vectorJson(camera.target)},
                 {"distance", camera.distance},
@@ -165,19 +165,18 @@ void readView(const std::string& text, const app::Document& document, app::ViewS
   const auto clips = static_cast<double>(document.clips->size());
   take(json, "clip", view.clip, 0.0, std::max(0.0, clips - 1.0));
   take(json, "frame", view.frame, 0.0, app::lastFrame(document, view.clip));
-  take(json, "trail", view.selectedTrail, 0.0, 1e9);
+  int trail = 0;
+  take(json, "trail", trail, 0.0, 1e9);
   if (json.contains("range") && json["range"].is_array() && json["range"].size() == 2) {
     const Json range{{"start", json["range"][0]}, {"end", json["range"][1]}};
     take(range, "start", view.rangeStart, 0.0, app::lastFrame(document, view.clip));
     take(range, "end", view.rangeEnd, -1.0, app::lastFrame(document, view.clip));
   }
-  if (app::findTrail(document, view.selectedTrail) == nullptr) {
-    view.selectedTrail = 0;
-  }
+  view.selection.editTrails().trail = app::findTrail(document, trail) == nullptr ? 0 : trail;
   if (json.contains("limbs") && json["limbs"].is_array()) {
     for (const Json& limb : json["limbs"]) {
       if (limb.is_string() && app::findLimb(document, limb.get<std::string>()) != nullptr) {
-        view.selectedLimbs.push_back(limb.get<std::string>());
+        view.selection.editTrails().limbs.push_back(limb.get<std::string>());
       }
     }
   }

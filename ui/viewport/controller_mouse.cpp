@@ -99,7 +99,7 @@ bool dragController(ViewportContext& context) {
 
 bool selectControllersInBox(ViewportContext& context, const Vec2& low, const Vec2& high, bool add) {
   app::Session& session = *context.open.character();
-  if (context.viewport.controllers.empty() || session.view().selectedTrail != 0) {
+  if (context.viewport.controllers.empty() || session.view().selection.trail() != 0) {
     return false;
   }
   std::vector<std::string> wanted = add ? selectedHandles(session) : std::vector<std::string>();

@@ -100,7 +100,7 @@ ControllerTool begun(const app::Session& session, const ControllerStart& start,
 }
 
 Result<ControllerTool> startLocators(app::Session& session, const ControllerStart& start) {
-  const std::vector<std::string>& selected = session.view().selectedLocators;
+  const std::vector<std::string>& selected = session.view().selection.locators();
   std::vector<app::HeldController> held;
   for (const std::string& name : selected) {
     const rig::Locator* const locator = rig::findLocator(session.document().locators, name);
@@ -145,7 +145,7 @@ Result<ControllerTool> startControllers(app::Session& session, const ControllerS
     return startLocators(session, start);
   }
   const bool moves = start.motion == app::ControllerMotion::move;
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = session.view().selection.controllers();
   std::vector<rig::PlacedController> placed;
   std::vector<app::ControllerOffset> offsets;
   for (const rig::PlacedController& one : session.controllersAt(session.view().frame)) {

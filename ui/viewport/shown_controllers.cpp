@@ -113,11 +113,12 @@ std::vector<ShownController> shownLocators(const rig::Locators& locators) {
 } // namespace
 
 const std::vector<std::string>& selectedHandles(const app::Session& session) {
-  return app::showsLocators(session) ? session.view().selectedLocators : session.view().selectedControllers;
+  return app::showsLocators(session) ? session.view().selection.locators()
+                                     : session.view().selection.controllers();
 }
 
 bool showsControllers(const app::Session& session, const ViewportOverlays& overlays) {
-  return overlays.controllers || !session.view().selectedControllers.empty();
+  return overlays.controllers || !session.view().selection.controllers().empty();
 }
 
 std::vector<ShownController> shownControllers(app::Session& session, const ViewportOverlays& overlays) {

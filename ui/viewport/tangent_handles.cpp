@@ -37,8 +37,8 @@ Vec3 shownTip(const View& view, const app::TangentHandle& handle) {
 } // namespace
 
 void updateTangents(app::Session& session, const View& view, ShownTangents& shown) {
-  const std::vector<double>& selected = session.view().selectedSpheres;
-  if (selected.empty() || session.view().selectedTrail == 0) {
+  const std::vector<double>& selected = session.view().selection.spheres();
+  if (selected.empty() || session.view().selection.trail() == 0) {
     shown = {};
     return;
   }

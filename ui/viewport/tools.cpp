@@ -88,7 +88,7 @@ std::optional<Vec3> positionOfSphere(const std::vector<app::PlacedSphere>& spher
 
 /// A pull of the selected spheres of the trail, from the document as it is shown.
 Result<GrabTool> grabOf(app::Session& session, const rig::Trail& trail, const GrabStart& start) {
-  const std::vector<double>& selected = session.view().selectedSpheres;
+  const std::vector<double>& selected = session.view().selection.spheres();
   GrabTool started;
   started.trailId = trail.id;
   started.base = session.document();
@@ -124,7 +124,7 @@ Status startExaggerate(app::Session& session, Tool& tool, app::OverlapChoice cho
   session.begin("Exaggerate");
   session.preview(targets->document);
   app::selectTrail(session, leading);
-  session.view().selectedSpheres.clear();
+  session.view().selection.dropSpheres();
   started.modal = app::beginExaggerate(trail.settings, defaultRelease(session, leading));
   started.modal.hasStrokes = app::nextStroke(session, *targets, true).has_value();
   started.targets = std::move(targets).value();
@@ -134,7 +134,7 @@ Status startExaggerate(app::Session& session, Tool& tool, app::OverlapChoice cho
 
 Status startGrab(app::Session& session, Tool& tool, const GrabStart& start) {
   const rig::Trail* trail = app::selectedTrail(session);
-  const std::vector<double>& selected = session.view().selectedSpheres;
+  const std::vector<double>& selected = session.view().selection.spheres();
   if (trail == nullptr || selected.empty()) {
     return Error{"no control sphere is selected", "", "press Tab to select one, or click it"};
   }
@@ -152,7 +152,7 @@ Status startTangentGrab(app::Session& session, Tool& tool, const app::TangentHan
   const rig::Trail* const trail = app::selectedTrail(session);
   const rig::SolvedTrail* const solved = trail == nullptr ? nullptr : app::solvedTrail(session, trail->id);
   if (solved == nullptr) {
-    return app::missingTrail(session.view().selectedTrail);
+    return app::missingTrail(session.view().selection.trail());
   }
   GrabStart fromSphere = start;
   fromSphere.heldFrame = handle.sphereFrame;
@@ -180,7 +180,7 @@ Status startLimbGrab(app::Session& session, Tool& tool, const std::string& limbI
   const Result<app::Document> withSphere = app::withSphereAt(session, held->trailId, frame);
   if (withSphere) {
     session.preview(*withSphere);
-    session.view().selectedSpheres = {frame};
+    session.view().selection.editTrails().spheres = {frame};
   }
   const rig::Trail* const trail = app::selectedTrail(session);
   Result<GrabTool> started = !withSphere        ? Result<GrabTool>(withSphere.error())

@@ -45,7 +45,8 @@ void label(const PanelContext& context, const ImVec2& corner, const std::string&
 }
 
 void recordSpheres(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
+  const ShownTrail* trail =
+      findShown(context.viewport.shown, context.open.character()->view().selection.trail());
   if (trail == nullptr) {
     return;
   }
@@ -65,7 +66,7 @@ void recordSpheres(ViewportContext& context) {
 
 void recordHandles(ViewportContext& context) {
   const app::ViewState& view = context.open.character()->view();
-  const auto handles = handlesOf(context.viewport.shown, view.selectedTrail, view.selectedSpheres);
+  const auto handles = handlesOf(context.viewport.shown, view.selection.trail(), view.selection.spheres());
   if (!handles) {
     return;
   }
@@ -144,7 +145,8 @@ void recordEnds(ViewportContext& context, const FrameState& frame) {
 }
 
 void drawFrameNumbers(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
+  const ShownTrail* trail =
+      findShown(context.viewport.shown, context.open.character()->view().selection.trail());
   if (trail == nullptr || !context.ui.overlays.trailFrameNumbers) {
     return;
   }
@@ -158,7 +160,8 @@ void drawFrameNumbers(ViewportContext& context) {
 
 /// The number of the sphere under the mouse, and how far it was pulled.
 void drawHoverLabel(ViewportContext& context) {
-  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
+  const ShownTrail* trail =
+      findShown(context.viewport.shown, context.open.character()->view().selection.trail());
   if (!context.viewport.hoveredSphere || trail == nullptr) {
     return;
   }
@@ -321,7 +324,8 @@ void drawEaseCurve(ViewportContext& context) {
   const auto* tool = std::get_if<ExaggerateTool>(&context.tool);
   const bool easing = tool != nullptr && (tool->modal.field == app::ExaggerateField::easeIn ||
                                           tool->modal.field == app::ExaggerateField::easeOut);
-  const ShownTrail* trail = findShown(context.viewport.shown, context.open.character()->view().selectedTrail);
+  const ShownTrail* trail =
+      findShown(context.viewport.shown, context.open.character()->view().selection.trail());
   if (!easing || trail == nullptr) {
     return;
   }

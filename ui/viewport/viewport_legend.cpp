@@ -35,8 +35,8 @@ const ShownTrail* explainedTrail(const ViewportContext& context) {
   for (const ShownTrail& trail : context.viewport.shown.trails) {
     const rig::Trail* const source = app::findTrail(session.document(), trail.id);
     const bool drawn =
-        source != nullptr && isDrawn(*source, session.view().selectedLimbs, context.ui.overlays);
-    const bool selected = trail.id == session.view().selectedTrail;
+        source != nullptr && isDrawn(*source, session.view().selection.limbs(), context.ui.overlays);
+    const bool selected = trail.id == session.view().selection.trail();
     lit = drawn && (lit == nullptr || selected) ? &trail : lit;
   }
   return lit;

@@ -71,7 +71,7 @@ void navigate(ViewportState& viewport) {
 }
 
 void selectSphere(app::Session& session, double frame, bool add) {
-  std::vector<double>& selected = session.view().selectedSpheres;
+  std::vector<double>& selected = session.view().selection.editTrails().spheres;
   const auto found = std::find_if(selected.begin(), selected.end(),
                                   [&](double other) { return app::sameFrame(other, frame); });
   if (add && found != selected.end()) {
@@ -95,7 +95,8 @@ void grabFromPress(ViewportContext& context, const GrabStart& start) {
 /// The frame at which the selected trail is drawn nearest to the mouse; a whole one where frames snap.
 std::optional<double> frameUnderMouse(const ViewportContext& context) {
   const ViewportState& viewport = context.viewport;
-  const ShownTrail* const trail = findShown(viewport.shown, context.open.character()->view().selectedTrail);
+  const ShownTrail* const trail =
+      findShown(viewport.shown, context.open.character()->view().selection.trail());
   if (trail == nullptr) {
     return std::nullopt;
   }
@@ -201,11 +202,11 @@ void clickRight(ViewportContext& context) {
 void clickNothing(app::Session& session) {
   app::ViewState& view = session.view();
   app::clearControllers(session);
-  if (view.selectedSpheres.empty()) {
-    view.selectedLimbs.clear();
-    app::selectTrail(session, 0);
+  if (view.selection.spheres().empty()) {
+    view.selection = {};
+    session.followSelection();
   }
-  view.selectedSpheres.clear();
+  view.selection.dropSpheres();
 }
 
 void selectInBox(ViewportContext& context) {
@@ -223,14 +224,14 @@ void selectInBox(ViewportContext& context) {
   if (selectControllersInBox(context, low, high, add)) {
     return;
   }
-  std::vector<double>& selected = session.view().selectedSpheres;
   if (!add) {
-    selected.clear();
+    session.view().selection.dropSpheres();
   }
-  const ShownTrail* trail = findShown(viewport.shown, session.view().selectedTrail);
+  const ShownTrail* trail = findShown(viewport.shown, session.view().selection.trail());
   if (trail == nullptr) {
     return;
   }
+  std::vector<double>& selected = session.view().selection.editTrails().spheres;
   for (const app::PlacedSphere& sphere : trail->spheres) {
     const auto place = projectToPixels(viewport.view, sphere.positionWorld);
     const bool inside = place && place->pixels.x >= low.x && place->pixels.x <= high.x &&
@@ -254,7 +255,7 @@ void continueGesture(ViewportContext& context) {
   if (dragController(context)) {
     return;
   }
-  if (viewport.gesture == ViewportGesture::pressSphere && !session.view().selectedSpheres.empty()) {
+  if (viewport.gesture == ViewportGesture::pressSphere && !session.view().selection.spheres().empty()) {
     grabFromPress(context,
                   {viewport.pressPixels, viewport.pressedFrame, std::nullopt, true, viewport.falloffRadius});
   } else if (viewport.gesture == ViewportGesture::pressEnd) {
@@ -323,7 +324,7 @@ void hoverTrails(ViewportContext& context) {
   for (const ShownTrail& trail : viewport.shown.trails) {
     const rig::Trail* source = app::findTrail(context.open.character()->document(), trail.id);
     if (source == nullptr ||
-        !isDrawn(*source, context.open.character()->view().selectedLimbs, context.ui.overlays)) {
+        !isDrawn(*source, context.open.character()->view().selection.limbs(), context.ui.overlays)) {
       continue;
     }
     const auto& points = trail.exaggerated ? trail.drawn.exaggerated : trail.drawn.original;
@@ -400,10 +401,10 @@ void updateHover(ViewportContext& context) {
   if (viewport.hoveredTangent) {
     return;
   }
-  if (const auto handles = handlesOf(viewport.shown, view.selectedTrail, view.selectedSpheres)) {
+  if (const auto handles = handlesOf(viewport.shown, view.selection.trail(), view.selection.spheres())) {
     viewport.hoveredAxis = pickAxis(viewport.view, *handles, viewport.mousePixels);
   }
-  const ShownTrail* selected = findShown(viewport.shown, view.selectedTrail);
+  const ShownTrail* selected = findShown(viewport.shown, view.selection.trail());
   if (!viewport.hoveredAxis && selected != nullptr) {
     hoverSphere(viewport, *selected);
   }

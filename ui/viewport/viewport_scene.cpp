@@ -14,9 +14,9 @@ namespace stretch::ui {
 
 PictureSelection selectionOf(const app::Session& session, const ViewportState& viewport) {
   PictureSelection selection;
-  selection.limbs = session.view().selectedLimbs;
-  selection.trail = session.view().selectedTrail;
-  selection.spheres = session.view().selectedSpheres;
+  selection.limbs = session.view().selection.limbs();
+  selection.trail = session.view().selection.trail();
+  selection.spheres = session.view().selection.spheres();
   selection.hoveredLimb = viewport.hoveredLimb;
   selection.hoveredTrail = viewport.hoveredTrail;
   selection.hoveredSphere = viewport.hoveredSphere;
@@ -81,7 +81,7 @@ namespace {
 Box controllerBox(app::Session& session) {
   constexpr double roomShare = 0.15; // of the height
   const Vec3 room(roomShare * session.document().body.height);
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = session.view().selection.controllers();
   Box box;
   if (selected.empty()) {
     return box;
@@ -102,14 +102,14 @@ Box selectionBox(app::Session& session, const ShownTrails& shown) {
   const app::Document& document = session.document();
   const FrameState& frame = session.shownAt(session.view().frame);
   const LimbBones bones = limbBones(document, frame);
-  const auto& limbs = session.view().selectedLimbs;
+  const auto& limbs = session.view().selection.limbs();
   for (std::size_t i = 0; i < bones.bones.size(); ++i) {
     if (std::find(limbs.begin(), limbs.end(), bones.limbOf[i]) != limbs.end()) {
       box.add(bones.bones[i].fromWorld);
       box.add(bones.bones[i].toWorld);
     }
   }
-  if (const ShownTrail* trail = findShown(shown, session.view().selectedTrail)) {
+  if (const ShownTrail* trail = findShown(shown, session.view().selection.trail())) {
     for (const Vec3& point : trail->drawn.original) {
       box.add(point);
     }

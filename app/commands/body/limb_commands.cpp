@@ -71,8 +71,7 @@ DocumentCommand planCommand(const rig::BodyPlan& plan) {
               if (!changed) {
                 return changed.error();
               }
-              clearControllers(session);
-              session.view().selectedLimbs.clear();
+              session.view().selection.editTrails().limbs.clear();
               return finish(session, *std::move(changed), "Change the body plan");
             });
   command.id = command::planPrefix + id;
@@ -81,22 +80,18 @@ DocumentCommand planCommand(const rig::BodyPlan& plan) {
 }
 
 bool hasSelection(const Session& session) {
-  return !session.view().selectedLimbs.empty() || session.view().selectedTrail != 0 ||
+  return !session.view().selection.limbs().empty() || session.view().selection.trail() != 0 ||
          hasControllers(session);
 }
 
 Status selectNone(Session& session) {
-  clearControllers(session);
-  session.view().selectedLimbs.clear();
-  session.view().selectedSpheres.clear();
-  session.view().selectedTrail = 0;
+  session.view().selection = {};
   return Success{};
 }
 
 /// The first limb that is selected already leads, and its trail stays.
 Status selectAllLimbs(Session& session) {
-  clearControllers(session);
-  std::vector<std::string>& selected = session.view().selectedLimbs;
+  std::vector<std::string>& selected = session.view().selection.editTrails().limbs;
   for (const rig::Limb& limb : allLimbs(session.document())) {
     if (!isSelected(session, limb.id)) {
       selected.push_back(limb.id);

@@ -65,7 +65,7 @@ Status build(Session& session) {
 }
 
 Status snap(Session& session) {
-  const std::vector<std::string> names = session.view().selectedLocators;
+  const std::vector<std::string> names = session.view().selection.locators();
   session.edit(snapLocators(session.document(), names, session.view().mirrorLocators), "Snap to the middle");
   return Success{};
 }
@@ -103,7 +103,7 @@ std::vector<DocumentCommand> locatorCommands() {
       entry(command::locatorsSnap, "Snap to the middle",
             "Moves the selected locators across their bones to the middle of the mesh.", {},
             {[](const Session& session) {
-               return hasShownLocators(session) && !session.view().selectedLocators.empty();
+               return hasShownLocators(session) && !session.view().selection.locators().empty();
              },
              "select a locator first"},
             snap),

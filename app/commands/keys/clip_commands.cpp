@@ -70,8 +70,7 @@ void showClip(Session& session, int clip) {
   view.frame = 0.0;
   view.rangeStart = 0.0;
   view.rangeEnd = -1.0;
-  view.selectedTrail = 0;
-  view.selectedSpheres.clear();
+  view.selection.dropTrail();
   session.followSelection();
 }
 

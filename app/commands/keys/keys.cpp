@@ -41,7 +41,7 @@ std::vector<KeyRow> rowsOfSelection(const Session& session) {
     return {};
   }
   std::set<NodeIndex> nodes;
-  for (const std::string& id : session.view().selectedLimbs) {
+  for (const std::string& id : session.view().selection.limbs()) {
     if (const rig::Limb* const limb = findLimb(document, id)) {
       nodes.insert(limb->joints.begin(), limb->joints.end());
       nodes.insert(limb->endNode);

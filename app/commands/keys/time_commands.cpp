@@ -35,7 +35,7 @@ constexpr double farFrames = 10.0;
 /// Keys of the selected controllers, where they have some, else those of the selected limbs, or all.
 std::vector<double> framesToGoTo(Session& session) {
   std::vector<double> frames = offsetKeyFrames(session);
-  return frames.empty() ? shownKeyFrames(session, session.view().selectedLimbs) : frames;
+  return frames.empty() ? shownKeyFrames(session, session.view().selection.limbs()) : frames;
 }
 
 Status goToKey(Session& session, bool next) {

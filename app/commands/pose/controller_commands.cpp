@@ -51,7 +51,7 @@ std::string nameOfSlot(const Document& document, std::size_t slot) {
 /// The one after the first that is selected, round and round.
 Status selectNextOf(Session& session, std::size_t slot) {
   const std::vector<std::string> present = controllersOfSlot(session.document(), slot);
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = session.view().selection.controllers();
   const auto last = selected.empty() ? present.end() : std::ranges::find(present, selected.back());
   const bool goesOn = last != present.end() && std::next(last) != present.end();
   selectController(session, goesOn ? *std::next(last) : present.front(), false);
@@ -104,7 +104,7 @@ std::vector<std::string> allControllers(const Document& document) {
 
 Status stepController(Session& session, int step) {
   const std::vector<std::string> ids = allControllers(session.document());
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = session.view().selection.controllers();
   const auto count = static_cast<std::ptrdiff_t>(ids.size());
   const std::ptrdiff_t found =
       selected.empty() ? count : std::ranges::find(ids, selected.back()) - ids.begin();
@@ -155,7 +155,7 @@ Status nudgeSelected(Session& session, const Chord& chord) {
   }
   OffsetPose pose;
   pose.offsets = changedOffsets(modal, heldControllers(ControllerMotion::move, placed, offsets));
-  return poseAll(session, pose, poseLabel(session.document(), "Nudge", view.selectedControllers));
+  return poseAll(session, pose, poseLabel(session.document(), "Nudge", view.selection.controllers()));
 }
 
 Need controllersFound() {

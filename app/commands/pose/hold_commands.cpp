@@ -32,13 +32,13 @@ constexpr Vec2 usualBlend(3.0, 3.0);
 std::vector<std::string> heldTargets(const Session& session) {
   std::vector<std::string> limbs;
   const rig::ControllerList list = controllersOf(session.document());
-  for (const std::string& id : session.view().selectedControllers) {
+  for (const std::string& id : session.view().selection.controllers()) {
     const rig::Controller* const controller = list.controller(id);
     if (controller != nullptr) {
       limbs.push_back(controller->limb);
     }
   }
-  if (session.view().selectedControllers.empty()) {
+  if (session.view().selection.controllers().empty()) {
     limbs = targetLimbs(session);
   }
   std::erase_if(limbs, [&](const std::string& id) {

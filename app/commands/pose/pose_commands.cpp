@@ -50,13 +50,13 @@ Status keySelected(Session& session) {
     return !view.unkeyed.values.contains(value.id) &&
            adjustmentAt(session.document(), view.clip, view.frame, value.id) == nullptr;
   });
-  return keyPose(session, pose, poseLabel(session.document(), "Key", view.selectedControllers));
+  return keyPose(session, pose, poseLabel(session.document(), "Key", view.selection.controllers()));
 }
 
 Status deleteKeys(Session& session) {
   const ViewState& view = session.view();
   return finish(session, removeOffsetKeys(session.document(), view.clip, view.frame, posedIds(session)),
-                poseLabel(session.document(), "Delete the key of", view.selectedControllers).c_str());
+                poseLabel(session.document(), "Delete the key of", view.selection.controllers()).c_str());
 }
 
 void forgetUnkeyedOf(ViewState& view, const std::vector<std::string>& ids) {
@@ -101,12 +101,12 @@ std::vector<std::string> everyPosedId(const Session& session) {
 
 Status resetSelected(Session& session) {
   return resetAt(session, posedIds(session),
-                 poseLabel(session.document(), "Reset", session.view().selectedControllers));
+                 poseLabel(session.document(), "Reset", session.view().selection.controllers()));
 }
 
 Status resetSelectedRange(Session& session) {
   return resetOver(session, posedIds(session),
-                   poseLabel(session.document(), "Reset", session.view().selectedControllers));
+                   poseLabel(session.document(), "Reset", session.view().selection.controllers()));
 }
 
 /// What is the same on both sides gets no key.
@@ -125,7 +125,7 @@ Status mirrorSelected(Session& session) {
   OffsetPose needed = *mirrored;
   std::erase_if(needed.offsets,
                 [&](const ControllerOffset& offset) { return shownOffset(session, offset.id) == offset; });
-  return poseAll(session, needed, poseLabel(document, "Mirror", view.selectedControllers));
+  return poseAll(session, needed, poseLabel(document, "Mirror", view.selection.controllers()));
 }
 
 Status copyPose(Session& session) {

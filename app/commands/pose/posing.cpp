@@ -102,7 +102,7 @@ double shownValue(const Session& session, const std::string& id) {
 std::vector<rig::Controller> selectedControllers(const Session& session) {
   const rig::ControllerList list = controllersOf(session.document());
   std::vector<rig::Controller> controllers;
-  for (const std::string& id : session.view().selectedControllers) {
+  for (const std::string& id : session.view().selection.controllers()) {
     if (Result<rig::Controller> found = findController(session.document(), list, id)) {
       controllers.push_back(std::move(found).value());
     }

@@ -12,7 +12,7 @@ bool viewsAClip(const Session& session) {
 }
 
 bool hasLimbInClip(const Session& session) {
-  return !session.view().selectedLimbs.empty() && viewsAClip(session);
+  return !session.view().selection.limbs().empty() && viewsAClip(session);
 }
 
 bool hasTargetTrail(const Session& session) {

@@ -132,8 +132,7 @@ void setRangeByHand(Session& session, const Vec2& range) {
   view.rangeEnd = range.y;
   const rig::Trail* const trail = selectedTrail(session);
   if (trail != nullptr && (trail->settings.startFrame < range.x || trail->settings.endFrame > range.y)) {
-    view.selectedTrail = 0;
-    view.selectedSpheres.clear();
+    view.selection.dropTrail();
   }
 }
 
@@ -159,7 +158,7 @@ std::optional<RangeClash> rangeClash(const Session& session) {
   }
   const Document& document = session.document();
   const Vec2 wanted(view.rangeStart, view.rangeEnd);
-  for (const std::string& limb : view.selectedLimbs) {
+  for (const std::string& limb : view.selection.limbs()) {
     const rig::Trail* const present = overlappingTrail(document, limb, view.clip, wanted.x, wanted.y);
     if (present != nullptr && !isSameRange(present->settings, wanted)) {
       return RangeClash{limb,

@@ -65,20 +65,20 @@ const rig::Trail* trailBeside(const Session& session, const rig::Trail& selected
 void selectLimb(Session& session, const std::string& limbId, bool add) {
   clearControllers(session);
   ViewState& view = session.view();
-  const auto selected = std::find(view.selectedLimbs.begin(), view.selectedLimbs.end(), limbId);
-  const bool wasSelected = selected != view.selectedLimbs.end();
+  const bool wasSelected = isSelected(session, limbId);
+  std::vector<std::string>& limbs = view.selection.editTrails().limbs;
   if (!add) {
-    view.selectedLimbs = {limbId};
+    limbs = {limbId};
   } else if (wasSelected) {
-    view.selectedLimbs.erase(selected);
+    std::erase(limbs, limbId);
   } else {
-    view.selectedLimbs.push_back(limbId);
+    limbs.push_back(limbId);
   }
-  view.selectedSpheres.clear();
+  view.selection.dropSpheres();
   const rig::Trail* trail = selectedTrail(session);
   const bool leavesTrail = trail != nullptr && wasSelected && trail->limb == limbId;
-  if (!add || view.selectedTrail == 0 || leavesTrail) {
-    view.selectedTrail = view.selectedLimbs.empty() ? 0 : trailAtPlayhead(session, view.selectedLimbs.back());
+  if (!add || view.selection.trail() == 0 || leavesTrail) {
+    view.selection.editTrails().trail = limbs.empty() ? 0 : trailAtPlayhead(session, limbs.back());
   }
   session.followSelection();
 }
@@ -86,18 +86,19 @@ void selectLimb(Session& session, const std::string& limbId, bool add) {
 void selectTrail(Session& session, int trailId) {
   ViewState& view = session.view();
   const rig::Trail* trail = findTrail(session.document(), trailId);
-  if (view.selectedTrail != trailId) {
-    view.selectedSpheres.clear();
+  if (view.selection.trail() != trailId) {
+    view.selection.dropSpheres();
   }
-  view.selectedTrail = trail == nullptr ? 0 : trailId;
-  session.followSelection();
   if (trail == nullptr) {
+    view.selection.dropTrail();
+    session.followSelection();
     return;
   }
-  clearControllers(session);
-  const auto& limbs = view.selectedLimbs;
+  view.selection.editTrails().trail = trailId;
+  session.followSelection();
+  const auto& limbs = view.selection.limbs();
   if (std::find(limbs.begin(), limbs.end(), trail->limb) == limbs.end()) {
-    view.selectedLimbs = {trail->limb};
+    view.selection.editTrails().limbs = {trail->limb};
   }
 }
 
@@ -108,7 +109,7 @@ void selectTrailInList(Session& session, int trailId, bool add) {
     return;
   }
   clearControllers(session);
-  std::vector<std::string>& limbs = session.view().selectedLimbs;
+  std::vector<std::string>& limbs = session.view().selection.editTrails().limbs;
   if (!add || leading == nullptr) {
     limbs = {trail->limb};
     selectTrail(session, trailId);
@@ -122,10 +123,10 @@ void selectTrailInList(Session& session, int trailId, bool add) {
 void selectGroup(Session& session, int trailId) {
   const std::vector<int> members = groupMembers(session.document(), trailId);
   if (!members.empty()) {
-    session.view().selectedLimbs.clear();
+    session.view().selection.editTrails().limbs.clear();
   }
   for (const int id : members) {
-    session.view().selectedLimbs.push_back(findTrail(session.document(), id)->limb);
+    session.view().selection.editTrails().limbs.push_back(findTrail(session.document(), id)->limb);
   }
   selectTrail(session, trailId);
 }
@@ -136,7 +137,7 @@ std::vector<int> targetTrails(const Session& session) {
   if (selected != nullptr) {
     targets.push_back(selected->id);
   }
-  for (const std::string& limbId : session.view().selectedLimbs) {
+  for (const std::string& limbId : session.view().selection.limbs()) {
     if (selected != nullptr && limbId == selected->limb) {
       continue;
     }
@@ -151,7 +152,7 @@ std::vector<int> targetTrails(const Session& session) {
 
 std::vector<int> targetsOfRange(const Session& session) {
   std::vector<int> targets = targetTrails(session);
-  const rig::Trail* const selected = findTrail(session.atBegin(), session.view().selectedTrail);
+  const rig::Trail* const selected = findTrail(session.atBegin(), session.view().selection.trail());
   std::erase_if(targets, [&](int id) {
     const rig::Trail* const other = findTrail(session.atBegin(), id);
     return other == nullptr || selected == nullptr ||
@@ -162,7 +163,7 @@ std::vector<int> targetsOfRange(const Session& session) {
 }
 
 std::vector<std::string> targetLimbs(const Session& session) {
-  std::vector<std::string> limbs = session.view().selectedLimbs;
+  std::vector<std::string> limbs = session.view().selection.limbs();
   const rig::Trail* const trail = selectedTrail(session);
   if (limbs.empty() && trail != nullptr) {
     limbs.push_back(trail->limb);
@@ -171,7 +172,7 @@ std::vector<std::string> targetLimbs(const Session& session) {
 }
 
 const rig::Trail* selectedTrail(const Session& session) {
-  const rig::Trail* trail = findTrail(session.document(), session.view().selectedTrail);
+  const rig::Trail* trail = findTrail(session.document(), session.view().selection.trail());
   return trail != nullptr && trail->clip == session.view().clip ? trail : nullptr;
 }
 
@@ -253,7 +254,7 @@ std::string groupTitle(const Document& document, const std::vector<int>& members
 }
 
 std::vector<int> wholeGroupSelected(const Session& session) {
-  const std::vector<int> members = groupMembers(session.document(), session.view().selectedTrail);
+  const std::vector<int> members = groupMembers(session.document(), session.view().selection.trail());
   const bool all = std::all_of(members.begin(), members.end(), [&](int id) {
     return isSelected(session, findTrail(session.document(), id)->limb);
   });
@@ -277,12 +278,12 @@ bool hasSelectedTrail(const Session& session) {
 }
 
 bool isSelected(const Session& session, const std::string& limbId) {
-  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  const std::vector<std::string>& limbs = session.view().selection.limbs();
   return std::find(limbs.begin(), limbs.end(), limbId) != limbs.end();
 }
 
 void selectController(Session& session, const std::string& id, bool add) {
-  std::vector<std::string> ids = add ? session.view().selectedControllers : std::vector<std::string>{};
+  std::vector<std::string> ids = add ? session.view().selection.controllers() : std::vector<std::string>{};
   const auto selected = std::ranges::find(ids, id);
   if (selected != ids.end()) {
     ids.erase(selected);
@@ -293,15 +294,8 @@ void selectController(Session& session, const std::string& id, bool add) {
 }
 
 void selectControllers(Session& session, std::vector<std::string> ids) {
-  ViewState& view = session.view();
-  view.selectedControllers = std::move(ids);
-  if (!view.selectedControllers.empty()) {
-    view.selectedLocators.clear();
-    view.selectedLimbs.clear();
-    view.selectedSpheres.clear();
-    view.selectedTrail = 0;
-    session.followSelection();
-  }
+  session.view().selection.setControllers(std::move(ids));
+  session.followSelection();
 }
 
 bool showsLocators(const Session& session) {
@@ -309,19 +303,12 @@ bool showsLocators(const Session& session) {
 }
 
 void selectLocators(Session& session, std::vector<std::string> names) {
-  ViewState& view = session.view();
-  view.selectedLocators = std::move(names);
-  if (!view.selectedLocators.empty()) {
-    view.selectedControllers.clear();
-    view.selectedLimbs.clear();
-    view.selectedSpheres.clear();
-    view.selectedTrail = 0;
-    session.followSelection();
-  }
+  session.view().selection.setLocators(std::move(names));
+  session.followSelection();
 }
 
 void selectLocator(Session& session, const std::string& name, bool add) {
-  std::vector<std::string> names = add ? session.view().selectedLocators : std::vector<std::string>{};
+  std::vector<std::string> names = add ? session.view().selection.locators() : std::vector<std::string>{};
   const auto selected = std::ranges::find(names, name);
   if (selected != names.end()) {
     names.erase(selected);
@@ -332,17 +319,16 @@ void selectLocator(Session& session, const std::string& name, bool add) {
 }
 
 void clearControllers(Session& session) {
-  session.view().selectedLocators.clear();
-  session.view().selectedControllers.clear();
+  session.view().selection.dropHandles();
 }
 
 bool isControllerSelected(const Session& session, const std::string& id) {
-  return std::ranges::find(session.view().selectedControllers, id) !=
-         session.view().selectedControllers.end();
+  return std::ranges::find(session.view().selection.controllers(), id) !=
+         session.view().selection.controllers().end();
 }
 
 bool hasControllers(const Session& session) {
-  return !session.view().selectedControllers.empty();
+  return !session.view().selection.controllers().empty();
 }
 
 std::string controllerTitle(const Document& document, const std::string& id) {

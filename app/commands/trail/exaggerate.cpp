@@ -39,7 +39,7 @@ int meantTrail(const Session& session, const std::string& limbId) {
 Result<const rig::Limb*> leadingLimb(const Session& session) {
   std::vector<rig::Stroke> strokes;
   std::vector<const rig::Limb*> owners;
-  for (const std::string& limbId : session.view().selectedLimbs) {
+  for (const std::string& limbId : session.view().selection.limbs()) {
     const rig::Limb* const limb = findLimb(session.document(), limbId);
     if (limb == nullptr) {
       return Error{"the character has no such limb", limbId, "pick a limb that was found"};
@@ -50,7 +50,7 @@ Result<const rig::Limb*> leadingLimb(const Session& session) {
     }
   }
   const rig::Stroke* const strongest = rig::strongestStroke(strokes);
-  return strongest == nullptr ? findLimb(session.document(), session.view().selectedLimbs.front())
+  return strongest == nullptr ? findLimb(session.document(), session.view().selection.limbs().front())
                               : owners[static_cast<std::size_t>(strongest - strokes.data())];
 }
 
@@ -110,7 +110,8 @@ Status addMeantTrail(const Session& session, const std::string& limbId, const Wa
     targets.trailIds.push_back(meant);
     return Success{};
   }
-  if (view.selectedLimbs.size() > 1 && !freeRange(targets.document, limbId, view.clip, range, view.frame)) {
+  if (view.selection.limbs().size() > 1 &&
+      !freeRange(targets.document, limbId, view.clip, range, view.frame)) {
     targets.trailIds.push_back(overlappingTrail(targets.document, limbId, view.clip, range.x, range.y)->id);
     return Success{};
   }
@@ -146,7 +147,7 @@ Status groupNew(const Document& before, ExaggerateTargets& targets) {
 Status joinOtherLimbs(const Session& session, const rig::Trail& selected, ExaggerateTargets& targets) {
   const Vec2 range(selected.settings.startFrame, selected.settings.endFrame);
   const std::size_t before = targets.trailIds.size();
-  for (const std::string& limbId : session.view().selectedLimbs) {
+  for (const std::string& limbId : session.view().selection.limbs()) {
     const bool acts = std::any_of(targets.trailIds.begin(), targets.trailIds.end(), [&](int id) {
       const rig::Trail* const trail = findTrail(targets.document, id);
       return trail != nullptr && trail->limb == limbId;
@@ -218,7 +219,7 @@ rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& lim
 
 Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
   const ViewState& view = session.view();
-  if (view.selectedLimbs.empty()) {
+  if (view.selection.limbs().empty()) {
     return Error{"no limb is selected", "", "press the key of one, or click it"};
   }
   if (!hasClip(session.document(), view.clip)) {
@@ -229,7 +230,7 @@ Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated) {
     return wanted.error();
   }
   ExaggerateTargets targets{session.document(), {}};
-  for (const std::string& limbId : view.selectedLimbs) {
+  for (const std::string& limbId : view.selection.limbs()) {
     const Vec2 range = rangeOf(session, limbId, *wanted);
     if (const Status added = addTrail(session, limbId, range, exaggerated, targets); !added) {
       return added.error();
@@ -252,7 +253,7 @@ Result<ExaggerateTargets> foundOrMade(const Session& session, OverlapChoice choi
       return joined.error();
     }
   } else {
-    if (session.view().selectedLimbs.empty() || choice == OverlapChoice::beside) {
+    if (session.view().selection.limbs().empty() || choice == OverlapChoice::beside) {
       return newTrails(session, true);
     }
     if (!hasClip(session.document(), session.view().clip)) {
@@ -262,7 +263,7 @@ Result<ExaggerateTargets> foundOrMade(const Session& session, OverlapChoice choi
     if (!wanted) {
       return wanted.error();
     }
-    for (const std::string& limbId : session.view().selectedLimbs) {
+    for (const std::string& limbId : session.view().selection.limbs()) {
       if (const Status added = addMeantTrail(session, limbId, *wanted, targets); !added) {
         return added.error();
       }

@@ -25,8 +25,8 @@ bool canGroup(const Session& session) {
 }
 
 bool isPartOfGroup(const Session& session) {
-  return isInGroup(session) &&
-         targetTrails(session).size() < groupMembers(session.document(), session.view().selectedTrail).size();
+  return isInGroup(session) && targetTrails(session).size() <
+                                   groupMembers(session.document(), session.view().selection.trail()).size();
 }
 
 Status group(Session& session) {
@@ -39,7 +39,7 @@ Status takeGroupApart(Session& session) {
 }
 
 Status selectWholeGroup(Session& session) {
-  selectGroup(session, session.view().selectedTrail);
+  selectGroup(session, session.view().selection.trail());
   return Success{};
 }
 

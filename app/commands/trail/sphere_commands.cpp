@@ -19,7 +19,7 @@ namespace stretch::app {
 namespace {
 
 bool hasSpheres(const Session& session) {
-  return hasSelectedTrail(session) && !session.view().selectedSpheres.empty();
+  return hasSelectedTrail(session) && !session.view().selection.spheres().empty();
 }
 
 Need sphereNeeded() {
@@ -36,8 +36,8 @@ Status stepSphere(Session& session, bool forward) {
     return Error{"no trail with control spheres is selected", "", "select a limb and press T or E"};
   }
   ViewState& view = session.view();
-  const bool started = !view.selectedSpheres.empty();
-  const double from = started ? view.selectedSpheres.back() : view.frame;
+  const bool started = !view.selection.spheres().empty();
+  const double from = started ? view.selection.spheres().back() : view.frame;
   const auto count = static_cast<std::ptrdiff_t>(frames.size());
   std::ptrdiff_t index = 0;
   if (forward) {
@@ -51,21 +51,22 @@ Status stepSphere(Session& session, bool forward) {
     });
     index = next == frames.rend() ? count - 1 : count - 1 - (next - frames.rbegin());
   }
-  view.selectedSpheres = {frames[static_cast<std::size_t>(index)]};
+  view.selection.editTrails().spheres = {frames[static_cast<std::size_t>(index)]};
   // Key times are single precision: the playhead stands on the whole frame that they mean.
-  const double whole = std::round(view.selectedSpheres.front());
-  view.frame = sameFrame(whole, view.selectedSpheres.front()) ? whole : view.selectedSpheres.front();
+  const double whole = std::round(view.selection.spheres().front());
+  view.frame = sameFrame(whole, view.selection.spheres().front()) ? whole : view.selection.spheres().front();
   return Success{};
 }
 
 Status selectAll(Session& session) {
-  session.view().selectedSpheres = sphereFrames(session);
-  return session.view().selectedSpheres.empty() ? Status(noSphere()) : Status(Success{});
+  session.view().selection.editTrails().spheres = sphereFrames(session);
+  return session.view().selection.spheres().empty() ? Status(noSphere()) : Status(Success{});
 }
 
 Status putBack(Session& session) {
   return finish(
-      session, clearSpheres(session.document(), session.view().selectedTrail, session.view().selectedSpheres),
+      session,
+      clearSpheres(session.document(), session.view().selection.trail(), session.view().selection.spheres()),
       "Put the spheres back");
 }
 
@@ -76,7 +77,7 @@ bool anySelected(const Session& session, Counts&& counts) {
   if (trail == nullptr) {
     return false;
   }
-  const std::vector<double>& selected = session.view().selectedSpheres;
+  const std::vector<double>& selected = session.view().selection.spheres();
   return std::any_of(trail->settings.spheres.begin(), trail->settings.spheres.end(), [&](const auto& sphere) {
     return counts(sphere) && std::any_of(selected.begin(), selected.end(),
                                          [&](double frame) { return sameFrame(frame, sphere.frame); });
@@ -93,8 +94,9 @@ bool hasTangents(const Session& session) {
 
 Status resetTangents(Session& session) {
   Document document = session.document();
-  for (const double frame : session.view().selectedSpheres) {
-    Result<Document> changed = setSphereTangent(document, session.view().selectedTrail, frame, std::nullopt);
+  for (const double frame : session.view().selection.spheres()) {
+    Result<Document> changed =
+        setSphereTangent(document, session.view().selection.trail(), frame, std::nullopt);
     if (!changed) {
       return changed.error();
     }
@@ -118,7 +120,7 @@ Status nudge(Session& session, const Chord& chord) {
   }
   const Vec3 world = nudgeOf(chord, session.view().cameraAxes, nudgeUnits(session.document()));
   std::vector<SphereMove> moves;
-  for (const double frame : session.view().selectedSpheres) {
+  for (const double frame : session.view().selection.spheres()) {
     moves.push_back({frame, toTrailAxes(trail->settings, world)});
   }
   return pull(session, moves, "Nudge the spheres");
@@ -142,7 +144,7 @@ Status nudgeAlong(Session& session, double direction) {
   const double step = direction * nudgeUnits(session.document());
   std::vector<SphereMove> moves;
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const auto& selected = session.view().selectedSpheres;
+    const auto& selected = session.view().selection.spheres();
     const bool isSelected = std::any_of(selected.begin(), selected.end(),
                                         [&](double frame) { return sameFrame(frame, spheres[i].frame); });
     if (isSelected) {

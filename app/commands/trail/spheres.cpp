@@ -40,7 +40,7 @@ Status addSphere(Session& session, double frame) {
   const auto near = std::find_if(frames.begin(), frames.end(),
                                  [&](double other) { return std::abs(other - frame) < leastGapFrames; });
   if (near != frames.end()) {
-    session.view().selectedSpheres = {*near};
+    session.view().selection.editTrails().spheres = {*near};
     return Success{};
   }
   frames.push_back(frame);
@@ -49,25 +49,25 @@ Status addSphere(Session& session, double frame) {
     return changed.error();
   }
   session.edit(std::move(changed).value(), "Add a sphere");
-  session.view().selectedSpheres = {frame};
+  session.view().selection.editTrails().spheres = {frame};
   return Success{};
 }
 
 Status removeSelectedSpheres(Session& session) {
   const std::vector<double> present = sphereFrames(session);
-  const std::vector<double> selected = session.view().selectedSpheres;
+  const std::vector<double> selected = session.view().selection.spheres();
   const auto stays = [&](double frame) {
     return sameFrame(frame, present.front()) || sameFrame(frame, present.back());
   };
   const bool onlyBack = present.empty() || std::all_of(selected.begin(), selected.end(), stays);
   Result<Document> changed =
-      removeSpheres(session.document(), session.view().selectedTrail, present, selected);
+      removeSpheres(session.document(), session.view().selection.trail(), present, selected);
   if (!changed) {
     return changed.error();
   }
   session.edit(std::move(changed).value(), onlyBack ? "Put the spheres back" : "Remove the spheres");
   if (!onlyBack) {
-    session.view().selectedSpheres.clear();
+    session.view().selection.dropSpheres();
   }
   return Success{};
 }

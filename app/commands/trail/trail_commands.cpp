@@ -22,7 +22,7 @@ bool hasTarget(const Session& session) {
   return !targetTrails(session).empty();
 }
 bool hasLimb(const Session& session) {
-  return !session.view().selectedLimbs.empty() && hasClip(session.document(), session.view().clip);
+  return !session.view().selection.limbs().empty() && hasClip(session.document(), session.view().clip);
 }
 Error noTrail() {
   return {"no trail is selected", "", "select a limb and press T or E to make one"};
@@ -58,7 +58,7 @@ Status finishNew(Session& session, Result<ExaggerateTargets> made, const char* l
     return made.error();
   }
   session.edit(made->document, label);
-  session.view().selectedSpheres.clear();
+  session.view().selection.dropSpheres();
   selectTrail(session, made->trailIds.front());
   return Success{};
 }
@@ -154,7 +154,7 @@ Status deleteTargets(Session& session) {
 
 Status deleteSelection(Session& session) {
   const rig::Trail* trail = selectedTrail(session);
-  if (trail == nullptr || session.view().selectedSpheres.empty()) {
+  if (trail == nullptr || session.view().selection.spheres().empty()) {
     return deleteTargets(session);
   }
   return removeSelectedSpheres(session);
@@ -162,7 +162,7 @@ Status deleteSelection(Session& session) {
 
 Status deleteAllOfLimbs(Session& session) {
   Document document = session.document();
-  for (const std::string& limbId : session.view().selectedLimbs) {
+  for (const std::string& limbId : session.view().selection.limbs()) {
     document = deleteTrailsOfLimb(document, limbId, session.view().clip);
   }
   return finish(session, std::move(document), "Delete all trails of the limb");
@@ -179,13 +179,13 @@ Status copySelected(Session& session) {
 
 Status pasteOnLimbs(Session& session) {
   const ViewState& view = session.view();
-  if (!view.copiedTrail || view.selectedLimbs.empty()) {
+  if (!view.copiedTrail || view.selection.limbs().empty()) {
     return Error{"there is nothing to paste, or no limb to paste it on", "",
                  "copy a trail with Ctrl+C, select a limb"};
   }
   Document document = session.document();
   int trailId = 0;
-  for (const std::string& limbId : view.selectedLimbs) {
+  for (const std::string& limbId : view.selection.limbs()) {
     Result<CreatedTrail> pasted = pasteTrail(document, *view.copiedTrail, limbId, view.clip);
     if (!pasted) {
       return pasted.error();
@@ -217,7 +217,7 @@ bool canPaste(const Session& session) {
   return session.view().copiedTrail && hasLimb(session);
 }
 bool canDelete(const Session& session) {
-  return hasTarget(session) || !session.view().selectedSpheres.empty();
+  return hasTarget(session) || !session.view().selection.spheres().empty();
 }
 bool isToBeApplied(const Session& session) {
   return hasTarget(session) && !allTargets(session, [](const rig::Trail& trail) { return trail.applied; });

@@ -35,10 +35,10 @@ bool applied(Session& session, const char* id) {
 
 TEST_CASE("An applied trail shows its new keys, until it is changed") {
   Session session(withTrail(test::boxer(), "left-arm", true));
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   const std::vector<double> source = shownKeyFrames(session, {"left-arm"});
   CHECK(source == keyFrames(session.document(), 0, {"left-arm"}));
-  session.view().selectedTrail = 1;
+  session.view().selection.editTrails().trail = 1;
   REQUIRE(applied(session, command::trailApply));
   const std::vector<double> keyed = shownKeyFrames(session, {"left-arm"});
   CHECK(keyed.size() > source.size());
@@ -51,8 +51,8 @@ TEST_CASE("An applied trail shows its new keys, until it is changed") {
 
 TEST_CASE("What applying came to is told: the limb, its frames with the way back, and the keys there") {
   Session session(withTrail(test::boxer(), "left-arm", true));
-  session.view().selectedLimbs = {"left-arm"};
-  session.view().selectedTrail = 1;
+  session.view().selection.editTrails().limbs = {"left-arm"};
+  session.view().selection.editTrails().trail = 1;
   REQUIRE(applied(session, command::trailApply));
   const std::vector<double> keys = shownKeyFrames(session, {"left-arm"});
   const auto inside =
@@ -67,7 +67,7 @@ TEST_CASE("What applying came to is told: the limb, its frames with the way back
 
 TEST_CASE("Next key stops at each key, between the frames of the rate that the clip is worked on too") {
   Session session(workAtRate(test::boxer(), 0, 24.0));
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   std::vector<double> stops;
   for (int i = 0; i < 4; ++i) {
     REQUIRE(applied(session, command::timeNextKey));

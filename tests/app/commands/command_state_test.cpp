@@ -42,8 +42,8 @@ public:
   [[nodiscard]] const rig::Trail& trail(std::size_t index) { return session().document().trails[index]; }
   /// Exaggerates limbs at once.
   void exaggerate(const std::vector<std::string>& limbs) {
-    session().view().selectedTrail = 0;
-    session().view().selectedLimbs = limbs;
+    session().view().selection.editTrails().trail = 0;
+    session().view().selection.editTrails().limbs = limbs;
     run(command::trailExaggerateOnce);
   }
 
@@ -78,7 +78,7 @@ TEST_CASE("The command that connects a limb is called Disconnect while the limb 
 
 TEST_CASE("The command of motion trails says whether it makes one, hides or shows it") {
   Menu menu;
-  menu.session().view().selectedLimbs = {"left-arm"};
+  menu.session().view().selection.editTrails().limbs = {"left-arm"};
   CHECK(menu.label(command::trailToggle) == "Motion trail");
   menu.run(command::trailToggle);
   CHECK(menu.label(command::trailToggle) == "Hide the trail");
@@ -119,8 +119,8 @@ TEST_CASE("A command is on only where it does something") {
   menu.run(command::trailApply);
   CHECK_FALSE(menu.isOn(command::trailApply));
   CHECK(menu.isOn(command::trailDeleteAll));
-  menu.session().view().selectedLimbs = {"spine"};
-  menu.session().view().selectedTrail = 0;
+  menu.session().view().selection.editTrails().limbs = {"spine"};
+  menu.session().view().selection.editTrails().trail = 0;
   CHECK_FALSE(menu.isOn(command::trailDeleteAll));
   menu.exaggerate({"spine"});
   CHECK_FALSE(menu.isOn(command::mirrorTrail)); // Which has no other side.
@@ -129,10 +129,10 @@ TEST_CASE("A command is on only where it does something") {
 TEST_CASE("Trails that are one group are not grouped again, and a group is chosen once") {
   Menu menu;
   menu.exaggerate({"left-arm", "right-arm"});
-  selectGroup(menu.session(), menu.session().view().selectedTrail);
+  selectGroup(menu.session(), menu.session().view().selection.trail());
   CHECK_FALSE(menu.isOn(command::trailGroup));
   CHECK_FALSE(menu.isOn(command::trailSelectGroup));
-  menu.session().view().selectedLimbs = {"left-arm"};
+  menu.session().view().selection.editTrails().limbs = {"left-arm"};
   CHECK(menu.isOn(command::trailSelectGroup));
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("Frames and keys are stepped through and held at the clip's ends") {
 
 TEST_CASE("A limb is selected alone, added, taken away, and none") {
   Keyboard keyboard(test::boxer());
-  const auto& selected = keyboard.session.view().selectedLimbs;
+  const auto& selected = keyboard.session.view().selection.limbs();
   keyboard.press("1");
   keyboard.press("Shift+2");
   CHECK(selected == std::vector<std::string>{"left-arm", "right-arm"});
@@ -99,7 +99,7 @@ TEST_CASE("The refined punch by keys: range, exaggerate, apply, and everything u
   const Result<Document> exaggerated = exaggeratedWith(*targets, modal);
   REQUIRE(exaggerated);
   session.edit(*exaggerated, "Exaggerate");
-  session.view().selectedTrail = targets->trailIds[0];
+  session.view().selection.editTrails().trail = targets->trailIds[0];
   REQUIRE(keyboard.press("Enter"));
 
   REQUIRE(session.document().trails.size() == 1);
@@ -156,7 +156,7 @@ TEST_CASE("A second trail is made where the playhead stands, the first is edited
   REQUIRE(keyboard.press("T"));
   keyboard.session.view().frame = 12.0;
   keyboard.press("1");
-  CHECK(keyboard.session.view().selectedTrail == 0);
+  CHECK(keyboard.session.view().selection.trail() == 0);
   keyboard.press("[");
   keyboard.press("End");
   keyboard.press("]");
@@ -166,7 +166,7 @@ TEST_CASE("A second trail is made where the playhead stands, the first is edited
 
   keyboard.session.view().frame = 4.0;
   keyboard.press("1");
-  CHECK(keyboard.session.view().selectedTrail == keyboard.session.document().trails[0].id);
+  CHECK(keyboard.session.view().selection.trail() == keyboard.session.document().trails[0].id);
   REQUIRE(keyboard.press("]"));
   CHECK(keyboard.session.document().trails[0].settings.endFrame == 4.0);
 }
@@ -180,8 +180,8 @@ TEST_CASE("Spheres are walked through, nudged and put back by keys") {
   CHECK_FALSE(keyboard.press("Right"));
   REQUIRE(keyboard.press("Tab"));
   REQUIRE(keyboard.press("Tab"));
-  REQUIRE(session.view().selectedSpheres.size() == 1);
-  CHECK(sameFrame(session.view().selectedSpheres.front(), 5.0));
+  REQUIRE(session.view().selection.spheres().size() == 1);
+  CHECK(sameFrame(session.view().selection.spheres().front(), 5.0));
   CHECK(session.view().frame == 5.0);
   REQUIRE(keyboard.press("Up"));
   REQUIRE(keyboard.press("Shift+Right"));
@@ -191,9 +191,9 @@ TEST_CASE("Spheres are walked through, nudged and put back by keys") {
   CHECK(spheres[0].offset.x == Approx(10.0 * nudgeUnits(session.document())));
   REQUIRE(keyboard.press("Alt+Right"));
   REQUIRE(keyboard.press("Shift+Tab"));
-  CHECK(session.view().selectedSpheres == std::vector<double>{0.0});
+  CHECK(session.view().selection.spheres() == std::vector<double>{0.0});
   REQUIRE(keyboard.press("Ctrl+A"));
-  CHECK(session.view().selectedSpheres.size() == 3);
+  CHECK(session.view().selection.spheres().size() == 3);
   REQUIRE(keyboard.press("Delete"));
   CHECK(session.document().trails.front().settings.spheres.empty());
   CHECK(session.document().trails.size() == 1);

@@ -17,7 +17,7 @@ namespace {
 /// Both arms exaggerated at once.
 Session withBothArms() {
   Session session(test::boxer());
-  session.view().selectedLimbs = {"left-arm", "right-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm", "right-arm"};
   Result<ExaggerateTargets> made = exaggerateTargets(session);
   REQUIRE(made);
   session.edit(made->document, "Exaggerate");
@@ -40,7 +40,7 @@ TEST_CASE("Limbs exaggerated at once are one group over one range, in one undo s
 
 TEST_CASE("One limb alone makes no group") {
   Session session(test::boxer());
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   const Result<ExaggerateTargets> made = exaggerateTargets(session);
   REQUIRE(made);
   CHECK(groupMembers(made->document, made->trailIds.front()).empty());
@@ -69,7 +69,7 @@ TEST_CASE("A group is chosen as a whole, a member of it alone") {
   Session session = withBothArms();
   const int second = session.document().trails[1].id;
   selectTrailInList(session, second, false);
-  CHECK(session.view().selectedLimbs == std::vector<std::string>{"right-arm"});
+  CHECK(session.view().selection.limbs() == std::vector<std::string>{"right-arm"});
   CHECK(targetTrails(session) == std::vector<int>{second});
   selectGroup(session, second);
   CHECK(targetTrails(session).size() == 2);

@@ -9,7 +9,7 @@ using namespace stretch::app;
 
 TEST_CASE("A new trail keeps the axes of the camera that it was made under") {
   Session session(test::boxer());
-  session.view().selectedLimbs = {"left-arm", "right-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm", "right-arm"};
   session.view().rangeStart = 2.0;
   session.view().rangeEnd = 9.0;
   session.view().cameraAxes = glm::mat3_cast(axisAngle(Vec3(0.0, 1.0, 0.0), 1.2));

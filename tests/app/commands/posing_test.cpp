@@ -59,12 +59,12 @@ TEST_CASE("A selected controller takes limb, trail and spheres out of the select
   session.edit(created->document, "Make a trail");
   selectTrail(session, created->trailId);
   selectController(session, "hips", false);
-  CHECK(session.view().selectedLimbs.empty());
-  CHECK(session.view().selectedTrail == 0);
+  CHECK(session.view().selection.limbs().empty());
+  CHECK(session.view().selection.trail() == 0);
   selectController(session, "left-hand", true);
-  CHECK(session.view().selectedControllers == std::vector<std::string>{"hips", "left-hand"});
+  CHECK(session.view().selection.controllers() == std::vector<std::string>{"hips", "left-hand"});
   selectController(session, "hips", true);
-  CHECK(session.view().selectedControllers == std::vector<std::string>{"left-hand"});
+  CHECK(session.view().selection.controllers() == std::vector<std::string>{"left-hand"});
   SECTION("by a limb") {
     selectLimb(session, "right-arm", false);
   }
@@ -79,7 +79,7 @@ TEST_CASE("A selected controller takes limb, trail and spheres out of the select
   SECTION("by nothing") {
     CHECK(run(session, command::selectNone).empty());
   }
-  CHECK(session.view().selectedControllers.empty());
+  CHECK(session.view().selection.controllers().empty());
 }
 
 TEST_CASE("A controller whose limb is gone is selected no longer") {
@@ -88,35 +88,35 @@ TEST_CASE("A controller whose limb is gone is selected no longer") {
   Document without = session.document();
   std::erase_if(without.body.limbs, [](const rig::Limb& limb) { return limb.id == "left-arm"; });
   session.edit(without, "Forget the arm");
-  CHECK(session.view().selectedControllers == std::vector<std::string>{"hips"});
+  CHECK(session.view().selection.controllers() == std::vector<std::string>{"hips"});
 }
 
 TEST_CASE("Keys go through the controllers of a limb, and through all of them") {
   Session session(test::boxer());
-  const auto& selected = session.view().selectedControllers;
+  const auto selected = [&] { return session.view().selection.controllers(); };
   run(session, command::controllersOfLeftArm);
-  CHECK(selected == std::vector<std::string>{"left-hand"});
+  CHECK(selected() == std::vector<std::string>{"left-hand"});
   run(session, command::controllersOfLeftArm);
-  CHECK(selected == std::vector<std::string>{"left-elbow"});
+  CHECK(selected() == std::vector<std::string>{"left-elbow"});
   run(session, command::controllersOfLeftArm);
-  CHECK(selected == std::vector<std::string>{"left-hand"});
+  CHECK(selected() == std::vector<std::string>{"left-hand"});
   run(session, std::string(command::controllersOfHips) + "-add");
-  CHECK(selected == std::vector<std::string>{"left-hand", "hips"});
+  CHECK(selected() == std::vector<std::string>{"left-hand", "hips"});
   CHECK(run(session, command::controllersOfLeftLeg) == "this character has no left leg");
   const std::size_t count = controllersOf(session.document()).controllers.size();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < count; ++i) {
     run(session, command::controllerNext);
-    REQUIRE(selected.size() == 1);
-    seen.insert(selected.front());
+    REQUIRE(selected().size() == 1);
+    seen.insert(selected().front());
   }
   CHECK(seen.size() == count);
-  const std::string last = selected.front();
+  const std::string last = selected().front();
   run(session, command::controllerNext);
   run(session, command::controllerPrevious);
-  CHECK(selected.front() == last);
+  CHECK(selected().front() == last);
   run(session, command::controllersAll);
-  CHECK(selected.size() == count);
+  CHECK(selected().size() == count);
 }
 
 TEST_CASE("What is posed is keyed in the working range, else on the whole clip") {

@@ -63,7 +63,7 @@ TEST_CASE("A limb with a trail elsewhere gets another one at the stroke under th
   session.commit();
   session.view().frame = 31.0;
   selectLimb(session, "left-arm", false);
-  CHECK(session.view().selectedTrail == 0);
+  CHECK(session.view().selection.trail() == 0);
   const ExaggerateTargets back = begun(session);
   CHECK(back.trailIds.front() != punch.trailIds.front());
   CHECK(leading(back).startFrame >= leading(punch).endFrame);

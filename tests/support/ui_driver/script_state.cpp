@@ -189,7 +189,7 @@ std::string playsAsDrawn(app::Session& session) {
 /// Limbs of the selected trail's group: "left-arm spine"; empty where it stands alone.
 std::string groupLimbs(const app::Session& session) {
   std::vector<std::string> limbs;
-  for (const int id : app::groupMembers(session.document(), session.view().selectedTrail)) {
+  for (const int id : app::groupMembers(session.document(), session.view().selection.trail())) {
     limbs.push_back(app::findTrail(session.document(), id)->limb);
   }
   return joined(limbs);
@@ -246,7 +246,8 @@ std::string offsetText(const app::Session& session, Vec3 app::ControllerOffset::
   if (!app::hasControllers(session)) {
     return "none";
   }
-  const app::ControllerOffset offset = app::shownOffset(session, session.view().selectedControllers.front());
+  const app::ControllerOffset offset =
+      app::shownOffset(session, session.view().selection.controllers().front());
   const Vec3 shown = unit * (offset.*vector);
   return joined({number(shown.x), number(shown.y), number(shown.z)});
 }
@@ -318,10 +319,10 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"on-a-frame", [&] { return yesNo(view.frame > 0.0 && view.frame == std::round(view.frame)); }},
       {"on-a-two", [&] { return yesNo(view.frame > 0.0 && std::fmod(view.frame, 2.0) == 0.0); }},
       {"last-frame", [&] { return number(app::lastFrame(session.document(), view.clip)); }},
-      {"limbs", [&] { return joined(view.selectedLimbs); }},
+      {"limbs", [&] { return joined(view.selection.limbs()); }},
       {"plan", [&] { return session.document().body.plan; }},
-      {"controllers", [&] { return joined(view.selectedControllers); }},
-      {"locators", [&] { return joined(view.selectedLocators); }},
+      {"controllers", [&] { return joined(view.selection.controllers()); }},
+      {"locators", [&] { return joined(view.selection.locators()); }},
       {"locator-count", [&] { return std::to_string(session.document().locators.list.size()); }},
       {"adjusted", [&] { return joined(app::adjustedIds(session.document(), view.clip)); }},
       {"pins", [&] { return pinsText(session.document(), view.clip); }},
@@ -329,7 +330,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"turned", [&] { return offsetText(session, &app::ControllerOffset::turn, 180.0 / pi); }},
       {"offset-keys", [&] { return std::to_string(app::offsetKeyFrames(session).size()); }},
       {"auto-key", [&] { return yesNo(view.autoKey); }},
-      {"spheres", [&] { return std::to_string(view.selectedSpheres.size()); }},
+      {"spheres", [&] { return std::to_string(view.selection.spheres().size()); }},
       {"range.start", [&] { return number(view.rangeStart); }},
       {"range.end", [&] { return number(view.rangeEnd); }},
       {"undo", [&] { return session.history().undoLabel(); }},
@@ -338,7 +339,8 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"saved-path", [&] { return session.savePath().filename().string(); }},
       {"tip-ratio", [&] { return tipRatio(session); }},
       {"plays-as-drawn", [&] { return playsAsDrawn(session); }},
-      {"shown-keys", [&] { return std::to_string(app::shownKeyFrames(session, view.selectedLimbs).size()); }},
+      {"shown-keys",
+       [&] { return std::to_string(app::shownKeyFrames(session, view.selection.limbs()).size()); }},
       {"fps", [&] { return number(app::clipOf(session.document(), view.clip).framesPerSecond); }},
       {"history", [&] { return std::to_string(session.history().position()); }},
       {"group", [&] { return groupLimbs(session); }},
@@ -349,7 +351,7 @@ std::optional<std::string> sessionState(Shell& shell, std::string_view name) {
       {"shown-spheres", [&] { return std::to_string(app::sphereFrames(session).size()); }},
       {"clips", [&] { return std::to_string(session.document().clips->size()); }},
       {"clip", [&] { return std::to_string(view.clip); }},
-      {"trail", [&] { return std::to_string(view.selectedTrail); }},
+      {"trail", [&] { return std::to_string(view.selection.trail()); }},
       {"loops", [&] { return yesNo(app::isLooping(session.document(), view.clip)); }},
       {"warnings", [&] { return std::to_string(shell.ui.look.warnings.size()); }},
       {"tip-told-out", [&] { return yesNo(shell.viewport.tipWatch.toldOutOfView); }},

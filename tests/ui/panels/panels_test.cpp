@@ -64,13 +64,14 @@ TEST_CASE("A long name of a hold leaves the frames their room") {
 TEST_CASE("A click on the body picture selects a limb, Shift adds another") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   driver.click("limb/left-arm");
-  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"left-arm"});
+  CHECK(driver.open.character()->view().selection.limbs() == std::vector<std::string>{"left-arm"});
   driver.shift = true;
   driver.click("limb/right-leg");
-  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"left-arm", "right-leg"});
+  CHECK(driver.open.character()->view().selection.limbs() ==
+        std::vector<std::string>{"left-arm", "right-leg"});
   driver.shift = false;
   driver.click("limb/spine");
-  CHECK(driver.open.character()->view().selectedLimbs == std::vector<std::string>{"spine"});
+  CHECK(driver.open.character()->view().selection.limbs() == std::vector<std::string>{"spine"});
 }
 
 TEST_CASE("A click on a limb that was not found asks for its joints") {
@@ -78,7 +79,7 @@ TEST_CASE("A click on a limb that was not found asks for its joints") {
   std::erase_if(document.body.limbs, [](const rig::Limb& limb) { return limb.id == "neck"; });
   PanelDriver driver(document);
   driver.click("limb/neck");
-  CHECK(driver.open.character()->view().selectedLimbs.empty());
+  CHECK(driver.open.character()->view().selection.limbs().empty());
   CHECK(driver.ui.jointPick.open);
   CHECK(driver.ui.jointPick.limbId == "neck");
 }
@@ -332,7 +333,7 @@ TEST_CASE("Another clip starts at its first frame, with nothing selected in time
   panels.driver.click("rig/clip/" + name);
   CHECK(panels.driver.open.character()->view().clip == 1);
   CHECK(panels.driver.open.character()->view().frame == 0.0);
-  CHECK(panels.driver.open.character()->view().selectedTrail == 0);
+  CHECK(panels.driver.open.character()->view().selection.trail() == 0);
 }
 
 TEST_CASE("The weight of a limb is switched by a command and shaped by sliders, one undo step a drag") {
@@ -370,7 +371,7 @@ TEST_CASE("Weight is shaped for all selected limbs that have it") {
   driver.open.character()->edit(
       *app::switchWeight(driver.open.character()->document(), {"left-arm", "right-arm"}, 0, true),
       "Give weight");
-  driver.open.character()->view().selectedLimbs = {"left-arm", "right-arm", "spine"};
+  driver.open.character()->view().selection.editTrails().limbs = {"left-arm", "right-arm", "spine"};
   driver.frames(2);
   driver.drag("weight/amount", -40.0F, 0.0F);
   CHECK(app::findWeight(driver.open.character()->document(), "left-arm", 0)->settings.amount < 1.0);

@@ -95,7 +95,7 @@ const Overlays overlays[] = {
     {"handles",
      [](GuiStage& stage) {
        selectTrail(stage);
-       stage.open.character()->view().selectedSpheres = {
+       stage.open.character()->view().selection.editTrails().spheres = {
            stage.open.character()->document().trails.front().settings.endFrame};
      }},
     {"side-by-side", [](GuiStage& stage) { stage.ui.overlays.sideBySide = true; }},

@@ -31,7 +31,7 @@ struct Boxing {
 TEST_CASE("E on a limb that stands still opens no tool: it says which limb makes a stroke, and its key") {
   Boxing boxing;
   Shell& shell = boxing.shell;
-  shell.open.character()->view().selectedLimbs = {"right-arm"};
+  shell.open.character()->view().selection.editTrails().limbs = {"right-arm"};
   runCommand(shell, command::trailExaggerate);
   CHECK_FALSE(isRunning(shell.tool));
   CHECK(shell.open.character()->document().trails.empty());
@@ -44,7 +44,7 @@ TEST_CASE("E on a limb that stands still opens no tool: it says which limb makes
 TEST_CASE("Enter after an E that was refused adds nothing to what was told, later it says why") {
   Boxing boxing;
   Shell& shell = boxing.shell;
-  shell.open.character()->view().selectedLimbs = {"right-arm"};
+  shell.open.character()->view().selection.editTrails().limbs = {"right-arm"};
   runCommand(shell, command::trailExaggerate);
   runCommand(shell, command::trailApply);
   REQUIRE(shell.ui.toasts.size() == 1);
@@ -63,7 +63,7 @@ TEST_CASE("E on another stroke than the limb's strongest says which frames are t
   shell.commands = editorCommands();
   shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
   app::Session& session = *shell.open.character();
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   const rig::Limb& arm = *app::findLimb(session.document(), "left-arm");
   const std::vector<rig::Stroke> strokes = session.strokesOf(arm);
   REQUIRE(strokes.size() > 1);
@@ -95,7 +95,7 @@ TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as
   document.clips = std::make_shared<const std::vector<Clip>>(clips);
   shell.open.open(app::Opened{document});
   app::Session& session = *shell.open.character();
-  session.view().selectedLimbs = {"left-arm"};
+  session.view().selection.editTrails().limbs = {"left-arm"};
   REQUIRE(startExaggerate(session, shell.tool));
   auto& tool = std::get<ExaggerateTool>(shell.tool);
   CHECK_FALSE(standsStill(session, tool));
@@ -113,7 +113,7 @@ TEST_CASE("E on a limb that makes no stroke, and that the floor keeps as long as
 TEST_CASE("E on several limbs of which one moves opens the tool") {
   Boxing boxing;
   Shell& shell = boxing.shell;
-  shell.open.character()->view().selectedLimbs = {"right-arm", "left-arm"};
+  shell.open.character()->view().selection.editTrails().limbs = {"right-arm", "left-arm"};
   runCommand(shell, command::trailExaggerate);
   CHECK(isRunning(shell.tool));
 }

@@ -111,7 +111,7 @@ TEST_CASE("The window and the verb render make the same picture, ghosts, trails 
   window.overlays.ghosts = true;
   window.overlays.skeleton = true;
   window.session.view().frame = 6.0;
-  window.session.view().selectedTrail = window.session.document().trails.front().id;
+  window.session.view().selection.editTrails().trail = window.session.document().trails.front().id;
   const PictureContent shown = window.picture();
   REQUIRE(shown.ghosts.size() == 6);
   REQUIRE(shown.trails.size() == 1);
@@ -175,7 +175,7 @@ TEST_CASE("Spheres stand on the selected trail only, handles on its last selecte
   REQUIRE_FALSE(selected.trails.at(0).path.spheres.empty());
   CHECK_FALSE(selected.handles);
   const app::PlacedSphere& sphere = window.viewport.shown.trails.at(0).spheres.at(1);
-  window.session.view().selectedSpheres = {sphere.frame};
+  window.session.view().selection.editTrails().spheres = {sphere.frame};
   const PictureContent held = window.picture();
   REQUIRE(held.handles);
   CHECK(held.handles->origin == sphere.positionWorld);

@@ -55,7 +55,7 @@ TEST_CASE("Exaggerate previews at once, and Enter makes one undo step of it") {
   stage.type("Enter");
   CHECK_FALSE(isRunning(stage.tool));
   CHECK(stage.session.history().undoLabel() == "Exaggerate");
-  CHECK(stage.session.view().selectedTrail == stage.session.document().trails.front().id);
+  CHECK(stage.session.view().selection.trail() == stage.session.document().trails.front().id);
   stage.session.undo();
   CHECK(stage.session.document().trails.empty());
   CHECK_FALSE(stage.session.history().canUndo());
@@ -70,12 +70,12 @@ TEST_CASE("Esc leaves nothing of an exaggeration") {
   stage.type("4 X Esc");
   CHECK(stage.session.document().trails.empty());
   CHECK_FALSE(stage.session.history().canUndo());
-  CHECK(stage.session.view().selectedTrail == 0);
+  CHECK(stage.session.view().selection.trail() == 0);
 }
 
 TEST_CASE("Exaggerate needs a limb") {
   Stage stage;
-  stage.session.view().selectedLimbs.clear();
+  stage.session.view().selection.editTrails().limbs.clear();
   CHECK_FALSE(startExaggerate(stage.session, stage.tool));
   CHECK_FALSE(isRunning(stage.tool));
 }
@@ -84,8 +84,8 @@ TEST_CASE("Dragging a sphere moves it under the mouse, one step of undo a drag")
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
   stage.type("Enter");
-  const int trail = stage.session.view().selectedTrail;
-  stage.session.view().selectedSpheres = {5.0};
+  const int trail = stage.session.view().selection.trail();
+  stage.session.view().selection.editTrails().spheres = {5.0};
   const View view = frontView();
   const Vec3 before = app::placedSpheres(stage.session, trail)[1].positionWorld;
   const auto from = projectToPixels(view, before);
@@ -107,7 +107,7 @@ TEST_CASE("A press that does not move the mouse is no drag") {
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
   stage.type("Enter");
-  stage.session.view().selectedSpheres = {5.0};
+  stage.session.view().selection.editTrails().spheres = {5.0};
   REQUIRE(startGrab(stage.session, stage.tool, {{100.0, 100.0}, 5.0, std::nullopt, true, 0.0}));
   REQUIRE(moveToolMouse(stage.session, stage.tool, frontView(), {101.0, 100.0}));
   finishTool(stage.session, stage.tool, true);
@@ -118,7 +118,7 @@ TEST_CASE("An axis handle moves along its axis only, the wheel takes the neighbo
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
   stage.type("Enter");
-  stage.session.view().selectedSpheres = {5.0};
+  stage.session.view().selection.editTrails().spheres = {5.0};
   const View view = frontView();
   REQUIRE(startGrab(stage.session, stage.tool, {{100.0, 100.0}, 5.0, 1, true, 0.0}));
   REQUIRE(moveToolMouse(stage.session, stage.tool, view, {170.0, 40.0}));
@@ -135,7 +135,7 @@ TEST_CASE("Grab by keys: G X 0.2 Enter") {
   Stage stage;
   REQUIRE(startExaggerate(stage.session, stage.tool));
   stage.type("Enter");
-  stage.session.view().selectedSpheres = {10.0};
+  stage.session.view().selection.editTrails().spheres = {10.0};
   REQUIRE(startGrab(stage.session, stage.tool, {}));
   stage.type("X 0 . 2 Enter");
   REQUIRE(stage.settings().spheres.size() == 1);

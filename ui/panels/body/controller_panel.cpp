@@ -66,7 +66,7 @@ std::string keysText(const app::Session& session, KeyMark mark) {
 void keyRow(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
   app::Session& session = context.character();
-  const std::vector<std::string>& ids = session.view().selectedControllers;
+  const std::vector<std::string>& ids = session.view().selection.controllers();
   const KeyMark mark = keyMarkOf(session, ids);
   labelledRow(widgets, "Key", markHelp(mark));
   if (keyDiamond(widgets, "controller/key", mark, markHelp(mark))) {

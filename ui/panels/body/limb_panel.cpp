@@ -27,7 +27,7 @@ const rig::Trail* trailOf(const app::Session& session, const std::string& limbId
   const rig::Trail* shown = nullptr;
   for (const rig::Trail& trail : session.document().trails) {
     if (trail.limb == limbId && trail.clip == session.view().clip &&
-        (shown == nullptr || trail.id == session.view().selectedTrail)) {
+        (shown == nullptr || trail.id == session.view().selection.trail())) {
       shown = &trail;
     }
   }
@@ -212,8 +212,8 @@ void chainChips(PanelContext& context) {
 }
 
 std::string limbSelectionText(const app::Session& session) {
-  const std::vector<std::string>& limbs = session.view().selectedLimbs;
-  const std::vector<std::string>& controllers = session.view().selectedControllers;
+  const std::vector<std::string>& limbs = session.view().selection.limbs();
+  const std::vector<std::string>& controllers = session.view().selection.controllers();
   if (!controllers.empty()) {
     return capitalised(controllers.size() == 1 ? app::controllerTitle(session.document(), controllers.front())
                                                : std::to_string(controllers.size()) + " controllers");
@@ -275,11 +275,12 @@ void drawLimbPanel(PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy({width, context.theme.px(20.0F)});
-  drawText(
-      widgets, context.theme.fonts.label, {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},
-      session.view().selectedLimbs.empty() && !app::hasControllers(session) ? context.theme.colours.quietText
-                                                                            : context.theme.colours.text,
-      limbSelectionText(session), 0.5F);
+  drawText(widgets, context.theme.fonts.label,
+           {corner, {corner.x + width, corner.y + context.theme.px(20.0F)}},
+           session.view().selection.limbs().empty() && !app::hasControllers(session)
+               ? context.theme.colours.quietText
+               : context.theme.colours.text,
+           limbSelectionText(session), 0.5F);
   chainChips(context);
   jointList(context);
 }

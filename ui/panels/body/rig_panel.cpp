@@ -160,7 +160,7 @@ void limbReasons(PanelContext& context, const rig::Limb& limb) {
 void limbRow(PanelContext& context, const rig::Limb& limb) {
   const WidgetContext widgets = widgetsOf(context);
   app::Session& session = context.character();
-  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  const std::vector<std::string>& limbs = session.view().selection.limbs();
   const bool selected = std::find(limbs.begin(), limbs.end(), limb.id) != limbs.end();
   const float chevron = context.theme.rowHeight();
   const float width = ImGui::GetContentRegionAvail().x - chevron;

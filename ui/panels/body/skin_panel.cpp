@@ -92,8 +92,9 @@ double lengthOf(const rig::Locators& locators) {
 void placeRow(PanelContext& context) {
   const app::Session& session = context.character();
   const rig::Locators& locators = session.document().locators;
-  const std::string name =
-      session.view().selectedLocators.empty() ? std::string() : session.view().selectedLocators.back();
+  const std::string name = session.view().selection.locators().empty()
+                               ? std::string()
+                               : session.view().selection.locators().back();
   const rig::Locator* const locator = rig::findLocator(locators, name);
   if (locator == nullptr) {
     return;

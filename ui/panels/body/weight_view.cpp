@@ -22,28 +22,28 @@ NodeIndex ownJoint(const Scene& scene, NodeIndex node) {
 
 // Of controllers and locators one kind alone is ever selected.
 const std::vector<std::string>& chosenHandles(const app::ViewState& view) {
-  return view.selectedLocators.empty() ? view.selectedControllers : view.selectedLocators;
+  return view.selection.locators().empty() ? view.selection.controllers() : view.selection.locators();
 }
 
 NodeIndex jointOfSelection(const app::Session& session) {
   const app::Document& document = session.document();
   const app::ViewState& view = session.view();
-  if (!view.selectedLocators.empty()) {
+  if (!view.selection.locators().empty()) {
     const std::vector<NodeIndex> joints = app::jointsOfLocators(*document.scene, document.locators);
     const auto named = [&](NodeIndex joint) {
-      return document.scene->nodes[at(joint)].name == view.selectedLocators.back();
+      return document.scene->nodes[at(joint)].name == view.selection.locators().back();
     };
     const auto found = std::ranges::find_if(joints, named);
     return found == joints.end() ? NodeIndex::none : *found;
   }
-  if (!view.selectedControllers.empty()) {
+  if (!view.selection.controllers().empty()) {
     const Result<rig::Controller> controller =
         rig::controllerNamed(*document.scene, app::allLimbs(document), document.body.hips,
-                             app::controllersOf(document), view.selectedControllers.back());
+                             app::controllersOf(document), view.selection.controllers().back());
     return controller ? controller->node : NodeIndex::none;
   }
   const rig::Limb* const limb =
-      view.selectedLimbs.empty() ? nullptr : app::findLimb(document, view.selectedLimbs.back());
+      view.selection.limbs().empty() ? nullptr : app::findLimb(document, view.selection.limbs().back());
   return limb == nullptr || limb->joints.empty() ? NodeIndex::none : limb->joints.front();
 }
 
@@ -80,7 +80,7 @@ std::vector<float> sharesOf(const Scene& scene, NodeIndex joint) {
 
 void showWeightsOf(WeightView& view, const app::Session& session, NodeIndex joint) {
   view.joint = joint;
-  view.limbs = session.view().selectedLimbs;
+  view.limbs = session.view().selection.limbs();
   view.controllers = chosenHandles(session.view());
 }
 
@@ -91,7 +91,7 @@ NodeIndex weightsShownOf(UiState& ui, const app::Session& session) {
   }
   const std::vector<NodeIndex> joints = weightedJoints(*session.document().scene);
   const auto isWeighted = [&](NodeIndex node) { return std::ranges::find(joints, node) != joints.end(); };
-  if (view.limbs != session.view().selectedLimbs || view.controllers != chosenHandles(session.view())) {
+  if (view.limbs != session.view().selection.limbs() || view.controllers != chosenHandles(session.view())) {
     const NodeIndex selected = jointOfSelection(session);
     showWeightsOf(view, session, isWeighted(selected) ? selected : view.joint);
   }

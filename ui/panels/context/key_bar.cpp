@@ -198,7 +198,7 @@ void retimeRows(PanelContext& context) {
              {"What comes after", "Off: it stays, and gives way where the range reaches it.", {}})) {
     state.movesAfter = !state.movesAfter;
   }
-  const std::vector<std::string>& limbs = context.character().view().selectedLimbs;
+  const std::vector<std::string>& limbs = context.character().view().selection.limbs();
   const std::string limb = limbs.empty() ? std::string() : limbs.front();
   const std::string name = limb.empty() ? "a limb" : app::limbTitle(context.character().document(), limb);
   if (toggle(widgetsOf(context), "retime/limb", "Only " + name, !state.limb.empty(),

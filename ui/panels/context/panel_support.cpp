@@ -119,7 +119,7 @@ std::string keyOf(const PanelContext& context, std::string_view commandId) {
   const app::Session* const character = context.open.character();
   // The key of Delete deletes the trail as long as no sphere is selected.
   const bool isDelete = key.empty() && commandId == command::trailDelete && character != nullptr &&
-                        character->view().selectedSpheres.empty();
+                        character->view().selection.spheres().empty();
   return isDelete ? keyOf(context, command::editDelete) : key;
 }
 

@@ -46,7 +46,7 @@ void statusText(PanelContext& context, const std::string& id, const std::string&
 }
 
 std::string controllersText(const app::Session& session) {
-  const std::vector<std::string>& ids = session.view().selectedControllers;
+  const std::vector<std::string>& ids = session.view().selection.controllers();
   std::string text;
   for (const std::string& id : ids) {
     text += (text.empty() ? "" : ", ") + app::controllerTitle(session.document(), id);
@@ -60,21 +60,22 @@ std::string selectionText(const app::Session& session) {
   if (app::hasControllers(session)) {
     return controllersText(session);
   }
-  if (!view.selectedLocators.empty()) {
-    return view.selectedLocators.size() == 1 ? "Locator " + view.selectedLocators.front()
-                                             : std::to_string(view.selectedLocators.size()) + " locators";
+  if (!view.selection.locators().empty()) {
+    return view.selection.locators().size() == 1
+               ? "Locator " + view.selection.locators().front()
+               : std::to_string(view.selection.locators().size()) + " locators";
   }
-  if (view.selectedLimbs.empty()) {
+  if (view.selection.limbs().empty()) {
     return "Nothing selected";
   }
   std::string text;
-  for (const std::string& limb : view.selectedLimbs) {
+  for (const std::string& limb : view.selection.limbs()) {
     text += (text.empty() ? "" : ", ") + app::limbTitle(session.document(), limb);
   }
-  if (!view.selectedSpheres.empty()) {
-    const bool one = view.selectedSpheres.size() == 1;
-    text += one ? ", sphere at frame " + shortNumber(view.selectedSpheres.front(), 1)
-                : ", " + std::to_string(view.selectedSpheres.size()) + " spheres";
+  if (!view.selection.spheres().empty()) {
+    const bool one = view.selection.spheres().size() == 1;
+    text += one ? ", sphere at frame " + shortNumber(view.selection.spheres().front(), 1)
+                : ", " + std::to_string(view.selection.spheres().size()) + " spheres";
   }
   return capitalised(text);
 }
@@ -85,7 +86,7 @@ void selectionPart(PanelContext& context) {
     statusText(context, "status/selection", selectionText(session), context.theme.colours.text,
                {"What is selected", "", {}});
   }
-  const rig::SolvedTrail* solved = app::solvedTrail(session, session.view().selectedTrail);
+  const rig::SolvedTrail* solved = app::solvedTrail(session, session.view().selection.trail());
   if (solved == nullptr) {
     return;
   }
@@ -121,7 +122,7 @@ std::vector<KeyHint> usualHints(const PanelContext& context) {
     return hints;
   }
   const app::Session& session = context.character();
-  const bool limbChosen = !session.view().selectedLimbs.empty();
+  const bool limbChosen = !session.view().selection.limbs().empty();
   if (app::hasControllers(session)) {
     addHint(context, hints, command::sphereGrab, "move");
     addHint(context, hints, command::poseKey, "key");

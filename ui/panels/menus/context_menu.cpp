@@ -155,12 +155,13 @@ void goToEntry(PanelContext& context) {
 }
 
 std::string spheresText(const app::ViewState& view) {
-  return view.selectedSpheres.size() == 1 ? "Sphere at frame " + shortNumber(view.selectedSpheres.front(), 1)
-                                          : std::to_string(view.selectedSpheres.size()) + " spheres";
+  return view.selection.spheres().size() == 1
+             ? "Sphere at frame " + shortNumber(view.selection.spheres().front(), 1)
+             : std::to_string(view.selection.spheres().size()) + " spheres";
 }
 
 std::string controllersText(const app::Session& session) {
-  const std::vector<std::string>& selected = session.view().selectedControllers;
+  const std::vector<std::string>& selected = session.view().selection.controllers();
   return selected.size() == 1 ? capitalised(app::controllerTitle(session.document(), selected.front()))
                               : std::to_string(selected.size()) + " controllers";
 }
@@ -220,7 +221,8 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
   const rig::Trail* const trail = app::selectedTrail(session);
   switch (target) {
   case MenuTarget::limb:
-    return view.selectedLimbs.empty() ? "Limb" : limbHeading(session.document(), view.selectedLimbs.back());
+    return view.selection.limbs().empty() ? "Limb"
+                                          : limbHeading(session.document(), view.selection.limbs().back());
   case MenuTarget::trail:
     return trail == nullptr ? "Trail" : trailHeading(session.document(), *trail);
   case MenuTarget::group:

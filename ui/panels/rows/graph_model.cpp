@@ -294,17 +294,17 @@ std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
     addOffset(attribute.id);
   }
   GraphSubject all{"All joints", {}, {}, {}, false};
-  for (const std::string& id : session.view().selectedLimbs) {
+  for (const std::string& id : session.view().selection.limbs()) {
     const rig::Limb* const limb = app::findLimb(document, id);
     for (const NodeIndex node : limb != nullptr ? graphNodes(*limb) : std::vector<NodeIndex>{}) {
-      if (id == session.view().selectedLimbs.front()) {
+      if (id == session.view().selection.limbs().front()) {
         subjects.push_back({nodeName(*document.scene, node), {node}, {}, id});
       }
       all.nodes.push_back(node);
     }
   }
   if (all.nodes.size() > 1) {
-    all.limb = session.view().selectedLimbs.front();
+    all.limb = session.view().selection.limbs().front();
     subjects.push_back(all);
   }
   if (!subjects.empty()) {

@@ -111,7 +111,7 @@ bool isPosed(const app::Session& session, const std::string& id) {
 
 void gatherSelection(app::Session& session, KeyRowsState& state) {
   const app::Document& document = session.document();
-  const std::vector<std::string>& limbs = session.view().selectedLimbs;
+  const std::vector<std::string>& limbs = session.view().selection.limbs();
   RowGatherer gatherer(session, state, false);
   const std::string label = limbs.empty()       ? "All keys"
                             : limbs.size() == 1 ? limbHeading(document, limbs.front())
@@ -169,9 +169,9 @@ const std::vector<KeyRow>& keyRows(PanelContext& context, RowDetail detail) {
   app::Session& session = context.character();
   KeyRowsState& state = context.ui.keyRows;
   const app::ViewState& view = session.view();
-  std::vector<std::string> selected = view.selectedLimbs;
+  std::vector<std::string> selected = view.selection.limbs();
   selected.push_back("clip " + std::to_string(view.clip));
-  selected.insert(selected.end(), view.selectedControllers.begin(), view.selectedControllers.end());
+  selected.insert(selected.end(), view.selection.controllers().begin(), view.selection.controllers().end());
   const bool every = detail == RowDetail::everyLimb;
   const std::shared_ptr<const rig::MotionState> motion = session.sharedMotion();
   if (state.motion != motion || state.clips != session.document().clips || state.selected != selected ||
@@ -201,7 +201,7 @@ TimelineBar barOf(const app::Session& session, const rig::Trail& trail, const ri
   }
   bar.colour = trailColour(trail.colour, theme);
   bar.label = trailHeading(session.document(), trail);
-  bar.selected = session.view().selectedTrail == trail.id;
+  bar.selected = session.view().selection.trail() == trail.id;
   bar.active = trail.connected && !trail.applied;
   bar.applied = trail.applied;
   return bar;
@@ -271,8 +271,9 @@ Span shownRange(const app::Session& session) {
   if (view.rangeEnd >= view.rangeStart) {
     return {std::clamp(view.rangeStart, 0.0, last), std::clamp(view.rangeEnd, 0.0, last)};
   }
-  const rig::Limb* limb =
-      view.selectedLimbs.empty() ? nullptr : app::findLimb(session.document(), view.selectedLimbs.front());
+  const rig::Limb* limb = view.selection.limbs().empty()
+                              ? nullptr
+                              : app::findLimb(session.document(), view.selection.limbs().front());
   if (limb == nullptr) {
     return {0.0, last};
   }
@@ -300,7 +301,7 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   addTrails(context, model);
   const bool isDopeSheet = detail == RowDetail::everyLimb;
   addHolds(context, isDopeSheet, model);
-  if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selectedTrail)) {
+  if (const rig::SolvedTrail* selected = app::solvedTrail(session, session.view().selection.trail())) {
     model.spheres = selected->controlFrames;
   }
   return model;

@@ -115,7 +115,7 @@ void sphereRows(PanelContext& context, const rig::Trail& trail) {
   ImGui::SameLine();
   commandButton(context,
                 {.command = command::sphereReset, .icon = icon::undo, .text = "Reset", .width = width});
-  const std::vector<double>& selected = session.view().selectedSpheres;
+  const std::vector<double>& selected = session.view().selection.spheres();
   const std::string state = selected.empty() ? std::to_string(trail.settings.spheres.size()) + " pulled"
                                              : std::to_string(selected.size()) + " selected";
   valueRow(widgets, "", std::to_string(count) + " spheres, " + state);

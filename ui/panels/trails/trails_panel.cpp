@@ -126,9 +126,9 @@ void trailText(PanelContext& context, const rig::Trail& trail) {
               {.id = "trails/" + std::to_string(trail.id),
                .title = title,
                .detail = detailText(trail),
-               .colour = session.view().selectedTrail == trail.id ? theme.colours.accent
-                         : trail.visible                          ? theme.colours.text
-                                                                  : theme.colours.quietText,
+               .colour = session.view().selection.trail() == trail.id ? theme.colours.accent
+                         : trail.visible                              ? theme.colours.text
+                                                                      : theme.colours.quietText,
                .help = {.title = title,
                         .text = limb + detailText(trail) +
                                 ". Click selects this trail, Ctrl+click adds it, a double click renames it, "
@@ -176,7 +176,7 @@ void trailRow(PanelContext& context, const rig::Trail& trail) {
   const Theme& theme = context.theme;
   const float height = rowLines(theme).whole;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  fillRow(context, context.character().view().selectedTrail == trail.id);
+  fillRow(context, context.character().view().selection.trail() == trail.id);
   ImGui::BeginGroup();
   colourSwatch(context, trail, height);
   ImGui::SameLine(0.0F, theme.px(4.0F));
@@ -257,7 +257,7 @@ void drawTrailsPanel(PanelContext& context) {
   if (any) {
     return;
   }
-  const bool limbChosen = !session.view().selectedLimbs.empty();
+  const bool limbChosen = !session.view().selection.limbs().empty();
   const std::string key = keyOf(context, command::trailExaggerate);
   emptyState(widgets, icon::bolt, limbChosen ? "Ready to exaggerate" : "No trail yet",
              limbChosen ? "Press " + (key.empty() ? std::string("Exaggerate") : key) +
