@@ -84,7 +84,7 @@ public:
     io.Fonts->GetTexDataAsAlpha8(&pixels, &atlasWidth, &atlasHeight);
     open_.open(document);
     app::selectLimb(session(), document.body.limbs.front().id, false);
-    ui.graph.joint = 1 << 20; // The last of the list: the whole body.
+    ui.time.graph.joint = 1 << 20; // The last of the list: the whole body.
   }
   ~Pane() { ImGui::DestroyContext(gui_); }
   Pane(const Pane&) = delete;
@@ -96,7 +96,7 @@ public:
   void settle() {
     do {
       frame(true);
-    } while (!ui.graph.complete);
+    } while (!ui.time.graph.complete);
   }
 
   void frame(bool shows) {
@@ -141,17 +141,17 @@ void measureGraph(const app::Document& character, const Options& options) {
   Table table("a frame of the graph and the dope sheet, 400 tracks of 600 keys", options);
   table.add("a frame of that clip, solved",
             [&] { static_cast<void>(app::evaluateOriginal(pane.session().document(), 0, 5.0)); });
-  pane.ui.bottomTab = ui::BottomTab::graph;
+  pane.ui.time.tab = ui::BottomTab::graph;
   pane.settle();
   table.add("the graph, while it plays", [&] { pane.frame(true); });
   double start = 0.0;
   table.add("the graph, zoomed or panned", [&] {
     start = std::fmod(start + 1.0, 200.0);
-    pane.ui.timeline.viewStart = start;
-    pane.ui.timeline.viewEnd = start + 300.0;
+    pane.ui.time.timeline.viewStart = start;
+    pane.ui.time.timeline.viewEnd = start + 300.0;
     pane.frame(true);
   });
-  const app::KeySelection picked{{pane.ui.graph.rows.front(), {{150, 1U}}}};
+  const app::KeySelection picked{{pane.ui.time.graph.rows.front(), {{150, 1U}}}};
   app::pickKeys(pane.session(), picked, false);
   pane.session().begin("Move a key");
   double value = 0.0;
@@ -167,13 +167,13 @@ void measureGraph(const app::Document& character, const Options& options) {
     pane.frame(true);
   });
   pane.session().cancel();
-  pane.ui.bottomTab = ui::BottomTab::dopeSheet;
+  pane.ui.time.tab = ui::BottomTab::dopeSheet;
   pane.frame(true);
   table.add("the dope sheet, while it plays", [&] { pane.frame(true); });
   const std::vector<app::KeyRow> all = app::keyedRows(pane.session().document(), 0);
   app::pickKeys(pane.session(), app::allKeys(pane.session().document(), 0, all), false);
   table.add("the dope sheet, all keys picked", [&] { pane.frame(true); });
-  pane.ui.bottomTab = ui::BottomTab::graph;
+  pane.ui.time.tab = ui::BottomTab::graph;
   pane.settle();
   table.add("the graph, all keys picked", [&] { pane.frame(true); });
   table.print();

@@ -1,6 +1,6 @@
 """What a rule still allows: tests/lint/allowed/RULE.txt, a line for each exception: a figure, what it counts for, and the reason.
 
-    45 UiState: cut by subject when the panels share one model of rows
+    30 Settings: cut by subject when its readers are
 
 A figure falls with the code and never rises by itself: raising one is a change that says why.
 """

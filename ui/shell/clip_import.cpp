@@ -40,8 +40,8 @@ void takeImported(Shell& shell, app::Session& session, const app::NewClips& brou
   const auto first = static_cast<int>(session.document().clips->size());
   session.edit(std::move(changed).value(), clips.size() == 1 ? "Import a clip" : "Import clips");
   app::showClip(session, first);
-  shell.ui.timeline.viewEnd = TimelineState{}.viewEnd;
-  shell.ui.timeline.viewStart = TimelineState{}.viewStart;
+  shell.ui.time.timeline.viewEnd = TimelineState{}.viewEnd;
+  shell.ui.time.timeline.viewStart = TimelineState{}.viewStart;
   tellImported(shell, session.document(), brought);
 }
 
@@ -50,9 +50,9 @@ void takeImported(Shell& shell, app::Session& session, const app::NewClips& brou
 void askForClip(Shell& shell, const std::filesystem::path& file) {
   app::FileFacts facts = app::factsOf(file);
   if (facts.clips.size() > 1) {
-    shell.ui.clipPick = {};
-    shell.ui.clipPick.file = file;
-    shell.ui.clipPick.clips = std::move(facts.clips);
+    shell.ui.dialogs.clipPick = {};
+    shell.ui.dialogs.clipPick.file = file;
+    shell.ui.dialogs.clipPick.clips = std::move(facts.clips);
   } else {
     importClip(shell, {file, -1});
   }

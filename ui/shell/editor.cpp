@@ -46,7 +46,7 @@ void readUserFiles(Shell& shell) {
   if (settings) {
     readSettings(*settings, shell.ui, shell.panes, shell.window);
   }
-  shell.ui.navigationChoiceOpen = !settings;
+  shell.ui.dialogs.navigationChoiceOpen = !settings;
   shell.ui.tour.pending = shell.ui.tour.pending || !settings;
   shell.commands = editorCommands();
   shell.keymap = app::Keymap(app::keyedCommands(shell.commands));
@@ -90,9 +90,9 @@ void takeKeyAnswers(Shell& shell) {
     const KeyChange change = *std::exchange(answers.keyChange, std::nullopt);
     const Result<std::string> loser = shell.keymap.rebind(change.commandId, app::parseChord(change.keyText));
     if (!loser) {
-      shell.ui.keys.clash = loser.error().line();
+      shell.ui.dialogs.keys.clash = loser.error().line();
     } else {
-      shell.ui.keys.clash = loser->empty() ? "" : change.keyText + " was taken from " + *loser;
+      shell.ui.dialogs.keys.clash = loser->empty() ? "" : change.keyText + " was taken from " + *loser;
       tellProblem(shell, writeText(keysPath(), shell.keymap.toJson()));
     }
   }
@@ -112,7 +112,7 @@ void takeAnswers(Editor& editor) {
   bool changed = std::exchange(answers.themeChanged, false);
   if (answers.navigation) {
     shell.ui.navigation = *std::exchange(answers.navigation, std::nullopt);
-    shell.ui.navigationChoiceOpen = false;
+    shell.ui.dialogs.navigationChoiceOpen = false;
     changed = true;
   }
   if (changed || std::exchange(answers.keepSettings, false)) {
@@ -150,7 +150,7 @@ void keepToolOnPress(Shell& shell) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool outside = !shell.viewport.box.contains(mouse);
   if (isRunning(shell.tool) && outside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    shell.ui.keyPane.pressTaken = std::holds_alternative<KeysTool>(shell.tool);
+    shell.ui.time.keys.pressTaken = std::holds_alternative<KeysTool>(shell.tool);
     finishTool(*shell.open.character(), shell.tool, true);
   }
 }
@@ -258,7 +258,7 @@ bool update(Editor& editor) {
   updateFileWork(shell, input, now);
   takeAnswers(editor);
   takeKeys(editor);
-  const bool happened = input.anything || wasLoading || shell.ui.timeline.playing ||
+  const bool happened = input.anything || wasLoading || shell.ui.time.timeline.playing ||
                         !shell.ui.toasts.empty() || isRunning(shell.tool) ||
                         shell.viewport.tipWatch.secondsLeft > 0.0F || editor.hand != nullptr;
   input.clear();
@@ -276,7 +276,7 @@ void drawFrame(Editor& editor) {
   updateTour(shell);
   keepToolOnPress(shell);
   editor.gpu->drewPicture = false;
-  shell.ui.keyPane.hovered = false;
+  shell.ui.time.keys.hovered = false;
   drawEverything(editor);
   moveKeysTool(shell);
   runRequested(shell);
@@ -354,7 +354,7 @@ int runEditor(const std::vector<std::filesystem::path>& files, const EditorOptio
     return failWith(editor.error());
   }
   if (options.hand != nullptr) {
-    editor->shell.ui.navigationChoiceOpen = false;
+    editor->shell.ui.dialogs.navigationChoiceOpen = false;
     editor->shell.ui.tour.pending = options.firstStart;
   }
   if (!files.empty()) {

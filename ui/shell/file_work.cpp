@@ -53,11 +53,11 @@ void leaveCharacter(Shell& shell) {
 /// What was seen of the time of the file before says nothing about this one.
 void forgetViewOfTime(UiState& ui) {
   const TimelineState fresh;
-  ui.timeline.viewStart = fresh.viewStart;
-  ui.timeline.viewEnd = fresh.viewEnd;
-  ui.timeline.playing = false;
-  ui.timelineGesture = {};
-  ui.graph.fitPending = true;
+  ui.time.timeline.viewStart = fresh.viewStart;
+  ui.time.timeline.viewEnd = fresh.viewEnd;
+  ui.time.timeline.playing = false;
+  ui.time.gesture = {};
+  ui.time.graph.fitPending = true;
 }
 
 /// The window's user, for the file work.
@@ -137,7 +137,7 @@ void askForName(Shell& shell, bool wasAsked) {
   }
   if (!wasAsked) {
     askForFile(shell, FilePurpose::saveModel);
-  } else if (!shell.ui.fileDialog.open) {
+  } else if (!shell.ui.dialogs.file.open) {
     WindowUser user(shell);
     shell.files.answer(user, app::FileAnswer::cancel);
   }
@@ -183,7 +183,7 @@ void takeDrop(Shell& shell, const std::vector<fs::path>& drops) {
     dropped.hasClips = !app::factsOf(paths.front()).clips.empty();
   }
   if (dropped.canBeHeld || dropped.hasClips) {
-    shell.ui.dropped = dropped;
+    shell.ui.dialogs.dropped = dropped;
   } else {
     openFile(shell, paths);
   }
@@ -227,7 +227,7 @@ void askForFile(Shell& shell, FilePurpose purpose) {
       (purpose == FilePurpose::saveModel || purpose == FilePurpose::exportClean)) {
     purpose = FilePurpose::exportSequence;
   }
-  FileDialogState& dialog = shell.ui.fileDialog;
+  FileDialogState& dialog = shell.ui.dialogs.file;
   dialog = {};
   dialog.open = true;
   dialog.purpose = purpose;

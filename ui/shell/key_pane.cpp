@@ -38,11 +38,11 @@ PaneCommand paneCommand(const char* id, const char* label, const char* help, boo
 }
 
 Status runKeysTool(Shell& shell, app::KeysModal::Kind kind) {
-  const KeyPane& pane = shell.ui.keyPane;
+  const KeyPane& pane = shell.ui.time.keys;
   app::KeysModal modal;
   modal.kind = kind;
   modal.valuesShown = pane.valuesShown;
-  modal.wholeFrames = shell.ui.timeline.snapToFrames;
+  modal.wholeFrames = shell.ui.time.timeline.snapToFrames;
   modal.aboutFrame = shell.open.character()->view().frame;
   modal.aboutValue = pane.value;
   modal.valueStep = pane.valueStep;
@@ -51,18 +51,18 @@ Status runKeysTool(Shell& shell, app::KeysModal::Kind kind) {
 
 void openRetime(Shell& shell) {
   const Span range = shownRange(*shell.open.character());
-  shell.ui.retime = {.open = true,
-                     .firstFrame = std::round(range.start),
-                     .lastFrame = std::round(range.end),
-                     .newFrames = std::round(range.end) - std::round(range.start)};
+  shell.ui.time.retime = {.open = true,
+                          .firstFrame = std::round(range.start),
+                          .lastFrame = std::round(range.end),
+                          .newFrames = std::round(range.end) - std::round(range.start)};
 }
 
 Status askForFit(Shell& shell, bool picked) {
-  shell.ui.graph.fitPending = true;
-  shell.ui.graph.fitPicked = picked;
+  shell.ui.time.graph.fitPending = true;
+  shell.ui.time.graph.fitPicked = picked;
   if (!picked) {
-    shell.ui.timeline.viewStart = 0.0;
-    shell.ui.timeline.viewEnd = -1.0;
+    shell.ui.time.timeline.viewStart = 0.0;
+    shell.ui.time.timeline.viewEnd = -1.0;
   }
   return Success{};
 }
@@ -96,11 +96,11 @@ std::vector<PaneCommand> keyPaneCommands() {
       paneCommand(command::graphIsolate, "Isolate curves",
                   "The graph shows only the curves that have picked keys.", hasClipOpen, openFirst,
                   [](Shell& shell) {
-                    shell.ui.graph.isolated = !shell.ui.graph.isolated;
+                    shell.ui.time.graph.isolated = !shell.ui.time.graph.isolated;
                     return Status(Success{});
                   }),
   };
-  commands.back().checked = [](const Shell& shell) { return shell.ui.graph.isolated; };
+  commands.back().checked = [](const Shell& shell) { return shell.ui.time.graph.isolated; };
   return commands;
 }
 
@@ -119,7 +119,7 @@ std::string commandUnderMouse(const Shell& shell, const app::Chord& chord, const
        {command::viewFrameSelection, command::graphFit},
        {command::viewFrameAll, command::graphFitAll},
        {command::sphereAdd, command::keysInsert}}};
-  if (!shell.ui.keyPane.hovered || shell.open.character() == nullptr) {
+  if (!shell.ui.time.keys.hovered || shell.open.character() == nullptr) {
     return elsewhere;
   }
   for (const auto& [there, here] : meanings) {
@@ -132,8 +132,8 @@ std::string commandUnderMouse(const Shell& shell, const app::Chord& chord, const
 }
 
 void moveKeysTool(Shell& shell) {
-  if (shell.open.character() != nullptr && shell.ui.keyPane.hovered) {
-    const Vec2 mouse(shell.ui.keyPane.frame, shell.ui.keyPane.value);
+  if (shell.open.character() != nullptr && shell.ui.time.keys.hovered) {
+    const Vec2 mouse(shell.ui.time.keys.frame, shell.ui.time.keys.value);
     tellProblem(shell, moveKeysMouse(*shell.open.character(), shell.tool, mouse));
   }
 }

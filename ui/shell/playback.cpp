@@ -37,13 +37,13 @@ void snapPlayhead(Shell& shell) {
   double* const playhead = shell.open.character() != nullptr  ? &shell.open.character()->view().frame
                            : shell.open.sequence() != nullptr ? &shell.open.sequence()->view().frame
                                                               : nullptr;
-  if (playhead != nullptr && shell.ui.timeline.snapToFrames) {
+  if (playhead != nullptr && shell.ui.time.timeline.snapToFrames) {
     *playhead = std::round(*playhead);
   }
 }
 
 void play(Shell& shell, double secondsPassed) {
-  TimelineState& time = shell.ui.timeline;
+  TimelineState& time = shell.ui.time.timeline;
   if (!time.playing) {
     return;
   }

@@ -36,7 +36,7 @@ bool isOn(const Shell& shell, const app::Command<Shell>& command) {
   const app::Session* const character = shell.open.character();
   const app::SequenceSession* const sequence = shell.open.sequence();
   const std::string_view id = command.id;
-  return (id == command::timePlay && shell.ui.timeline.playing) ||
+  return (id == command::timePlay && shell.ui.time.timeline.playing) ||
          (id == command::trailShowOriginal && character != nullptr && character->view().showOriginal) ||
          (id == command::sequenceOriginal && sequence != nullptr && sequence->view().showOriginal) ||
          (id == command::sequenceSkinned && sequence != nullptr && sequence->view().showSkinned);
@@ -234,10 +234,11 @@ void describeCommands(Shell& shell) {
 
 bool widgetsOwnKeys(const Shell& shell) {
   const UiState& ui = shell.ui;
-  return ui.fileDialog.open || ui.palette.open || ui.keys.open || ui.settingsOpen || ui.aboutOpen ||
-         ui.rename.open || ui.retime.open || ui.history.open || ui.jointPick.open ||
-         ui.navigationChoiceOpen || ui.rangeClash.has_value() || !ui.dropped.path.empty() ||
-         !ui.clipPick.file.empty() || shell.files.question().kind != app::FileQuestion::Kind::none;
+  return ui.dialogs.file.open || ui.dialogs.palette.open || ui.dialogs.keys.open || ui.dialogs.settingsOpen ||
+         ui.dialogs.aboutOpen || ui.trails.rename.open || ui.time.retime.open || ui.dialogs.history.open ||
+         ui.body.jointPick.open || ui.dialogs.navigationChoiceOpen || ui.dialogs.rangeClash.has_value() ||
+         !ui.dialogs.dropped.path.empty() || !ui.dialogs.clipPick.file.empty() ||
+         shell.files.question().kind != app::FileQuestion::Kind::none;
 }
 
 namespace {

@@ -88,8 +88,8 @@ app::Command<Shell> fileCommand(const char* id, const char* label, const char* h
 } // namespace
 
 void showSequence(Shell& shell) {
-  shell.ui.timeline.viewStart = 0.0;
-  shell.ui.timeline.viewEnd = -1.0;
+  shell.ui.time.timeline.viewStart = 0.0;
+  shell.ui.time.timeline.viewEnd = -1.0;
   // A body that lies along z is looked at from its side.
   const app::SequenceAnalysis& analysis = *shell.open.sequence()->document().analysis;
   const Vec3 size = analysis.high - analysis.low;

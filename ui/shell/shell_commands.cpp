@@ -69,8 +69,8 @@ auto switchOf(AnyShell& shell, std::string_view id) -> decltype(&shell.nameAsked
   auto& overlays = shell.ui.overlays;
   auto& panes = shell.panes;
   const std::pair<std::string_view, decltype(&shell.nameAsked)> switches[] = {
-      {command::timeEveryFrame, &shell.ui.timeline.everyFrame},
-      {command::timeOnTwos, &shell.ui.timeline.onTwos},
+      {command::timeEveryFrame, &shell.ui.time.timeline.everyFrame},
+      {command::timeOnTwos, &shell.ui.time.timeline.onTwos},
       {command::viewGhosts, &overlays.ghosts},
       {command::viewControllers, &overlays.controllers},
       {command::viewSkeleton, &overlays.skeleton},
@@ -139,9 +139,9 @@ void toggleViewportOnly(Shell& shell) {
 }
 
 void togglePlay(Shell& shell) {
-  shell.ui.timeline.playing = !shell.ui.timeline.playing;
+  shell.ui.time.timeline.playing = !shell.ui.time.timeline.playing;
   shell.playRemainder = 0.0;
-  if (shell.ui.timeline.playing) {
+  if (shell.ui.time.timeline.playing) {
     hideNews(shell.ui);
   } else {
     snapPlayhead(shell);
@@ -199,8 +199,8 @@ namespace {
 /// Asks first when it is not plain which trail is meant.
 Status beginExaggerating(Shell& shell) {
   app::Session& session = *shell.open.character();
-  shell.ui.rangeClash = app::rangeClash(session);
-  return shell.ui.rangeClash ? Status(Success{}) : startExaggerating(shell, app::OverlapChoice::edit);
+  shell.ui.dialogs.rangeClash = app::rangeClash(session);
+  return shell.ui.dialogs.rangeClash ? Status(Success{}) : startExaggerating(shell, app::OverlapChoice::edit);
 }
 
 bool hasSpheres(const Shell& shell) {
@@ -247,8 +247,8 @@ void showOriginal(Shell& shell) {
 }
 
 void pickChain(Shell& shell) {
-  shell.ui.jointPick = {};
-  shell.ui.jointPick.open = true;
+  shell.ui.body.jointPick = {};
+  shell.ui.body.jointPick.open = true;
 }
 
 Status exportKeys(Shell& shell) {
@@ -269,15 +269,15 @@ void rename(Shell& shell) {
   const app::Session& session = *shell.open.character();
   const rig::Trail& trail = *app::selectedTrail(session);
   const std::vector<int> group = app::wholeGroupSelected(session);
-  shell.ui.rename = {.open = true, .trail = trail.id, .ofGroup = !group.empty()};
-  shell.ui.rename.present = group.empty() ? trailHeading(session.document(), trail)
-                                          : capitalised(app::groupTitle(session.document(), group));
-  shell.ui.rename.typed = shell.ui.rename.present;
+  shell.ui.trails.rename = {.open = true, .trail = trail.id, .ofGroup = !group.empty()};
+  shell.ui.trails.rename.present = group.empty() ? trailHeading(session.document(), trail)
+                                                 : capitalised(app::groupTitle(session.document(), group));
+  shell.ui.trails.rename.typed = shell.ui.trails.rename.present;
 }
 
 void openPalette(Shell& shell) {
-  shell.ui.palette = {};
-  shell.ui.palette.open = true;
+  shell.ui.dialogs.palette = {};
+  shell.ui.dialogs.palette.open = true;
 }
 
 void toggleNavigation(Shell& shell) {
@@ -397,7 +397,7 @@ std::vector<ShellCommand> toolCommands() {
       switchCommand(command::timeOnTwos, "On twos",
                     "Playing holds every second frame for two, as cartoons do.", {}),
       entry(command::history, "History", "Lists what was done, to go back to any of it.", {"Ctrl+H"},
-            pictureNeeded, doing([](Shell& shell) { shell.ui.history = {.open = true}; })),
+            pictureNeeded, doing([](Shell& shell) { shell.ui.dialogs.history = {.open = true}; })),
   };
 }
 
@@ -452,17 +452,17 @@ std::vector<ShellCommand> helpCommands() {
             nothingNeeded, doing(openPalette)),
       entry(command::keys, "All keys", "Shows every key and lets it be changed.", {"?", "F1"}, nothingNeeded,
             doing([](Shell& shell) {
-              shell.ui.keys = {};
-              shell.ui.keys.open = true;
+              shell.ui.dialogs.keys = {};
+              shell.ui.dialogs.keys.open = true;
             })),
       entry(command::tour, "Tour", "Goes through the first punch step by step, on the bundled clip.", {},
             nothingNeeded, startTour),
       entry(command::tourEnd, "End the tour", "Takes the tour's card away.", {},
             {isOnTour, "the tour does not run"}, doing(endTour)),
       entry(command::settings, "Settings", "Theme, size, navigation and what is drawn.", {}, nothingNeeded,
-            doing([](Shell& shell) { shell.ui.settingsOpen = true; })),
+            doing([](Shell& shell) { shell.ui.dialogs.settingsOpen = true; })),
       entry(command::about, "About", "What this program is.", {}, nothingNeeded,
-            doing([](Shell& shell) { shell.ui.aboutOpen = true; })),
+            doing([](Shell& shell) { shell.ui.dialogs.aboutOpen = true; })),
       entry(command::keysExport, "Export the keys",
             "Writes every key to a file in your configuration folder.", {}, nothingNeeded, exportKeys),
       bundledCommand(app::bundledClips()[0]),

@@ -60,7 +60,7 @@ bool kept(const Shell& shell) {
 }
 
 bool played(const Shell& shell) {
-  return shell.ui.timeline.playing;
+  return shell.ui.time.timeline.playing;
 }
 
 bool applied(const Shell& shell) {

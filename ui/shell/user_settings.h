@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/session.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/render/view/camera.h"
 #include "ui/shell/pane_layout.h"
 

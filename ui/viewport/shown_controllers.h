@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/session.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/render/overlay/controller_drawing.h"
 #include "ui/render/picture/controller_handles.h"
 #include "ui/render/view/camera.h"

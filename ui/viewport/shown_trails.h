@@ -5,7 +5,7 @@
 
 #include "app/edits/trail/sphere_edits.h"
 #include "app/session.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/render/picking/picking.h"
 
 namespace stretch::ui {

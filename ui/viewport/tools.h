@@ -11,7 +11,7 @@
 #include "app/commands/trail/spheres.h"
 #include "app/edits/trail/sphere_edits.h"
 #include "app/session.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/render/view/camera.h"
 #include "ui/viewport/controller_tool.h"
 

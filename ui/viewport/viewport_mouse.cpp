@@ -107,7 +107,7 @@ std::optional<double> frameUnderMouse(const ViewportContext& context) {
   }
   const double from = trail->drawn.frames[hit->segment];
   const double frame = from + hit->fraction * (trail->drawn.frames[hit->segment + 1] - from);
-  return context.ui.timeline.snapToFrames ? std::round(frame) : frame;
+  return context.ui.time.timeline.snapToFrames ? std::round(frame) : frame;
 }
 
 void addSphereUnderMouse(ViewportContext& context) {
@@ -150,7 +150,7 @@ void pressLeft(ViewportContext& context) {
     viewport.gesture = ViewportGesture::boxSelect;
   }
   if (viewport.hoveredJoint.exists()) {
-    showWeightsOf(context.ui.weights, session, viewport.hoveredJoint);
+    showWeightsOf(context.ui.body.weights, session, viewport.hoveredJoint);
   }
 }
 
@@ -389,7 +389,7 @@ void updateHover(ViewportContext& context) {
   }
   const bool pressed =
       ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-  if (context.ui.timeline.playing && !pressed) {
+  if (context.ui.time.timeline.playing && !pressed) {
     return; // The surface is another in each frame: it is looked at when it is asked for.
   }
   hoverHandles(context);

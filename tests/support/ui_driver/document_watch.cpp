@@ -54,9 +54,9 @@ std::string openThing(const Shell& shell) {
   const app::Session* const character = shell.open.character();
   const std::pair<bool, const char*> things[] = {
       {isRunning(shell.tool), "the tool"},
-      {shell.ui.fileDialog.open, "the dialog of files"},
-      {shell.ui.palette.open, "the palette"},
-      {shell.ui.rangeClash.has_value(), "the question which trail is meant"},
+      {shell.ui.dialogs.file.open, "the dialog of files"},
+      {shell.ui.dialogs.palette.open, "the palette"},
+      {shell.ui.dialogs.rangeClash.has_value(), "the question which trail is meant"},
       {shell.files.question().kind != app::FileQuestion::Kind::none, "the question about a file"},
       {widgetsOwnKeys(shell), "a dialog"},
       {ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel), "a menu"},

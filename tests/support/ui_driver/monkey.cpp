@@ -172,7 +172,7 @@ std::string Monkey::something(const Shell& shell) {
 }
 
 bool Monkey::isAstray(const Shell& shell) const {
-  const FileDialogState& dialog = shell.ui.fileDialog;
+  const FileDialogState& dialog = shell.ui.dialogs.file;
   const std::filesystem::path folder = std::filesystem::weakly_canonical(dialog.folder);
   return dialog.open &&
          std::mismatch(home_.begin(), home_.end(), folder.begin(), folder.end()).first != home_.end();
@@ -180,7 +180,7 @@ bool Monkey::isAstray(const Shell& shell) const {
 
 void Monkey::planSave(const Shell& shell) {
   constexpr int mostKeys = 4;
-  if (shell.ui.fileDialog.open && saving_ < mostKeys) {
+  if (shell.ui.dialogs.file.open && saving_ < mostKeys) {
     ++saving_;
     planned_ = {"key Enter"};
   } else {

@@ -163,7 +163,7 @@ TEST_CASE("The history lists what was done and goes to any of it") {
   for (const char* name : {"one", "two", "three"}) {
     session.edit(*app::renameTrail(session.document(), id, name), std::string("Call it ") + name);
   }
-  driver.ui.history.open = true;
+  driver.ui.dialogs.history.open = true;
   driver.frames(4);
   driver.click("history/1");
   CHECK(session.document().trails.front().name == "one");

@@ -38,10 +38,10 @@ struct Folder {
 };
 
 void openFiles(PanelDriver& driver, const Folder& folder, ui::FilePurpose purpose) {
-  driver.ui.fileDialog = {};
-  driver.ui.fileDialog.open = true;
-  driver.ui.fileDialog.purpose = purpose;
-  driver.ui.fileDialog.folder = folder.path;
+  driver.ui.dialogs.file = {};
+  driver.ui.dialogs.file.open = true;
+  driver.ui.dialogs.file.purpose = purpose;
+  driver.ui.dialogs.file.folder = folder.path;
   driver.frames(3);
 }
 
@@ -65,12 +65,12 @@ TEST_CASE("A file is opened by a double click, in a folder, and by its typed nam
   openFiles(driver, folder, ui::FilePurpose::openModel);
   SECTION("click") {
     driver.click("files/entry/Punch.glb");
-    CHECK(driver.ui.fileDialog.open);
-    CHECK(driver.ui.fileDialog.facts.kind == "Binary glTF");
+    CHECK(driver.ui.dialogs.file.open);
+    CHECK(driver.ui.dialogs.file.facts.kind == "Binary glTF");
     driver.doubleClick("files/entry/Punch.glb");
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
-    CHECK_FALSE(driver.ui.fileDialog.open);
+    CHECK_FALSE(driver.ui.dialogs.file.open);
   }
   SECTION("folder, then click") {
     driver.doubleClick("files/entry/clips");
@@ -87,7 +87,7 @@ TEST_CASE("A file is opened by a double click, in a folder, and by its typed nam
   SECTION("typed after a click elsewhere") {
     driver.click("files/entry/walk.gltf");
     driver.type("pun");
-    CHECK(driver.ui.fileDialog.factsPath.filename() == "Punch.glb");
+    CHECK(driver.ui.dialogs.file.factsPath.filename() == "Punch.glb");
     driver.pressKey(ImGuiKey_Enter);
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "Punch.glb");
@@ -102,12 +102,12 @@ TEST_CASE("A file is opened by a double click, in a folder, and by its typed nam
     driver.doubleClick("files/entry/clips");
     driver.pressKey(ImGuiKey_Backspace);
     driver.frames(2);
-    CHECK(driver.ui.fileDialog.folder == folder.path);
+    CHECK(driver.ui.dialogs.file.folder == folder.path);
   }
   SECTION("Esc closes without an answer") {
     driver.pressKey(ImGuiKey_Escape);
     driver.frames(2);
-    CHECK_FALSE(driver.ui.fileDialog.open);
+    CHECK_FALSE(driver.ui.dialogs.file.open);
     CHECK_FALSE(driver.ui.answers.file);
   }
 }
@@ -126,7 +126,7 @@ TEST_CASE("A typed path is opened, whatever rows stand in the list") {
   SECTION("a click on a row takes the place of a typed path") {
     driver.type("/nowhere/else.glb");
     driver.click("files/entry/walk.gltf");
-    CHECK(driver.ui.fileDialog.typed.empty());
+    CHECK(driver.ui.dialogs.file.typed.empty());
     driver.pressKey(ImGuiKey_Enter);
     REQUIRE(driver.ui.answers.file);
     CHECK(driver.ui.answers.file->path == folder.path / "walk.gltf");
@@ -141,12 +141,12 @@ TEST_CASE("A new folder is made and shown, one that is there already is not") {
   driver.frames(2);
   driver.type("clips");
   driver.pressKey(ImGuiKey_Enter);
-  CHECK(driver.ui.fileDialog.folder == folder.path);
-  CHECK_FALSE(driver.ui.fileDialog.message.empty());
+  CHECK(driver.ui.dialogs.file.folder == folder.path);
+  CHECK_FALSE(driver.ui.dialogs.file.message.empty());
   driver.type("2");
   driver.pressKey(ImGuiKey_Enter);
   driver.frames(2);
-  CHECK(driver.ui.fileDialog.folder == folder.path / "clips2");
+  CHECK(driver.ui.dialogs.file.folder == folder.path / "clips2");
   CHECK(fs::is_directory(folder.path / "clips2"));
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("Saving over a file asks first, and a missing extension is added") {
   driver.type("Punch");
   driver.pressKey(ImGuiKey_Enter);
   CHECK_FALSE(driver.ui.answers.file);
-  CHECK(driver.ui.fileDialog.confirmOverwrite);
+  CHECK(driver.ui.dialogs.file.confirmOverwrite);
   driver.frames(2);
   driver.click("files/Replace");
   REQUIRE(driver.ui.answers.file);
@@ -171,12 +171,12 @@ TEST_CASE("Saving over a file asks first, and a missing extension is added") {
 
 TEST_CASE("The palette runs what was typed with Enter") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  driver.ui.palette.open = true;
+  driver.ui.dialogs.palette.open = true;
   driver.frames(3);
   driver.type("select left arm");
   driver.pressKey(ImGuiKey_Enter);
   CHECK(driver.requested == std::vector<std::string>{"limb.left-arm"});
-  CHECK_FALSE(driver.ui.palette.open);
+  CHECK_FALSE(driver.ui.dialogs.palette.open);
 }
 
 TEST_CASE("Unsaved changes: every way out gives an answer") {
@@ -228,7 +228,7 @@ TEST_CASE("Work that was left behind is restored with Enter") {
 
 TEST_CASE("The first start asks how the view is turned") {
   PanelDriver driver(std::nullopt);
-  driver.ui.navigationChoiceOpen = true;
+  driver.ui.dialogs.navigationChoiceOpen = true;
   driver.frames(3);
   driver.click("navigation/blender");
   CHECK(driver.ui.answers.navigation == ui::NavigationStyle::blender);
@@ -237,25 +237,25 @@ TEST_CASE("The first start asks how the view is turned") {
 
 TEST_CASE("A key is changed in the keys overview, and the one that loses it is told") {
   PanelDriver driver(PanelDriver::bundledCharacter());
-  driver.ui.keys.open = true;
-  driver.ui.keys.filter = "apply";
+  driver.ui.dialogs.keys.open = true;
+  driver.ui.dialogs.keys.filter = "apply";
   driver.frames(3);
   driver.click("keys/trail.apply");
-  CHECK(driver.ui.keys.waitingFor == "trail.apply");
+  CHECK(driver.ui.dialogs.keys.waitingFor == "trail.apply");
   driver.status.pressedKey.assign(1, 'T');
   driver.frame();
   REQUIRE(driver.ui.answers.keyChange);
   CHECK(driver.ui.answers.keyChange->commandId == "trail.apply");
   CHECK(driver.ui.answers.keyChange->keyText == "T");
-  CHECK(driver.ui.keys.clash.find("Motion trail") != std::string::npos);
+  CHECK(driver.ui.dialogs.keys.clash.find("Motion trail") != std::string::npos);
 }
 
 TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the found ones back") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   const rig::Limb before = *app::findLimb(driver.open.character()->document(), "left-arm");
   const NodeIndex forearm = before.joints.back();
-  driver.ui.jointPick.open = true;
-  driver.ui.jointPick.limbId = "left-arm";
+  driver.ui.body.jointPick.open = true;
+  driver.ui.body.jointPick.limbId = "left-arm";
   driver.frames(3);
   driver.click(fmt::format("joints/{}", forearm.value));
   driver.click(fmt::format("joints/{}", before.endNode.value));
@@ -271,12 +271,12 @@ TEST_CASE("A limb's joints are chosen from the skeleton, and undo gives the foun
 TEST_CASE("A chain of two joints that do not belong together is refused with a reason") {
   PanelDriver driver(PanelDriver::bundledCharacter());
   const app::Document& document = driver.open.character()->document();
-  driver.ui.jointPick.open = true;
-  driver.ui.jointPick.baseNode = app::findLimb(document, "left-arm")->joints.front();
-  driver.ui.jointPick.endNode = app::findLimb(document, "right-leg")->endNode;
+  driver.ui.body.jointPick.open = true;
+  driver.ui.body.jointPick.baseNode = app::findLimb(document, "left-arm")->joints.front();
+  driver.ui.body.jointPick.endNode = app::findLimb(document, "right-leg")->endNode;
   driver.frames(3);
   driver.click("joints/Use them");
-  CHECK_FALSE(driver.ui.jointPick.message.empty());
+  CHECK_FALSE(driver.ui.body.jointPick.message.empty());
   CHECK(driver.open.character()->document().chains.empty());
 }
 
@@ -312,15 +312,15 @@ bool isWholeInWindow(const ui::Item* item) {
 
 TEST_CASE("A dialog that opens under a resting mouse shows no tooltip until the mouse has moved") {
   PanelDriver driver(std::nullopt);
-  driver.ui.navigationChoiceOpen = true;
+  driver.ui.dialogs.navigationChoiceOpen = true;
   driver.frames(3);
   const ImVec2 card = driver.centreOf("navigation/maya");
-  driver.ui.navigationChoiceOpen = false;
+  driver.ui.dialogs.navigationChoiceOpen = false;
   driver.pressKey(ImGuiKey_Escape);
   driver.frames(3);
   ImGui::GetIO().MousePos = card;
   driver.frames(60);
-  driver.ui.navigationChoiceOpen = true;
+  driver.ui.dialogs.navigationChoiceOpen = true;
   driver.frames(90);
   CHECK_FALSE(showsTooltip());
   driver.moveBy(1.0F, 0.0F);
@@ -331,7 +331,7 @@ TEST_CASE("A dialog that opens under a resting mouse shows no tooltip until the 
 TEST_CASE("In a low window a dialog's content scrolls while its title and its buttons stay in sight") {
   PanelDriver driver(std::nullopt);
   ImGui::GetIO().DisplaySize = {640.0F, 300.0F};
-  driver.ui.settingsOpen = true;
+  driver.ui.dialogs.settingsOpen = true;
   driver.frames(5);
   CHECK(isWholeInWindow(driver.find("settings/close")));
   CHECK(isWholeInWindow(driver.find("settings/Keys")));
@@ -347,13 +347,13 @@ TEST_CASE("In a low window a dialog's content scrolls while its title and its bu
   CHECK(isWholeInWindow(driver.find("settings/on_twos")));
   CHECK(isWholeInWindow(driver.find("settings/Close")));
   driver.click("settings/Close");
-  CHECK_FALSE(driver.ui.settingsOpen);
+  CHECK_FALSE(driver.ui.dialogs.settingsOpen);
 }
 
 TEST_CASE("A dialog whose content has room does not scroll") {
   PanelDriver driver(std::nullopt);
   ImGui::GetIO().DisplaySize = {1280.0F, 900.0F};
-  driver.ui.settingsOpen = true;
+  driver.ui.dialogs.settingsOpen = true;
   driver.frames(5);
   CHECK(isWholeInWindow(driver.find("settings/theme/Dark")));
   CHECK(isWholeInWindow(driver.find("settings/on_twos")));

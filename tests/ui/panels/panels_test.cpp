@@ -80,8 +80,8 @@ TEST_CASE("A click on a limb that was not found asks for its joints") {
   PanelDriver driver(document);
   driver.click("limb/neck");
   CHECK(driver.open.character()->view().selection.limbs().empty());
-  CHECK(driver.ui.jointPick.open);
-  CHECK(driver.ui.jointPick.limbId == "neck");
+  CHECK(driver.ui.body.jointPick.open);
+  CHECK(driver.ui.body.jointPick.limbId == "neck");
 }
 
 TEST_CASE("Dragging the scale is one undo step, however many frames it takes") {
@@ -233,7 +233,7 @@ TEST_CASE("While another part of the program drags, panels leave the document al
 TEST_CASE("No two widgets have the same id") {
   TrailPanels panels;
   for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph, ui::BottomTab::dopeSheet}) {
-    panels.driver.ui.bottomTab = tab;
+    panels.driver.ui.time.tab = tab;
     panels.driver.frames(2);
     std::set<std::string> seen;
     for (const ui::Item& item : panels.driver.items.items) {
@@ -252,11 +252,11 @@ TEST_CASE("Without a file the panels say what to do") {
 
 TEST_CASE("The graph shows the curves of the selected limb, with the source beside them where a trail acts") {
   TrailPanels panels;
-  panels.driver.ui.bottomTab = ui::BottomTab::graph;
-  panels.driver.ui.graph.channels = ui::GraphChannels::stretch;
+  panels.driver.ui.time.tab = ui::BottomTab::graph;
+  panels.driver.ui.time.graph.channels = ui::GraphChannels::stretch;
   panels.driver.frames(2);
-  REQUIRE(panels.driver.ui.graph.curves.size() == 1);
-  const ui::Curve& length = panels.driver.ui.graph.curves.front();
+  REQUIRE(panels.driver.ui.time.graph.curves.size() == 1);
+  const ui::Curve& length = panels.driver.ui.time.graph.curves.front();
   CHECK(ui::curveValue(length.points, 24.0) ==
         Approx(2.0 * ui::curveValue(length.before, 24.0)).epsilon(1e-3));
   CHECK(ui::curveValue(length.points, 0.0) == Approx(ui::curveValue(length.before, 0.0)));
@@ -294,7 +294,7 @@ TEST_CASE("The playhead's time is told apart from the working range") {
 TEST_CASE("The menu of a key leaves trails alone") {
   TrailPanels panels;
   PanelDriver& driver = panels.driver;
-  driver.ui.menuAsked = ui::MenuTarget::key;
+  driver.ui.menu.asked = ui::MenuTarget::key;
   driver.frames(3);
   CHECK(driver.find("context/trail.copy") != nullptr);
   CHECK(driver.find("context/trail.delete") == nullptr);
@@ -303,7 +303,7 @@ TEST_CASE("The menu of a key leaves trails alone") {
 TEST_CASE("Every widget that can be used says what it does") {
   TrailPanels panels;
   for (const ui::BottomTab tab : {ui::BottomTab::timeline, ui::BottomTab::graph}) {
-    panels.driver.ui.bottomTab = tab;
+    panels.driver.ui.time.tab = tab;
     panels.driver.frames(2);
     for (const ui::Item& item : panels.driver.items.items) {
       // Menus open on a click, and parts of pictures explain themselves under the mouse.

@@ -72,7 +72,7 @@ const Panel panels[] = {
     {"rig-reasons", drawRigPanel,
      [](GuiStage& stage) {
        withLimb(stage);
-       stage.ui.expandedLimb = "left-arm";
+       stage.ui.body.expandedLimb = "left-arm";
      }},
     {"rig-empty", drawRigPanel, withNothing},
     {"limb", drawLimbPanel, withLimb},
@@ -84,13 +84,13 @@ const Panel panels[] = {
     {"graph", drawBottomPanel,
      [](GuiStage& stage) {
        withTrail(stage);
-       stage.ui.bottomTab = BottomTab::graph;
+       stage.ui.time.tab = BottomTab::graph;
      },
      960.0F, 192.0F},
     {"dope-sheet", drawBottomPanel,
      [](GuiStage& stage) {
        withTrail(stage);
-       stage.ui.bottomTab = BottomTab::dopeSheet;
+       stage.ui.time.tab = BottomTab::dopeSheet;
      },
      960.0F, 192.0F},
     {"sequence-facts", drawSequenceFacts, withSequence, 264.0F},
@@ -120,7 +120,7 @@ struct Dialog {
 const Dialog dialogs[] = {
     {"files", 720.0F, 560.0F,
      [](UiState& ui) {
-       FileDialogState& files = ui.fileDialog;
+       FileDialogState& files = ui.dialogs.file;
        setenv("HOME", "/characters", 1); // Whose folders are listed as places.
        files.open = true;
        files.wasOpen = true; // as listed below
@@ -128,15 +128,15 @@ const Dialog dialogs[] = {
        files.entries = {{"clips", true, 0}, {"boxer.glb", false, 2'400'000}, {"walk.gltf", false, 18'000}};
        files.highlighted = 1;
      }},
-    {"palette", 680.0F, 470.0F, [](UiState& ui) { ui.palette = {.open = true, .typed = "trail"}; },
+    {"palette", 680.0F, 470.0F, [](UiState& ui) { ui.dialogs.palette = {.open = true, .typed = "trail"}; },
      withTrail},
-    {"keys", 760.0F, 620.0F, [](UiState& ui) { ui.keys.open = true; }, withTrail},
-    {"settings", 560.0F, 540.0F, [](UiState& ui) { ui.settingsOpen = true; }},
-    {"about", 520.0F, 340.0F, [](UiState& ui) { ui.aboutOpen = true; }},
+    {"keys", 760.0F, 620.0F, [](UiState& ui) { ui.dialogs.keys.open = true; }, withTrail},
+    {"settings", 560.0F, 540.0F, [](UiState& ui) { ui.dialogs.settingsOpen = true; }},
+    {"about", 520.0F, 340.0F, [](UiState& ui) { ui.dialogs.aboutOpen = true; }},
     {"joints", 560.0F, 620.0F,
      [](UiState& ui) {
-       ui.jointPick.open = true;
-       ui.jointPick.limbId = "left-arm";
+       ui.body.jointPick.open = true;
+       ui.body.jointPick.limbId = "left-arm";
      },
      withLimb},
     {"unsaved", 560.0F, 240.0F, [](UiState&) {},
@@ -144,7 +144,7 @@ const Dialog dialogs[] = {
        withTrail(stage);
        stage.status.question.kind = app::FileQuestion::Kind::unsaved;
      }},
-    {"first-start", 620.0F, 320.0F, [](UiState& ui) { ui.navigationChoiceOpen = true; }},
+    {"first-start", 620.0F, 320.0F, [](UiState& ui) { ui.dialogs.navigationChoiceOpen = true; }},
     {"restore", 560.0F, 240.0F, [](UiState&) {},
      [](GuiStage& stage) {
        stage.status.question = {app::FileQuestion::Kind::restore, "boxer.glb"};

@@ -15,7 +15,7 @@ struct Playing {
     Result<app::Document> document = app::openDocument(STRETCH_SOURCE_DIR "/assets/dummy.glb");
     REQUIRE(document);
     shell.open.open(std::move(document).value());
-    shell.ui.timeline.playing = true;
+    shell.ui.time.timeline.playing = true;
   }
   [[nodiscard]] double frame() const { return shell.open.character()->view().frame; }
 
@@ -30,7 +30,7 @@ TEST_CASE(
   play(inTime.shell, 0.125);
   CHECK(inTime.frame() == Approx(3.0));
   Playing each;
-  each.shell.ui.timeline.everyFrame = true;
+  each.shell.ui.time.timeline.everyFrame = true;
   for (const double wanted : {1.0, 2.0, 3.0}) {
     play(each.shell, 0.125);
     CHECK(each.frame() == wanted);
@@ -44,7 +44,7 @@ TEST_CASE(
 
 TEST_CASE("On twos every second frame is held for two") {
   Playing playing;
-  playing.shell.ui.timeline.onTwos = true;
+  playing.shell.ui.time.timeline.onTwos = true;
   for (const double wanted : {0.0, 2.0, 2.0, 4.0, 4.0, 6.0}) {
     play(playing.shell, 1.001 / 24.0);
     CHECK(playing.frame() == wanted);

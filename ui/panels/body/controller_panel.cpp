@@ -313,12 +313,12 @@ void tweenRow(PanelContext& context) {
                         .hardMaximum = 3.0,
                         .help = dragHelp(help),
                         .enabled = possible};
-  const EditPhase phase = slider(widgets, spec, context.ui.tween);
+  const EditPhase phase = slider(widgets, spec, context.ui.body.tween);
   if (phase.changed || phase.ended) {
-    poseThrough(context, phase, "Tween", app::tweened(session, context.ui.tween));
+    poseThrough(context, phase, "Tween", app::tweened(session, context.ui.body.tween));
   }
   if (phase.ended) {
-    context.ui.tween = 0.5;
+    context.ui.body.tween = 0.5;
   }
 }
 

@@ -40,7 +40,7 @@ void jointRow(PanelContext& context, NodeIndex node, int depth) {
   const Scene& scene = *context.character().document().scene;
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
-  JointPick& pick = context.ui.jointPick;
+  JointPick& pick = context.ui.body.jointPick;
   const std::string name = nodeName(scene, node);
   const Control row = takePlace(widgets, "joints/" + std::to_string(node.value),
                                 {ImGui::GetContentRegionAvail().x, theme.px(24.0F)});
@@ -95,7 +95,7 @@ std::vector<std::pair<NodeIndex, int>> treeRows(const Scene& scene) {
 
 void tree(PanelContext& context) {
   const Scene& scene = *context.character().document().scene;
-  const std::string& filter = context.ui.jointPick.filter;
+  const std::string& filter = context.ui.body.jointPick.filter;
   ImGui::BeginChild("joints/tree", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
   for (const auto& [node, depth] : treeRows(scene)) {
@@ -149,7 +149,7 @@ Result<app::Document> changedDocument(const app::Document& document, const Joint
 }
 
 void useChain(PanelContext& context) {
-  JointPick& pick = context.ui.jointPick;
+  JointPick& pick = context.ui.body.jointPick;
   const Result<app::Document> changed = changedDocument(context.character().document(), pick);
   if (!changed) {
     pick.message = changed.error().line();
@@ -179,7 +179,7 @@ std::string summary(const Scene& scene, const JointPick& pick) {
 } // namespace
 
 void drawJointDialog(PanelContext& context) {
-  JointPick& pick = context.ui.jointPick;
+  JointPick& pick = context.ui.body.jointPick;
   if (!hasCharacter(context)) {
     pick.open = false;
   }

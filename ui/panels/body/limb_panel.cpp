@@ -174,7 +174,7 @@ void jointList(PanelContext& context) {
   const Help help{
       "Other joints", "Fingers, clavicles, toes, a tail: each turns by itself. A dot: it is keyed.", {}};
   const int chosen = dropdown(widgetsOf(context), "controller/joint", choices, selected, help, 0.0F,
-                              "Other joints", &context.ui.jointFilter);
+                              "Other joints", &context.ui.body.jointFilter);
   if (chosen >= 0) {
     app::selectController(session, joints[static_cast<std::size_t>(chosen)].id, ImGui::GetIO().KeyShift);
   }
@@ -254,9 +254,9 @@ void diagram(PanelContext& context) {
   } else if (clicked.part && figure.parts[*clicked.part].found) {
     app::selectLimb(session, figure.parts[*clicked.part].id, add);
   } else if (clicked.part) {
-    context.ui.jointPick = {};
-    context.ui.jointPick.open = true;
-    context.ui.jointPick.limbId = figure.parts[*clicked.part].id;
+    context.ui.body.jointPick = {};
+    context.ui.body.jointPick.open = true;
+    context.ui.body.jointPick.limbId = figure.parts[*clicked.part].id;
   }
   menuOfDiagram(context, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, figure.parts);
 }

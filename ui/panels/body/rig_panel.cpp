@@ -103,7 +103,7 @@ void openCorrection(PanelContext& context, const rig::Limb& limb) {
   pick.limbId = limb.kind == rig::LimbKind::chain ? std::string() : limb.id;
   pick.baseNode = limb.joints.empty() ? NodeIndex::none : limb.joints.front();
   pick.endNode = limb.endNode;
-  context.ui.jointPick = pick;
+  context.ui.body.jointPick = pick;
 }
 
 void drawLimbRow(const PanelContext& context, const Control& row, const rig::Limb& limb, bool selected) {
@@ -182,7 +182,7 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
     askForMenu(context.ui, MenuTarget::limb);
   }
   ImGui::SameLine(0.0F, 0.0F);
-  const bool expanded = context.ui.expandedLimb == limb.id;
+  const bool expanded = context.ui.body.expandedLimb == limb.id;
   ButtonSpec more;
   more.id = "rig/why/" + limb.id;
   more.icon = expanded ? icon::chevronDown : icon::chevronRight;
@@ -191,7 +191,7 @@ void limbRow(PanelContext& context, const rig::Limb& limb) {
   more.width = chevron;
   more.help = {"Why these joints", "Shows the reasons, and lets you choose other joints.", {}};
   if (button(widgets, more)) {
-    context.ui.expandedLimb = expanded ? std::string() : limb.id;
+    context.ui.body.expandedLimb = expanded ? std::string() : limb.id;
   }
   if (expanded) {
     limbReasons(context, limb);

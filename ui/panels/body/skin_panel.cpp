@@ -193,9 +193,9 @@ void weightPart(PanelContext& context) {
                 "How much the mesh follows this joint: yellow wholly, grey not at all. A click "
                 "on the mesh takes the joint that it follows most there.",
                 {}},
-               0.0F, "", &context.ui.weights.filter);
+               0.0F, "", &context.ui.body.weights.filter);
   if (chosen >= 0) {
-    showWeightsOf(context.ui.weights, session, joints[static_cast<std::size_t>(chosen)]);
+    showWeightsOf(context.ui.body.weights, session, joints[static_cast<std::size_t>(chosen)]);
   }
   separator(widgets);
 }

@@ -85,7 +85,7 @@ void showWeightsOf(WeightView& view, const app::Session& session, NodeIndex join
 }
 
 NodeIndex weightsShownOf(UiState& ui, const app::Session& session) {
-  WeightView& view = ui.weights;
+  WeightView& view = ui.body.weights;
   if (!ui.overlays.weights) {
     return NodeIndex::none;
   }

@@ -4,7 +4,7 @@
 
 #include "app/session.h"
 #include "core/scene/scene.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 
 namespace stretch::ui {
 

@@ -46,7 +46,7 @@ using PickedChange = std::function<Result<app::EditedKeys>(const app::Document&,
 void editPicked(PanelContext& context, const EditPhase& phase, const std::string& verb,
                 const PickedChange& change) {
   app::Session& session = context.character();
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   if (!phase.changed && !phase.ended) {
     return;
   }
@@ -170,7 +170,7 @@ void framesSlider(PanelContext& context, const char* id, const char* label, cons
 }
 
 void retimeRows(PanelContext& context) {
-  RetimeState& state = context.ui.retime;
+  RetimeState& state = context.ui.time.retime;
   framesSlider(context, "retime/first", "From frame ", "The first frame of what is made slower or faster.",
                state.firstFrame);
   framesSlider(context, "retime/last", "To frame ", "Its last frame.", state.lastFrame);
@@ -214,7 +214,7 @@ app::Retime wantedRetime(const RetimeState& state) {
 
 /// What the clip will be like, looked at again where another retime is asked for.
 void lookAhead(PanelContext& context) {
-  RetimeState& state = context.ui.retime;
+  RetimeState& state = context.ui.time.retime;
   const app::Retime wanted = wantedRetime(state);
   if (state.looked == wanted) {
     return;
@@ -239,7 +239,7 @@ void lookAhead(PanelContext& context) {
 
 void aheadRows(PanelContext& context) {
   const WidgetContext widgets = widgetsOf(context);
-  const RetimeState& state = context.ui.retime;
+  const RetimeState& state = context.ui.time.retime;
   if (!state.problem.empty()) {
     notice(widgets, NoticeKind::error, state.problem);
     return;
@@ -257,7 +257,7 @@ void aheadRows(PanelContext& context) {
 }
 
 void retime(PanelContext& context) {
-  const RetimeState& state = context.ui.retime;
+  const RetimeState& state = context.ui.time.retime;
   const app::Session& session = context.character();
   const app::Retime wanted = wantedRetime(state);
   const std::string whose = state.limb.empty() ? "the clip" : app::limbTitle(session.document(), state.limb);
@@ -270,7 +270,7 @@ void retime(PanelContext& context) {
 } // namespace
 
 void drawRetimeDialog(PanelContext& context) {
-  RetimeState& state = context.ui.retime;
+  RetimeState& state = context.ui.time.retime;
   state.wasOpen = state.open;
   if (!beginDialog(context, {.id = "retime", .icon = icon::clock, .title = "Retime", .width = 380.0F},
                    state.open)) {

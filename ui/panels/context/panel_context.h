@@ -6,7 +6,7 @@
 
 #include "app/commands/table/command_ids.h"
 #include "app/open_document.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/widgets/item_registry.h"
 #include "ui/widgets/theme.h"
 

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "rig/motion/motion.h"
 #include "ui/panels/context/panel_context.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/control.h"
 

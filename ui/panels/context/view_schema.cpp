@@ -141,22 +141,22 @@ app::Schema<UiState> windowWays() {
           [](auto& ui) -> auto& { return ui.tour.pending; }),
       setting<UiState>(
           {.name = "loop", .help = "Playing begins again at the end."},
-          [](auto& ui) -> auto& { return ui.timeline.loop; }),
+          [](auto& ui) -> auto& { return ui.time.timeline.loop; }),
       setting<UiState>(
           {.name = "every_frame",
            .help = "Playing shows each frame, however long it takes; else time runs as it is.",
            .row = {.section = "settings", .label = "Every frame"}},
-          [](auto& ui) -> auto& { return ui.timeline.everyFrame; }),
+          [](auto& ui) -> auto& { return ui.time.timeline.everyFrame; }),
       setting<UiState>(
           {.name = "on_twos",
            .help = "Playing holds every second frame for two, as cartoons do.",
            .row = {.section = "settings", .label = "On twos"}},
-          [](auto& ui) -> auto& { return ui.timeline.onTwos; }),
+          [](auto& ui) -> auto& { return ui.time.timeline.onTwos; }),
       setting<UiState>(
           {.name = "snap",
            .help = "Playhead and ranges stop at whole frames.",
            .row = {.section = "settings", .label = "Whole frames"}},
-          [](auto& ui) -> auto& { return ui.timeline.snapToFrames; }),
+          [](auto& ui) -> auto& { return ui.time.timeline.snapToFrames; }),
   };
 }
 

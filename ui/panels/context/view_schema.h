@@ -2,7 +2,7 @@
 
 #include "app/schema/schema.h"
 #include "app/sequence/sequence_session.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 
 namespace stretch::ui {
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Typed as it was, the name stays the limbs'.
 void rename(PanelContext& context) {
-  const RenameState& state = context.ui.rename;
+  const RenameState& state = context.ui.trails.rename;
   if (state.typed == state.present) {
     return;
   }
@@ -65,7 +65,7 @@ bool historyRow(PanelContext& context, const std::string& text, const HistoryRow
 /// The rows; the one that was clicked or that Enter was pressed on, or -1.
 int historyRows(PanelContext& context, const std::vector<std::string>& texts, std::size_t shown,
                 bool opening) {
-  HistoryState& state = context.ui.history;
+  HistoryState& state = context.ui.dialogs.history;
   if (opening) {
     state.highlighted = static_cast<int>(shown);
   }
@@ -90,7 +90,7 @@ int historyRows(PanelContext& context, const std::vector<std::string>& texts, st
 } // namespace
 
 void drawRenameDialog(PanelContext& context) {
-  RenameState& state = context.ui.rename;
+  RenameState& state = context.ui.trails.rename;
   const bool opening = state.open && !state.wasOpen;
   state.wasOpen = state.open;
   if (!beginDialog(context,
@@ -118,7 +118,7 @@ void drawRenameDialog(PanelContext& context) {
 }
 
 void drawHistoryDialog(PanelContext& context) {
-  HistoryState& state = context.ui.history;
+  HistoryState& state = context.ui.dialogs.history;
   const bool opening = state.open && !state.wasOpen;
   state.wasOpen = state.open;
   const std::vector<std::string> texts = context.open.with(

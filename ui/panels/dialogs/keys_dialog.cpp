@@ -68,7 +68,7 @@ std::vector<GroupedCommands> groupedCommands(const PanelContext& context) {
     if (group == groups.end()) {
       group = groups.insert(groups.end(), {title, {}});
     }
-    if (answersFilter(context.ui.keys.filter, command)) {
+    if (answersFilter(context.ui.dialogs.keys.filter, command)) {
       group->commands.push_back(&command);
     }
   }
@@ -76,7 +76,7 @@ std::vector<GroupedCommands> groupedCommands(const PanelContext& context) {
 }
 
 void keyCell(PanelContext& context, const CommandInfo& command) {
-  KeysOverviewState& keys = context.ui.keys;
+  KeysOverviewState& keys = context.ui.dialogs.keys;
   const bool waiting = keys.waitingFor == command.id;
   ButtonSpec cell;
   cell.id = "keys/" + command.id;
@@ -120,7 +120,7 @@ void commandRow(PanelContext& context, const CommandInfo& command) {
 
 /// Takes the key that was pressed while one is awaited.
 void takeKey(PanelContext& context) {
-  KeysOverviewState& keys = context.ui.keys;
+  KeysOverviewState& keys = context.ui.dialogs.keys;
   const std::string& pressed = context.status.pressedKey;
   if (keys.waitingFor.empty() || pressed.empty()) {
     return;
@@ -160,7 +160,7 @@ void commandList(PanelContext& context) {
 } // namespace
 
 void drawKeysOverview(PanelContext& context) {
-  KeysOverviewState& keys = context.ui.keys;
+  KeysOverviewState& keys = context.ui.dialogs.keys;
   const bool awaiting = !keys.waitingFor.empty();
   DialogSpec spec{
       .id = "keys", .icon = icon::keyboard, .title = "All keys", .width = 940.0F, .height = 600.0F};

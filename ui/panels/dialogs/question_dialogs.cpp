@@ -90,13 +90,13 @@ std::string framesText(const Vec2& range) {
 /// The range that was set shares time with a trail: is that one meant, or another one beside it?
 void drawClash(PanelContext& context) {
   UiState& ui = context.ui;
-  bool open = ui.rangeClash.has_value() && context.open.character() != nullptr;
+  bool open = ui.dialogs.rangeClash.has_value() && context.open.character() != nullptr;
   if (!beginDialog(context, {.id = "clash", .icon = icon::bolt, .title = "Which trail?", .width = 500.0F},
                    open)) {
     return;
   }
-  if (ui.rangeClash) {
-    const app::RangeClash clash = *ui.rangeClash;
+  if (ui.dialogs.rangeClash) {
+    const app::RangeClash clash = *ui.dialogs.rangeClash;
     const std::string limb = limbHeading(context.open.character()->document(), clash.limb);
     paragraph(limb + " has a trail from frame " + framesText(clash.present) + ". The range that is set is " +
               framesText(clash.wanted) + ".");
@@ -114,7 +114,7 @@ void drawClash(PanelContext& context) {
     open = open && clicked < 0;
   }
   if (!open) {
-    ui.rangeClash.reset();
+    ui.dialogs.rangeClash.reset();
     ImGui::CloseCurrentPopup();
   }
   endDialog();
@@ -160,15 +160,15 @@ std::string dropText(const PanelContext& context, const DroppedFile& dropped) {
 /// its place?
 void drawDropQuestion(PanelContext& context) {
   UiState& ui = context.ui;
-  bool open = !ui.dropped.path.empty() && context.open.character() != nullptr;
-  const char* const title = !ui.dropped.hasClips   ? "Hold or open?"
-                            : ui.dropped.canBeHeld ? "Hold, import or open?"
-                                                   : "Import or open?";
+  bool open = !ui.dialogs.dropped.path.empty() && context.open.character() != nullptr;
+  const char* const title = !ui.dialogs.dropped.hasClips   ? "Hold or open?"
+                            : ui.dialogs.dropped.canBeHeld ? "Hold, import or open?"
+                                                           : "Import or open?";
   if (!beginDialog(context, {.id = "drop", .icon = icon::cube, .title = title, .width = 500.0F}, open)) {
     return;
   }
-  paragraph(dropText(context, ui.dropped));
-  const std::vector<DropChoice> choices = dropChoices(ui.dropped);
+  paragraph(dropText(context, ui.dialogs.dropped));
+  const std::vector<DropChoice> choices = dropChoices(ui.dialogs.dropped);
   std::vector<ButtonSpec> buttons;
   buttons.reserve(choices.size());
   for (const DropChoice& choice : choices) {
@@ -176,10 +176,11 @@ void drawDropQuestion(PanelContext& context) {
   }
   const int clicked = orEnter(dialogButtons(context, "drop", buttons), static_cast<int>(choices.size()) - 1);
   if (clicked >= 0 && choices[static_cast<std::size_t>(clicked)].purpose) {
-    ui.answers.drop = DropAnswer{ui.dropped.path, *choices[static_cast<std::size_t>(clicked)].purpose};
+    ui.answers.drop =
+        DropAnswer{ui.dialogs.dropped.path, *choices[static_cast<std::size_t>(clicked)].purpose};
   }
   if (!open || clicked >= 0) {
-    ui.dropped = {};
+    ui.dialogs.dropped = {};
     ImGui::CloseCurrentPopup();
   }
   endDialog();
@@ -220,7 +221,7 @@ void drawNavigationQuestion(PanelContext& context) {
                     .title = "Welcome to Stretch-Engine",
                     .width = 560.0F,
                     .closable = false},
-                   ui.navigationChoiceOpen)) {
+                   ui.dialogs.navigationChoiceOpen)) {
     return;
   }
   paragraph("How does your hand turn the view?");
@@ -238,7 +239,7 @@ void drawNavigationQuestion(PanelContext& context) {
   if (maya || blender || answered) {
     ui.navigation = blender ? NavigationStyle::blender : NavigationStyle::maya;
     ui.answers.navigation = ui.navigation;
-    ui.navigationChoiceOpen = false;
+    ui.dialogs.navigationChoiceOpen = false;
     ImGui::CloseCurrentPopup();
   }
   endDialog();
@@ -247,7 +248,7 @@ void drawNavigationQuestion(PanelContext& context) {
 void drawAbout(PanelContext& context) {
   UiState& ui = context.ui;
   if (!beginDialog(context, {.id = "about", .icon = icon::info, .title = "Stretch-Engine", .width = 480.0F},
-                   ui.aboutOpen)) {
+                   ui.dialogs.aboutOpen)) {
     return;
   }
   paragraph("Exaggerates the motion of a rigged biped: pick a limb, make its path bigger, and the limb "
@@ -256,7 +257,7 @@ void drawAbout(PanelContext& context) {
   note(widgetsOf(context),
        "Opens and saves glTF 2.0 (.glb, .gltf, .vrm). What it does not edit comes back as it was.");
   if (dialogButtons(context, "about", {{.id = "", .text = "Close"}}) == 0) {
-    ui.aboutOpen = false;
+    ui.dialogs.aboutOpen = false;
     ImGui::CloseCurrentPopup();
   }
   endDialog();

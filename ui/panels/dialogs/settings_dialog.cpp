@@ -75,7 +75,7 @@ void navigationRow(PanelContext& context) {
 void drawSettingsDialog(PanelContext& context) {
   UiState& ui = context.ui;
   if (!beginDialog(context, {.id = "settings", .icon = icon::cog, .title = "Settings", .width = 520.0F},
-                   ui.settingsOpen)) {
+                   ui.dialogs.settingsOpen)) {
     return;
   }
   themeRow(context);
@@ -92,8 +92,8 @@ void drawSettingsDialog(PanelContext& context) {
                                       .help = {"All keys", "Shows and changes every key.", {}}},
                                      {.id = "", .text = "Close"}});
   if (clicked >= 0) {
-    ui.settingsOpen = false;
-    ui.keys.open = clicked == 0;
+    ui.dialogs.settingsOpen = false;
+    ui.dialogs.keys.open = clicked == 0;
     ImGui::CloseCurrentPopup();
   }
   endDialog();

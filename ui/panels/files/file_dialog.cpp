@@ -75,7 +75,7 @@ std::vector<const FileEntry*> shownEntries(const FileDialogState& dialog) {
 }
 
 void accept(PanelContext& context, const fs::path& path) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   std::error_code ignored;
   if (isSaving(dialog.purpose) && fs::exists(path, ignored) && !dialog.confirmOverwrite &&
       dialog.purpose != FilePurpose::saveFrames) {
@@ -89,7 +89,7 @@ void accept(PanelContext& context, const fs::path& path) {
 }
 
 void enter(PanelContext& context, const FileEntry& entry) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   if (entry.isFolder) {
     goTo(dialog, dialog.folder / entry.name);
   } else if (isSaving(dialog.purpose)) {
@@ -133,7 +133,7 @@ void makeFolder(FileDialogState& dialog) {
 
 /// What Enter and the primary button do with the typed text.
 void acceptTyped(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const fs::path path = typedPath(dialog.folder, dialog.typed);
   std::error_code ignored;
   if (fs::is_directory(path, ignored) &&
@@ -162,7 +162,7 @@ fs::path highlightedPath(const FileDialogState& dialog) {
 }
 
 void acceptHighlightedOrTyped(PanelContext& context) {
-  const FileDialogState& dialog = context.ui.fileDialog;
+  const FileDialogState& dialog = context.ui.dialogs.file;
   const std::vector<const FileEntry*> shown = shownEntries(dialog);
   const bool valid = dialog.highlighted >= 0 && dialog.highlighted < static_cast<int>(shown.size());
   if (valid) {
@@ -230,7 +230,7 @@ std::vector<Place> placesOf(const PanelContext& context) {
 }
 
 void places(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   ImGui::BeginChild("files/places",
                     {context.theme.px(176.0F), ImGui::GetContentRegionAvail().y - context.theme.px(80.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
@@ -268,7 +268,7 @@ void places(PanelContext& context) {
 
 /// A click chooses the row and tells of it; a double click opens it.
 void clickEntry(PanelContext& context, const FileEntry& entry, int row) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const bool again = dialog.highlighted == row && ImGui::GetIO().MouseClickedLastCount[0] >= 2;
   dialog.highlighted = row;
   dialog.confirmOverwrite = false;
@@ -284,7 +284,7 @@ void clickEntry(PanelContext& context, const FileEntry& entry, int row) {
 
 /// The field in which a new folder gets its name.
 void newFolderRow(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   if (!dialog.newFolder) {
     return;
   }
@@ -304,7 +304,7 @@ void newFolderRow(PanelContext& context) {
 }
 
 void entryList(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const std::vector<FileEntry> entries = [&] {
     std::vector<FileEntry> copies;
     for (const FileEntry* entry : shownEntries(dialog)) {
@@ -365,7 +365,7 @@ void typeAhead(FileDialogState& dialog) {
 }
 
 void keyboard(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   if (dialog.newFolder) {
     if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) {
       makeFolder(dialog);
@@ -387,7 +387,7 @@ void keyboard(PanelContext& context) {
 }
 
 void typedField(PanelContext& context, bool focus) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const char* hint = isSaving(dialog.purpose) ? "Name of the file" : "Type a name or a path";
   if (textField(widgetsOf(context), "files/typed", hint, dialog.typed, 0.0F, focus)) {
     jumpToTyped(dialog);
@@ -396,7 +396,7 @@ void typedField(PanelContext& context, bool focus) {
 
 /// Which kinds of files are listed, and the button for a new folder.
 void typesRow(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const float side = context.theme.px(116.0F);
   const std::vector<FileType> types = fileTypesOf(dialog.purpose);
   if (!types.empty()) {
@@ -427,7 +427,7 @@ void typesRow(PanelContext& context) {
 } // namespace
 
 void drawFileDialog(PanelContext& context) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   if (dialog.open && !dialog.wasOpen) {
     dialog.listedFolder.clear();
     dialog.highlighted = -1;

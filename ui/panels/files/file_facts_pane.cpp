@@ -44,7 +44,7 @@ void sceneLines(PanelContext& context, const app::FileFacts& facts) {
 } // namespace
 
 void fileFacts(PanelContext& context, const std::filesystem::path& path) {
-  FileDialogState& dialog = context.ui.fileDialog;
+  FileDialogState& dialog = context.ui.dialogs.file;
   const WidgetContext widgets = widgetsOf(context);
   ImGui::BeginChild("files/facts", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(80.0F)});
   if (path != dialog.factsPath) {

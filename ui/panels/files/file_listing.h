@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 
 namespace stretch::ui {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/bundled_files.h"
-#include "ui/panels/context/ui_state.h"
+#include "ui/panels/state/ui_state.h"
 
 namespace stretch::ui {
 

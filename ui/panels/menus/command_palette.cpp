@@ -18,7 +18,7 @@ struct Match {
 /// Commands that answer what was typed, the best first and those that are off last; a match in the help
 /// counts less than one in the label.
 std::vector<Match> matchesOf(const PanelContext& context) {
-  const std::string& typed = context.ui.palette.typed;
+  const std::string& typed = context.ui.dialogs.palette.typed;
   std::vector<Match> matches;
   for (const CommandInfo& command : context.commands) {
     if (typed.empty()) {
@@ -73,12 +73,12 @@ bool commandRow(PanelContext& context, const CommandInfo& command, bool highligh
 
 void runAndClose(PanelContext& context, const CommandInfo& command) {
   request(context, command.id);
-  context.ui.palette.open = false;
+  context.ui.dialogs.palette.open = false;
   ImGui::CloseCurrentPopup();
 }
 
 void results(PanelContext& context) {
-  PaletteState& palette = context.ui.palette;
+  PaletteState& palette = context.ui.dialogs.palette;
   const std::vector<Match> matches = matchesOf(context);
   moveHighlight(palette.highlighted, static_cast<int>(matches.size()));
   const bool entered = keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter);
@@ -105,7 +105,7 @@ void results(PanelContext& context) {
 } // namespace
 
 void drawCommandPalette(PanelContext& context) {
-  PaletteState& palette = context.ui.palette;
+  PaletteState& palette = context.ui.dialogs.palette;
   const bool opening = palette.open && !palette.wasOpen;
   palette.wasOpen = palette.open;
   if (opening) {

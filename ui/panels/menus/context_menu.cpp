@@ -145,13 +145,14 @@ bool actsAtPlayhead(std::string_view id) {
 /// "Go to this key": the one entry that is no command.
 void goToEntry(PanelContext& context) {
   const UiState& ui = context.ui;
-  const bool isKey = ui.menuTarget == MenuTarget::key;
+  const bool isKey = ui.menu.target == MenuTarget::key;
   const std::string text = isKey ? "Go to this key" : "Go to this frame";
   if (ImGui::MenuItem(text.c_str())) {
-    context.character().view().frame = ui.menuFrame;
+    context.character().view().frame = ui.menu.frame;
   }
   context.items.add("context/go-to", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-  tooltip(widgetsOf(context), {text, "The playhead goes to frame " + shortNumber(ui.menuFrame, 1) + ".", {}});
+  tooltip(widgetsOf(context),
+          {text, "The playhead goes to frame " + shortNumber(ui.menu.frame, 1) + ".", {}});
 }
 
 std::string spheresText(const app::ViewState& view) {
@@ -170,7 +171,7 @@ std::string controllersText(const app::Session& session) {
 std::optional<ShownHold> menuHold(const PanelContext& context) {
   const app::Session& session = context.character();
   for (const ShownHold& hold : shownHolds(session.document(), session.view().clip)) {
-    if (barOfHold(hold.place) == context.ui.menuHold) {
+    if (barOfHold(hold.place) == context.ui.menu.hold) {
       return hold;
     }
   }
@@ -234,11 +235,11 @@ std::string titleOf(const PanelContext& context, MenuTarget target) {
   case MenuTarget::hold:
     return holdText(context);
   case MenuTarget::key:
-    return "Key at frame " + shortNumber(context.ui.menuFrame, 1);
+    return "Key at frame " + shortNumber(context.ui.menu.frame, 1);
   case MenuTarget::range:
-    return "Range, frame " + shortNumber(context.ui.menuFrame, 1);
+    return "Range, frame " + shortNumber(context.ui.menu.frame, 1);
   case MenuTarget::time:
-    return "Frame " + shortNumber(context.ui.menuFrame, 1);
+    return "Frame " + shortNumber(context.ui.menu.frame, 1);
   case MenuTarget::viewport:
   case MenuTarget::nothing:
     break;
@@ -255,7 +256,7 @@ void swatches(PanelContext& context) {
 
 /// The title, what goes beside commands, and the commands.
 void entries(PanelContext& context) {
-  const MenuTarget target = context.ui.menuTarget;
+  const MenuTarget target = context.ui.menu.target;
   const std::string title = titleOf(context, target);
   ImGui::PushFont(context.theme.fonts.label);
   ImGui::TextDisabled("%s", title.c_str());
@@ -270,7 +271,7 @@ void entries(PanelContext& context) {
     if (id[0] == '\0') {
       ImGui::Separator();
     } else if (commandEntry(context, "context/", id) && isOfTime(target) && actsAtPlayhead(id)) {
-      context.character().view().frame = context.ui.menuFrame; // The command runs after the panels.
+      context.character().view().frame = context.ui.menu.frame; // The command runs after the panels.
     }
     if (std::string_view(id) == command::trailNextColour && target == MenuTarget::trail) {
       swatches(context);
@@ -312,23 +313,23 @@ bool commandEntry(PanelContext& context, const std::string& prefix, const char* 
 }
 
 void askForMenu(UiState& ui, MenuTarget target, const std::optional<MenuPlace>& place) {
-  ui.menuAsked = target;
-  ui.menuPlace = place;
+  ui.menu.asked = target;
+  ui.menu.place = place;
 }
 
 void drawContextMenu(PanelContext& context) {
   constexpr const char* name = "context-menu";
   UiState& ui = context.ui;
-  if (const MenuTarget asked = std::exchange(ui.menuAsked, MenuTarget::nothing);
+  if (const MenuTarget asked = std::exchange(ui.menu.asked, MenuTarget::nothing);
       asked != MenuTarget::nothing) {
-    ui.menuTarget = asked;
+    ui.menu.target = asked;
     ImGui::OpenPopup(name);
   }
   const Theme& theme = context.theme;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.unit(), theme.unit()));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(16.0F), theme.px(6.0F)));
-  if (ui.menuPlace) {
-    placeMenu(theme, *ui.menuPlace);
+  if (ui.menu.place) {
+    placeMenu(theme, *ui.menu.place);
   }
   if (ImGui::BeginPopup(name)) {
     const ImVec2 corner = ImGui::GetWindowPos();
@@ -336,7 +337,7 @@ void drawContextMenu(PanelContext& context) {
                       {corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()});
     context.items.items.back().explained = true; // By its entries.
     const bool isThere = context.open.character() != nullptr ||
-                         (context.open.sequence() != nullptr && ui.menuTarget == MenuTarget::viewport);
+                         (context.open.sequence() != nullptr && ui.menu.target == MenuTarget::viewport);
     if (!isThere || keyPressed(ImGuiKey_Escape)) {
       ImGui::CloseCurrentPopup();
     } else {

@@ -151,7 +151,7 @@ void setKeys(const app::KeyedRow& read, Curve& curve) {
 std::vector<Curve> bareCurves(const PanelContext& context, const app::KeyRow& row, std::size_t place,
                               std::size_t components) {
   std::vector<Curve> curves;
-  for (const std::size_t component : shownComponents(row, components, context.ui.graph.offsetChannels)) {
+  for (const std::size_t component : shownComponents(row, components, context.ui.time.graph.offsetChannels)) {
     Curve curve;
     curve.label = components == 1 ? "Value" : std::string(1, "XYZ"[component % 3]);
     curve.colour = components == 1 ? trailColour(0, context.theme.kind)
@@ -320,7 +320,7 @@ std::vector<GraphSubject> graphSubjects(const PanelContext& context) {
 }
 
 GraphChannels graphChannels(const PanelContext& context, const GraphSubject& subject) {
-  const GraphState& graph = context.ui.graph;
+  const GraphState& graph = context.ui.time.graph;
   return subject.controller.empty() ? graph.channels : graph.offsetChannels;
 }
 
@@ -354,7 +354,7 @@ namespace {
 
 /// Curves of all rows, without points and keys.
 void startRows(PanelContext& context, std::vector<app::KeyRow> rows) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   const app::Session& session = context.character();
   graph.curves.clear();
   graph.rows = std::move(rows);
@@ -375,7 +375,7 @@ void startRows(PanelContext& context, std::vector<app::KeyRow> rows) {
 /// and shows what it was until then.
 void updateRows(PanelContext& context, bool isOne, const Span& frames, const std::vector<double>& samples) {
   constexpr std::size_t mostAtOnce = 8000; // Keys that are read and points that are sampled.
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   app::Session& session = context.character();
   std::size_t done = 0;
   graph.complete = true;
@@ -416,7 +416,7 @@ bool hasSameRows(const GraphKey& a, GraphKey b) {
 }
 
 void updateCurves(PanelContext& context, const GraphSubject& subject, const GraphKey& key) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   const app::Document& document = context.character().document();
   const Clip& shown = app::clipOf(document, key.clip);
   const rig::Limb* const limb = key.lengthOf.empty() ? nullptr : app::findLimb(document, key.lengthOf);
@@ -441,7 +441,7 @@ void updateCurves(PanelContext& context, const GraphSubject& subject, const Grap
 
 const std::vector<Curve>& graphCurves(PanelContext& context, const GraphSubject& subject,
                                       const Span& frames) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   app::Session& session = context.character();
   const GraphChannels channels = graphChannels(context, subject);
   const bool isLength = channels == GraphChannels::stretch && subject.controller.empty();

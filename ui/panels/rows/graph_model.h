@@ -30,7 +30,7 @@ struct GraphSubject {
 /// The rows of keys that the graph shows of a subject.
 [[nodiscard]] std::vector<app::KeyRow> graphRows(const PanelContext& context, const GraphSubject& subject);
 
-/// The curves over the visible frames, remembered in UiState::graph until what they were made from changes.
+/// The curves over the visible frames, remembered in TimePanes::graph until what they were made from changes.
 /// Rotations are angles X, Y, Z in degrees without jumps.
 [[nodiscard]] const std::vector<Curve>& graphCurves(PanelContext& context, const GraphSubject& subject,
                                                     const Span& frames);

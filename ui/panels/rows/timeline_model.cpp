@@ -167,7 +167,7 @@ void markPickedFrames(const app::Session& session, KeyRowsState& state) {
 /// The rows, gathered again where what they show is another.
 const std::vector<KeyRow>& keyRows(PanelContext& context, RowDetail detail) {
   app::Session& session = context.character();
-  KeyRowsState& state = context.ui.keyRows;
+  KeyRowsState& state = context.ui.time.rows;
   const app::ViewState& view = session.view();
   std::vector<std::string> selected = view.selection.limbs();
   selected.push_back("clip " + std::to_string(view.clip));
@@ -257,7 +257,7 @@ void addTrails(PanelContext& context, TimelineModel& model) {
 } // namespace
 
 Span visibleFrames(const PanelContext& context) {
-  const TimelineState& time = context.ui.timeline;
+  const TimelineState& time = context.ui.time.timeline;
   if (time.viewEnd > time.viewStart) {
     return {time.viewStart, time.viewEnd};
   }
@@ -293,7 +293,7 @@ TimelineModel timelineModel(PanelContext& context, RowDetail detail) {
   model.rangeIsDefault = session.view().rangeEnd < session.view().rangeStart;
   model.keyRows = keyRows(context, detail);
   model.keysEditable = detail == RowDetail::everyLimb;
-  model.snap = context.ui.timeline.snapToFrames;
+  model.snap = context.ui.time.timeline.snapToFrames;
   const Clip& shown = app::clipOf(document, clip);
   const double rate = shown.framesPerSecond;
   model.loops = app::isLooping(document, clip);

@@ -15,7 +15,7 @@ constexpr float sequenceLabelWidth = 112.0F;
 /// The working range is what the fits use: its start is the number of settling frames that are left out.
 TimelineModel modelOf(const PanelContext& context) {
   const app::SequenceSession& session = context.sequence();
-  const TimelineState& time = context.ui.timeline;
+  const TimelineState& time = context.ui.time.timeline;
   TimelineModel model;
   model.clip = {0.0, app::lastFrame(session)};
   model.view = time.viewEnd > time.viewStart ? Span{time.viewStart, time.viewEnd}
@@ -41,8 +41,8 @@ void apply(PanelContext& context, const TimelineOutcome& outcome) {
     editSequence(context, {false, true}, "Skip frames", [](app::SequenceDocument&) {});
   }
   if (outcome.viewChanged) {
-    context.ui.timeline.viewStart = outcome.view.start;
-    context.ui.timeline.viewEnd = outcome.view.end;
+    context.ui.time.timeline.viewStart = outcome.view.start;
+    context.ui.time.timeline.viewEnd = outcome.view.end;
   }
 }
 
@@ -53,7 +53,7 @@ void drawSequenceTimeline(PanelContext& context) {
   const TimelineModel model = modelOf(context);
   ImGui::BeginChild("timeline", ImGui::GetContentRegionAvail(), false, ImGuiWindowFlags_NoScrollWithMouse);
   const float height = std::max(timelineHeight(context.theme, model), ImGui::GetContentRegionAvail().y);
-  const TimelineOutcome outcome = timeline(widgetsOf(context), "timeline", model, context.ui.timelineGesture,
+  const TimelineOutcome outcome = timeline(widgetsOf(context), "timeline", model, context.ui.time.gesture,
                                            context.theme.px(sequenceLabelWidth), height);
   ImGui::EndChild();
   apply(context, outcome);

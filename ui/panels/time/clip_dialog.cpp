@@ -33,7 +33,7 @@ std::vector<std::size_t> listedClips(const ClipPick& pick) {
 
 /// A clip's name and length; true when it was clicked.
 bool clipRow(PanelContext& context, std::size_t clip, bool isHighlighted) {
-  const ClipPick& pick = context.ui.clipPick;
+  const ClipPick& pick = context.ui.dialogs.clipPick;
   const Theme& theme = context.theme;
   const WidgetContext widgets = widgetsOf(context);
   const std::string name = clipHeading(pick, clip);
@@ -64,7 +64,7 @@ std::optional<std::size_t> clipRows(PanelContext& context, const std::vector<std
   ImGui::BeginChild("clips/list", {0.0F, ImGui::GetContentRegionAvail().y - context.theme.px(62.0F)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, context.theme.px(1.0F)));
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    const bool isHighlighted = static_cast<int>(i) == context.ui.clipPick.highlighted;
+    const bool isHighlighted = static_cast<int>(i) == context.ui.dialogs.clipPick.highlighted;
     ImGui::PushID(static_cast<int>(listed[i]));
     if (clipRow(context, listed[i], isHighlighted)) {
       clicked = listed[i];
@@ -85,7 +85,7 @@ std::optional<std::size_t> clipRows(PanelContext& context, const std::vector<std
 } // namespace
 
 void drawClipDialog(PanelContext& context) {
-  ClipPick& pick = context.ui.clipPick;
+  ClipPick& pick = context.ui.dialogs.clipPick;
   bool open = !pick.file.empty() && context.open.character() != nullptr;
   const bool opening = open && !pick.wasOpen;
   pick.wasOpen = open;

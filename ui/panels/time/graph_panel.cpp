@@ -19,7 +19,7 @@ namespace stretch::ui {
 namespace {
 
 const GraphSubject& chosenSubject(PanelContext& context, const std::vector<GraphSubject>& subjects) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   graph.joint = std::clamp(graph.joint, 0, static_cast<int>(subjects.size()) - 1);
   return subjects[static_cast<std::size_t>(graph.joint)];
 }
@@ -34,7 +34,7 @@ bool isVeryNarrow(const PanelContext& context) {
 }
 
 void subjectChooser(PanelContext& context, const std::vector<GraphSubject>& subjects) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   std::vector<Choice> choices;
   choices.reserve(subjects.size());
   for (const GraphSubject& subject : subjects) {
@@ -50,7 +50,7 @@ void subjectChooser(PanelContext& context, const std::vector<GraphSubject>& subj
 }
 
 void channelChooser(PanelContext& context, const GraphSubject& subject) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   const bool isJoint = subject.controller.empty();
   const std::vector<Choice> choices{
       {isJoint ? "Translation" : "Move",
@@ -79,7 +79,7 @@ void channelChooser(PanelContext& context, const GraphSubject& subject) {
 
 void toolbar(PanelContext& context, const std::vector<GraphSubject>& subjects, const GraphSubject& subject) {
   const WidgetContext widgets = widgetsOf(context);
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   subjectChooser(context, subjects);
   ImGui::SameLine();
   const bool isValue = subject.controller.find('.') != std::string::npos;
@@ -106,10 +106,10 @@ void toolbar(PanelContext& context, const std::vector<GraphSubject>& subjects, c
 }
 
 void applyView(PanelContext& context, const CurveViewOutcome& outcome) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   if (outcome.framesChanged) {
-    context.ui.timeline.viewStart = outcome.frames.start;
-    context.ui.timeline.viewEnd = outcome.frames.end;
+    context.ui.time.timeline.viewStart = outcome.frames.start;
+    context.ui.time.timeline.viewEnd = outcome.frames.end;
   }
   if (outcome.valuesChanged) {
     graph.valueMin = outcome.values.start;
@@ -153,7 +153,7 @@ app::KeySelection keysInBox(const GraphState& graph, const Span& frames, const S
 
 void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
-  const GraphState& graph = context.ui.graph;
+  const GraphState& graph = context.ui.time.graph;
   if (outcome.pickedKey) {
     app::pickKeys(session, keyOf(graph, *outcome.pickedKey), outcome.addToPicks);
   } else if (outcome.boxDrawn) {
@@ -162,7 +162,8 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
     app::pickKeys(session, {}, false);
   }
   if (outcome.insertAt) {
-    const double frame = context.ui.timeline.snapToFrames ? std::round(*outcome.insertAt) : *outcome.insertAt;
+    const double frame =
+        context.ui.time.timeline.snapToFrames ? std::round(*outcome.insertAt) : *outcome.insertAt;
     tellProblem(context, app::editKeys(session,
                                        app::insertKeys(session.document(), session.view().clip, graph.rows,
                                                        std::max(0.0, frame)),
@@ -173,7 +174,7 @@ void applyPicks(PanelContext& context, const CurveViewOutcome& outcome) {
 /// One frame of a drag of keys or of a tangent.
 void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
   app::Session& session = context.character();
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   const int clip = session.view().clip;
   if (!outcome.keysDragged && !outcome.tangent && !outcome.gestureEnded) {
     return;
@@ -210,12 +211,12 @@ void applyDrags(PanelContext& context, const CurveViewOutcome& outcome) {
 }
 
 void fit(PanelContext& context) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   const std::optional<CurveFit> picks = graph.fitPicked ? fittedPicks(graph.curves) : std::nullopt;
   const Span values = picks ? picks->values : fittedValues(graph.curves);
   if (picks) {
-    context.ui.timeline.viewStart = picks->frames.start;
-    context.ui.timeline.viewEnd = picks->frames.end;
+    context.ui.time.timeline.viewStart = picks->frames.start;
+    context.ui.time.timeline.viewEnd = picks->frames.end;
   }
   graph.valueMin = values.start;
   graph.valueMax = values.end;
@@ -224,7 +225,7 @@ void fit(PanelContext& context) {
 }
 
 void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   app::Session& session = context.character();
   const GraphSubject& subject = chosenSubject(context, subjects);
   CurveViewModel model;
@@ -244,17 +245,18 @@ void curves(PanelContext& context, const std::vector<GraphSubject>& subjects) {
   model.range = shownRange(session);
   model.unit = graphUnit(context, subject);
   model.editable = !graph.rows.empty();
-  model.snap = context.ui.timeline.snapToFrames;
+  model.snap = context.ui.time.timeline.snapToFrames;
   const float height = std::max(context.theme.px(60.0F), ImGui::GetContentRegionAvail().y);
   const CurveViewOutcome outcome = curveView(widgetsOf(context), "graph", model, graph.gesture, height);
-  context.ui.keyPane = {outcome.hovered && model.editable,
-                        true,
-                        outcome.mouse.x,
-                        outcome.mouse.y,
-                        (graph.valueMax - graph.valueMin) / 100.0,
-                        context.ui.keyPane.pressTaken};
+  context.ui.time.keys = {outcome.hovered && model.editable,
+                          true,
+                          outcome.mouse.x,
+                          outcome.mouse.y,
+                          (graph.valueMax - graph.valueMin) / 100.0,
+                          context.ui.time.keys.pressTaken};
   applyView(context, outcome);
-  if (std::exchange(context.ui.keyPane.pressTaken, context.ui.keyPane.pressTaken && !outcome.gestureEnded)) {
+  if (std::exchange(context.ui.time.keys.pressTaken,
+                    context.ui.time.keys.pressTaken && !outcome.gestureEnded)) {
     return;
   }
   applyPicks(context, outcome);
@@ -270,7 +272,7 @@ void drawGraphPanel(PanelContext& context) {
                "Open a character with an animation, or import a clip, to see its curves here.");
     return;
   }
-  if (context.ui.bottomTab == BottomTab::dopeSheet) {
+  if (context.ui.time.tab == BottomTab::dopeSheet) {
     drawDopeSheet(context);
     return;
   }

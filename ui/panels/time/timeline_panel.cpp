@@ -118,8 +118,8 @@ void applyBars(PanelContext& context, const TimelineOutcome& outcome) {
 
 void applyView(PanelContext& context, const TimelineOutcome& outcome) {
   if (outcome.viewChanged) {
-    context.ui.timeline.viewStart = outcome.view.start;
-    context.ui.timeline.viewEnd = outcome.view.end;
+    context.ui.time.timeline.viewStart = outcome.view.start;
+    context.ui.time.timeline.viewEnd = outcome.view.end;
   }
 }
 
@@ -128,11 +128,11 @@ void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   if (outcome.menuBar != 0) {
     selectBar(session, outcome.menuBar);
-    context.ui.menuHold = outcome.menuBar;
+    context.ui.menu.hold = outcome.menuBar;
     askForMenu(context.ui, outcome.menuBar < 0 ? MenuTarget::hold : MenuTarget::trail,
                MenuPlace{ImGui::GetIO().MousePos.x, outcome.menuRow.min.y, outcome.menuRow.max.y});
   } else if (outcome.menuAsked) {
-    context.ui.menuFrame = outcome.menuFrame;
+    context.ui.menu.frame = outcome.menuFrame;
     askForMenu(context.ui, outcome.menuOnRange ? MenuTarget::range
                            : outcome.menuOnKey ? MenuTarget::key
                                                : MenuTarget::time);
@@ -146,7 +146,7 @@ void applyMenu(PanelContext& context, const TimelineOutcome& outcome) {
 /// What is seen of time belongs to the clip that is shown and the rate that it is counted in.
 void followClip(PanelContext& context) {
   const app::Session& session = context.character();
-  TimelineState& time = context.ui.timeline;
+  TimelineState& time = context.ui.time.timeline;
   const int clip = session.view().clip;
   const double rate = app::clipOf(session.document(), clip).framesPerSecond;
   if (time.seenClip == clip && time.seenRate != rate && time.viewEnd > time.viewStart) {
@@ -156,7 +156,8 @@ void followClip(PanelContext& context) {
     time.viewStart = 0.0;
     time.viewEnd = -1.0;
   }
-  context.ui.graph.fitPending = context.ui.graph.fitPending || time.seenClip != clip || time.seenRate != rate;
+  context.ui.time.graph.fitPending =
+      context.ui.time.graph.fitPending || time.seenClip != clip || time.seenRate != rate;
   time.seenClip = clip;
   time.seenRate = rate;
 }
@@ -165,7 +166,7 @@ void followClip(PanelContext& context) {
 app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
   const app::Session& session = context.character();
   app::KeySelection selection;
-  const auto& keyed = context.ui.keyRows.keyed;
+  const auto& keyed = context.ui.time.rows.keyed;
   for (std::size_t row = box.firstRow; row <= box.lastRow && row < keyed.size(); ++row) {
     selection = app::joined(selection, app::keysBetween(session.document(), session.view().clip, keyed[row],
                                                         box.frames.start, box.frames.end));
@@ -176,7 +177,7 @@ app::KeySelection keysIn(PanelContext& context, const KeyBox& box) {
 /// Picking and dragging keys in the dope sheet.
 void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
-  GraphState& graph = context.ui.graph;
+  GraphState& graph = context.ui.time.graph;
   if (outcome.keysPicked) {
     app::pickKeys(session, keysIn(context, *outcome.keysPicked), outcome.keysPicked->add);
   } else if (outcome.clickedBesideKeys) {
@@ -209,7 +210,7 @@ void applyKeys(PanelContext& context, const TimelineOutcome& outcome) {
 void ownKeys(PanelContext& context, const TimelineOutcome& outcome) {
   app::Session& session = context.character();
   session.view().keyRows = app::keyedRows(session.document(), session.view().clip);
-  KeyPane& pane = context.ui.keyPane;
+  KeyPane& pane = context.ui.time.keys;
   pane = {outcome.hovered, false, outcome.mouseFrame, 0.0, 1.0, pane.pressTaken && !outcome.gestureEnded};
 }
 
@@ -218,11 +219,11 @@ void timeRows(PanelContext& context, const char* id, RowDetail detail) {
   ImGui::BeginChild(id, ImGui::GetContentRegionAvail(), false,
                     ImGuiWindowFlags_NoScrollWithMouse); // the wheel zooms
   const float height = std::max(timelineHeight(context.theme, model), ImGui::GetContentRegionAvail().y);
-  const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.timelineGesture,
+  const TimelineOutcome outcome = timeline(widgetsOf(context), id, model, context.ui.time.gesture,
                                            timelineLabelWidth(context.theme, model), height);
   ImGui::EndChild();
   applyRange(context.character(), outcome);
-  const bool pressTaken = context.ui.keyPane.pressTaken;
+  const bool pressTaken = context.ui.time.keys.pressTaken;
   if (model.keysEditable) {
     ownKeys(context, outcome);
   }
@@ -241,9 +242,9 @@ void tabs(PanelContext& context) {
       {"Graph", {"Graph", "Curves of the selection, whose keys are edited here.", {}}},
       {"Dope sheet", {"Dope sheet", "Keys of every limb and controller: pick, move, scale, copy.", {}}}};
   const int chosen =
-      segmented(widgetsOf(context), "bottom/tab", choices, static_cast<int>(context.ui.bottomTab));
+      segmented(widgetsOf(context), "bottom/tab", choices, static_cast<int>(context.ui.time.tab));
   ImGui::EndChild();
-  context.ui.bottomTab = chosen >= 0 ? static_cast<BottomTab>(chosen) : context.ui.bottomTab;
+  context.ui.time.tab = chosen >= 0 ? static_cast<BottomTab>(chosen) : context.ui.time.tab;
 }
 
 /// A character without a clip is offered one.
@@ -280,7 +281,7 @@ void drawBottomPanel(PanelContext& context) {
   followClip(context);
   tabs(context);
   ImGui::SameLine(0.0F, context.theme.px(16.0F));
-  if (context.ui.bottomTab == BottomTab::timeline) {
+  if (context.ui.time.tab == BottomTab::timeline) {
     drawTimelinePanel(context);
   } else {
     drawTransport(context);

@@ -30,10 +30,10 @@ void jumps(PanelContext& context) {
   }
   iconButton(context, command::timeBack, icon::stepBack, "<");
   commandButton(context, {.command = command::timePlay,
-                          .icon = context.ui.timeline.playing ? icon::pause : icon::play,
+                          .icon = context.ui.time.timeline.playing ? icon::pause : icon::play,
                           .text = " ",
                           .width = context.theme.px(40.0F),
-                          .fallback = context.ui.timeline.playing ? "||" : ">"});
+                          .fallback = context.ui.time.timeline.playing ? "||" : ">"});
   ImGui::SameLine(0.0F, context.theme.px(2.0F));
   iconButton(context, command::timeForward, icon::stepForward, ">");
   if (hasKeys) {
@@ -46,12 +46,12 @@ void loopSwitch(PanelContext& context) {
   ButtonSpec loop{.id = "timeline/loop",
                   .icon = icon::loop,
                   .emphasis = Emphasis::quiet,
-                  .on = context.ui.timeline.loop,
+                  .on = context.ui.time.timeline.loop,
                   .width = context.theme.px(30.0F),
                   .fallback = "L"};
   loop.help = {"Loop", "Plays from the start again at the end.", {}};
   if (button(widgetsOf(context), loop)) {
-    context.ui.timeline.loop = !context.ui.timeline.loop;
+    context.ui.time.timeline.loop = !context.ui.time.timeline.loop;
   }
   ImGui::SameLine(0.0F, context.theme.unit());
 }
@@ -82,7 +82,7 @@ void frameField(PanelContext& context, const ShownTime& time) {
 /// Speeds, and below them how playing goes on.
 void speedChooser(PanelContext& context) {
   constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
-  TimelineState& time = context.ui.timeline;
+  TimelineState& time = context.ui.time.timeline;
   std::vector<Choice> choices;
   int selected = 3;
   for (std::size_t i = 0; i < speeds.size(); ++i) {
@@ -277,7 +277,7 @@ void clipChooser(PanelContext& context, const std::string& id, float width) {
                   .text = "The animation to work on. Trails belong to the clip that they were made in.",
                   .keyText =
                       keyOf(context, command::clipPrevious) + "  " + keyOf(context, command::clipNext)};
-  std::string* const filter = clips.size() > manyClips ? &context.ui.clipFilter : nullptr;
+  std::string* const filter = clips.size() > manyClips ? &context.ui.time.clipFilter : nullptr;
   const int chosen =
       dropdown(widgetsOf(context), id, choices, context.character().view().clip, help, width, "", filter);
   if (chosen >= 0 && chosen != context.character().view().clip) {

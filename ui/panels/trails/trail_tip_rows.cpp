@@ -42,11 +42,11 @@ void styleRow(PanelContext& context) {
   }
   const app::Document& document = context.character().document();
   const std::vector<int> trails = app::targetTrails(context.character());
-  const ShownStyle shown = shownStyle(context.ui.takenStyle, document, trails);
+  const ShownStyle shown = shownStyle(context.ui.trails.takenStyle, document, trails);
   if (const int chosen =
           dropdown(widgets, "trail/style", choices, shown.index, help, 0.0F, shown.otherwise.c_str());
       chosen >= 0) {
-    context.ui.takenStyle = {document.scene, trails, chosen};
+    context.ui.trails.takenStyle = {document.scene, trails, chosen};
     editOnce(context, "Take a style",
              app::applyStyle(document, trails, app::styles()[static_cast<std::size_t>(chosen)]));
   }
@@ -131,7 +131,7 @@ LookState lookNow(const app::Document& document, std::shared_ptr<const rig::Moti
 const LookState& lookAt(PanelContext& context, const rig::SolvedTrail& solved) {
   constexpr double restSeconds = 0.25;
   const app::Session& session = context.character();
-  LookState& look = context.ui.look;
+  LookState& look = context.ui.trails.look;
   const std::shared_ptr<const rig::MotionState> motion = context.character().sharedMotion();
   if (look.motion == motion && look.trailId == solved.trail.id) {
     return look;
@@ -202,7 +202,7 @@ void messageRows(PanelContext& context, const std::vector<Message>& messages) {
   }
   const float top = ImGui::GetCursorScreenPos().y;
   const std::size_t others = messages.size() - 1;
-  bool& open = context.ui.allWarnings;
+  bool& open = context.ui.trails.allWarnings;
   const std::string more = open ? "less" : others > 0 ? fmt::format("+{} more", others) : "more";
   const bool clicked = noticeLines(widgetsOf(context), "trail/messages", messages.front().kind,
                                    messages.front().text, more, open);

@@ -1,0 +1,31 @@
+#pragma once
+
+namespace stretch::ui {
+
+/// What the viewport draws over the character.
+struct ViewportOverlays {
+  bool controllers = false; ///< Else only while one is selected.
+  bool skeleton = false;
+  bool wire = false;
+  bool jointNames = false;
+  bool heatMap = false; ///< Stretch of the mesh as colour.
+  bool weights = false; ///< Of one joint (WeightView), as colour.
+  bool ghosts = false;
+  bool grid = true;
+  bool trailFrameNumbers = false;
+  bool trailTicks = true;
+  bool sideBySide = false;             ///< Original beside exaggerated.
+  bool trailsOnlyWhenSelected = false; ///< Else every visible trail is drawn.
+  int ghostsBefore = 3;
+  int ghostsAfter = 3;
+  int ghostStepFrames = 2;
+  bool trailWindow = false; ///< Draw only `trailWindowFrames` around the playhead.
+  int trailWindowFrames = 12;
+  float trailThickness = 3.0F; ///< Design pixels.
+  float sphereSize = 7.0F;     ///< Radius, design pixels.
+  double trailIncrement = 0.5; ///< Frames between drawn samples.
+
+  friend bool operator==(const ViewportOverlays&, const ViewportOverlays&) = default;
+};
+
+} // namespace stretch::ui

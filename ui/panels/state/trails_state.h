@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::ui {
+
+/// A trail, or a group of trails, that is given a name.
+struct RenameState {
+  bool open = false;
+  int trail = 0; ///< Id; of one in the group.
+  bool ofGroup = false;
+  std::string present = {}; ///< What it is called.
+  std::string typed = {};
+  bool wasOpen = false; ///< In the frame before.
+};
+
+/// What an animator would stumble over in the selected trail, as last looked for.
+struct LookState {
+  std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
+  int trailId = 0;
+  std::vector<std::string> warnings = {};
+  bool clipCouldLoop = false;                      ///< Marking the clip as a loop mends the way back.
+  std::shared_ptr<const rig::MotionState> waiting; ///< A newer one, while it still changes,
+  double waitingSince = 0.0;                       ///< seconds of the window's clock.
+  bool bodyTravels = false;                        ///< Why a new trail there starts in the space root.
+};
+
+/// The style that was taken last, and for which trails of which character.
+struct TakenStyle {
+  std::shared_ptr<const Scene> scene = {}; ///< Null: none was taken.
+  std::vector<int> trails = {};            ///< Ids.
+  int style = 0;                           ///< Into app::styles().
+};
+
+/// The panels of trails and their settings.
+struct TrailPanels {
+  LookState look;
+  TakenStyle takenStyle;
+  RenameState rename;
+  bool allWarnings = false; ///< Every warning of the trail is listed, not the first alone.
+};
+
+} // namespace stretch::ui
