@@ -3,7 +3,8 @@
 
     command_line.py PROGRAM ROOT          every verb has help with an example; examples name only verbs and options that exist;
                                           the version names the build
-    command_line.py PROGRAM ROOT --run    runs every example of the README, in order, in a folder of its own
+    command_line.py PROGRAM ROOT --run    runs every example of the README and of the page about the command line, in order, in a
+                                          folder of its own
 """
 
 import pathlib
@@ -16,6 +17,7 @@ import tempfile
 OPTION = re.compile(r"^\s+(?:-\w,)?(--[a-z][\w-]*)")
 EXAMPLE = re.compile(r"^(?:\$ )?(?:\./run|(?:\S*/)?stretch-engine)\s+(.+)$")
 SECONDS_AT_MOST = 240
+TYPED_PAGES = ("README.md", "docs/command-line.md")  # What a reader types from top to bottom.
 
 
 def output_of(program, *arguments, folder=None):
@@ -106,16 +108,18 @@ def check_examples(root, options):
 
 
 def run_examples(program, root, verbs):
-    """Runs the README's batch examples one after another, as a reader would who types them all."""
-    examples = [e for e in examples_of((root / "README.md").read_text(encoding="utf-8")) if e[0] in verbs]
-    problems = [] if examples else ["README.md: holds no example"]
-    with tempfile.TemporaryDirectory() as folder:
-        for name in ("assets", "docs"):
-            pathlib.Path(folder, name).symlink_to(root / name, target_is_directory=True)
-        for example in examples:
-            status, _, message = output_of(program, *example, folder=folder)
-            if status != 0:
-                problems.append(f"README.md: {' '.join(example)}: exit {status}: {message.strip()}")
+    """Runs the examples of each page one after another, as a reader would who types them all."""
+    problems = []
+    for page in TYPED_PAGES:
+        examples = [e for e in examples_of((root / page).read_text(encoding="utf-8")) if e[0] in verbs]
+        problems += [] if examples else [f"{page}: holds no example"]
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("assets", "docs"):
+                pathlib.Path(folder, name).symlink_to(root / name, target_is_directory=True)
+            for example in examples:
+                status, _, message = output_of(program, *example, folder=folder)
+                if status != 0:
+                    problems.append(f"{page}: {' '.join(example)}: exit {status}: {message.strip()}")
     return problems
 
 

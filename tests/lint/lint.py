@@ -34,6 +34,7 @@ RULES = {
     "formatting": format_rule.formatting,
     "folder-size": size_rules.folder_size,
     "product-lines": size_rules.product_lines,
+    "readme-words": size_rules.readme_words,
     "struct-members": shape_rules.struct_members,
     "parameters": shape_rules.parameter_count,
     "kind-switches": shape_rules.kind_switches,

@@ -6,6 +6,7 @@
 # "#! creature NAME" (a file of that name made by the program make-creature, opened instead of a file),
 # "#! statue NAME.gltf" (a person without a skeleton made by the program make-statue, opened instead of a file),
 # "#! plays as RECIPE" (what was saved beside the file plays as the recipe makes it in batch, within 1e-5 of the picture's size),
+# "#! looks like PATH" (the picture that it takes under that name is the one of the sources, but for one pixel in two hundred),
 # "#! then OTHER.script" (started afterwards with the same user folder). Pictures go to $STRETCH_UI_PICTURES, if it is set.
 set -u
 program=$(realpath "$1")
@@ -63,6 +64,16 @@ compare() {
   awk -v largest="${largest:-1}" 'BEGIN { exit !(largest + 0 <= 1e-3) }'
 }
 
+# A picture that the pages show against what is there now.
+looks_alike() {
+  local kept
+  kept=$(setting 'looks like' "$1")
+  [ -n "$kept" ] || return 0
+  python3 -B "$root/docs/pictures/differs.py" "$root/$kept" "$work/$(basename "$kept")" && return 0
+  echo "$kept is older than what it shows: docs/pictures/make takes it anew"
+  return 1
+}
+
 status=0
 first=$script
 while [ -n "$script" ] && [ $status -eq 0 ]; do
@@ -71,6 +82,8 @@ while [ -n "$script" ] && [ $status -eq 0 ]; do
   script=${next:+$(dirname "$script")/$next}
 done
 [ $status -ne 0 ] || compare "$first" || status=$?
+# Where pictures are kept, they are being made.
+[ $status -ne 0 ] || [ -n "${STRETCH_UI_PICTURES:-}" ] || looks_alike "$first" || status=$?
 if [ $status -ne 0 ] && [ -e "$work/monkey.script" ]; then
   echo "What the monkey did, as a script that does it again:" >&2
   cat "$work/monkey.script" >&2
