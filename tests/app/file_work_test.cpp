@@ -73,7 +73,7 @@ public:
 
 } // namespace
 
-TEST_CASE("A file is opened beside the caller, one that cannot be read leaves what is open") {
+TEST_CASE("A file is opened beside the caller, one that cannot be read leaves what is open", "[jobs]") {
   Desk desk;
   FileWork work;
   work.openFile(desk, {desk.file("a.glb")});
@@ -212,7 +212,7 @@ TEST_CASE("Of two windows on one file the second to save is told that the first 
   CHECK(second.news() == "opened ");
 }
 
-TEST_CASE("A file that another program changes while it is read is not overwritten unasked") {
+TEST_CASE("A file that another program changes while it is read is not overwritten unasked", "[jobs]") {
   Desk desk;
   FileWork work([&](const FileWork::Paths& paths, const skinning::Progress& progress) {
     Result<Opened> read = openAny(paths, progress);
@@ -248,7 +248,7 @@ TEST_CASE("Work of a process that is gone is offered, even where another one has
   CHECK_FALSE(findAutosave(desk.file("a.glb")));
 }
 
-TEST_CASE("Work that comes while another file is read is asked for as well") {
+TEST_CASE("Work that comes while another file is read is asked for as well", "[jobs]") {
   Desk desk;
   std::promise<void> mayRead;
   std::shared_future<void> gate = mayRead.get_future().share();
@@ -281,7 +281,7 @@ TEST_CASE("Work that comes while another file is read is asked for as well") {
   }
 }
 
-TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once it is saved") {
+TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once it is saved", "[jobs]") {
   Desk desk;
   FileWork work;
   desk.openNow(work, "a.glb");

@@ -2,10 +2,11 @@
 """Compiles every C++ source by itself with clang++, to no output: a second compiler's warnings, and headers that a source reads
 only because another one of its room was compiled before it.
 
-    compile_alone.py BUILD [--jobs N] [FILE...]
+    compile_alone.py BUILD [--jobs N] [--seconds S] [FILE...]
 
-BUILD is a build folder configured without unity and without precompiled headers. The last line holds the counts.
-Exit 0: clean, 1: findings, 77: no clang++ of version 16 or later (earlier ones cannot read the standard library's headers).
+BUILD is a build folder configured without unity and without precompiled headers. Files that are named are compiled in that
+order. With --seconds no further one is begun after that time. The last line holds the counts.
+Exit 0: clean, 1: findings, 75: the time was up, no findings so far, 77: no clang++ of version 16 or later (earlier ones cannot read the standard library's headers).
 """
 
 import argparse
@@ -17,8 +18,9 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
-from run_clang_tidy import SKIPPED, options_of
+from run_clang_tidy import SKIPPED, TIME_IS_UP, options_of
 
 OLDEST = 16
 FINDING = re.compile(r"^([^:\n]+:\d+):\d+: (?:fatal )?(?:warning|error): (.*)$", re.MULTILINE)
@@ -38,6 +40,7 @@ def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--seconds", type=float)
     parser.add_argument("file", nargs="*")
     given = parser.parse_intermixed_args(arguments)
     program = compiler()
@@ -46,6 +49,7 @@ def main(arguments):
         return SKIPPED
     root = pathlib.Path(__file__).resolve().parents[2]
     build = given.build.resolve()
+    deadline = None if given.seconds is None else time.monotonic() + given.seconds
     entries = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         file = pathlib.Path(entry["file"])
@@ -55,19 +59,29 @@ def main(arguments):
             entries[name] = (*options_of(entry), *warnings, "-Wno-unknown-warning-option", "-Werror")
 
     def findings_of(name):
+        """Nothing where the time is up."""
+        if deadline is not None and time.monotonic() > deadline:
+            return None
         command = [program, *entries[name], "-fsyntax-only", str(root / name)]
         done = subprocess.run(command, capture_output=True, text=True, cwd=build, check=False)
         found = {f"{match.group(1)}: {match.group(2)}" for match in FINDING.finditer(done.stderr)}
         return found or ({f"{name}: {done.stderr.strip()[:400]}"} if done.returncode else set())
 
-    findings = set()
+    findings, done = set(), 0
+    order = {name: place for place, name in enumerate(given.file)}
+    names = sorted(entries, key=lambda name: (order.get(name, 0), name))
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        for found in pool.map(findings_of, sorted(entries)):
+        for found in pool.map(findings_of, names):
+            if found is None:
+                continue
+            done += 1
             for finding in sorted(found - findings):
                 print(finding.replace(f"{root}/", "", 1), flush=True)
             findings |= found
-    print(f"{len(entries)} files, {len(findings)} findings")
-    return 1 if findings else 0
+    print(f"{done} of {len(entries)} files compiled, {len(findings)} findings")
+    if findings:
+        return 1
+    return TIME_IS_UP if done < len(entries) else 0
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ is compiled. Files that share their options and repeat no local name are checked
 headers once instead of two dozen times. What came out clean is remembered in BUILD/clean, by the bytes of the file, of every header
 of ours that it reaches, of its options and of the configuration; it is not checked again before one of these changes.
 
-With --seconds no further batch is begun after that time. The last line holds the counts.
+Files that are named are checked in that order. With --seconds what is not done after that time is left. The last line holds the counts.
 Exit 0: clean, 1: findings, 77: clang-tidy is not installed, 75: the time was up, no findings so far.
 """
 
@@ -153,9 +153,17 @@ class Tidy:
             joined.write_text("".join(f'#include "{source.file}"\n' for source in batch), encoding="utf-8")
         sources_too = "/(core|rig|skinning|app|ui|assets|tests)/.*\\.(h|cpp)$"
         command = [self.program, "--quiet", f"--config-file={self.root / '.clang-tidy'}", f"--header-filter={sources_too}"]
-        done = subprocess.run(
-            [*command, *unasked, str(joined), "--", *batch[0].options], capture_output=True, text=True, cwd=self.build, check=False
-        )
+        try:
+            done = subprocess.run(
+                [*command, *unasked, str(joined), "--", *batch[0].options],
+                capture_output=True,
+                text=True,
+                cwd=self.build,
+                check=False,
+                timeout=None if self.deadline is None else max(1.0, self.deadline - time.monotonic()),
+            )
+        except subprocess.TimeoutExpired:
+            return set(), 0
         findings = {match.group(0) for match in FINDING.finditer(done.stdout) if str(self.folder) not in match.group(1)}
         found_in = {match.group(1) for match in FINDING.finditer(done.stdout)}
         compiles = "[clang-diagnostic-error]" not in done.stdout
@@ -189,7 +197,8 @@ def all_sources(root, build, program, wanted):
         source = Source(file, options, keys.key(name, options))
         if all(other.file != file for other in sources):
             sources.append(source)
-    return sources
+    order = {name: place for place, name in enumerate(wanted)}
+    return sorted(sources, key=lambda source: order.get(str(source.file.relative_to(root)), 0))
 
 
 def main(arguments):
@@ -206,7 +215,7 @@ def main(arguments):
     root = pathlib.Path(__file__).resolve().parents[2]
     deadline = None if given.seconds is None else time.monotonic() + given.seconds
     tidy = Tidy(program, given.build.resolve(), root, deadline)
-    sources = all_sources(root, tidy.build, program, set(given.file))
+    sources = all_sources(root, tidy.build, program, given.file)
     waiting = [source for source in sources if not tidy.is_clean(source)]
     findings, checked = set(), 0
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
@@ -216,7 +225,7 @@ def main(arguments):
             findings |= found
             checked += count
     left = len(waiting) - checked
-    print(f"{len(sources)} files, {checked} checked, {left} left, {len(findings)} findings")
+    print(f"{checked} of {len(waiting)} files checked, {len(sources) - len(waiting)} known to be clean, {len(findings)} findings")
     if findings:
         return 1
     return TIME_IS_UP if left else 0

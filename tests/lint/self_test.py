@@ -12,7 +12,9 @@ import function_rule
 import include_rules
 import pointer_rules
 import run_clang_tidy
+import sources
 import text_rules
+import turns
 
 
 class LintTest(unittest.TestCase):
@@ -284,6 +286,26 @@ class ClangTidyRun(unittest.TestCase):
         ]
         batches = [[source.file.name for source in batch] for batch in run_clang_tidy.batches_of(sources)]
         self.assertEqual(batches, [["c.cpp", "d.cpp"], ["e.cpp"], ["a.h"]])
+
+
+class Turns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        root = pathlib.Path(folder.name)
+        for name in ("core/a.cpp", "core/a.h", "core/b.cpp", "core/c.cpp", "core/d.cpp", "core/e.h"):
+            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).write_text('#include "core/e.h"\n' if name == "core/d.cpp" else "\n", encoding="utf-8")
+        self.files = {file.name: file for file in sources.code_files(root) if file.suffix == ".cpp"}
+
+    def test_five_turns_reach_every_source_once(self):
+        reached = [name for turn in range(turns.TURNS) for name in turns.chosen(self.files, [], turn)]
+        self.assertEqual(sorted(reached), sorted(self.files))
+
+    def test_what_changed_comes_first_a_header_by_a_source_that_reads_it(self):
+        changed = ["core/e.h", "docs/a.md", "core/gone.cpp", "core/a.h"]
+        for turn in range(turns.TURNS):
+            self.assertEqual(turns.chosen(self.files, changed, turn)[:2], ["core/d.cpp", "core/a.cpp"])
 
 
 class Pointers(LintTest):

@@ -160,7 +160,7 @@ TEST_CASE("a sequence without a centre line opens all the same, and can be measu
   CHECK(opened->settings.stretch == skinning::StretchOption::measured);
 }
 
-TEST_CASE("a compression beside the caller ends with a result that can be exported") {
+TEST_CASE("a compression beside the caller ends with a result that can be exported", "[jobs]") {
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   const test::TemporaryFolder folder;
@@ -252,7 +252,7 @@ TEST_CASE("a command means for a sequence what its table says, and nothing else"
   CHECK(app::sameDocument(open.sequence()->document(), *tube.document));
 }
 
-TEST_CASE("a cancelled compression leaves the result before it") {
+TEST_CASE("a cancelled compression leaves the result before it", "[jobs]") {
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   REQUIRE(session.startCompression());
@@ -262,7 +262,8 @@ TEST_CASE("a cancelled compression leaves the result before it") {
   CHECK(session.document().result == nullptr);
 }
 
-TEST_CASE("a result is encoded beside the caller whenever its encoding changes, unless that was cancelled") {
+TEST_CASE("a result is encoded beside the caller whenever its encoding changes, unless that was cancelled",
+          "[jobs]") {
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   session.keepClip();
@@ -289,7 +290,8 @@ TEST_CASE("a result is encoded beside the caller whenever its encoding changes, 
   CHECK(session.clip()->settings.keyTolerancePercent == 0.4);
 }
 
-TEST_CASE("an export that cannot be written or was cancelled leaves no file, and the first says why") {
+TEST_CASE("an export that cannot be written or was cancelled leaves no file, and the first says why",
+          "[jobs]") {
   OpenedTube tube;
   app::SequenceSession& session = *tube.session;
   const test::TemporaryFolder folder;
@@ -335,7 +337,7 @@ TEST_CASE("the bones of a file take the place of own ones and leave again, anoth
   CHECK_FALSE(app::withSkeleton(session.document(), folder / "missing.glb"));
 }
 
-TEST_CASE("a compression that cannot be done says why") {
+TEST_CASE("a compression that cannot be done says why", "[jobs]") {
   OpenedTube tube;
   tube.edit([](app::SequenceDocument& changed) { changed.settings.bones = 100000; });
   REQUIRE(tube.session->startCompression());

@@ -62,7 +62,7 @@ bool changesNothingWhenStopped(Working& working) {
 
 } // namespace
 
-TEST_CASE("Esc stops fitting locators, and the same again finds them") {
+TEST_CASE("Esc stops fitting locators, and the same again finds them", "[jobs]") {
   Working working(statue());
   runCommand(working.shell, command::locatorsFit);
   CHECK(changesNothingWhenStopped(working));
@@ -72,7 +72,7 @@ TEST_CASE("Esc stops fitting locators, and the same again finds them") {
   CHECK(working.session().document().locators.list.size() == 22);
 }
 
-TEST_CASE("Esc stops binding, and the mesh keeps its weights") {
+TEST_CASE("Esc stops binding, and the mesh keeps its weights", "[jobs]") {
   Working working(test::PanelDriver::bundledCharacter());
   const auto source = working.session().document().source;
   working.press("Ctrl+B");
@@ -80,7 +80,7 @@ TEST_CASE("Esc stops binding, and the mesh keeps its weights") {
   CHECK(working.session().document().source == source);
 }
 
-TEST_CASE("Esc stops importing a clip, and no clip is added") {
+TEST_CASE("Esc stops importing a clip, and no clip is added", "[jobs]") {
   Working working(test::PanelDriver::bundledCharacter());
   const std::size_t clips = working.session().document().clips->size();
   importClip(working.shell, {STRETCH_SOURCE_DIR "/assets/dummy_swing.glb", -1});

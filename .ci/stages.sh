@@ -1,0 +1,92 @@
+# Sourced by .ci/run: stages that share the seconds there are, each with a share of its own, so that none starves another.
+#   stage SHARE NAME COMMAND   queues a command (a function); SHARE is how many seconds it wants
+#   run_stages SECONDS         runs them in their order, within so many seconds of the script's beginning, or `unlimited`
+#   counts_of LOG              adds the counts in the last line of a log to ours
+#   told_at_last               what was left out, then the counts
+# Seconds that a stage leaves over are shared out again by the shares of those that follow; so are seconds that are missing. A stage
+# that would get less than a third of its share is left out.
+# A command finds how long it has in `left`, runs what takes long by `within`, and says how far it came by `tell`. It ends with 0,
+# with 77 where something that it needs is missing, with 75 where its seconds were up before its work was done.
+passed=0 failed=0 skipped=0
+names=() shares=() commands=() left_out=()
+deadline=0 told=""
+
+stage() {
+  shares+=("$1") names+=("$2") commands+=("$3")
+}
+
+left() {
+  echo $((deadline > SECONDS ? deadline - SECONDS : 0))
+}
+
+tell() {
+  told=$1
+}
+
+# within COMMAND...: 75 where the stage's seconds were up.
+within() {
+  local status=0
+  timeout --kill-after=10 "$(($(left) + 1))" "$@" || status=$?
+  case $status in 124 | 137) return 75 ;; esac
+  return "$status"
+}
+
+skip() {
+  skipped=$((skipped + 1))
+  left_out+=("left out: $1")
+}
+
+run_stage() {
+  local name=$1 granted=$2 began=$SECONDS status=0
+  deadline=$((SECONDS + granted)) told=""
+  echo "$name: at most $granted s"
+  "$3" || status=$?
+  local seconds="$((SECONDS - began)) s${told:+: $told}"
+  case $status in
+    0) passed=$((passed + 1)); echo "passed: $name, $seconds" ;;
+    75) skip "$name, in part: its share of $granted s was up${told:+: $told}" ;;
+    77) skip "$name${told:+: $told}" ;;
+    *) failed=$((failed + 1)); echo "FAILED: $name, $seconds" ;;
+  esac
+}
+
+# granted_of SHARE REST TOTAL: the part of the seconds left that a share of the rest of the shares is.
+granted_of() {
+  if [ "$3" = unlimited ]; then
+    echo 86400
+  else
+    echo $((SECONDS < $3 ? ($3 - SECONDS) * $1 / $2 : 0))
+  fi
+}
+
+run_stages() {
+  local rest=0 share i granted
+  for share in "${shares[@]}"; do rest=$((rest + share)); done
+  for i in "${!names[@]}"; do
+    granted=$(granted_of "${shares[i]}" "$rest" "$1")
+    rest=$((rest - shares[i]))
+    if [ $((granted * 3)) -lt "${shares[i]}" ]; then
+      skip "${names[i]}: $granted s were left of the ${shares[i]} s that it wants"
+    else
+      run_stage "${names[i]}" "$granted" "${commands[i]}"
+    fi
+  done
+}
+
+counts_of() {
+  local counts
+  counts=$(tail -n 1 "$1" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed, ([0-9]+) skipped$/\1 \2 \3/p')
+  if [ -z "$counts" ]; then
+    failed=$((failed + 1))
+    return
+  fi
+  # shellcheck disable=SC2086
+  set -- $counts
+  passed=$((passed + $1)) failed=$((failed + $2)) skipped=$((skipped + $3))
+}
+
+told_at_last() {
+  [ "${#left_out[@]}" -eq 0 ] || printf '%s\n' "${left_out[@]}"
+  echo "$passed passed, $failed failed, $skipped skipped"
+  [ "$failed" -eq 0 ]
+}
