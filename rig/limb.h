@@ -17,7 +17,7 @@ namespace stretch::rig {
 enum class LimbKind { arm, leg, spine, neck, tail, wing, fin, feeler, chain };
 enum class LimbSide { left, right, middle };
 
-/// What a limb is to its body. Limbs are listed by kind, then from front to back, the left one first.
+/// Role of a limb in its body. Limbs are listed by kind, then from front to back, the left one first.
 struct LimbPlace {
   LimbKind kind = LimbKind::chain;
   LimbSide side = LimbSide::middle;
@@ -52,7 +52,7 @@ inline constexpr LimbPlace neck{LimbKind::neck};
 [[nodiscard]] constexpr bool isArm(const LimbPlace& limb) {
   return limb.kind == LimbKind::arm;
 }
-/// Of the middle of the body, which carries the other limbs.
+/// Whether a limb is part of the body's middle, which carries the other limbs.
 [[nodiscard]] constexpr bool isTrunk(const LimbPlace& limb) {
   return limb.kind == LimbKind::spine || limb.kind == LimbKind::neck;
 }
@@ -80,7 +80,7 @@ struct Limb : LimbPlace {
                                  ///< they ride on their bone.
   NodeIndex endNode;       ///< The end joint (wrist, ankle, ...); need not be a descendant of `joints`. -1:
                            ///< estimated.
-  Vec3 endOffset{0.0};     ///< Where the end is when endNode is -1: in the space of joints.back().
+  Vec3 endOffset{0.0};     ///< Place of the end when endNode is -1: in the space of joints.back().
   double restLength = 0.0; ///< Sum of the bone lengths in the bind pose, world units.
   double confidence = 1.0; ///< 0..1.
   std::vector<std::string> reasons; ///< Why these joints: for the user.
@@ -99,14 +99,14 @@ struct Limb : LimbPlace {
 /// Positions of the limb's joints, base first, and of its end: one more than Limb::joints.
 [[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const std::vector<Mat4>& worlds);
 
-/// The same in a frame whose limbs may be stretched: an estimated end moves with the stretch of the bone that
-/// it ends.
+/// Returns the end's place in a frame whose limbs may be stretched: an estimated end moves with the stretch
+/// of the bone that it ends.
 [[nodiscard]] Vec3 endPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] std::vector<Vec3> limbPoints(const Limb& limb, const FrameState& frame);
 
-/// What a trail goes by: the place that leads, which is the limb's end where it is not led by its first
-/// joint, the place that stays, which is the other one, and the limb's points from there to the one that
-/// leads.
+/// Places that a trail goes by: the place that leads, which is the limb's end where it is not led by its
+/// first joint, the place that stays, which is the other one, and the limb's points from there to the one
+/// that leads.
 [[nodiscard]] Vec3 leadingPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] Vec3 stayingPosition(const Limb& limb, const FrameState& frame);
 [[nodiscard]] std::vector<Vec3> pointsToLead(const Limb& limb, const FrameState& frame);

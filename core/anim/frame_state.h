@@ -19,7 +19,7 @@ struct FrameState {
 /// The clip as it is, without any limb stretched.
 [[nodiscard]] FrameState frameOf(const Scene& scene, Pose pose, double timeSeconds);
 
-/// What a bind chain of the file gives its joint in a pose; only the chain's leaves are looked at.
+/// Stretch that a bind chain of the file gives its joint in a pose; only the chain's leaves are looked at.
 [[nodiscard]] Mat3 stretchOf(const Scene& scene, const Pose& pose, const BindChain& chain);
 
 /// World matrix that a mesh hanging rigidly on `node` is drawn with, its stretch included.

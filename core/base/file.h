@@ -24,7 +24,7 @@ struct OutputFile {
   Bytes bytes;
 };
 
-/// What becomes of a file whose folder is missing.
+/// Outcome for a file whose folder is missing.
 enum class MissingFolder { isError, isMade };
 
 /// Writes all files or none, so that neither an error nor a crash leaves half a file in the place of a whole
@@ -37,7 +37,8 @@ enum class MissingFolder { isError, isMade };
 [[nodiscard]] Status writeFiles(std::span<const OutputFile> files,
                                 MissingFolder folder = MissingFolder::isError);
 
-/// The same for one file; folders of texts are made, as those of a user's settings are at the first start.
+/// Writes one file in the same way; folders of texts are made, as those of a user's settings are at the first
+/// start.
 [[nodiscard]] Status writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                                MissingFolder folder = MissingFolder::isError);
 [[nodiscard]] Status writeText(const std::filesystem::path& path, std::string_view text,

@@ -10,9 +10,9 @@ namespace stretch {
 
 /// An error that a file, a user or a geometry caused; a person reads it.
 struct Error {
-  std::string what;   ///< What is wrong: "the accessor reads past the end of its buffer view".
-  std::string where;  ///< Where in the file or the command line: "accessors[3]". May be empty.
-  std::string remedy; ///< What to do about it: "export the file again". May be empty.
+  std::string what;   ///< The fault: "the accessor reads past the end of its buffer view".
+  std::string where;  ///< Place in the file or the command line: "accessors[3]". May be empty.
+  std::string remedy; ///< The way out: "export the file again". May be empty.
 
   /// One line without a newline: "where: what; remedy".
   [[nodiscard]] std::string line() const {

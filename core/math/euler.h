@@ -6,7 +6,7 @@ namespace stretch {
 
 // A rotation as three angles X, Y, Z in radians: turned about the fixed axes X, then Y, then Z.
 
-/// Of the angles that say the same rotation, those nearest to `previous`: a curve without jumps.
+/// Angles of the rotation that are nearest to `previous`, of all that say the same: a curve without jumps.
 [[nodiscard]] Vec3 eulerNear(const Quat& rotation, const Vec3& previous);
 
 [[nodiscard]] Quat rotationOf(const Vec3& angles);

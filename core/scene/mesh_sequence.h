@@ -24,13 +24,13 @@ using Triangle = std::array<std::uint32_t, 3>; ///< Vertex indices, counter-cloc
 /// triangles. Positions are in the units of their source; memory is 12 bytes for each vertex and frame.
 struct MeshSequence {
   std::string name;
-  std::string clipName; ///< What the source calls the motion; empty where it has no name for it.
+  std::string clipName; ///< Name of the motion in the source; empty where it has no name for it.
   std::size_t vertexCount = 0;
   std::vector<Triangle> triangles;
   std::vector<glm::vec3> positions;    ///< Frame after frame, vertexCount each.
-  std::vector<std::string> frameNames; ///< What the source calls each frame (a file, a sample), for messages.
+  std::vector<std::string> frameNames; ///< Name of each frame in the source (a file, a sample), for messages.
   double framesPerSecond = 30.0;
-  std::shared_ptr<const gltf::MeshSurface> surface; ///< What it looks like; null: nothing but its shape.
+  std::shared_ptr<const gltf::MeshSurface> surface; ///< Its looks; null: nothing but its shape.
   std::vector<std::string> warnings; ///< One line each: what is odd about the source and what was made of it.
 
   [[nodiscard]] std::size_t frameCount() const {

@@ -10,7 +10,7 @@ namespace stretch {
 /// Which node of a scene: the index that its file gives it (names repeat). A type of its own, so that no
 /// clip, skin or place in another list is taken for a node.
 struct NodeIndex {
-  int value = -1; ///< As files and messages count: from 0. -1: none.
+  int value = -1; ///< Counted from 0, as in files and messages. -1: none.
 
   constexpr NodeIndex() = default;
   constexpr explicit NodeIndex(int index) : value(index) {}

@@ -59,10 +59,10 @@ struct MorphTarget {
 struct Primitive {
   std::vector<glm::vec3> positions; ///< Mesh space (bind-pose model space for skinned meshes).
   std::vector<glm::vec3> normals;   ///< One for each vertex; computed where the file has none.
-  std::vector<glm::vec2> texCoords; ///< Of the set that the base colour texture uses; empty when there is
-                                    ///< none.
-  std::vector<glm::vec2> emissiveTexCoords; ///< Of the set that the emissive texture uses, where that is
-                                            ///< another one.
+  std::vector<glm::vec2> texCoords; ///< Coordinates of the set that the base colour texture uses; empty when
+                                    ///< there is none.
+  std::vector<glm::vec2> emissiveTexCoords; ///< Coordinates of the set that the emissive texture uses, where
+                                            ///< that is another one.
   std::vector<glm::vec4> colors;            ///< COLOR_0, linear; empty when there is none.
   std::vector<VertexInfluences> influences; ///< Empty when not skinned.
   std::vector<std::uint32_t> indices;       ///< Three for each triangle.
@@ -85,7 +85,7 @@ struct Image {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// What the viewport draws of a material.
+/// Material as the viewport draws it.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0F};
@@ -105,14 +105,14 @@ struct BindChain {
   NodeIndex joint;
   NodeIndex leaf;
   NodeIndex endLeaf;                 ///< -1: none.
-  Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Of the chain at rest: joint space from the last leaf's.
+  Quat restTurn{1.0, 0.0, 0.0, 0.0}; ///< Turn of the chain at rest: joint space from the last leaf's.
 
   [[nodiscard]] NodeIndex lastLeaf() const { return endLeaf.exists() ? endLeaf : leaf; }
 };
 
 struct Scene {
   std::vector<Node> nodes;
-  std::vector<NodeIndex> roots; ///< Of the default scene; nodes that no scene shows are not drawn.
+  std::vector<NodeIndex> roots; ///< Roots of the default scene; nodes that no scene shows are not drawn.
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
@@ -120,7 +120,7 @@ struct Scene {
   /// VRM humanoid table (0.x and 1.0): bone name as VRM 1.0 spells it ("leftUpperArm") -> node. Empty without
   /// one.
   std::map<std::string, NodeIndex> humanoid;
-  std::vector<BindChain> bindChains; ///< Of a file that this program stretched.
+  std::vector<BindChain> bindChains; ///< Chains of a file that this program stretched.
 };
 
 /// Node indices ordered so that every parent comes before its children. Files are checked for loops when they

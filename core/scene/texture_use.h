@@ -4,7 +4,7 @@
 
 namespace stretch {
 
-/// What a texture shows beyond its edges.
+/// Behaviour of a texture beyond its edges.
 enum class TextureWrap { repeat, mirror, clamp };
 
 /// An image as a material uses it.

@@ -11,12 +11,12 @@ namespace stretch::rig {
 /// How the curve of an offset passes a key (docs/controllers.md, Keys).
 enum class KeyInterpolation { automatic, flat, linear, stepped, free };
 
-/// What a controller or an attribute is given at one frame.
+/// Offset of a controller, or value of an attribute, keyed at one frame.
 struct OffsetKey {
   double frame = 0.0;
   Vec3 move{0.0};     ///< World units, along the axes of the controller's carrier.
   Vec3 turn{0.0};     ///< Rotation vector along the same axes: axis times angle in radians.
-  double value = 0.0; ///< Of an attribute; a controller has none.
+  double value = 0.0; ///< Value of an attribute; a controller has none.
   KeyInterpolation interpolation = KeyInterpolation::automatic;
   Vec3 moveSlope{0.0}; ///< For each frame, of a free key.
   Vec3 turnSlope{0.0};

@@ -23,7 +23,7 @@ enum class ControllerKind {
   joint ///< Any joint that is not one of the others'.
 };
 
-/// What an artist takes hold of (docs/controllers.md, The controllers).
+/// Handle that an artist takes hold of (docs/controllers.md, The controllers).
 struct Controller {
   std::string id; ///< "left-hand"; of a joint its name, or "#index".
   ControllerKind kind = ControllerKind::joint;
@@ -43,10 +43,10 @@ struct Attribute {
   std::string limb;
   double minimum = 0.0;
   double maximum = 1.0;
-  double standard = 1.0; ///< Where nothing is keyed.
+  double standard = 1.0; ///< Value while nothing is keyed.
 };
 
-/// Of one character: in the order in which they are listed.
+/// Controllers and attributes of one character, in the order in which they are listed.
 struct ControllerList {
   std::vector<Controller> controllers; ///< Without those on other joints: controllerNamed finds them.
   std::vector<Attribute> attributes;
@@ -56,7 +56,7 @@ struct ControllerList {
   [[nodiscard]] const Attribute* attribute(const std::string& id) const;
 };
 
-/// What the limbs that were found allow. `hips`: -1 where none were found.
+/// Lists the controllers that the limbs found allow. `hips`: -1 where none were found.
 [[nodiscard]] ControllerList controllersOf(const Scene& scene, const std::vector<Limb>& limbs,
                                            NodeIndex hips);
 

@@ -8,7 +8,7 @@
 
 namespace stretch::rig {
 
-/// What an adjustment says at one time.
+/// Offset that an adjustment gives at one time.
 struct Offset {
   Vec3 move{0.0};
   Vec3 turn{0.0};

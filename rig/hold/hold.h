@@ -9,7 +9,7 @@
 
 namespace stretch::rig {
 
-// What holds the end of a limb, or a thing in a hand, over a part of one clip (docs/holds.md). Hands and feet
+// Holds keep the end of a limb, or a thing in a hand, over a part of one clip (docs/holds.md). Hands and feet
 // are named by their limb: "left-arm", "right-leg".
 
 enum class HoldKind { pin, grip, prop };
@@ -35,7 +35,7 @@ struct Pin {
   std::string limb;
   int clip = 0; ///< Index into the file's animations.
   HoldTime time;
-  double atFrame = 0.0;           ///< Where the adjusted clip has it at this frame, unless `place` is given.
+  double atFrame = 0.0; ///< Holds it where the adjusted clip has it at this frame, unless `place` is given.
   std::optional<HeldPlace> place; ///< Instead of that.
   bool turns = true;              ///< Its orientation is held, too.
   double stretch = 1.0;           ///< 0..1: 1: the limb stretches to stay; 0: it falls short.
@@ -49,9 +49,9 @@ struct Grip {
   std::string leader;
   int clip = 0;
   HoldTime time;
-  std::optional<double> relationFrame; ///< As the adjusted clip has it at this frame; none: as it has it at
-                                       ///< each frame.
-  double stretch = 1.0;                ///< As Pin::stretch.
+  std::optional<double> relationFrame; ///< Frame whose relation holds, in the adjusted clip; none: at each
+                                       ///< frame its own.
+  double stretch = 1.0;                ///< Read like Pin::stretch.
 
   friend bool operator==(const Grip&, const Grip&) = default;
 };
@@ -79,7 +79,7 @@ struct Prop {
   Vec3 move{0.0}; ///< How far the prop is brought from there before it is bound: world units and
   Vec3 turn{0.0}; ///< a rotation vector about its place, along the scene's axes.
   std::vector<PropHand> hands;
-  double stretch = 1.0; ///< As Pin::stretch, of the arms.
+  double stretch = 1.0; ///< Read like Pin::stretch, for the arms.
 
   friend bool operator==(const Prop&, const Prop&) = default;
 };

@@ -27,12 +27,12 @@ struct LimbShapeProblem {
 
 enum class ShapeOutcome { reached, clamped, degenerate };
 
-/// What brings the limb there: bone i turns by turns[i] (world space, about its joint) and is stretched to s
-/// times its length.
+/// Turns and stretches that bring the limb there: bone i turns by turns[i] (world space, about its joint) and
+/// is stretched to s times its length.
 struct LimbShape {
   std::vector<Quat> turns;
   double stretch = 1.0; ///< s, within [smallestStretch, largestStretch].
-  Vec3 end{0.0};        ///< Where the limb's end comes to.
+  Vec3 end{0.0};        ///< Place that the limb's end comes to.
   ShapeOutcome outcome = ShapeOutcome::reached;
 
   /// Whether nothing changes.

@@ -13,17 +13,17 @@ struct SplineSpineProblem {
   Vec3 low{0.0};             ///< How far each control is moved.
   Vec3 middle{0.0};
   Vec3 top{0.0};
-  Vec3 turn{0.0}; ///< Of the top: rotation vector, axis times angle; more than half a turn is possible.
+  Vec3 turn{0.0}; ///< Turn of the top: rotation vector, axis times angle; more than half a turn is possible.
   double stretchSwitch = 1.0;
 };
 
-/// What brings the spine there.
+/// Turns and stretches that bring the spine there.
 struct SplineSpineShape {
-  std::vector<Vec3> wanted;      ///< Where the controls ask each point to be.
-  std::vector<Vec3> points;      ///< Where each point comes to, as long as the switch lets the bones become.
-  std::vector<Quat> turns;       ///< Of each bone, world space, about its start.
-  std::vector<double> stretches; ///< Of each bone.
-  Quat topTurn{1.0, 0.0, 0.0, 0.0}; ///< Of the last point's joint, world space.
+  std::vector<Vec3> wanted; ///< Places that the controls ask for.
+  std::vector<Vec3> points; ///< Places that the points come to, as long as the switch lets the bones become.
+  std::vector<Quat> turns;  ///< Turn of each bone, world space, about its start.
+  std::vector<double> stretches;    ///< Stretch of each bone.
+  Quat topTurn{1.0, 0.0, 0.0, 0.0}; ///< Turn of the last point's joint, world space.
 };
 
 /// docs/controllers.md, Spine. Exactly the identity where no control has moved or turned. Bones without

@@ -7,11 +7,12 @@
 
 namespace stretch::rig {
 
-/// Of a limb's length: a joint nearer than this to the line from base to end hardly tells which way it bends.
+/// Fraction of a limb's length: a joint nearer than this to the line from base to end hardly tells which way
+/// it bends.
 inline constexpr double straightOfLength = 0.02;
 
-/// The same of a joint that stands on the side to which the limb does not bend. From half of it on it is
-/// taken for a limb that bends that way.
+/// Fraction of a limb's length for a joint that stands on the side to which the limb does not bend. From half
+/// of it on it is taken for a limb that bends that way.
 inline constexpr double overextendedOfLength = 0.25;
 
 /// How far a limb of this length may reach for a target at `distance` (docs/controllers.md, Arms and legs):
@@ -34,11 +35,12 @@ struct TwoBoneProblem {
   bool isExact = false;       ///< Without a soft zone: a target within the limb's length is reached as it is.
 };
 
-/// What brings the limb there: each bone turns in world space about its start and is scaled by `scale`.
+/// Turns and scale that bring the limb there: each bone turns in world space about its start and is scaled by
+/// `scale`.
 struct TwoBoneShape {
   std::array<Quat, 2> turns{Quat(1.0, 0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)};
   double scale = 1.0; ///< Within [smallestStretch, largestStretch].
-  Vec3 joint{0.0};    ///< Where the middle joint and the end come to.
+  Vec3 joint{0.0};    ///< Places that the middle joint and the end come to.
   Vec3 end{0.0};
   ShapeOutcome outcome = ShapeOutcome::reached; ///< clamped: the scale ended at a limit.
 };
@@ -47,8 +49,8 @@ struct TwoBoneShape {
 /// line have no length stays as it is (degenerate). Finite for every finite input.
 [[nodiscard]] TwoBoneShape solveTwoBone(const TwoBoneProblem& problem);
 
-/// Where the pole of a limb stands: half the limb's length before its joint, along the direction in which it
-/// bends.
+/// Returns the place of a limb's pole: half the limb's length before its joint, along the direction in which
+/// it bends.
 [[nodiscard]] Vec3 polePlace(const TwoBoneProblem& problem);
 
 } // namespace stretch::rig

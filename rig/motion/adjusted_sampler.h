@@ -16,7 +16,7 @@ public:
   AdjustedSampler(const Scene& scene, const Clip& clip, const SolvedAdjustments& adjustments,
                   std::vector<NodeIndex> nodes);
 
-  /// As NodeSampler::sample.
+  /// Samples as NodeSampler::sample does.
   void sample(double timeSeconds, FrameState& frame) const;
   /// The sampled nodes, those that adjustments move included.
   [[nodiscard]] const Scene& skeleton() const { return skeleton_; }

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// Where the offsets of a time want a controller, world space.
+/// Place that the offsets of a time want for a controller, world space.
 struct AskedPlace {
   std::string controller;
   Vec3 place{0.0};
@@ -22,7 +22,7 @@ struct AskedPlace {
 /// offset were wanted; those that only turn are where they are.
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          FrameState& frame);
-/// The same where `frame` is a copy of `source`, which is spared another one.
+/// Applies adjustments where `frame` is a copy of `source`, which is spared another one.
 std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustments& adjustments,
                                          const FrameState& source, FrameState& frame);
 
@@ -30,20 +30,20 @@ std::vector<AskedPlace> applyAdjustments(const Scene& scene, const SolvedAdjustm
 struct ControllerSpace {
   std::string controller;
   Quat axes{1.0, 0.0, 0.0, 0.0}; ///< World: along which it is counted.
-  std::optional<Vec3> place;     ///< Where the offset puts what is on no joint: the body's controller, and a
+  std::optional<Vec3> place;     ///< Place by the offset of what is on no joint: the body's controller, and a
                                  ///< pole, whose distance from the limb does not count.
 };
 
-/// Of all controllers but those on other joints. Adjusts the frame as applyAdjustments does;
-/// `adjustments.body` must be there.
+/// Returns the spaces of all controllers but those on other joints. Adjusts the frame as applyAdjustments
+/// does; `adjustments.body` must be there.
 [[nodiscard]] std::vector<ControllerSpace>
 controllerSpaces(const Scene& scene, const SolvedAdjustments& adjustments, FrameState& frame);
 
-/// Where the pole of a limb of two spans stands in a frame: half the limb's length before the joint, the way
-/// the limb bends.
+/// Returns the place of the pole of a limb of two spans in a frame: half the limb's length before the joint,
+/// the way the limb bends.
 [[nodiscard]] Vec3 posedPole(const AdjustedLimb& adjusted, const FrameState& frame);
 
-/// Where a controller stands in a frame; of a pole the joint that it leads.
+/// Returns the place of a controller in a frame; of a pole the joint that it leads.
 [[nodiscard]] Vec3 controllerPlace(const SolvedAdjustments& adjustments, const std::string& controller,
                                    const FrameState& frame);
 

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// Where a hold wants the end of a limb at a time.
+/// Place that a hold wants for the end of a limb at a time.
 struct HeldGoal {
   HoldKind kind = HoldKind::pin;
   std::size_t index = 0; ///< In the list of its kind in SolvedHolds.

@@ -8,16 +8,16 @@
 
 namespace stretch::rig {
 
-/// Where nodes and meshes stand in the bind pose, in the world. Vectors are indexed by node.
+/// Places of nodes and meshes in the bind pose, in the world. Vectors are indexed by node.
 struct BindPlaces {
   std::vector<Mat4> worlds;
-  /// Of the mesh that follows each node most: the vertices whose strongest joint it is, or the rigid mesh
-  /// that hangs on it. Empty where nothing does.
+  /// Bounds of the mesh that follows each node most: the vertices whose strongest joint it is, or the rigid
+  /// mesh that hangs on it. Empty where nothing does.
   std::vector<Bounds> meshes;
 };
 
 [[nodiscard]] BindPlaces bindPlaces(const Scene& scene);
-/// Of a bind pose that is placed elsewhere.
+/// Places of a bind pose that stands elsewhere.
 [[nodiscard]] BindPlaces bindPlaces(const Scene& scene, const body::BindPose& bindPose);
 
 } // namespace stretch::rig

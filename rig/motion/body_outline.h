@@ -14,14 +14,14 @@ namespace stretch::rig {
 struct BodyOutline {
   std::vector<std::vector<Vec3>> points; ///< One list for each node, in its space; empty: nothing follows it.
   std::vector<NodeIndex> body;           ///< The character's nodes that have points.
-  std::vector<NodeIndex> riding;         ///< Of these, what hangs on the hips and on no limb with weight.
+  std::vector<NodeIndex> riding;         ///< Those of them that hang on the hips and on no limb with weight.
 };
 
 /// The points of every node: those of its mesh that are farthest out in some fifty directions, in the bind
 /// pose. `body` and `riding` stay empty.
 [[nodiscard]] BodyOutline outlineOf(const Scene& scene);
 
-/// Of `nodes`, those that have points.
+/// Returns those of `nodes` that have points.
 [[nodiscard]] std::vector<NodeIndex> outlined(const BodyOutline& outline,
                                               const std::vector<NodeIndex>& nodes);
 

@@ -12,13 +12,13 @@
 
 namespace stretch::rig {
 
-/// What of the trunk a controller hangs on. A pole, which its limb carries, and a joint's controller count as
-/// the scene's.
+/// Part of the trunk that a controller hangs on. A pole, which its limb carries, and a joint's controller
+/// count as the scene's.
 enum class Carrier { scene, hips, chest };
 
-/// Where a controller stands at one time, for whatever is drawn of it or done with it.
+/// Place of a controller at one time, for whatever is drawn of it or done with it.
 struct PlacedController {
-  std::string id; ///< As Controller, and so are the next four.
+  std::string id; ///< Copied from Controller, like the next four.
   ControllerKind kind = ControllerKind::joint;
   NodeIndex node;
   bool moves = true;
@@ -28,7 +28,7 @@ struct PlacedController {
   Quat orientationWorld{1.0, 0.0, 0.0, 0.0};
   Carrier carrier = Carrier::scene;
   Mat3 carrierAxesWorld{1.0};     ///< World columns: along which its offset is counted.
-  std::optional<Vec3> jointWorld; ///< Of a pole: the joint that it leads.
+  std::optional<Vec3> jointWorld; ///< Joint that a pole leads.
   /// Of a pole: from where its offset puts it to where it stands, along the carrier's axes. A first move
   /// starts with it, so that the limb keeps its bend. Zero for all others.
   Vec3 slack{0.0};

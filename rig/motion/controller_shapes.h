@@ -10,8 +10,8 @@
 
 namespace stretch::rig {
 
-/// What a controller is drawn as (docs/controllers.md, In the viewport): measured from the character's own
-/// mesh in the bind pose, else from the lengths of its limbs.
+/// Shape that a controller is drawn as (docs/controllers.md, In the viewport): measured from the character's
+/// own mesh in the bind pose, else from the lengths of its limbs.
 struct ControllerShape {
   std::string controller; ///< Controller::id.
   /// Each a run of points, closed where its last point is its first. From the controller's place, along the
@@ -19,7 +19,8 @@ struct ControllerShape {
   std::vector<std::vector<Vec3>> lines;
 };
 
-/// Of all controllers of the body but poles, which stand elsewhere in each frame, in their order.
+/// Returns the shapes of all controllers of the body but poles, which stand elsewhere in each frame, in their
+/// order.
 [[nodiscard]] std::vector<ControllerShape>
 controllerShapes(const Scene& scene, const std::vector<Limb>& limbs, const AdjustedBody& body);
 

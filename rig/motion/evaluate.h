@@ -12,7 +12,7 @@ namespace stretch::rig {
 /// The clip at a time, past its last key held: every track is, and so is what trails and weight make of it.
 [[nodiscard]] FrameState sampledFrame(const Scene& scene, const Clip& clip, double timeSeconds);
 
-/// The same with the adjustments of the clip: what trails start from.
+/// Returns the frame with the adjustments of the clip, from which trails start.
 [[nodiscard]] FrameState adjustedFrame(const Scene& scene, const Clip& clip, const MotionState& motion,
                                        double timeSeconds);
 

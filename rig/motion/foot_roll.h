@@ -7,7 +7,7 @@
 
 namespace stretch::rig {
 
-/// What a foot rolls about, in the space of the foot's joint (docs/controllers.md, Curl and roll).
+/// Points that a foot rolls about, in the space of the foot's joint (docs/controllers.md, Curl and roll).
 struct FootRoll {
   Vec3 ball{0.0};
   Vec3 heel{0.0};

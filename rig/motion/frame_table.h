@@ -12,7 +12,7 @@ namespace stretch::rig {
 /// A clip's frames of some nodes at many times, made once for everything that asks for them.
 class FrameTable {
 public:
-  /// What a table is made for.
+  /// Times and nodes that a table is made for.
   struct Extent {
     std::vector<NodeIndex> nodes;
     std::vector<double> timesSeconds;
@@ -33,7 +33,7 @@ public:
   [[nodiscard]] bool covers(const std::vector<NodeIndex>& nodes) const;
   /// The frame at exactly this time; null where there is none.
   [[nodiscard]] const FrameState* find(double timeSeconds) const;
-  /// As NodeSampler::skeleton.
+  /// Returns the same as NodeSampler::skeleton.
   [[nodiscard]] const Scene& skeleton() const { return skeleton_; }
 
   /// How many frames of a scene are worth keeping.
@@ -48,7 +48,7 @@ private:
 /// The adjusted clip of some nodes at any time: out of a table where it has the time, else sampled.
 class FrameSource {
 public:
-  /// As AdjustedSampler. `table`: of the same adjusted clip; null: none.
+  /// Samples as AdjustedSampler does. `table` is of the same adjusted clip; null: none.
   FrameSource(const Scene& scene, const Clip& clip, const SolvedAdjustments& adjustments,
               std::vector<NodeIndex> nodes, const FrameTable* table);
 

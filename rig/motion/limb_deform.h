@@ -25,7 +25,7 @@ struct LimbPose {
   std::vector<Quat> turns;
   std::vector<double> stretches;
   Vec3 baseMove{0.0}; ///< How far the first joint is moved away from what it hangs on.
-  Vec3 end{0.0};      ///< Where the limb's end comes to.
+  Vec3 end{0.0};      ///< Place that the limb's end comes to.
   bool leads = false; ///< The first joint leads the others, where the topology has a leader.
 };
 

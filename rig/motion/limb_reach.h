@@ -23,7 +23,7 @@ struct ReachingLimb {
   BendDirections bends;      ///< Which way it bends over the clip.
 };
 
-/// What a limb's reach is worked out from.
+/// Input from which a limb's reach is worked out.
 struct ReachInput {
   const Scene& scene;
   const Clip& clip;
@@ -31,7 +31,7 @@ struct ReachInput {
   const BindPlaces& places;
 };
 
-/// Where the character faces in the bind pose, as its left and up tell: unit, level.
+/// Direction that the character faces in the bind pose, as its left and up tell: unit, level.
 [[nodiscard]] Vec3 facingInBind(const std::vector<Limb>& limbs, const BindPlaces& places);
 
 [[nodiscard]] ReachingLimb reachingLimb(const ReachInput& input, const Limb& limb);
@@ -39,7 +39,7 @@ struct ReachInput {
 /// A limb of two spans as a frame has it.
 [[nodiscard]] TwoBoneProblem posedLimb(const ReachingLimb& reaching, const FrameState& frame);
 
-/// Where the end of a limb is wanted.
+/// Place where the end of a limb is wanted.
 struct ReachGoal {
   Vec3 place{0.0};
   Quat endTurn{1.0, 0.0, 0.0, 0.0}; ///< How the end joint turns from where the frame has it, world space.

@@ -8,7 +8,7 @@
 
 namespace stretch::rig {
 
-/// What hangs on one bone of a limb: the nodes that its stretch concerns (docs/rig.md, What belongs
+/// Nodes that hang on one bone of a limb, those that its stretch concerns (docs/rig.md, What belongs
 /// to a bone).
 struct BoneTopology {
   /// The joint that carries the bone.
@@ -31,13 +31,14 @@ struct LimbTopology {
   /// Children of the base joint that start another limb on the body's side (thighs under a joint that also
   /// starts the spine): they stay where they are.
   std::vector<NodeIndex> staying;
-  /// Of the last joint; false for a foot under the root. True when the end is estimated.
+  /// Whether the end descends from the last joint; not so for a foot under the root. True when the end is
+  /// estimated.
   bool endIsDescendant = true;
-  /// What has its mesh at the limb's end and does not hang on the end joint: a heel or a toe beside the foot,
-  /// or under the root as the foot. It moves with the end as one piece; parents first.
+  /// Nodes that have their mesh at the limb's end and do not hang on the end joint: a heel or a toe beside
+  /// the foot, or under the root as the foot. It moves with the end as one piece; parents first.
   std::vector<NodeIndex> companions;
-  /// Of a limb that is led by its first joint: what carries that joint and the one after it, and moves as one
-  /// piece. None otherwise.
+  /// For a limb that is led by its first joint: the node that carries that joint and the one after it, and
+  /// moves as one piece. None otherwise.
   NodeIndex leader;
 };
 

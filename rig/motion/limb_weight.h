@@ -11,7 +11,7 @@
 
 namespace stretch::rig {
 
-/// What gives way in a limb at one time.
+/// Strains of a limb with weight at one time.
 struct WeightSample {
   double timeSeconds = 0.0;
   /// One for each bone: K - I in the space of the bone's joint, symmetric; zero where nothing gives way. What
@@ -36,7 +36,7 @@ struct SolvedWeight {
   LimbWeight weight;
   Limb limb;
   LimbTopology topology;
-  std::vector<NodeIndex> ends; ///< What of the hand or foot has a mesh (BodyOutline).
+  std::vector<NodeIndex> ends; ///< Parts of the hand or foot that have a mesh (BodyOutline).
 };
 
 /// The weight at one time, its fades applied; no strains where nothing happens.

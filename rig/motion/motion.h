@@ -26,7 +26,7 @@ class FrameTable;
 /// One trail of a clip, solved: everything that drawing and evaluating it at any time needs.
 struct SolvedTrail {
   Trail trail;
-  TrailSettings settings; ///< As used: range clamped to the clip, scale to its limits.
+  TrailSettings settings; ///< Settings in use: range clamped to the clip, scale to its limits.
   Limb limb;
   LimbTopology topology;
   LimbPath path;   ///< The original path over the range, in world space and in the trail's space.
@@ -34,7 +34,7 @@ struct SolvedTrail {
   Remap remap{RemapKind::spline, {}, {}};
   SphereOffsets offsets;
   Release release;
-  std::vector<double> keyTimes;         ///< Of the limb's joints within the range, seconds.
+  std::vector<double> keyTimes;         ///< Times of the keys of the limb's joints within the range, seconds.
   std::optional<double> nextKeySeconds; ///< secondsToNextKey.
   double wantedReleaseSeconds = 0.0;    ///< The release where the clip had room for it.
   double calmReleaseSeconds = 0.0;      ///< A shorter one takes the limb back faster than it came.
@@ -44,7 +44,7 @@ struct SolvedTrail {
   double tipSeconds = 0.0;
   double windowStartSeconds = 0.0; ///< Range, release and fade: outside nothing moves.
   double windowEndSeconds = 0.0;
-  std::vector<double> controlFrames; ///< Where the control spheres are.
+  std::vector<double> controlFrames; ///< Frames of the control spheres.
   bool active = false;               ///< The character follows it.
   std::vector<std::string> warnings; ///< "not reachable: the limb gets to x of y", ...
 };
@@ -54,11 +54,11 @@ struct SolvedTrail {
 struct MotionState {
   int clip = -1;
   double framesPerSecond = 30.0;
-  double startSeconds = 0.0; ///< Of the clip: where a release wraps from and to when it loops.
+  double startSeconds = 0.0; ///< Start of the clip: where a release wraps from and to when it loops.
   double endSeconds = 0.0;
   bool loops = false;
-  NodeIndex hips;                ///< What the space "root" is measured from.
-  SolvedAdjustments adjustments; ///< Of the clip, before any trail.
+  NodeIndex hips;                ///< Node from which the space "root" is measured.
+  SolvedAdjustments adjustments; ///< Adjustments of the clip, before any trail.
   /// The clip where its trails look at it, as it is and adjusted; null where nothing is adjusted.
   std::shared_ptr<const FrameTable> sourceFrames;
   std::shared_ptr<const FrameTable> adjustedFrames;

@@ -14,14 +14,14 @@ namespace stretch::rig {
 /// it is made from has to outlive it.
 class PartMotion {
 public:
-  /// Of `nodes`, of all that adjustments, active trails, holds and weights of `motion` move, and of what
-  /// these hang from.
+  /// Looks at `nodes`, at all that adjustments, active trails, holds and weights of `motion` move, and at
+  /// what these hang from.
   PartMotion(const Scene& scene, const Clip& clip, const MotionState& motion, std::vector<NodeIndex> nodes);
 
-  /// As sampledFrame; nodes that are not looked at keep the identity. `frame` may be one of this motion's
-  /// before.
+  /// Samples as sampledFrame does; nodes that are not looked at keep the identity. `frame` may be one of this
+  /// motion's before.
   void source(double timeSeconds, FrameState& frame) const;
-  /// As evaluateMotion.
+  /// Evaluates as evaluateMotion does.
   void moved(double timeSeconds, FrameState& frame) const;
   /// Brings adjustments, trails, holds and weight onto a frame of `source`.
   void move(FrameState& frame) const;

@@ -16,7 +16,7 @@ namespace stretch::rig {
   return glm::determinant(Mat3(matrix)) != 0.0 ? glm::inverse(matrix) : Mat4(1.0);
 }
 
-/// The same of a linear map.
+/// Returns the inverse of a linear map in the same way.
 [[nodiscard]] inline Mat3 inverseOf(const Mat3& linear) {
   return glm::determinant(linear) != 0.0 ? glm::inverse(linear) : Mat3(1.0);
 }

@@ -10,7 +10,7 @@ namespace stretch::rig {
 
 /// How long a trail's way back to the clip's own motion takes (docs/exaggeration.md, Release).
 struct ReleaseLength {
-  double seconds = 0.0;       ///< As used: within the clip unless that loops.
+  double seconds = 0.0;       ///< Length in use: within the clip unless that loops.
   double wantedSeconds = 0.0; ///< Without that limit.
   double calmSeconds = 0.0;   ///< From this on the limb's end goes back no faster than it came.
 };

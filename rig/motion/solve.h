@@ -13,20 +13,21 @@
 
 namespace stretch::rig {
 
-/// What the motion of one clip is solved from. `scene` and `clip` must be there and outlive the call.
+/// Input from which the motion of one clip is solved. `scene` and `clip` must be there and outlive the call.
 struct MotionInput {
   const Scene* scene = nullptr;
   const Clip* clip = nullptr;
   int clipIndex = -1;
-  NodeIndex hips;            ///< What the space "root" is measured from; none: the world's origin.
+  NodeIndex hips;            ///< Node from which the space "root" is measured; none: the world's origin.
   std::vector<Limb> limbs;   ///< All limbs that trails and weight may name, the user's chains included.
-  std::vector<Trail> trails; ///< Of this clip. Those whose limb is missing are left out.
+  std::vector<Trail> trails; ///< Trails of this clip. Those whose limb is missing are left out.
   bool loops = false;
-  std::vector<Adjustment> adjustments = {};      ///< Of this clip. Those of missing controllers are left out.
-  Holds holds = {};                              ///< Of this clip. Those of missing limbs are left out.
-  std::shared_ptr<const AdjustedBody> body = {}; ///< What adjustments are solved on, made for the same scene,
-                                                 ///< clip, hips and limbs; null: it is made where it is
-                                                 ///< needed.
+  std::vector<Adjustment> adjustments = {}; ///< Adjustments of this clip. Those of missing controllers are
+                                            ///< left out.
+  Holds holds = {};                         ///< Holds of this clip. Those of missing limbs are left out.
+  std::shared_ptr<const AdjustedBody> body = {}; ///< Body that adjustments are solved on, made for the same
+                                                 ///< scene, clip, hips and limbs; null: it is made where it
+                                                 ///< is needed.
   std::shared_ptr<const BindPlaces> places = {}; ///< bindPlaces of the scene; null: found where they are
                                                  ///< needed.
   /// MotionState::sourceFrames of a motion that was solved for the same scene and clip, whatever moved it

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// What adjustments stand on.
+/// Ground that adjustments stand on.
 struct AdjustmentGround {
   const Scene& scene;
   const Clip& clip;
@@ -20,11 +20,12 @@ struct AdjustmentGround {
 
 [[nodiscard]] AdjustedBody adjustedBody(const AdjustmentGround& ground);
 
-/// What the adjustments of a clip are solved from.
+/// Input from which the adjustments of a clip are solved.
 struct AdjustmentInput {
   AdjustmentGround ground;
-  const std::vector<Adjustment>& adjustments; ///< Of this clip; those of missing controllers are left out.
-  std::shared_ptr<const AdjustedBody> body;   ///< Of this ground; null: it is made.
+  const std::vector<Adjustment>& adjustments; ///< Adjustments of this clip; those of missing controllers are
+                                              ///< left out.
+  std::shared_ptr<const AdjustedBody> body;   ///< Body on this ground; null: it is made.
 };
 
 [[nodiscard]] SolvedAdjustments solveAdjustments(const AdjustmentInput& input);

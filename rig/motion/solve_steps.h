@@ -17,7 +17,7 @@ inline constexpr double longestFrames = 100000.0;
 /// Null when there is none, or one without a joint.
 [[nodiscard]] const Limb* limbOf(const MotionInput& input, const std::string& id);
 
-/// What sampling the path of a limb looks at.
+/// Nodes that sampling the path of a limb looks at.
 [[nodiscard]] std::vector<NodeIndex> pathNodes(const MotionInput& input, const Limb& limb);
 
 /// The original path over the range, of the adjusted clip, with its ratios, and the plane in which the limb

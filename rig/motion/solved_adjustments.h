@@ -19,7 +19,7 @@ namespace stretch::rig {
 /// The curves of all controllers and attributes of a clip, by their ids.
 using OffsetCurves = std::map<std::string, std::vector<OffsetCurve>>;
 
-/// What is offset at one time, of one controller or attribute: the sum over its curves, an attribute's value
+/// Offset at one time of one controller or attribute: the sum over its curves, an attribute's value
 /// from the curve that covers the time. `standard`: the value of an attribute where none does.
 [[nodiscard]] Offset offsetAt(const OffsetCurves& curves, const std::string& id, double timeSeconds,
                               double standard = 0.0);
@@ -38,10 +38,11 @@ struct LimbControls {
 /// A limb that controllers may move.
 struct AdjustedLimb : ReachingLimb {
   LimbControls controls;
-  std::vector<NodeIndex> detached;   ///< What belongs to it and hangs elsewhere than under its base's parent.
+  std::vector<NodeIndex> detached;   ///< Nodes that belong to it and hang elsewhere than under its base's
+                                     ///< parent.
   Quat baseBind{1.0, 0.0, 0.0, 0.0}; ///< World rotation of the base joint in the bind pose.
-  std::vector<FingerJoint> fingers;  ///< Of an arm.
-  FootRoll roll;                     ///< Of a leg.
+  std::vector<FingerJoint> fingers;  ///< Fingers of an arm.
+  FootRoll roll;                     ///< Roll of a leg's foot.
   bool hangsOnHips = false;          ///< Else on the chest.
 };
 
@@ -59,18 +60,18 @@ struct AdjustedPart {
   std::vector<std::string> ids;
 };
 
-/// What the adjustments of one clip are solved on, whatever they are: made once for a clip.
+/// Body on which the adjustments of one clip are solved, whatever they are: made once for a clip.
 struct AdjustedBody {
   ControllerList list;
   std::vector<Controller> jointControllers; ///< On every joint that none of the list moves.
   BindPlaces places;
   NodeIndex hips;
-  std::vector<NodeIndex> roots; ///< What the body's controller moves: nothing of the character hangs
+  std::vector<NodeIndex> roots; ///< Nodes that the body's controller moves: nothing of the character hangs
                                 ///< elsewhere.
   NodeIndex chest;              ///< Carrier of head and hands: the end of the spine, else the hips.
   Quat hipsBind{1.0, 0.0, 0.0, 0.0};
   Quat chestBind{1.0, 0.0, 0.0, 0.0};
-  Vec3 forward{0.0, 0.0, 1.0}; ///< Where the character faces in the bind pose; unit, level.
+  Vec3 forward{0.0, 0.0, 1.0}; ///< Direction that the character faces in the bind pose; unit, level.
   std::optional<AdjustedLimb> spine;
   std::optional<AdjustedLimb> neck;
   std::vector<AdjustedLimb> limbs; ///< Those that reach out from the trunk.

@@ -19,8 +19,8 @@ struct HoldSpan {
   double endSeconds = std::numeric_limits<double>::infinity();
   double blendInSeconds = 0.0; ///< Before the start.
   double blendOutSeconds = 0.0;
-  double turnSeconds = 0.0; ///< Of a loop that comes back to where it began: the blends go on across its
-                            ///< seam. 0: none.
+  double turnSeconds = 0.0; ///< Length of a loop that comes back to where it began: the blends go on across
+                            ///< its seam. 0: none.
 
   /// 0 outside, 1 over the range, even in between.
   [[nodiscard]] double strengthAt(double timeSeconds) const;
@@ -40,14 +40,15 @@ struct SolvedGrip {
   std::size_t limb = 0;
   Limb leader;
   HoldSpan span;
-  std::optional<HeldPlace> relation; ///< Of the follower, seen from the leader; none: as the source has it.
+  std::optional<HeldPlace> relation; ///< Place of the follower, seen from the leader; none: as the source has
+                                     ///< it.
   double stretch = 1.0;
 };
 
 struct SolvedPropHand {
   std::size_t limb = 0;
   OffsetCurve firmness;
-  std::optional<HeldPlace> relation; ///< Of the prop, seen from the hand; none: as the source has it.
+  std::optional<HeldPlace> relation; ///< Place of the prop, seen from the hand; none: as the source has it.
 };
 
 struct SolvedProp {
@@ -71,10 +72,10 @@ struct SolvedHolds {
   [[nodiscard]] bool empty() const { return limbs.empty(); }
 };
 
-/// Where the end of a limb is in a frame; of an estimated end, how the last joint is turned.
+/// Returns the place of a limb's end in a frame; of an estimated end, how the last joint is turned.
 [[nodiscard]] HeldPlace endPlace(const Limb& limb, const FrameState& frame);
 
-/// Where a prop is bound as a frame of the adjusted clip has it.
+/// Returns the place where a prop is bound, as a frame of the adjusted clip has it.
 [[nodiscard]] HeldPlace boundPlace(const SolvedProp& prop, const FrameState& frame);
 
 /// How `place` is seen from `from`, and back: placedOn(from, seenFrom(from, place)) is `place`.

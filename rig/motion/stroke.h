@@ -32,8 +32,8 @@ struct Stroke {
 /// The one that goes farthest, fastest; null without strokes.
 [[nodiscard]] const Stroke* strongestStroke(const std::vector<Stroke>& strokes);
 
-/// Of a limb that makes no stroke: where within at most `longestFrames` frames its end, seen from its base,
-/// gets farthest. Nothing where it stands still.
+/// For a limb that makes no stroke, finds where within at most `longestFrames` frames its end, seen from its
+/// base, gets farthest. Nothing where it stands still.
 [[nodiscard]] std::optional<Stroke> greatestMovement(const Scene& scene, const Clip& clip, const Limb& limb,
                                                      double longestFrames);
 

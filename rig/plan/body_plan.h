@@ -25,8 +25,8 @@ struct LimbManner {
   bool stands = false;    ///< Its trails stop at the ground.
   bool turnEnd = false;   ///< Its end turns with it: a tail's does, a foot keeps to the ground.
   double overshoot = 0.0; ///< 0..1: how far its trails swing past the motion as they let go.
-  double stiffness = 1.0; ///< Of its weight.
-  double damping = 0.7;   ///< Of its weight: below 1 it swings over before it rests.
+  double stiffness = 1.0; ///< Stiffness of its weight.
+  double damping = 0.7;   ///< Damping of its weight: below 1 it swings over before it rests.
 
   friend bool operator==(const LimbManner&, const LimbManner&) = default;
 };
@@ -38,8 +38,8 @@ struct PlannedLimb {
   LimbPlace place;
   bool usual = true; ///< Has a key, and is drawn, where it is missing as well.
   std::vector<FigureBone> bones;
-  FigurePoint end; ///< Where the limb ends: what a trail is drawn for.
-  FigurePoint key; ///< Where its key is written.
+  FigurePoint end; ///< End of the limb: what a trail is drawn for.
+  FigurePoint key; ///< Place where its key is written.
   LimbManner manner = {};
   bool ledByHead = false; ///< Trails bring its head elsewhere, however the joints run; its other end stays.
 };
@@ -52,7 +52,8 @@ struct PlannedController {
 /// From where the figure is seen: in front, its left is on the right; from above, on the left.
 enum class FigureView { front, above };
 
-/// What bodies of one sort have in common: data, and nothing else asks which plan it is (docs/body_plans.md).
+/// Features that bodies of one sort have in common: data, and nothing else asks which plan it is
+/// (docs/body_plans.md).
 struct BodyPlan {
   std::string id;                 ///< "quadruped".
   std::string title;              ///< "a quadruped".

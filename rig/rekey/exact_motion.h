@@ -11,9 +11,9 @@
 
 namespace stretch::rig {
 
-/// What was asked for last, remembered per time: at most two generations of `capacity` entries, so that a
-/// long clip costs no more memory than a short one. A reference stays good until `capacity` other times were
-/// asked for.
+/// Values that were asked for last, remembered per time: at most two generations of `capacity` entries, so
+/// that a long clip costs no more memory than a short one. A reference stays good until `capacity` other
+/// times were asked for.
 template <typename Value>
 class RecentTimes {
 public:

@@ -24,7 +24,7 @@ struct PartKeys {
   std::vector<ChangedChannel> channels;
   std::vector<NodeIndex> stretchedNodes;
   std::vector<std::vector<double>> times;        ///< Key times of each window, ascending, its ends included.
-  std::vector<std::vector<double>> stretchTimes; ///< The same for the stretch of the bones.
+  std::vector<std::vector<double>> stretchTimes; ///< Times of the keys of the bones' stretch.
 };
 
 /// Stretched nodes with the frames of their stretches.

@@ -22,17 +22,17 @@ struct Window {
   double endSeconds = 0.0;
   bool jumpsBefore = false; ///< The motion is not the source's right before the start: a release of no length
                             ///< (pivot at end).
-  bool jumpsAfter = false;  ///< The same after the end.
+  bool jumpsAfter = false;  ///< Whether it jumps after the end.
 };
 
 /// Right beside a border where the motion jumps, but far enough to be on the other side of it: before it for
 /// a direction of -1, after it for 1.
 [[nodiscard]] double besideJump(double borderSeconds, double direction);
 
-/// What adjustments, one active trail, what is held, or the weight of one limb, move and when.
+/// Nodes that adjustments, one active trail, holds, or the weight of one limb move, and when.
 struct KeyedPart {
-  std::vector<NodeIndex> nodes;         ///< Whose local transforms may change.
-  double boneLength = 0.0;              ///< Of the limb on average, world units.
+  std::vector<NodeIndex> nodes;         ///< Nodes whose local transforms may change.
+  double boneLength = 0.0;              ///< Mean length of the limb's bones, world units.
   std::vector<Window> windows;          ///< Usually one; two where a loop wraps. Disjoint, ascending.
   std::vector<double> keySeconds;       ///< Times inside that get a key in any case: the ends of the range.
   std::vector<double> jumpSeconds = {}; ///< Times right beside a jump inside a window (besideJump), which get

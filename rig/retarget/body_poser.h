@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// Where the ends of the legs come to; nothing: wherever their bones take them.
+/// Places that the ends of the legs come to; nothing: wherever their bones take them.
 using FootPlaces = std::array<std::optional<Vec3>, 2>;
 
 /// A pose of a skeleton.

@@ -11,8 +11,8 @@ namespace stretch::rig {
 struct JointPair {
   NodeIndex joint;
   NodeIndex from;
-  NodeIndex towards;               ///< The same as `from` where one joint is followed.
-  double share = 0.0;              ///< Of `towards`, 0..1.
+  NodeIndex towards;               ///< Equal to `from` where one joint is followed.
+  double share = 0.0;              ///< Share of `towards`, 0..1.
   Quat stance{1.0, 0.0, 0.0, 0.0}; ///< World: turns the joint from its bind pose into the stance of the
                                    ///< skeleton that it follows (a T-pose into an A-pose).
 };
@@ -21,7 +21,7 @@ struct JointPair {
 struct JointPairs {
   Quat world{1.0, 0.0, 0.0, 0.0}; ///< World directions of the followed skeleton to those of the following.
   std::vector<JointPair> pairs;   ///< A joint at most once.
-  std::vector<std::string> left;  ///< What the followed skeleton has and the following one has not, in words.
+  std::vector<std::string> left;  ///< Parts that only the followed skeleton has, in words.
 };
 
 /// Pairs joints by what they are: limbs by their bones, spine and neck by their share of the way, shoulders,

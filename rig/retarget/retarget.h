@@ -15,8 +15,8 @@ namespace stretch::rig {
 inline constexpr double retargetTolerance = 1e-4;
 
 struct Retargeted {
-  Clip clip;                     ///< Of the character: LINEAR keys from the source's first to its last.
-  std::vector<std::string> left; ///< What the source moves and the character has not: "fingers".
+  Clip clip;                     ///< Clip for the character: LINEAR keys from the source's first to its last.
+  std::vector<std::string> left; ///< Parts that the source moves and the character lacks: "fingers".
 };
 
 /// The clip of one biped on another (docs/import_clip.md): joints turn from the bind pose as the source's do,

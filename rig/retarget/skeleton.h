@@ -19,7 +19,7 @@ struct SkeletonLeg {
   NodeIndex footing;          ///< The joint that carries the foot: the limb's end, else its last joint.
   Vec3 ballInFooting{0.0};    ///< The ball of the foot in that joint's space; the limb's end where nothing
                               ///< tells.
-  double length = 0.0;        ///< Of its bones in the bind pose, > 0.
+  double length = 0.0;        ///< Length of its bones in the bind pose, > 0.
   std::optional<double> sole; ///< How high the underside of the foot's mesh is there.
 
   [[nodiscard]] Vec3 ball(const std::vector<Mat4>& worlds) const;
@@ -52,9 +52,9 @@ struct Skeleton {
   std::vector<Mat4> bind;      ///< World matrix of every node in the bind pose.
   std::vector<Quat> bindTurns; ///< Their rotations.
   Mat3 axes{1.0};              ///< Columns: left, up and front of the body in the bind pose, unit length.
-  double groundHeight = 0.0;   ///< Of what stands at 0 in its clips, in the bind pose: its soles', where they
-                               ///< are near 0 there.
-  bool isUpright = true;       ///< The body stands along +Y there; `axes` then has exactly that.
+  double groundHeight = 0.0;   ///< Height, in the bind pose, of what stands at 0 in its clips: its soles',
+                             ///< where they are near 0 there.
+  bool isUpright = true; ///< The body stands along +Y there; `axes` then has exactly that.
 };
 
 /// Nothing for a character without two legs and hips: a clip of another body cannot be brought to it. The

@@ -12,7 +12,7 @@ namespace stretch::rig {
 [[nodiscard]] Track thinTurns(NodeIndex node, const std::vector<float>& times, std::vector<Quat> turns,
                               double radians);
 
-/// The same of places, within `distance`.
+/// Thins keys of places, within `distance`.
 [[nodiscard]] Track thinPlaces(NodeIndex node, const std::vector<float>& times,
                                const std::vector<Vec3>& places, double distance);
 

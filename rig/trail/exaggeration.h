@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// What the tip is solved from: one path in the trail's space (docs/exaggeration.md, The tip).
+/// Input from which the tip is solved: one path in the trail's space (docs/exaggeration.md, The tip).
 struct TipProblem {
   std::vector<Vec3> points;  ///< The original path in time order; at least one.
   std::vector<Vec3> between; ///< Further points of it: they count for how far it gets from the pivot, no

@@ -42,8 +42,8 @@ struct LimbSample {
   double timeSeconds = 0.0;
   Vec3 base{0.0};      ///< P0.
   Vec3 end{0.0};       ///< c.
-  Vec3 reference{0.0}; ///< What the trail's space is measured from: the hips (root), the base (base), 0
-                       ///< (world, view).
+  Vec3 reference{0.0}; ///< Point from which the trail's space is measured: the hips (root), the base (base),
+                       ///< 0 (world, view).
 };
 
 /// A limb's original path over the range.

@@ -11,9 +11,10 @@ namespace stretch::rig {
 
 /// The end of the range that stays where it is; the other one is the tip.
 enum class Pivot { start, end };
-/// Where exaggeration is computed (docs/exaggeration.md, Spaces). `view` uses the axes stored with the trail.
+/// Space in which exaggeration is computed (docs/exaggeration.md, Spaces). `view` uses the axes stored with
+/// the trail.
 enum class TrailSpace { world, root, base, view };
-/// What the scale multiplies: the limb's length in the pose at the tip, or its rest length.
+/// Length that the scale multiplies: the limb's length in the pose at the tip, or its rest length.
 enum class Reference { pose, rest };
 enum class RemapKind { spline, linear };
 /// How the limb gets to its target: the bent shape grown and turned as one, or straightened first as IK does.
@@ -48,7 +49,7 @@ struct StopPlane {
 };
 
 inline constexpr double smallestScale = 0.05; ///< Smaller wishes are taken as this.
-inline constexpr double largestScale = 5.0;   ///< What the interface offers; batch takes more.
+inline constexpr double largestScale = 5.0;   ///< Largest scale that the interface offers; batch takes more.
 
 /// Everything that shapes an exaggerated trail. Frames are the clip's (docs/exaggeration.md, Words).
 struct TrailSettings {

@@ -21,7 +21,7 @@ enum class ComponentType {
   float32 = 5126
 };
 
-/// What an accessor holds.
+/// Count, type and layout of an accessor's elements.
 struct AccessorShape {
   std::size_t count = 0; ///< Elements.
   std::string type;      ///< "SCALAR", "VEC3", "MAT4"...

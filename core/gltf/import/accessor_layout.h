@@ -23,12 +23,12 @@ struct SparseRuns {
 
 [[nodiscard]] std::size_t componentSize(ComponentType type);
 
-/// Where the components of an element lie: columns of matrices start at multiples of 4 bytes.
+/// Offsets in bytes of an element's components: columns of matrices start at multiples of 4 bytes.
 [[nodiscard]] std::vector<std::size_t> componentOffsets(const AccessorShape& shape);
 
 /// Bytes of one element, the padding of matrix columns included.
 [[nodiscard]] std::size_t elementSize(const AccessorShape& shape);
-/// What the last element of a run needs: the padding after its last column may be missing.
+/// Bytes that the last element of a run needs: the padding after its last column may be missing.
 [[nodiscard]] std::size_t lastElementSize(const AccessorShape& shape);
 
 /// Nothing for an accessor without a buffer view or bytes: all zeros. The accessor has to be validated.

@@ -33,13 +33,13 @@ struct ShownMaterial {
   std::size_t emissiveSet = 0;
 };
 
-/// What the viewport draws of materials: as Scene holds them, images decoded.
+/// Materials as the viewport draws them: as Scene holds them, images decoded.
 struct ShownMaterials {
   std::vector<ShownMaterial> materials;
   std::vector<Image> images;
 };
 
-/// Of a source as materialsOf makes it. Textures that cannot be shown are left out.
+/// Materials of a source that materialsOf made. Textures that cannot be shown are left out.
 [[nodiscard]] ShownMaterials shownMaterials(const Source& materials);
 
 } // namespace stretch::gltf

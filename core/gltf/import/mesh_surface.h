@@ -17,18 +17,19 @@ struct Source;
 
 /// Triangles in a row that share a material.
 struct SurfacePart {
-  std::string name;  ///< Of the mesh or group; may be empty.
+  std::string name;  ///< Name of the mesh or group; may be empty.
   int material = -1; ///< Index into the materials; -1: none.
   std::size_t firstTriangle = 0;
   std::size_t triangleCount = 0;
 };
 
-/// What the mesh of a sequence looks like beyond where its vertices are. A file splits vertices along seams
+/// Looks of a sequence's mesh, beyond its vertices' places. A file splits vertices along seams
 /// of a texture and along hard edges: the sequence moves each place once, the surface has the vertices of the
 /// file, several at one place.
 struct MeshSurface {
   std::vector<std::uint32_t> places; ///< For each vertex of the surface the vertex of the sequence.
-  std::vector<glm::vec3> normals;    ///< Of the first frame, unit length; empty where the file gives none.
+  std::vector<glm::vec3> normals;    ///< Normals of the first frame, unit length; empty where the file gives
+                                     ///< none.
   std::vector<std::vector<glm::vec2>> texCoords; ///< Set by set (TEXCOORD_0 ...), as glTF counts: v
                                                  ///< downwards.
   std::vector<glm::vec4> colors;                 ///< COLOR_0, linear; empty when there are none.

@@ -16,8 +16,8 @@ class TextureSets {
 public:
   explicit TextureSets(const Loaded& loaded);
 
-  /// Of a primitive of Scene::meshes: TEXCOORD_0, TEXCOORD_1 ... as far as they follow each other, one pair
-  /// for each vertex.
+  /// Texture coordinates of a primitive of Scene::meshes: TEXCOORD_0, TEXCOORD_1 ... as far as they follow
+  /// each other, one pair for each vertex.
   [[nodiscard]] std::vector<std::vector<glm::vec2>> of(std::size_t mesh, std::size_t primitive) const;
 
 private:

@@ -16,7 +16,7 @@ void reserveMembers(Json::object_t& object, std::size_t count);
 /// value. Much faster for trees whose objects hold long lists. The text must be nested no deeper than the
 /// caller can bear.
 struct JsonFailure {
-  std::size_t byte = 0;      ///< Where, 1-based.
+  std::size_t byte = 0;      ///< Place of the error, 1-based.
   bool isOutOfRange = false; ///< A number that double precision cannot hold; else no valid JSON.
 };
 [[nodiscard]] std::optional<JsonFailure> buildJson(std::string_view text, Json& tree);

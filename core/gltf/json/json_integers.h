@@ -10,7 +10,7 @@ namespace stretch::gltf {
 /// else, a fraction and a number beyond `int` included: those the library would cut or leave undefined.
 [[nodiscard]] int integerOf(const Json& value);
 
-/// The same of a list.
+/// Integers of a list, by the same rules.
 [[nodiscard]] std::vector<int> integersOf(const Json& list);
 
 } // namespace stretch::gltf

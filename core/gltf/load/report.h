@@ -26,7 +26,7 @@ struct Shear {
   NodeIndex node;
   int clip = -1; ///< Index of the clip in which it is worst; -1: at rest.
   double timeSeconds = 0.0;
-  double cosine = 0.0; ///< Of the angle between two axes of the node, absolute, at its largest: 0 without
+  double cosine = 0.0; ///< Largest |cosine| of an angle between two axes of the node: 0 without
                        ///< shear.
 };
 

@@ -17,7 +17,7 @@ struct DracoAttribute {
   ComponentType component = ComponentType::float32;
 };
 
-/// What KHR_draco_mesh_compression holds, decoded.
+/// Mesh of KHR_draco_mesh_compression, decoded.
 struct DracoMesh {
   std::size_t vertexCount = 0;
   std::vector<std::uint32_t> corners; ///< Three vertices for each triangle.

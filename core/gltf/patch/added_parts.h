@@ -7,15 +7,15 @@
 
 namespace stretch::gltf {
 
-// What saving and restoring need of the files that were added to a source.
+// Parts that saving and restoring need of the files that were added to a source.
 
 /// Appends the files through the journal; answers their bytes, which belong into that buffer from `start`, a
 /// multiple of 4, and are a multiple of 4 themselves.
 [[nodiscard]] Bytes addFiles(const std::vector<AddedFile>& files, std::size_t buffer, std::size_t start,
                              Journal& journal);
 
-/// What gives the files back from a source that holds them: all but their bytes, and where those lie. Null
-/// without files.
+/// Record that gives the files back from a source that holds them: all but their bytes, and where those lie.
+/// Null without files.
 [[nodiscard]] Json addedRecord(const std::vector<AddedFile>& files, std::size_t buffer, std::size_t start);
 
 /// The files of a record, out of the source that holds them. One that is damaged is left out, with a warning.

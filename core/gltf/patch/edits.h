@@ -13,7 +13,7 @@ namespace stretch::gltf {
 /// Edits::addedNodes.
 struct AddedNode {
   std::string name;
-  NodeIndex parent; ///< Of the source, or an added node that stands earlier in the list.
+  NodeIndex parent; ///< Node of the source, or an added one that stands earlier in the list.
   Transform rest;
   NodeIndex meshFrom; ///< Takes over mesh (and weights) of this node: the node of the source then holds none.
                       ///< None: no mesh.
@@ -38,7 +38,7 @@ struct SkinSlot {
 /// Edits::addedSkins.
 struct AddedSkin {
   std::string name;
-  std::vector<NodeIndex> joints; ///< Of the source, or added nodes; at least one.
+  std::vector<NodeIndex> joints; ///< Nodes of the source, or added ones; at least one.
   std::vector<Mat4> inverseBind; ///< One for each joint.
 };
 
@@ -46,8 +46,8 @@ struct AddedSkin {
 /// accessors, sets beyond the first go. A mesh that nodes show which are not bound, or bound in another way,
 /// is left to them: the node gets a copy, which shares every other accessor.
 struct BoundMesh {
-  NodeIndex node; ///< Of the source; holds a mesh.
-  int skin = -1;  ///< Of the source or added.
+  NodeIndex node; ///< Node of the source; holds a mesh.
+  int skin = -1;  ///< Skin of the source or added.
   /// For each primitive of Mesh::primitives (core/scene/scene.h) one entry a vertex; the first four slots
   /// count. Points and lines, which are not among those, follow the skin's first joint.
   std::vector<std::vector<VertexInfluences>> influences;

@@ -27,7 +27,7 @@ public:
   /// Adds to the end of an array, which is made where it is missing; answers the index.
   std::size_t append(const Pointer& array, Json value);
 
-  /// What `takeBack` needs.
+  /// Record that `takeBack` needs.
   [[nodiscard]] Json undo() const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace stretch::gltf {
 
-/// What becomes of what an extension says. Saving keeps all of it in any case.
+/// Use that is made of an extension's data. Saving keeps all of it in any case.
 enum class ExtensionSupport {
   read,    ///< Read, and shown where it is seen.
   told,    ///< Not shown, which is told where the file uses it.

@@ -6,7 +6,7 @@
 
 namespace stretch::gltf {
 
-/// What a property of a glTF object holds.
+/// Type of value that a property of a glTF object holds.
 enum class PropertyKind {
   object,    ///< An object of the kind `target`.
   objects,   ///< An array of them.

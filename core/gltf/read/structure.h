@@ -9,8 +9,8 @@ namespace stretch::gltf {
 /// extensions. After a pass without errors the other parts of the reader rely on them.
 void validateStructure(const Json& json, Problems& problems);
 
-/// What the schema cannot say of nodes, scenes and skins: one parent each, no loops, matrix or TRS, joints
-/// there. The structure has to be validated.
+/// Validates what the schema cannot say of nodes, scenes and skins: one parent each, no loops, matrix or TRS,
+/// joints there. The structure has to be validated.
 void validateGraph(const Json& json, Problems& problems);
 
 } // namespace stretch::gltf

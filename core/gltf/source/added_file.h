@@ -10,7 +10,7 @@
 
 namespace stretch::gltf {
 
-/// What can be added to another file.
+/// Contents of a file that can be added to another one.
 struct Thing {
   std::shared_ptr<const Source> source; ///< In one buffer.
   std::vector<std::string> warnings;    ///< One line each.

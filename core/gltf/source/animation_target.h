@@ -7,7 +7,7 @@
 
 namespace stretch::gltf {
 
-/// What a channel of an animation drives.
+/// Node and property that a channel of an animation drives.
 struct AnimationTarget {
   NodeIndex node;   ///< None: nothing of a node.
   std::string path; ///< "translation" and so on; of a pointer to something else the pointer itself.

@@ -18,7 +18,7 @@ inline constexpr double largestWhole = 9007199254740992.0; ///< 2^53: to here a 
 /// The property, or null when `object` is no object or has none of that name.
 [[nodiscard]] const Json* find(const Json& object, std::string_view key);
 
-/// As above, along a path of names.
+/// Finds a value along a path of names, as above.
 [[nodiscard]] const Json* findPath(const Json& object, std::initializer_list<std::string_view> keys);
 
 /// A whole number that is not negative: 3 as well as 3.0, up to 2^53.

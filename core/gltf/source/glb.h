@@ -26,7 +26,7 @@ struct GlbChunk {
 struct Glb {
   std::string json;
   bool hasBinary = false;
-  Bytes binary;                 ///< Of the BIN chunk, its padding included.
+  Bytes binary;                 ///< Bytes of the BIN chunk, its padding included.
   std::vector<GlbChunk> others; ///< Chunks of unknown type, in their order.
   std::vector<std::string> warnings;
 };

@@ -22,7 +22,7 @@ void openMeshes(PlainSource& plain, Problems& problems);
 /// Adds the bytes as a buffer; answers its index.
 std::size_t addPlainBuffer(PlainSource& plain, Bytes bytes);
 
-/// What may still be decoded, all parts of a file together.
+/// Bytes that may still be decoded, all parts of a file together.
 [[nodiscard]] std::size_t bytesLeftToDecode(const PlainSource& plain);
 
 /// The bytes that "buffer", "byteOffset" and "byteLength" of an object name; nothing when they are not there.

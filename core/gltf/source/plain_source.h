@@ -14,9 +14,9 @@ namespace stretch::gltf {
 /// that messages name places of the file; what is new stands at the ends.
 struct PlainSource {
   Source source;
-  std::set<std::size_t> roundedAccessors; ///< Whose values the codec rounds: their min and max are the
-                                          ///< originals'.
-  std::size_t packedBytes = 0;            ///< Of the file's own buffers.
+  std::set<std::size_t> roundedAccessors; ///< Accessors whose values the codec rounds: their min and max are
+                                          ///< the originals'.
+  std::size_t packedBytes = 0; ///< Size of the file's own buffers.
   std::size_t decodedBytes = 0;
 };
 
@@ -24,7 +24,7 @@ struct PlainSource {
 /// that cannot be decoded are an error that names their place; the answer is then not to be used.
 [[nodiscard]] std::optional<PlainSource> plainSource(const Source& source, Problems& problems);
 
-/// The same for buffer views alone, meshes that are compressed as a whole stay closed: enough for what no
+/// Opens buffer views alone; meshes that are compressed as a whole stay closed: enough for what no
 /// mesh holds.
 [[nodiscard]] std::optional<PlainSource> withPlainViews(const Source& source, Problems& problems);
 

@@ -20,7 +20,7 @@ struct Problem {
   Severity severity = Severity::error;
   std::string where; ///< "meshes[0].primitives[1].attributes.POSITION"; empty for the file as a whole.
   std::string what;
-  std::string remedy; ///< What to do about it, of a violation what reading makes of it; empty when there is
+  std::string remedy; ///< The way out; for a violation, what reading makes of it; empty when there is
                       ///< nothing special.
 
   friend bool operator==(const Problem&, const Problem&) = default;

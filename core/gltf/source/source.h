@@ -17,7 +17,7 @@ namespace stretch::gltf {
 
 /// A glTF file as it was read: what saving starts from, so that whatever we do not edit comes back the same.
 struct Source {
-  std::filesystem::path path; ///< Where it was read from: relative URIs start in its folder.
+  std::filesystem::path path; ///< File that it was read from: relative URIs start in its folder.
   JsonDocument json;
   /// Bytes of each entry of json["buffers"]; empty for a buffer that could not be read and that nothing
   /// needs.
@@ -30,8 +30,8 @@ struct Source {
 /// A thing of another file that was added to a source (core/gltf/source/added_file.h).
 struct AddedFile {
   std::string file; ///< Name of the file that it came from.
-  std::string name; ///< Of the node that carries it; no other node of the source has this name.
-  Transform place;  ///< Of that node.
+  std::string name; ///< Name of the node that carries it; no other node of the source has this name.
+  Transform place;  ///< Place of that node.
   std::shared_ptr<const Source> thing;
 
   friend bool operator==(const AddedFile&, const AddedFile&) = default;
@@ -41,14 +41,15 @@ struct AddedFile {
 struct Loaded {
   std::shared_ptr<const Source> source; ///< A file of ours is restored first: this is the source it was made
                                         ///< from.
-  std::vector<AddedFile> added;         ///< What a file of ours has beside its source; the scene holds it.
+  std::vector<AddedFile> added; ///< Files that were added to the source in a file of ours; the scene holds
+                                ///< it.
   std::shared_ptr<const Scene> scene;
   std::vector<Clip> clips;
   std::vector<std::string> warnings; ///< One line each: what in the file is odd and what was made of it.
-  JsonDocument savedWork;            ///< What `Edits::work` held when the file was saved; null without one.
+  JsonDocument savedWork;            ///< Content of `Edits::work` when the file was saved; null without one.
 };
 
-/// What becomes of a file that breaks the specification but can be read all the same. What files in use are
+/// Treatment of a file that breaks the specification but can be read all the same. What files in use are
 /// known for (strided samplers, weights that do not sum to 1, missing textures, ...) is a warning either way.
 enum class Tolerance { refuse, warn };
 

@@ -26,7 +26,7 @@ inline constexpr std::size_t roleCount = 13;
 
 enum class Side { none, left, right };
 
-/// What a name alone says about a joint.
+/// Evidence about a joint from its name alone.
 struct NameEvidence {
   std::array<double, roleCount> roles{}; ///< 0..1 each: how well the name fits the role; several may fit.
   Side side = Side::none;
@@ -35,7 +35,7 @@ struct NameEvidence {
   bool end = false;
   bool finger = false;
   bool palm = false;
-  bool accessory = false; ///< Of neither limb nor trunk; what a face has is among them.
+  bool accessory = false; ///< Belongs to neither limb nor trunk; parts of a face are among them.
   bool face = false;
   std::string key; ///< The name without its side and case: equal for the two of a mirrored pair. May be
                    ///< empty.

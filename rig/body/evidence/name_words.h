@@ -9,7 +9,7 @@
 
 namespace stretch::rig::body {
 
-/// What a word in a joint name can mean, whatever its language.
+/// Meaning of a word in a joint's name, whatever its language.
 enum class Word {
   left,
   right,
@@ -46,7 +46,7 @@ enum class Word {
   control,   ///< A handle of the animator's: IK target, pole, FK copy.
   end,       ///< The tip of a bone, no joint of its own.
   accessory, ///< Anything that a biped has besides limbs and trunk: hair, cloth, weapons.
-  face,      ///< Of the head's front: eyes, jaw, nose.
+  face,      ///< Front of the head: eyes, jaw, nose.
   noise      ///< "joint", "bone": says nothing.
 };
 

@@ -7,7 +7,7 @@ namespace stretch::rig::body {
 /// The plane that mirrors a body onto itself. Which of its sides is left is not known here.
 struct MirrorPlane {
   Vec3 normal{1.0, 0.0, 0.0}; ///< Unit length.
-  double offset = 0.0;        ///< Of the plane along the normal, world units.
+  double offset = 0.0;        ///< Distance of the plane along the normal, world units.
 
   /// Signed distance of a point.
   [[nodiscard]] double lateral(const Vec3& point) const;

@@ -9,9 +9,9 @@
 
 namespace stretch::rig {
 
-/// Where one joint of a body plan is to stand, and how it is turned.
+/// Place where one joint of a body plan is to stand, and its turn.
 struct Locator {
-  std::string name;   ///< Of the joint: one of bipedJoints().
+  std::string name;   ///< Name of the joint: one of bipedJoints().
   Vec3 position{0.0}; ///< World, in the pose that the mesh has without a skeleton.
   /// World. +Y along the bone, +Z where the body faces (alongBones); unit length.
   Quat orientation{1.0, 0.0, 0.0, 0.0};
@@ -66,8 +66,9 @@ enum class BodySide { centre, left, right };
 /// then the axis that it bends about. Bones without length keep the turn that they have.
 [[nodiscard]] Locators alongBones(Locators locators);
 
-/// The same for the named locator and the ones beside it, after it was moved from `before`: each bone that
-/// begins or ends there takes its turn with it by the smallest rotation, so that a turn made by hand stays.
+/// Turns the named locator and the ones beside it with their bones, after it was moved from `before`: each
+/// bone that begins or ends there takes its turn with it by the smallest rotation, so that a turn made by
+/// hand stays.
 [[nodiscard]] Locators turnedWithBones(const Locators& before, Locators moved);
 
 } // namespace stretch::rig

@@ -10,7 +10,7 @@
 
 namespace stretch::rig {
 
-/// What was recognised of a character.
+/// Body that was recognised in a character.
 struct Body {
   std::vector<Limb> limbs;     ///< In the order of LimbPlace; a limb that was not found is missing.
   std::string plan = "biped";  ///< Id of the body plan that the limbs are of (rig/plan/body_plan.h).
@@ -19,8 +19,8 @@ struct Body {
   NodeIndex hips; ///< Node that carries the body: space "root" is measured from it. -1: none found.
   NodeIndex head;
   bool isBiped = false; ///< Both legs, and arms or a spine, found with enough confidence.
-  double height = 1.0;  ///< Of the character in its bind pose, world units, > 0: what every tolerance is
-                        ///< relative to.
+  double height = 1.0;  ///< Height in the bind pose, world units, > 0: every tolerance is
+                        ///< relative to it.
   std::vector<std::string> warnings;
 
   friend bool operator==(const Body&, const Body&) = default;

@@ -10,7 +10,7 @@
 
 namespace stretch::rig::body {
 
-/// What a joint's name says beyond a biped's words.
+/// Part that a joint's name tells beyond a biped's words.
 enum class PartWord { leg, arm, wing, fin, feeler, tail, head, ornament };
 inline constexpr std::size_t partWordCount = 8;
 
@@ -19,11 +19,11 @@ struct Extremity {
   int attach = -1;          ///< Candidate that carries it; -1: none.
   std::vector<int> path;    ///< Candidates, base first; at least one.
   NodeIndex tip;            ///< End joint below the last one that moves nothing itself; -1: none.
-  std::vector<Vec3> points; ///< Of the path, and of the tip where there is one.
+  std::vector<Vec3> points; ///< Points of the path, and the tip where there is one.
   double length = 0.0;      ///< Along the points.
   double lateral = 0.0;     ///< Mean signed distance from the mirror plane.
   double lowest = 0.0;      ///< Height of its lowest joint or vertex.
-  double highest = 0.0;     ///< Of its highest joint.
+  double highest = 0.0;     ///< Height of its highest joint.
   std::array<double, partWordCount> words{}; ///< Share of its joints that are named so.
 
   [[nodiscard]] double word(PartWord which) const { return words[static_cast<std::size_t>(which)]; }

@@ -7,8 +7,8 @@
 
 namespace stretch::rig::body {
 
-/// What the VRM humanoid table of a file says: the table is normative, so its sides and joints are taken as
-/// they are.
+/// Limbs that the VRM humanoid table of a file names: the table is normative, so its sides and joints are
+/// taken as they are.
 struct HumanoidTable {
   std::vector<Limb> limbs; ///< Those that the table names completely, in the order of LimbPlace.
   NodeIndex hips;

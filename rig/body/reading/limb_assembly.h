@@ -10,7 +10,7 @@
 
 namespace stretch::rig::body {
 
-/// Where a limb ends: a joint, or a point in the world (bind pose).
+/// End of a limb: a joint, or a point in the world (bind pose).
 struct LimbEnd {
   NodeIndex node;
   Vec3 position{0.0};

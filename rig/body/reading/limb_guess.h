@@ -17,7 +17,7 @@ struct LimbGuess {
   int end = -1;             ///< -1: the end is estimated.
   bool endDetached = false; ///< The end joint hangs from elsewhere (a foot under the root).
   Vec3 endPosition{0.0};
-  double length = 0.0;  ///< Of the bones, world units.
+  double length = 0.0;  ///< Sum of the bones' lengths, world units.
   double nameFit = 0.0; ///< Sum over the three joints of how well names fit, up to 3; negative where they
                         ///< speak against.
   double shapePenalty = 0.0; ///< 0 where proportions are those of a limb.

@@ -28,9 +28,9 @@ struct Axis {
   Vec3 forward{0.0, 0.0, 1.0}; ///< Unit, in the mirror plane, level.
 };
 
-/// What a body is made of, as far as plans ask.
+/// Parts of a body, as far as plans ask.
 struct PlanParts {
-  std::vector<KindredPair> pairs; ///< Of each kind from front to back.
+  std::vector<KindredPair> pairs; ///< Pairs of each kind from front to back.
   Axis axis;
   Extremities extremities;
 

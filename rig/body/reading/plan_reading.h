@@ -22,13 +22,13 @@ struct PlanReading {
   std::vector<std::string> warnings;
 };
 
-/// What body this is, from which ends touch the ground, symmetry, the order along the body, and names; any
-/// plan but the biped's, whose limbs are read by more evidence. Nothing where no plan fits, `other` never
+/// Reads what body this is, from which ends touch the ground, symmetry, the order along the body, and names;
+/// any plan but the biped's, whose limbs are read by more evidence. Nothing where no plan fits, `other` never
 /// does. A body that stands on nothing is tried upside down and lying as well, with a warning.
 [[nodiscard]] std::optional<PlanReading> readPlan(const Scene& scene, const BindPose& bindPose,
                                                   const BodyView& view);
 
-/// The same for a plan that the user chose: what of it the body has, however well it fits.
+/// Reads the body as a plan that the user chose: what of it the body has, however well it fits.
 [[nodiscard]] PlanReading readAsPlan(const Scene& scene, const BindPose& bindPose, const BodyView& view,
                                      const BodyPlan& plan);
 
