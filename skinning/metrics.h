@@ -26,7 +26,7 @@ struct SequenceMetrics {
   double sted = 0.0;           ///< sqrt(spatial^2 + c^2 temporal^2).
   double stedSpatial = 0.0;
   double stedTemporal = 0.0;
-  StedSettings stedSettings; ///< As used: the time step filled in.
+  StedSettings stedSettings; ///< Settings in use: the time step filled in.
 };
 
 /// The distances alone, without STED; both must have the same vertices and frames, at least one of each.

@@ -25,8 +25,8 @@ struct Influences {
 
 /// A bone of the bind pose, in the space of the mesh.
 struct SkinBone {
-  Vec3 pivot{0.0};               ///< Where it begins; its transforms turn and stretch about this point.
-  Vec3 end{0.0};                 ///< Where it ends.
+  Vec3 pivot{0.0};               ///< Point where it begins; its transforms turn and stretch about this point.
+  Vec3 end{0.0};                 ///< Point where it ends.
   Quat axes{1.0, 0.0, 0.0, 0.0}; ///< Bone space to mesh space: x runs along the bone.
   int parent = -1;               ///< The bone that it hangs on; -1: none. Not used where bones are chained.
   std::string name = {};         ///< Empty: by its number.
@@ -34,10 +34,10 @@ struct SkinBone {
   friend bool operator==(const SkinBone&, const SkinBone&) = default;
 };
 
-/// What a bone does in one frame: v -> position + rotation * E diag(scale) E^-1 * (v - pivot), E =
+/// Transform of a bone in one frame: v -> position + rotation * E diag(scale) E^-1 * (v - pivot), E =
 /// stretchAxes.
 struct BonePose {
-  Vec3 position{0.0};                ///< Where the pivot is, in the space of the mesh.
+  Vec3 position{0.0};                ///< Place of the pivot, in the space of the mesh.
   Quat rotation{1.0, 0.0, 0.0, 0.0}; ///< From the bind pose; unit; successive frames lie on one hemisphere.
   Vec3 scale{1.0};                   ///< Along the stretch axes, x, y, z.
   Quat stretchAxes{1.0, 0.0, 0.0, 0.0}; ///< Stretch axes to mesh space of the bind pose; usually
@@ -47,14 +47,14 @@ struct BonePose {
 /// A bind mesh with bones and their motion: what a mesh sequence is compressed to.
 struct SkinnedSequence {
   std::string name;
-  std::string clipName; ///< Of the motion; empty: as the sequence.
+  std::string clipName; ///< Name of the motion; empty: that of the sequence.
   std::vector<glm::vec3> bindPositions;
   std::vector<Triangle> triangles;
   std::vector<Influences> influences; ///< One for each vertex.
   std::vector<SkinBone> bones;
   std::vector<BonePose> poses; ///< Frame after frame, one for each bone.
   double framesPerSecond = 30.0;
-  std::shared_ptr<const gltf::MeshSurface> surface; ///< What the mesh looks like; null: nothing but its
+  std::shared_ptr<const gltf::MeshSurface> surface; ///< Looks of the mesh; null: nothing but its
                                                     ///< shape.
   bool chained = false; ///< Bone b + 1 begins where bone b ends, in every frame (positions need not be
                         ///< stored).

@@ -34,7 +34,7 @@ public:
 
   /// World positions of the first `count` vertices.
   void positions(const FrameState& frame, std::size_t count, std::vector<glm::vec3>& out) const;
-  /// Of all of them.
+  /// Places of all of them.
   void positions(const FrameState& frame, std::vector<glm::vec3>& out) const;
 
 private:

@@ -35,7 +35,7 @@ struct BoundBody {
                                             const std::vector<BindJoint>& joints,
                                             const BindSettings& settings = {}, const Proceed& proceed = {});
 
-/// The same by distance on the surface (geodesicWeights) for a surface that is closed: every edge lies
+/// Binds by distance on the surface (geodesicWeights) for a surface that is closed: every edge lies
 /// between two triangles that are wound alike. Error, one line: one that is not, and those of bindWeights.
 [[nodiscard]] Result<BoundBody> bindWeightsOnSurface(std::span<const glm::vec3> positions,
                                                      const std::vector<Triangle>& triangles,

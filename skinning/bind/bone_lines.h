@@ -27,7 +27,8 @@ struct BoneLine {
 /// the way to the end of the body: through the head, the hand, the toes.
 [[nodiscard]] std::vector<BoneLine> boneLines(const VoxelBody& body, const std::vector<BindJoint>& joints);
 
-/// The same; `endOfLast` answers where the bone of a last joint ends, from its place and the bone before it.
+/// Returns the same lines; `endOfLast` answers where the bone of a last joint ends, from its place and the
+/// bone before it.
 [[nodiscard]] std::vector<BoneLine>
 boneLines(const std::vector<BindJoint>& joints,
           const std::function<Vec3(const Vec3& place, const Vec3& along)>& endOfLast);
@@ -35,7 +36,7 @@ boneLines(const std::vector<BindJoint>& joints,
 /// A cell that a bone passes.
 struct BoneCell {
   std::size_t cell = 0;
-  std::uint32_t line = 0; ///< Of the bone lines.
+  std::uint32_t line = 0; ///< Index of a bone line.
   float along = 0.0F;     ///< 0 at the line's start, 1 at its end.
   double distance = 0.0;  ///< From the bone to the cell's middle; more than a cube where the bone runs
                           ///< outside.

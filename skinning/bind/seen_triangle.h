@@ -29,7 +29,7 @@ public:
     return std::max({corners_[0][i], corners_[1][i], corners_[2][i]});
   }
 
-  /// Where the line through the point along the axis meets it.
+  /// Returns where the line through the point along the axis meets it.
   [[nodiscard]] std::optional<double> meets(const Vec3& point) const {
     if (area_ == 0.0) {
       return std::nullopt;

@@ -40,8 +40,8 @@ private:
   const std::vector<BoneLine>& lines_;
   std::vector<int> parents_;
   std::vector<Vec3> places_;
-  std::vector<int> generations_;  ///< Of each joint: how many are above it.
-  std::vector<double> fromRoots_; ///< Of each joint: along the bones.
+  std::vector<int> generations_;  ///< Number of joints above each joint.
+  std::vector<double> fromRoots_; ///< Length along the bones to each joint.
 };
 
 } // namespace stretch::skinning

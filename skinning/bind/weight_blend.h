@@ -15,8 +15,8 @@ namespace stretch::skinning {
 struct CellOwner {
   static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t line = nobody; ///< Of the bone lines; `nobody`: no bone reaches the cell through the body.
-  float along = 0.0F;          ///< Where on the line: 0 at its start, 1 at its end.
+  std::uint32_t line = nobody; ///< Index of a bone line; `nobody`: no bone reaches the cell through the body.
+  float along = 0.0F;          ///< Place on the line: 0 at its start, 1 at its end.
   float distance = 0.0F;       ///< From there to the cell.
 };
 
@@ -26,7 +26,7 @@ struct CellOwner {
                                                  const std::vector<BoneCell>& cells,
                                                  const std::vector<double>& radii, double sections);
 
-/// What a cell follows: joints and weights that sum to 1, the largest first, unused slots 0.
+/// Joints that a cell follows: joints and weights that sum to 1, the largest first, unused slots 0.
 struct CellWeights {
   static constexpr std::size_t capacity = 6;
   std::array<std::uint16_t, capacity> joints{};

@@ -15,8 +15,8 @@ namespace stretch::skinning {
 struct BodySkeleton {
   std::vector<Vec3> joints; ///< segmentCount + 1 points of the pose it was made from; segments are equally
                             ///< long.
-  std::vector<double> stations; ///< Where each joint lies along the centre line, mesh units, ascending.
-  std::vector<double> along;    ///< Where each vertex lies along it.
+  std::vector<double> stations; ///< Places of the joints along the centre line, mesh units, ascending.
+  std::vector<double> along;    ///< Places of the vertices along it.
   double length = 0.0;          ///< Sum of the segment lengths.
 
   [[nodiscard]] std::size_t segmentCount() const { return joints.size() - 1; }

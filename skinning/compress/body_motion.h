@@ -21,8 +21,8 @@ struct BodyMotion {
   BodySkeleton skeleton;
   std::vector<double> faceDiameters;     ///< Shape diameter of every triangle.
   std::vector<double> widths;            ///< Mean shape diameter of each segment.
-  std::vector<double> volumes;           ///< Of each segment; they sum to the body's.
-  std::vector<std::vector<Vec3>> joints; ///< Of each frame.
+  std::vector<double> volumes;           ///< Volume of each segment; they sum to the body's.
+  std::vector<std::vector<Vec3>> joints; ///< Joints in each frame.
   std::vector<SegmentMotion> segments;   ///< Frame after frame, one for each segment.
 
   [[nodiscard]] std::size_t segmentCount() const { return skeleton.segmentCount(); }

@@ -11,16 +11,16 @@
 
 namespace stretch::skinning {
 
-/// What the elastic model of a body is told; what is left open is fitted to the frames.
+/// Settings of the elastic model of a body; what is left open is fitted to the frames.
 struct BodyStretchSettings {
-  Vec3 gravity{0.0, -9.81, 0.0};      ///< m/s^2, in the axes of the mesh.
-  double metresPerUnit = 1.0;         ///< Scale of the mesh.
-  std::optional<double> mass;         ///< Of the whole body, kg; unset: that of water by the body's volume.
-  std::optional<double> youngModulus; ///< Pa; unset: the one that explains the frames best.
-  SegmentModuli moduli;               ///< Segments with a modulus of their own.
+  Vec3 gravity{0.0, -9.81, 0.0}; ///< m/s^2, in the axes of the mesh.
+  double metresPerUnit = 1.0;    ///< Scale of the mesh.
+  std::optional<double> mass;    ///< Mass of the whole body, kg; unset: that of water by the body's volume.
+  std::optional<double> youngModulus;        ///< Pa; unset: the one that explains the frames best.
+  SegmentModuli moduli;                      ///< Segments with a modulus of their own.
   std::optional<double> gravityVolume = 1.0; ///< 1: flattening widens sideways so that the volume is kept; 0:
                                              ///< not at all.
-  std::optional<double> muscleVolume = 1.0;  ///< The same for the change of length. Unset: fitted, in [0, 1].
+  std::optional<double> muscleVolume = 1.0;  ///< Likewise for the change of length. Unset: fitted, in [0, 1].
   LengthModel lengthModel = LengthModel::automatic;
   std::size_t firstFittedFrame = 0; ///< Frames before it (settling) are left out of all fits.
 
@@ -30,7 +30,7 @@ struct BodyStretchSettings {
 /// The model with its parameters settled, and what it says of every segment and frame.
 struct BodyStretch {
   LengthFunction length;
-  double restLength = 0.0; ///< Of the centre line in the first frame.
+  double restLength = 0.0; ///< Length of the centre line in the first frame.
   double mass = 0.0;
   double youngModulus = 0.0; ///< Pa; 0 when there is no gravity or nothing that it could explain.
   bool modulusFitted = false;

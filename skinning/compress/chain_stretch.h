@@ -12,9 +12,9 @@ namespace stretch::skinning {
 /// A row of bones between two branchings of a skeleton, and how its length follows its curvature.
 struct ChainStretch {
   std::vector<std::size_t> bones;        ///< Base first.
-  std::vector<std::string> names;        ///< Of the bones.
+  std::vector<std::string> names;        ///< Names of the bones.
   double restLength = 0.0;               ///< In the bind pose, mesh units.
-  LengthFunction length;                 ///< Of the fitted frames.
+  LengthFunction length;                 ///< Length function of the fitted frames.
   std::vector<CurvatureLength> measured; ///< Every frame.
   double least = 1.0;                    ///< Stretch of its bones over the frames.
   double most = 1.0;

@@ -11,7 +11,7 @@ namespace stretch::skinning {
 struct Flattening {
   double height = 1.0; ///< Extent along gravity at mid-body, with gravity over without.
   double width = 1.0;  ///< Extent across gravity and the body.
-  double length = 1.0; ///< Of the centre line.
+  double length = 1.0; ///< Factor on the length of the centre line.
   /// The compression factor whose 1 - q and 1 / (1 - q) come closest to height and width.
   double compression = 0.0;
   double youngModulus = 0.0; ///< Pa that give that factor by Eq. 6 at mid-body; 0 when nothing is compressed.

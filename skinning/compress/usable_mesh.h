@@ -14,8 +14,9 @@ namespace stretch::skinning {
 /// wound alike and outwards where neighbours were wound against each other.
 struct UsableMesh {
   std::optional<MeshSequence> changed; ///< Empty: the sequence is usable as it is.
-  std::vector<std::uint32_t> vertices; ///< Of the sequence, one for each vertex of `changed`, ascending.
-  std::vector<std::string> warnings;   ///< What was changed, one line each.
+  std::vector<std::uint32_t> vertices; ///< Vertices of the sequence, one for each vertex of `changed`,
+                                       ///< ascending.
+  std::vector<std::string> warnings;   ///< Changes that were made, one line each.
 };
 
 [[nodiscard]] UsableMesh usableMesh(const MeshSequence& sequence);

@@ -39,7 +39,7 @@ enum class LengthModel { automatic, line, monotone, measuredMean };
 
 /// Length as a function of curvature (Psi of the paper), with what is needed to judge it.
 struct LengthFunction {
-  LengthModel model = LengthModel::line; ///< What `at` answers by.
+  LengthModel model = LengthModel::line; ///< Model by which `at` answers.
   LineFit line;
   MonotoneFit monotone;
   double meanLength = 0.0;

@@ -14,7 +14,7 @@ namespace stretch::skinning {
 struct LimbSegment {
   double length = 0.0;
   double width = 0.0;  ///< Mean shape diameter of the surface around it.
-  double volume = 0.0; ///< Of the flesh; a cylinder's where nothing better is known.
+  double volume = 0.0; ///< Volume of the flesh; a cylinder's where nothing better is known.
 };
 
 /// Cylinders from lengths and widths.
@@ -24,10 +24,11 @@ struct LimbSegment {
 /// How a limb moves over a clip: world space, metres, seconds.
 struct LimbMotion {
   double framesPerSecond = 30.0;
-  std::vector<std::vector<Vec3>> joints; ///< Of each frame: base first, end last; one more than segments.
+  std::vector<std::vector<Vec3>> joints; ///< Joints in each frame: base first, end last; one more than
+                                         ///< segments.
   /// How much the limb stands on its end in each frame, 0..1; empty: it hangs free throughout.
   std::vector<double> planted;
-  /// What of the body above rests on the limb when it is planted, kg for each frame; empty: none.
+  /// Part of the body above that rests on the limb when it is planted, kg for each frame; empty: none.
   std::vector<double> carriedMass;
 };
 
@@ -39,11 +40,11 @@ struct LimbElasticity {
   Vec3 gravity{0.0, -9.81, 0.0}; ///< m/s^2; zero leaves inertia alone.
   double inertia = 1.0;          ///< 0..1: how much of the segment's own acceleration counts.
   double stiffness = 1.0;        ///< Multiplies the moduli and quickens the response.
-  double damping = 0.7; ///< Of the response: 1 comes to rest without swinging over, below it wobbles.
+  double damping = 0.7; ///< Damping of the response: 1 comes to rest without swinging over, below it wobbles.
   double amount = 1.0;  ///< 0..1: share of the strain that is shown; 0 is the clip as it was.
 };
 
-/// What one segment does in one frame.
+/// Stretch of one segment in one frame.
 struct LimbStretch {
   StretchFactors factors;       ///< All 1 where nothing pulls.
   Vec3 along{1.0, 0.0, 0.0};    ///< World direction of the segment, base to end.
@@ -80,8 +81,8 @@ struct PlantedSettings {
                                                   double limbLength, const Vec3& up,
                                                   const PlantedSettings& settings = {});
 
-/// What each limb carries of a body, frame by frame, when the limbs stand as much as their weights say: the
-/// mass is shared among them in that proportion. One list of weights for each limb, all of one length.
+/// Mass of a body that each limb carries, frame by frame, when the limbs stand as much as their weights say:
+/// the mass is shared among them in that proportion. One list of weights for each limb, all of one length.
 [[nodiscard]] std::vector<std::vector<double>> sharedMass(const std::vector<std::vector<double>>& planted,
                                                           double bodyMass);
 

@@ -20,7 +20,7 @@ struct SegmentModuli {
 
     friend bool operator==(const Range&, const Range&) = default;
   };
-  std::optional<double> youngModulus; ///< Of every segment that no range names.
+  std::optional<double> youngModulus; ///< Modulus of every segment that no range names.
   std::vector<Range> ranges;          ///< Later ones win.
 
   /// Modulus of a segment; `fallback` where nothing is said.
@@ -33,7 +33,7 @@ struct SegmentModuli {
 /// an unknown one is an error that names it. Moduli are positive.
 [[nodiscard]] Result<SegmentModuli> parseModuli(std::string_view text);
 
-/// The same JSON, as parseModuli reads it.
+/// Returns the JSON that parseModuli reads.
 [[nodiscard]] std::string moduliText(const SegmentModuli& moduli);
 
 } // namespace stretch::skinning

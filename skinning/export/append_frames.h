@@ -15,10 +15,10 @@ namespace stretch::skinning {
 /// Frames of a sequence, for a stream that is there already.
 struct AppendedFrames {
   std::vector<std::uint8_t> bytes; ///< One frame after the other, as the base describes them.
-  std::size_t frameBytes = 0;      ///< Of each.
-  std::size_t firstNumber = 0;     ///< Of the frames, from 0: how many there were before.
+  std::size_t frameBytes = 0;      ///< Bytes of each frame.
+  std::size_t firstNumber = 0;     ///< Number of the first frame, from 0: how many there were before.
   SequenceMetrics metrics;         ///< Distances of what a client shows of them to the sequence.
-  SkinnedSequence skinned;         ///< The same motion, of the bones of the base.
+  SkinnedSequence skinned;         ///< Motion of the frames, on the bones of the base.
 };
 
 /// Fits the bones of a stream's base to more frames of its mesh: mesh and weights stay, bones turn, move and,

@@ -44,7 +44,7 @@ private:
     Course course;
     std::size_t width = 3;
     std::vector<std::size_t> keys;
-    std::size_t sampler = 0; ///< Of the file; for a course with one key there is none.
+    std::size_t sampler = 0; ///< Sampler of the file; for a course with one key there is none.
   };
 
   const StoredCourse& storedFor(const Course& course, std::size_t width, double tolerance);
@@ -55,7 +55,7 @@ private:
   GltfBuffers& buffers_;
   ClipEncoding encoding_;
   std::map<std::vector<std::size_t>, std::size_t> times_; ///< Accessors by the frames that they name.
-  std::vector<StoredCourse> stored_;                      ///< As the samplers of the plan.
+  std::vector<StoredCourse> stored_;                      ///< In the order of the plan's samplers.
   std::vector<std::size_t> accessors_;
   std::size_t keys_ = 0;
 };

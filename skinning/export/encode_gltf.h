@@ -34,12 +34,12 @@ struct EncodedClip {
   double bytesPerFrame = 0.0;  ///< All that changes from frame to frame: every sampler's output once, and the
                                ///< time stamps.
   std::size_t bytesOnce = 0;   ///< The rest of the binary data: mesh, weights, bind matrices, images.
-  std::size_t bytesOfJson = 0; ///< What describes them.
+  std::size_t bytesOfJson = 0; ///< Size of the JSON that describes them.
   std::vector<std::uint32_t> places; ///< For each vertex as the file draws them, primitive by primitive, the
                                      ///< vertex of the sequence.
   std::size_t joints = 0;
   std::size_t samplers = 0;
-  std::size_t keys = 0;         ///< Of all samplers.
+  std::size_t keys = 0;         ///< Keys of all samplers.
   double keyErrorPercent = 0.0; ///< The farthest that leaving out keys moves a vertex of any frame.
 };
 
@@ -51,7 +51,7 @@ struct EncodedClip {
 /// just that.
 [[nodiscard]] EncodedClip encodeGltf(const SkinnedSequence& sequence, const EncodeSettings& settings = {});
 
-/// The same, which leaving out keys makes long; nothing when it was stopped.
+/// Encodes a clip, which leaving out keys makes long; nothing when it was stopped.
 [[nodiscard]] std::optional<EncodedClip> encodeGltf(const SkinnedSequence& sequence,
                                                     const EncodeSettings& settings, const Proceed& proceed);
 

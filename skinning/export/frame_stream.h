@@ -16,7 +16,7 @@ struct FrameStream {
   gltf::Source base; ///< Mesh, weights, skin and nodes without a clip. Its extras say which node
                      ///< takes what of a frame.
   std::vector<std::uint8_t> frames; ///< One after the other: more can be appended.
-  std::size_t frameBytes = 0;       ///< Of each.
+  std::size_t frameBytes = 0;       ///< Bytes of each frame.
 
   [[nodiscard]] std::span<const std::uint8_t> frame(std::size_t index) const {
     return {frames.data() + index * frameBytes, frameBytes};
@@ -26,9 +26,9 @@ struct FrameStream {
 inline constexpr std::uint8_t streamVersion = 1;
 inline constexpr std::size_t streamHeaderBytes = 8;
 
-/// What the frames of a stream say.
+/// Courses that the frames of a stream hold.
 enum class StreamCourses {
-  changing, ///< What changes in the sequence, shared where bones share it; all else is in the base.
+  changing, ///< Those that change in the sequence, shared where bones share it; all else is in the base.
   all,      ///< Rotation and place of every bone, and its scale where any bone stretches: frames of other
             ///< motion can say what they need.
 };

@@ -13,7 +13,7 @@
 namespace stretch::skinning {
 
 struct MeshEncoding {
-  bool quantiseWeights = false; ///< As normalised 16-bit integers.
+  bool quantiseWeights = false; ///< Whether weights become normalised 16-bit integers.
   std::optional<MeshGrid> grid; ///< Places on it, normals in 8 bits, and texture coordinates and colours in
                                 ///< 16 where they lie in 0..1 (KHR_mesh_quantization). Empty: all as floats.
 };

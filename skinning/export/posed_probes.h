@@ -31,7 +31,7 @@ public:
   [[nodiscard]] std::size_t frameCount() const { return frames_; }
   [[nodiscard]] const std::vector<ClipCourse>& courses() const { return courses_; }
 
-  /// What moves when some courses change.
+  /// Nodes and vertices that move when some courses change.
   struct Followers {
     std::vector<std::size_t> nodes; ///< Parents first.
     std::vector<std::size_t> joints;
@@ -66,7 +66,7 @@ private:
   std::size_t frames_;
   std::vector<ClipCourse> courses_;
   std::vector<int> parents_;
-  std::vector<std::size_t> order_; ///< Of the nodes, parents first.
+  std::vector<std::size_t> order_; ///< Order of the nodes, parents first.
   std::vector<std::size_t> joints_;
   std::vector<Mat4> inverseBind_;
   std::vector<Probe> probes_;

@@ -11,8 +11,8 @@
 
 namespace stretch::skinning {
 
-/// What a clip makes of a scene at the times of so many frames: positions in the order that the scene draws
-/// them in, nothing else. Without a clip the scene stands still.
+/// Reads back what a clip makes of a scene at the times of so many frames: positions in the order that the
+/// scene draws them in, nothing else. Without a clip the scene stands still.
 [[nodiscard]] MeshSequence framesShown(const Scene& scene, const std::vector<Clip>& clips,
                                        std::size_t frameCount, double framesPerSecond);
 

@@ -13,7 +13,7 @@ using Proceed = std::function<bool(double)>;
 
 /// How the fit goes about it; the defaults suit bodies of some thousand vertices and a hundred frames.
 struct FitSettings {
-  int rounds = 80;         ///< Of weights and bones in turn, at most.
+  int rounds = 80;         ///< Rounds of weights and bones in turn, at most.
   double leastGain = 5e-4; ///< Stops early when a round lowers the error by less than this share.
   int candidates = 8;      ///< Bones that are tried for a vertex; at least twice as many as it may have.
   int influences = 4;      ///< Bones that a vertex may hang on, at most Influences::capacity.

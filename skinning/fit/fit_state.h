@@ -25,7 +25,7 @@ struct FitState {
   std::vector<Eigen::Vector3d> bind;  ///< One for each vertex.
   std::vector<Influences> influences; ///< One for each vertex.
   std::vector<BoneMatrix> matrices;   ///< Frame after frame, one for each bone.
-  std::vector<Eigen::Matrix3d> axes;  ///< Of each bone: columns are the axes along which it may stretch.
+  std::vector<Eigen::Matrix3d> axes;  ///< Axes of each bone: columns are the axes along which it may stretch.
   double largestScale = 10.0;         ///< And by how much, at most; at least by 1 over it.
 
   [[nodiscard]] BoneMatrix& matrix(std::size_t frame, std::size_t bone) {
@@ -37,7 +37,7 @@ struct FitState {
   [[nodiscard]] std::size_t vertexCount() const { return bind.size(); }
 };
 
-/// Where the search for a vertex's weights begins.
+/// Start of the search for a vertex's weights.
 enum class WeightSearch {
   everywhere, ///< With all candidates, and with the bones that it hangs on: the better of both.
   own,        ///< With the bones that it hangs on, and no others: a fifth of the time.

@@ -12,7 +12,7 @@
 
 namespace stretch::skinning::fit {
 
-/// Of the diagonal: less is hardly seen, and more bones would do more than long fits.
+/// Error as a fraction of the diagonal: less is hardly seen, and more bones would do more than long fits.
 inline constexpr double fineError = 5e-4;
 
 /// All that a fit changes, and the root of the mean squared distance with it.

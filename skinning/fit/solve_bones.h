@@ -4,7 +4,7 @@
 
 namespace stretch::skinning::fit {
 
-/// What bones need to know of the bind pose and the weights: for vertices v (with 1 appended) and weights w,
+/// Sums that bones need of the bind pose and the weights: for vertices v (with 1 appended) and weights w,
 /// the products sum w_a w_b v v^T of every pair of bones that share a vertex. The same for every frame.
 class BindMoments {
 public:

@@ -12,7 +12,7 @@ struct Chain {
   std::vector<Eigen::Matrix3d> stretches; ///< Symmetric, frame after frame, one for each bone.
   std::vector<Eigen::Matrix3d> rotations; ///< Frame after frame, one for each bone: read as the start,
                                           ///< written.
-  std::vector<Eigen::Vector3d> roots;     ///< Where pivots[0] is in each frame: read as the start, written.
+  std::vector<Eigen::Vector3d> roots;     ///< Place of pivots[0] in each frame: read as the start, written.
   double hold = 0.5; ///< How firmly bones are held to the rotations of the start, in their own resistance to
                      ///< being turned.
 };

@@ -11,7 +11,7 @@
 
 namespace stretch::skinning::fit {
 
-/// What a part is and how badly its bone follows it.
+/// Vertices of a part, and how badly its bone follows them.
 struct MotionCluster {
   std::vector<std::size_t> vertices;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< In the bind pose.

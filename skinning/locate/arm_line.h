@@ -12,7 +12,7 @@ namespace stretch::skinning {
 struct ArmSection {
   double way = 0.0; ///< From the tip of the hand.
   Vec3 middle{0.0};
-  double radius = 0.0; ///< Of a disc as large as the section.
+  double radius = 0.0; ///< Radius of a disc as large as the section.
 };
 
 /// An arm from the tip of the hand to the middle of the body.

@@ -11,9 +11,9 @@
 
 namespace stretch::skinning {
 
-/// Where a joint of a biped seems to be in a mesh.
+/// Place where a joint of a biped seems to be in a mesh.
 struct FittedJoint {
-  std::string name;        ///< As VRM's table of humanoid bones names it: "leftUpperArm".
+  std::string name;        ///< Name in VRM's table of humanoid bones: "leftUpperArm".
   Vec3 position{0.0};      ///< In the space of the mesh.
   double confidence = 1.0; ///< 0..1; below 0.5 a guess by proportions.
 };

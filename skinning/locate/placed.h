@@ -4,7 +4,7 @@
 
 namespace stretch::skinning {
 
-/// Where a joint seems to be, in the body's own space (Upright::toBody).
+/// Place where a joint seems to be, in the body's own space (Upright::toBody).
 struct Placed {
   Vec3 place{0.0};
   double confidence = 0.0; ///< 0..1.

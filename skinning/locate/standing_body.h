@@ -15,7 +15,7 @@ namespace stretch::skinning {
 struct SliceRegion {
   std::vector<std::uint32_t> cells;
   Vec3 middle{0.0};
-  Vec3 low{0.0}; ///< Of the cells' middles.
+  Vec3 low{0.0}; ///< Least coordinates of the cells' middles.
   Vec3 high{0.0};
 };
 

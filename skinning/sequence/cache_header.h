@@ -15,9 +15,9 @@ namespace stretch::skinning {
 struct CacheHeader {
   std::uint64_t points = 0;
   std::uint64_t samples = 0;
-  std::size_t bytes = 0; ///< Of the header.
+  std::size_t bytes = 0; ///< Bytes of the header.
   bool bigEndian = false;
-  std::vector<double> timeSeconds; ///< Of each sample, ascending; empty where the file gives none.
+  std::vector<double> timeSeconds; ///< Times of the samples, ascending; empty where the file gives none.
 
   [[nodiscard]] std::size_t sampleBytes() const { return static_cast<std::size_t>(points) * 12; }
 };

@@ -8,7 +8,7 @@
 
 namespace stretch::skinning {
 
-/// What the drawn meshes of a file look like, vertices in the order of skinnedPositions, each a place of its
+/// Looks of the drawn meshes of a file, vertices in the order of skinnedPositions, each a place of its
 /// own; normals as they are in `first`. Images that cannot be read are told in `warnings`.
 [[nodiscard]] gltf::MeshSurface surfaceOf(const gltf::Loaded& loaded, const FrameState& first,
                                           std::vector<std::string>& warnings);

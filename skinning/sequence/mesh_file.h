@@ -24,9 +24,9 @@ inline constexpr double largestCoordinate = 1e15;
 struct MeshFile {
   std::vector<glm::vec3> positions;
   std::vector<Triangle> triangles;
-  // Of PLY, one for each vertex, empty where the file has none (an OBJ's: see surfaceOfObj).
+  // Normals of a PLY, one for each vertex, empty where the file has none (an OBJ's: see surfaceOfObj).
   std::vector<glm::vec3> normals;
-  std::vector<glm::vec2> texCoords; ///< As the file counts: v upwards.
+  std::vector<glm::vec2> texCoords; ///< Counted as in the file: v upwards.
   std::vector<glm::vec4> colors;    ///< Linear.
 };
 
@@ -44,7 +44,7 @@ struct MeshFile {
 /// .obj or .ply, by the extension.
 [[nodiscard]] Result<MeshFile> readMeshFile(const std::filesystem::path& path);
 
-/// What a mesh looks like that readMeshFile read from `path`; null where the file says nothing of it.
+/// Looks of a mesh that readMeshFile read from `path`; null where the file says nothing of it.
 [[nodiscard]] std::shared_ptr<const gltf::MeshSurface> surfaceOfMeshFile(const std::filesystem::path& path,
                                                                          const MeshFile& mesh,
                                                                          std::vector<std::string>& warnings);

@@ -12,7 +12,7 @@
 
 namespace stretch::skinning {
 
-/// What an OBJ file says of its mesh beyond positions: normals (`vn`), texture coordinates (`vt`), groups of
+/// Looks of an OBJ file's mesh beyond positions: normals (`vn`), texture coordinates (`vt`), groups of
 /// one material (`usemtl`, named by `o` and `g`), materials of its MTL files. `mesh` is what parseObj made of
 /// the same text. Vertices are split where the corners of faces differ, and stand in the order of their
 /// places. Null for a file that holds positions and faces alone. What cannot be read is told in `warnings`.

@@ -51,15 +51,15 @@ std::size_t joinDuplicates(MeshSequence& sequence);
 /// every frame are joined in both, if that makes them agree.
 void joinUntilAlike(MeshSequence& a, MeshSequence& b);
 
-/// What a user names, as readSequence takes it: a cache alone stands for itself and the mesh beside it that
-/// has as many vertices, one of several numbered meshes for its folder, a cache and its mesh may come in any
-/// order. Everything else stays as it is.
+/// Returns what a user names, as readSequence takes it: a cache alone stands for itself and the mesh beside
+/// it that has as many vertices, one of several numbered meshes for its folder, a cache and its mesh may come
+/// in any order. Everything else stays as it is.
 [[nodiscard]] std::vector<std::filesystem::path>
 sequencePaths(const std::vector<std::filesystem::path>& named);
 
-/// What the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a cache,
-/// or a glTF with a morph-target clip; see sequencePaths. The warnings of the result tell what is odd about
-/// the topology.
+/// Reads what the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a
+/// cache, or a glTF with a morph-target clip; see sequencePaths. The warnings of the result tell what is odd
+/// about the topology.
 [[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named,
                                                 const Progress& progress = {});
 

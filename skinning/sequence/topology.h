@@ -9,7 +9,7 @@
 
 namespace stretch::skinning {
 
-/// What the triangles of a mesh are like.
+/// Counts of what is odd about the triangles of a mesh.
 struct TopologyReport {
   std::size_t components = 0;    ///< Parts that no shared vertex joins; vertices of no triangle are left out.
   std::size_t boundaryEdges = 0; ///< Edges of one triangle.
