@@ -11,7 +11,7 @@ struct BundledClip {
   const char* file;    ///< In the bundled folder.
   const char* picture; ///< Beside it.
   const char* name;
-  const char* line;      ///< What can be tried on it.
+  const char* line;      ///< Line that says what can be tried on it.
   const char* commandId; ///< Opens it.
 };
 
@@ -21,7 +21,7 @@ struct BundledClip {
 /// the sources it was built from. Nothing where there is neither.
 [[nodiscard]] std::optional<std::filesystem::path> bundledFolder(const std::filesystem::path& programFolder);
 
-/// The same of the program that runs.
+/// Folder of the program that runs.
 [[nodiscard]] std::optional<std::filesystem::path> bundledFolder();
 
 } // namespace stretch::app

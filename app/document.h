@@ -22,7 +22,7 @@ namespace stretch::app {
 struct ClipRate {
   int clip = 0;
   double framesPerSecond = 0.0;
-  double own = 0.0; ///< What its keys suggest.
+  double own = 0.0; ///< Rate that its keys suggest.
 
   friend bool operator==(const ClipRate&, const ClipRate&) = default;
 };
@@ -50,23 +50,25 @@ struct Document {
   std::shared_ptr<const gltf::Source> source;
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
-  /// As the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing was.
+  /// Clips as the file has them, where keys of its own clips were edited (edits/track_edits.h); null: nothing
+  /// was.
   std::shared_ptr<const std::vector<Clip>> sourceClips;
   /// How many of the last clips came from other files since this one was opened: the source has them, its
   /// file may not (edits/import_clip.h).
   std::size_t importedClips = 0;
   /// Props from files of their own, beside the source; `scene` holds them (edits/prop_file_edits.h).
   std::vector<gltf::AddedFile> addedFiles;
-  std::vector<FollowingKeys> followingKeys; ///< Of tracks that have auto tangents, in the order of setting.
-  std::vector<std::string> warnings;        ///< Of opening the file and those that were added.
+  std::vector<FollowingKeys> followingKeys; ///< Keys of tracks that have auto tangents, in the order of
+                                            ///< setting.
+  std::vector<std::string> warnings;        ///< Warnings of opening the file and those that were added.
   bool carriedWork = false;                 ///< The file was one of ours: saving goes back to it.
 
-  rig::Body body;                ///< Limbs as found, or as corrected by hand.
-  bool limbsCorrected = false;   ///< The user changed a limb: saved even without a trail.
-  rig::Locators locators;        ///< Where joints of a body without a skeleton are to stand; empty: none.
+  rig::Body body;              ///< Limbs as found, or as corrected by hand.
+  bool limbsCorrected = false; ///< The user changed a limb: saved even without a trail.
+  rig::Locators locators; ///< Places where joints of a body without a skeleton are to stand; empty: none.
   std::vector<rig::Limb> chains; ///< Further chains that the user picked.
   std::vector<rig::Trail> trails;
-  std::vector<rig::Adjustment> adjustments; ///< What controllers change in the clips, before any trail.
+  std::vector<rig::Adjustment> adjustments; ///< Changes by controllers in the clips, before any trail.
   rig::Holds holds;                         ///< Pins, grips and props, on top of the trails.
   std::vector<WeightedLimb> weights;        ///< Limbs with weight, by clip.
   std::vector<int> loopingClips;            ///< Clips that the user marked as loops: releases wrap.

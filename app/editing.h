@@ -71,7 +71,7 @@ public:
     return done;
   }
 
-  void goTo(std::size_t position) { ///< Of the history. Cancels a drag first.
+  void goTo(std::size_t position) { ///< Goes to a position of the history. Cancels a drag first.
     cancel();
     history_.goTo(position);
     documentChanged();

@@ -18,12 +18,12 @@ namespace stretch::app {
 
 enum class Tone { info, success, warning, error };
 
-/// What is asked of the user about files; one question at a time.
+/// Question that is asked of the user about files; one question at a time.
 struct FileQuestion {
   enum class Kind {
     none,
     unsaved,   ///< Work would be lost: save, discard or cancel?
-    name,      ///< Where to save to? Answered by saveAs, or cancel.
+    name,      ///< Asks for the file to save to. Answered by saveAs, or cancel.
     overwrite, ///< Another program changed the file: overwrite, otherName or cancel?
     restore    ///< Work was left behind by a crash: restore or discard?
   };
@@ -39,7 +39,7 @@ public:
   virtual ~FileUser() = default;
   [[nodiscard]] virtual OpenDocument& open() = 0;
   virtual void tell(Tone tone, const std::string& text) = 0;
-  virtual void closing() = 0; ///< What is open goes in a moment.
+  virtual void closing() = 0; ///< Called before what is open goes.
   virtual void opened() = 0;  ///< Another document is open.
   virtual void saved(const std::filesystem::path& path) = 0;
   virtual void quit() = 0; ///< Nothing keeps the program from ending.
@@ -78,22 +78,22 @@ public:
   /// Now and then: takes up a file that was read, and keeps unsaved work aside. Seconds of a clock that only
   /// runs forward.
   void update(FileUser& user, double nowSeconds);
-  /// What is open goes: forgets the autosave.
+  /// Closes what is open and forgets the autosave.
   void close(FileUser& user);
 
   // State.
   [[nodiscard]] FileQuestion question() const;
   [[nodiscard]] bool isOpening() const { return opening_.has_value(); }
-  [[nodiscard]] std::string openingName() const; ///< As people call it; empty while nothing is opened.
+  [[nodiscard]] std::string openingName() const; ///< Name for people; empty while nothing is opened.
   [[nodiscard]] float openingShare() const;      ///< 0..1; < 0 unknown.
   [[nodiscard]] const std::filesystem::path& path() const {
     return path_;
-  } ///< As opened or saved last; empty: none is.
+  } ///< File as opened or saved last; empty: none is.
   /// Whether an autosave holds this very state, and where it is worked on.
   [[nodiscard]] bool isKeptAside(const Session& session) const;
 
 private:
-  /// What goes on once the unsaved work is settled.
+  /// Steps that go on once the unsaved work is settled.
   struct Nothing {};
   struct Quit {};
   struct OpenPaths {
@@ -123,7 +123,7 @@ private:
     Paths paths;
     std::optional<std::filesystem::path> restoreFrom; ///< Autosave to take up then.
     std::optional<Document> given;                    ///< Unsaved work that the user gave up for it.
-    std::optional<FileStamp> stamp;                   ///< Of the file, before it is read.
+    std::optional<FileStamp> stamp;                   ///< Stamp of the file, before it is read.
     std::shared_ptr<std::atomic<float>> share;
     std::future<Result<Opened>> work;
     std::optional<Opened> read; ///< Waits until it may be shown.
@@ -155,7 +155,7 @@ private:
   std::optional<Opening> opening_;
   std::filesystem::path path_;
   std::filesystem::path stampedPath_; ///< File whose stamp is kept.
-  std::optional<FileStamp> stamp_;    ///< As we last read or wrote it.
+  std::optional<FileStamp> stamp_;    ///< Stamp of the file as last read or written.
   bool changeTold_ = false;           ///< The user knows that the file changed.
   std::optional<KeptAside> keptAside_;
   double keptAsideSeconds_ = -1e9;

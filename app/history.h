@@ -7,8 +7,8 @@
 
 namespace stretch::app {
 
-/// What the steps of a history may take: hundreds of thousands of the usual ones, since a snapshot shares
-/// what did not change.
+/// Bytes that the steps of a history may take: hundreds of thousands of the usual ones, since a snapshot
+/// shares what did not change.
 inline constexpr std::size_t mostHistoryBytes = std::size_t{256} << 20U;
 
 /// Snapshots of a document with labels; undo and redo move an index. Where the steps take more than
@@ -62,8 +62,8 @@ public:
     return possible;
   }
 
-  /// What was done, the first first; entry 0 is the beginning and has no label, or what is left of steps that
-  /// went and has that of the last of them.
+  /// Labels of what was done, the first first; entry 0 is the beginning and has no label, or what is left of
+  /// steps that went and has that of the last of them.
   [[nodiscard]] std::vector<std::string> labels() const {
     std::vector<std::string> all;
     for (const Entry& entry : entries_) {
@@ -82,7 +82,7 @@ public:
   void markSaved() { savedIndex_ = index_; }
   [[nodiscard]] bool isSaved() const { return index_ == savedIndex_; }
 
-  /// What the steps take, about.
+  /// Bytes that the steps take, about.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
 private:

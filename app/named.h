@@ -6,7 +6,8 @@
 
 namespace stretch::app {
 
-// What people name in words, found in a document. `where` is the place of the words, for errors: the option
+// Things that people name in words, found in a document. `where` is the place of the words, for errors: the
+// option
 // "--limb" of a command line, the key "trails[0].limb" of a recipe.
 
 /// Index of a clip by name or by "#index"; an empty text is the first clip. Names that repeat ask for an

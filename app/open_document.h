@@ -9,7 +9,7 @@
 
 namespace stretch::app {
 
-/// What is open: nothing, a character or a mesh sequence, each with its history.
+/// Document that is open: nothing, a character or a mesh sequence, each with its history.
 class OpenDocument {
 public:
   OpenDocument() = default;
@@ -25,7 +25,7 @@ public:
   [[nodiscard]] SequenceSession* sequence();
   [[nodiscard]] const SequenceSession* sequence() const;
 
-  /// What `ask` answers of the session that is open, of either kind; `whenEmpty` without one.
+  /// Returns what `ask` answers of the session that is open, of either kind; `whenEmpty` without one.
   template <typename Answer, typename Ask>
   [[nodiscard]] Answer with(Answer whenEmpty, const Ask& ask) {
     if (Session* const open = character()) {

@@ -16,7 +16,7 @@
 
 namespace stretch::app {
 
-/// What controllers are offset by at one frame without a key: what was posed while auto-key is off. It is
+/// Offsets of controllers at one frame without a key: what was posed while auto-key is off. It is
 /// dropped when the playhead leaves the frame.
 struct UnkeyedPose {
   int clip = 0;
@@ -28,28 +28,28 @@ struct UnkeyedPose {
   friend bool operator==(const UnkeyedPose&, const UnkeyedPose&) = default;
 };
 
-/// What is selected and where the playhead stands: not part of the document, not undone (except that undo
+/// Selection and playhead: not part of the document, not undone (except that undo
 /// keeps it valid).
 struct ViewState {
   int clip = 0;
   double frame = 0.0; ///< Playhead, in frames of the clip.
   Selection selection;
-  bool mirrorLocators = true; ///< What moves a locator moves its counterpart.
+  bool mirrorLocators = true; ///< Whatever moves a locator moves its counterpart.
   bool showLocators = false;  ///< Also while joints stand at them: to be moved and bound again.
-  bool autoKey = true;        ///< What is posed is keyed at once.
+  bool autoKey = true;        ///< A pose is keyed at once.
   bool wholeClip = false;     ///< First keys act on the whole clip, not in the working range alone.
   UnkeyedPose unkeyed;
   double rangeStart = 0.0;   ///< The working range, for new trails.
   double rangeEnd = -1.0;    ///< < rangeStart: the stroke around the playhead is proposed.
   bool showOriginal = false; ///< While held: the character as it was.
   Mat3 cameraAxes{1.0}; ///< World columns of the view: right, up, towards the viewer; kept by the viewport.
-  std::optional<rig::Trail> copiedTrail; ///< What Paste pastes.
+  std::optional<rig::Trail> copiedTrail; ///< Trail that Paste pastes.
   /// The same while controllers are selected; moves in lengths of the controller (rig::Controller::length).
   std::optional<OffsetPose> copiedPose;
-  KeySelection pickedKeys;              ///< Of the viewed clip, in graph and dope sheet.
+  KeySelection pickedKeys;              ///< Keys of the viewed clip, in graph and dope sheet.
   int pickedClip = 0;                   ///< The clip that they are of.
   std::vector<KeyRow> keyRows;          ///< Those that the graph or the dope sheet shows.
-  std::optional<CopiedKeys> copiedKeys; ///< What Paste pastes there.
+  std::optional<CopiedKeys> copiedKeys; ///< Keys that Paste pastes there.
 };
 
 /// One open character being edited: the door for its edits, what is looked at, and the caches.
@@ -63,17 +63,18 @@ public:
   /// The character at a frame of the viewed clip, trails and weight included, at the playhead with what is
   /// posed there without a key; cached by identity.
   [[nodiscard]] const FrameState& frameAt(double frame);
-  /// What is looked at: the bind pose while locators are shown, which stand there; else as frameAt says.
+  /// Returns what is looked at: the bind pose while locators are shown, which stand there; else as frameAt
+  /// says.
   [[nodiscard]] const FrameState& shownAt(double frame);
-  /// The same without any of them.
+  /// Returns the frame without any of them.
   [[nodiscard]] const FrameState& originalAt(double frame);
-  /// Where every controller stands at a frame of the viewed clip, as frameAt shows it, and what each is drawn
-  /// as.
+  /// Returns the places of all controllers at a frame of the viewed clip, as frameAt shows it, and what each
+  /// is drawn as.
   [[nodiscard]] const std::vector<rig::PlacedController>& controllersAt(double frame);
   [[nodiscard]] const std::vector<rig::ControllerShape>& controllerShapes();
   /// The prepared trails of the viewed clip.
   [[nodiscard]] const rig::MotionState& motion();
-  /// The same, kept alive: another one is there as soon as anything about the trails is different.
+  /// Returns the motion, kept alive: another one is there as soon as anything about the trails is different.
   [[nodiscard]] std::shared_ptr<const rig::MotionState> sharedMotion();
   /// The paths of these trails, one for each trail of motion(). The document has clips.
   [[nodiscard]] const std::vector<TrailPaths>& paths(std::size_t samplesPerFrame);
@@ -82,11 +83,11 @@ public:
   /// has clips.
   [[nodiscard]] const Clip& shownClip();
 
-  /// What the limbs of the viewed clip that have weight come to.
+  /// Reports what the limbs of the viewed clip that have weight come to.
   [[nodiscard]] const std::vector<WeightReport>& weightReports();
 
-  /// Where the next plain save goes: back to a file that carries our work; else empty until the user saved
-  /// once, so that the source is never overwritten by the first save.
+  /// Returns where the next plain save goes: back to a file that carries our work; else empty until the user
+  /// saved once, so that the source is never overwritten by the first save.
   [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
   [[nodiscard]] std::filesystem::path proposedSavePath() const;
   Status save(const std::filesystem::path& path, bool clean);
@@ -109,7 +110,7 @@ private:
     int clip = -1;
     rig::Limb limb;
     std::vector<rig::Stroke> strokes;
-    std::optional<rig::Stroke> movement; ///< Where there are no strokes.
+    std::optional<rig::Stroke> movement; ///< Movement of a limb without strokes.
   };
   [[nodiscard]] const Strokes& knownStrokes(const rig::Limb& limb) const;
   struct Followed {
@@ -131,10 +132,10 @@ private:
 
   ViewState view_;
   EvaluationCache cache_;
-  FrameState bindPose_; ///< Of this scene:
+  FrameState bindPose_; ///< Bind pose of this scene:
   std::shared_ptr<const Scene> bindPoseOf_;
   std::optional<Posed> posed_;
-  mutable std::vector<Strokes> strokes_; ///< As last found, one for each limb.
+  mutable std::vector<Strokes> strokes_; ///< Strokes as last found, one for each limb.
   void followRate();                     ///< Playhead, range and what was copied stay where they are in time.
   void keepSelectedTrail(const std::vector<int>& appeared);
   void keepHandles();
@@ -143,9 +144,9 @@ private:
   Followed followed_;
   std::optional<Vec2> rangeBefore_; ///< The working range before a trail's took its place; nothing: none was
                                     ///< set.
-  Followed lost_;                   ///< What was selected when undo took it away: redo selects it again.
+  Followed lost_; ///< Selection that was there when undo took it away: redo selects it again.
   std::vector<double> lostSpheres_;
-  int ratedClip_ = -1; ///< Whose rate was this:
+  int ratedClip_ = -1; ///< Clip whose rate was this:
   double rate_ = 0.0;
   std::vector<int> knownTrails_; ///< Ids, as last shown.
   std::filesystem::path savePath_;

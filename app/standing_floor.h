@@ -12,8 +12,8 @@ namespace stretch::app {
 /// leg stands.
 [[nodiscard]] std::optional<double> standingAnkles(const Document& document, int clip);
 
-/// What a foot may stand on beside the floor, as boxes in the world: what holds a mesh, stands still in the
-/// clip, is not held in it and is no part of the body.
+/// Returns what a foot may stand on beside the floor, as boxes in the world: what holds a mesh, stands still
+/// in the clip, is not held in it and is no part of the body.
 [[nodiscard]] std::vector<Bounds> blocksOf(const Document& document, int clip);
 
 /// How high the top of the highest block under a place is, along +Y. Nothing where there is none.

@@ -15,7 +15,7 @@ namespace stretch::app {
 /// One option of a verb, while it is declared.
 class DeclaredOption {
 public:
-  /// What is wrong with a value, in one line; empty when nothing is.
+  /// Says in one line what is wrong with a value; empty when nothing is.
   using Check = std::function<std::string(const std::string& text)>;
 
   explicit DeclaredOption(CLI::Option& option) : option_(&option) {}

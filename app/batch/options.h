@@ -46,7 +46,7 @@ void addClipArguments(CommandLine& line, FileArguments& arguments);
 /// Declares --fps.
 void addFrameRate(CommandLine& line, double& framesPerSecond, const std::string& help);
 
-/// Where a verb writes.
+/// File that a verb writes.
 struct OutputFile {
   std::string path;
   bool inPlace = false; ///< It may be one of the files that the verb reads.
@@ -58,7 +58,7 @@ void addOutputFile(CommandLine& line, OutputFile& output, const std::string& hel
 /// Refuses an output that is one of the files that are read, under whatever name, unless that was asked for.
 [[nodiscard]] Status checkOutput(const OutputFile& output, const std::vector<std::string>& inputs);
 
-/// What a verb that writes a character file is told.
+/// Arguments of a verb that writes a character file.
 struct OutputArguments {
   OutputFile file;
   SaveOptions save;
@@ -79,7 +79,7 @@ struct JsonOutput {
 /// Declares --json and --json-line.
 void addJson(CommandLine& line, JsonOutput& json);
 
-/// What a mesh sequence may be, for the help of a verb.
+/// Kinds of mesh sequences, for the help of a verb.
 inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BASE CACHE (a mesh and its .pc2 "
                                              "or .mdd), an animated glTF, or a Sibernetic "
                                              "folder";
@@ -103,7 +103,7 @@ inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BAS
 [[nodiscard]] Status checkModuli(const std::vector<skinning::SegmentModuli::Range>& moduli, std::size_t bones,
                                  const std::string& where);
 
-/// What is wrong with the text of a range "A:B" that needs a length; empty when nothing is.
+/// Says what is wrong with the text of a range "A:B" that needs a length; empty when nothing is.
 [[nodiscard]] std::string problemOfRange(const std::string& text);
 
 /// The error with the file that it is about, where it does not say a place itself.
@@ -112,7 +112,7 @@ inline constexpr const char* sequenceWords = "a folder of OBJ or PLY frames, BAS
 /// The error as the command line tells it behind the option, which it names itself.
 [[nodiscard]] std::string withoutPlace(Error error);
 
-/// What was given for the settings of a schema: text by option, empty where nothing was.
+/// Texts given for the settings of a schema: text by option, empty where nothing was.
 struct SettingTexts {
   std::map<std::string, std::string> values;
   std::map<std::string, bool> flags;

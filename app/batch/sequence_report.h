@@ -13,10 +13,10 @@ namespace stretch::app {
 /// "mse", "rmse_percent", "sted" and what belongs to them, as `compress` and `compare` report them.
 [[nodiscard]] gltf::Json metricsJson(const skinning::SequenceMetrics& metrics);
 
-/// The same as lines of text, from the JSON.
+/// Prints the metrics as lines of text, from the JSON.
 void printMetrics(const gltf::Json& report);
 
-/// What `compress` reports: metrics, sizes, the fits with the frames they used, the parameters of the model.
+/// Report of `compress`: metrics, sizes, the fits with the frames they used, the parameters of the model.
 [[nodiscard]] gltf::Json compressionJson(const MeshSequence& sequence,
                                          const skinning::CompressedSequence& compressed,
                                          const skinning::EncodedClip& encoded);
@@ -25,7 +25,7 @@ void printMetrics(const gltf::Json& report);
 [[nodiscard]] Status addWrittenFile(const MeshSequence& sequence, const std::string& path,
                                     const skinning::EncodedClip& encoded, gltf::Json& report);
 
-/// The same as lines of text, from the JSON; warnings go to standard error.
+/// Prints the report as lines of text, from the JSON; warnings go to standard error.
 void printCompression(const gltf::Json& report);
 
 /// Curvature and length of the centre line as CSV, a line for each frame: measured, and the length that the

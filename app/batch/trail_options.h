@@ -18,7 +18,7 @@ struct TrailRequest {
 /// Declares --limb, --range and the option of every setting of a trail.
 void addTrailOptions(CommandLine& line);
 
-/// What was asked for, in the order of the command line. To be asked after the line was parsed.
+/// Trails that were asked for, in the order of the command line. To be asked after the line was parsed.
 [[nodiscard]] std::vector<TrailRequest> requestsOf(const CommandLine& line);
 
 /// The trails that were asked for, as a recipe would name them; chains join the document. Errors name the

@@ -7,10 +7,10 @@
 
 namespace stretch::app {
 
-/// What these trails of a clip come to, and the weight of its limbs, as `exaggerate` reports it.
+/// Outcome of these trails of a clip, and the weight of its limbs, as `exaggerate` reports it.
 [[nodiscard]] gltf::Json exaggerationJson(const Document& document, int clip, const std::vector<int>& ids);
 
-/// The same as lines of text; warnings on standard error.
+/// Prints the outcome as lines of text; warnings on standard error.
 void printExaggeration(const gltf::Json& report);
 
 /// The document's warnings and those about its body, as verbs report them.
@@ -22,10 +22,10 @@ void printExaggeration(const gltf::Json& report);
 /// Each of the list on standard error.
 void printWarnings(const gltf::Json& warnings);
 
-/// What the weight of each limb of a clip comes to, as `elastic` and `exaggerate` report it.
+/// Outcome of the weight of each limb of a clip, as `elastic` and `exaggerate` report it.
 [[nodiscard]] gltf::Json weightJson(const Document& document, int clip);
 
-/// The same as lines of text; warnings on standard error.
+/// Prints it as lines of text; warnings on standard error.
 void printWeight(const gltf::Json& limbs);
 
 } // namespace stretch::app

@@ -18,8 +18,8 @@ namespace stretch::app {
 enum class BindWay { volume, surface };
 
 struct BindRequest {
-  /// Where the joints are made, or, where the file has joints for them (jointsOfLocators), moved to. Nothing:
-  /// at the joints that the file has.
+  /// Places where the joints are made, or, where the file has joints for them (jointsOfLocators), moved to.
+  /// Nothing: at the joints that the file has.
   std::optional<rig::Locators> locators;
   BindWay way = BindWay::volume;
 };
@@ -35,7 +35,7 @@ struct BindReport {
 
 struct BoundMeshes {
   std::shared_ptr<const gltf::Source> source; ///< The document's, patched: nothing of it is renumbered.
-  std::vector<JointMove> moves;               ///< Of joints that were there already.
+  std::vector<JointMove> moves;               ///< Moves of joints that were there already.
   BindReport report;
 };
 

@@ -14,7 +14,7 @@ struct MeshToBind {
   NodeIndex node;
   int skin = -1;               ///< That it has; -1: none.
   Mat4 toWorld{1.0};           ///< From the mesh's space, in the pose that it is bound in.
-  std::size_t firstVertex = 0; ///< Of the body; its primitives follow each other.
+  std::size_t firstVertex = 0; ///< First vertex in the body; its primitives follow each other.
 };
 
 /// The meshes as one body in the world, in the pose that they are bound in.
@@ -26,8 +26,8 @@ struct BodyToBind {
 
 /// A skeleton to bind to.
 struct SkeletonToBind {
-  std::vector<NodeIndex> nodes;            ///< Of the document's scene, or behind its nodes those of `added`.
-  std::vector<Mat4> worlds;                ///< In the pose that meshes are bound in.
+  std::vector<NodeIndex> nodes; ///< Nodes of the document's scene, or behind its nodes those of `added`.
+  std::vector<Mat4> worlds;     ///< In the pose that meshes are bound in.
   std::vector<skinning::BindJoint> joints; ///< Their places and parents.
   std::vector<gltf::AddedNode> added;      ///< Joints that the file does not have yet.
 };

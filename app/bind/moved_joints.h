@@ -15,12 +15,12 @@ struct JointMove {
   NodeIndex node;
   Mat4 from; ///< World, in the bind pose.
   Mat4 to;
-  Mat4 parentFrom{1.0}; ///< The same of the node above it; identity without one.
+  Mat4 parentFrom{1.0}; ///< Likewise for the node above it; identity without one.
   Mat4 parentTo{1.0};
 };
 
-/// What takes the document's joints to locators that they stand for (jointsOfLocators): those, and what hangs
-/// on them, which keeps its place on the joint above. Empty where nothing moves.
+/// Moves that take the document's joints to locators that they stand for (jointsOfLocators): those, and what
+/// hangs on them, which keeps its place on the joint above. Empty where nothing moves.
 [[nodiscard]] std::vector<JointMove> movesTo(const Scene& scene, const rig::Locators& locators);
 
 /// The skeleton with the joints where they are moved to.

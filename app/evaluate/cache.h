@@ -47,7 +47,7 @@ private:
 class EvaluationCache {
 public:
   [[nodiscard]] std::shared_ptr<const rig::MotionState> motion(const Document& document, int clip);
-  /// Of the limbs with weight, in the order of Document::weights.
+  /// Reports of the limbs with weight, in the order of Document::weights.
   [[nodiscard]] const std::vector<WeightReport>& weightReports(const Document& document, int clip);
   [[nodiscard]] const FrameState& frame(const Document& document, int clip, double timeSeconds);
   [[nodiscard]] const FrameState& original(const Document& document, int clip, double timeSeconds);
@@ -58,7 +58,7 @@ public:
   /// there.
   [[nodiscard]] const Clip& keyed(const Document& document, int clip);
 
-  /// Where every controller stands (rig::placeControllers), and what each is drawn as.
+  /// Places of all controllers (rig::placeControllers), with the shapes that are drawn.
   [[nodiscard]] const std::vector<rig::PlacedController>& controllers(const Document& document, int clip,
                                                                       double timeSeconds);
   [[nodiscard]] const std::vector<rig::ControllerShape>& shapes(const Document& document, int clip);

@@ -14,7 +14,7 @@ namespace stretch::app {
 /// trails only move the character; the others are prepared too, so that their paths can be drawn.
 [[nodiscard]] rig::MotionState prepareMotion(const Document& document, int clip);
 
-/// What the limbs of a clip that have weight come to.
+/// Reports what the limbs of a clip that have weight come to.
 [[nodiscard]] std::vector<WeightReport> weightReports(const Document& document, int clip);
 
 /// The character at one time (seconds of the clip), trails, holds and weight included. The one function that

@@ -11,7 +11,7 @@
 
 namespace stretch::app {
 
-/// What every trail and the weight of one clip stand on: the clip and its adjustments.
+/// Ground that every trail and the weight of one clip stand on: the clip and its adjustments.
 struct EvaluationGround {
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<const std::vector<Clip>> clips;
@@ -20,7 +20,7 @@ struct EvaluationGround {
   double height = 1.0;
   std::vector<rig::Limb> limbs; ///< allLimbs.
   bool loops = false;
-  std::vector<rig::Adjustment> adjustments = {}; ///< Of the clip.
+  std::vector<rig::Adjustment> adjustments = {}; ///< Adjustments of the clip.
 
   friend bool operator==(const EvaluationGround&, const EvaluationGround&) = default;
 };
@@ -30,9 +30,9 @@ struct EvaluationGround {
 /// setting.
 struct EvaluationInput {
   EvaluationGround ground;
-  std::vector<rig::Trail> trails;    ///< Of the clip.
-  rig::Holds holds;                  ///< Of the clip.
-  std::vector<WeightedLimb> weights; ///< Of the clip.
+  std::vector<rig::Trail> trails;    ///< Trails of the clip.
+  rig::Holds holds;                  ///< Holds of the clip.
+  std::vector<WeightedLimb> weights; ///< Weights of the clip.
 
   friend bool operator==(const EvaluationInput&, const EvaluationInput&) = default;
 };
@@ -43,18 +43,18 @@ struct EvaluationInput {
 [[nodiscard]] const Clip& clipOrStill(const std::vector<Clip>& clips, int clip);
 [[nodiscard]] const Clip& clipOf(const EvaluationGround& ground);
 
-// What is made of an EvaluationInput before a time is known, one stage after the other. At a time the stages
-// are those of rig/motion/evaluate.h.
+// Stages that are made of an EvaluationInput before a time is known, one stage after the other. At a time the
+// stages are those of rig/motion/evaluate.h.
 
-/// What adjustments of the clip are solved on; the same for every one of them.
+/// Body that adjustments of the clip are solved on; the same for every one of them.
 [[nodiscard]] rig::AdjustedBody adjustedBody(const EvaluationGround& ground);
 
-/// What was made before, to be taken over; all of it may be missing.
+/// Work that was made before, to be taken over; all of it may be missing.
 struct EarlierWork {
   const rig::MotionState* sameGround = nullptr;                  ///< Solved on the same ground.
   std::shared_ptr<const rig::AdjustedBody> body = nullptr;       ///< adjustedBody of the ground.
   std::shared_ptr<const rig::BindPlaces> places = nullptr;       ///< bindPlaces of the scene.
-  std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Of a motion of the same clip.
+  std::shared_ptr<const rig::FrameTable> sourceFrames = nullptr; ///< Frames of a motion of the same clip.
 };
 
 /// The trails alone.
@@ -63,7 +63,7 @@ struct EarlierWork {
 /// Lets the clip's holds act on top of the trails. Answers whether there are any.
 bool addHolds(const EvaluationInput& input, rig::MotionState& motion);
 
-/// What the weight of the clip's limbs is worked out from.
+/// Input from which the weight of the clip's limbs is worked out.
 [[nodiscard]] WeightInput weightInput(const EvaluationInput& input);
 
 /// Puts the weight on top of trails and holds.

@@ -26,12 +26,12 @@ struct Finding {
   [[nodiscard]] std::string frames() const;
 };
 
-/// What an animator would stumble over when playing one trail.
+/// Findings that an animator would stumble over when playing one trail.
 struct Findings {
   Finding lengths;  ///< The limb over its source length.
   Finding turns;    ///< Radians between where it points and where it did.
   Finding vertices; ///< World units from a vertex to its place in the source.
-  Finding swings;   ///< The same where the limb's end itself goes as far: less than at the tip.
+  Finding swings;   ///< Likewise where the limb's end itself goes as far: less than at the tip.
   Finding jumps;    ///< World units by which the end jumps within a frame where it stops.
   Finding edges;    ///< An edge of the mesh over its length.
   Finding elbows;   ///< World units of an arm's joint above the head.
@@ -44,7 +44,7 @@ struct Findings {
   }
 
   [[nodiscard]] bool any() const;
-  [[nodiscard]] double firstFrame() const; ///< Of all findings.
+  [[nodiscard]] double firstFrame() const; ///< First frame of all findings.
   [[nodiscard]] double lastFrame() const;
   [[nodiscard]] std::vector<double> worstFrames() const; ///< One for each respect that something is found in.
 };
@@ -53,7 +53,7 @@ struct Findings {
 /// remedy that is tried.
 class TrailLook {
 public:
-  /// What is given has to outlive it.
+  /// Everything given has to outlive it.
   TrailLook(const Document& document, int clip, const rig::SolvedTrail& trail, LookAt what);
 
   /// `alone`: a motion of the one trail, with these or other settings.
@@ -63,7 +63,7 @@ public:
   /// Whether a node's place depends on the trail.
   [[nodiscard]] const std::vector<bool>& moved() const { return moved_; }
 
-  /// Of the body in the clip and in the bind pose, where no floor is known for the limb's end.
+  /// Lowest place of the body in the clip and in the bind pose, where no floor is known for the limb's end.
   [[nodiscard]] std::optional<double> lowestPlace() const { return lowestPlace_; }
 
 private:

@@ -11,7 +11,7 @@ namespace stretch::app {
 /// Whether the clip's last pose is its first again: played as a loop it has no jump.
 [[nodiscard]] bool endsMeet(const Document& document, int clip);
 
-/// What is wrong with a limb's way back to the clip's own motion.
+/// Fault in a limb's way back to the clip's own motion.
 struct WayBackProblem {
   std::string what;       ///< "the way back is cut to 1 frame by the clip's end, ..."
   bool loopHelps = false; ///< Marking the clip as a loop mends it, for its ends meet.

@@ -11,14 +11,14 @@ namespace stretch::app {
 /// Work that was not saved when the program went away. The work is small (trails and settings, not the
 /// character), so it is written to the side every few seconds.
 struct Autosave {
-  std::filesystem::path file;   ///< Of the autosave itself.
-  std::filesystem::path source; ///< What was being edited.
+  std::filesystem::path file;   ///< Path of the autosave itself.
+  std::filesystem::path source; ///< File that was being edited.
 };
 
-/// Where this process keeps the unsaved work on a file: each window that is open on it has its own.
+/// Path at which this process keeps the unsaved work on a file: each window that is open on it has its own.
 [[nodiscard]] std::filesystem::path autosavePath(const std::filesystem::path& source);
 
-/// Where the artist was.
+/// Clip and frame at which the artist was.
 struct WorkPlace {
   int clip = 0;
   double frame = 0.0;

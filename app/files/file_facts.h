@@ -7,7 +7,8 @@
 
 namespace stretch::app {
 
-/// What a file says of itself before it is opened: read from its head alone, buffers and images untouched.
+/// Facts that a file tells of itself before it is opened: read from its head alone, buffers and images
+/// untouched.
 struct FileFacts {
   struct ClipFacts {
     std::string name; ///< Empty where the file gives none.
@@ -17,7 +18,7 @@ struct FileFacts {
   std::uintmax_t bytes = 0;
   bool isScene = false; ///< The numbers below were read.
   int meshes = 0;
-  int joints = 0; ///< Of all skins together, each once.
+  int joints = 0; ///< Joints of all skins together, each once.
   std::vector<ClipFacts> clips;
   bool carriesWork = false; ///< Saved by this program, with trails and settings.
   std::string problem;      ///< Why nothing more can be said.

@@ -13,7 +13,7 @@ struct SaveOptions {
   bool keepSkeleton = false;  ///< Stretch through translations only: the joint list stays as it is.
 };
 
-/// What saving changes in the file: the clips re-keyed with the connected trails and the weight of limbs,
+/// Edits that saving makes in the file: the clips re-keyed with the connected trails and the weight of limbs,
 /// bind leaves, skin slots, and the work.
 [[nodiscard]] Result<gltf::Edits> editsOf(const Document& document, const SaveOptions& options);
 

@@ -6,15 +6,15 @@
 
 namespace stretch::app {
 
-/// Where a user's own files lie: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or their
-/// defaults below the home folder; below the temporary folder where there is no home.
+/// Folders of a user's own files: $XDG_CONFIG_HOME/stretch-engine and $XDG_STATE_HOME/stretch-engine, or
+/// their defaults below the home folder; below the temporary folder where there is no home.
 [[nodiscard]] std::filesystem::path configFolder();
 [[nodiscard]] std::filesystem::path stateFolder();
 
 /// A short name for a path that is the same at every start: "punch-1f03a9c2".
 [[nodiscard]] std::string nameFor(const std::filesystem::path& path);
 
-/// What a file looked like, to tell later whether another program changed it.
+/// State of a file, to tell later whether another program changed it.
 struct FileStamp {
   std::filesystem::file_time_type time{};
   std::uintmax_t bytes = 0;

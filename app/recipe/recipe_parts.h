@@ -16,12 +16,12 @@ namespace stretch::app {
 
 // For the sources that read and write parts of a recipe.
 
-/// What a part of a recipe is read for.
+/// Document and clip that a part of a recipe is read for.
 struct RecipeGround {
   const Document& document;
   int clip = 0;
   bool inMetres = false;
-  double lastFrame = 0.0; ///< Of the clip, counted as the recipe counts.
+  double lastFrame = 0.0; ///< Last frame of the clip, counted as the recipe counts.
 };
 
 /// Lengths in those of the controller's limb, or in world units; angles in degrees.
@@ -61,7 +61,7 @@ void addHoldsToRecipe(const Document& document, int clip, gltf::Json& recipe);
 /// The entry of a prop, by the file that its node was added with, where it was.
 [[nodiscard]] gltf::Json withFileOfProp(const Document& document, const rig::Prop& prop, gltf::Json entry);
 
-/// What a recipe counts the lengths of props and of the body in.
+/// Unit of a recipe's lengths of props and of the body.
 [[nodiscard]] double lengthOfBody(const Document& document);
 
 } // namespace stretch::app

@@ -8,14 +8,14 @@
 
 namespace stretch::app {
 
-/// What the numbers of an adjustment count in where they are written: lengths in world units, angles in
+/// Units of the numbers of an adjustment where they are written: lengths in world units, angles in
 /// radians.
 struct AdjustmentUnits {
   double length = 1.0;
   double angle = 1.0;
 };
 
-/// What an entry of the list "adjustments" names: a controller or an attribute.
+/// Name in an entry of the list "adjustments": a controller or an attribute.
 struct AdjustedName {
   std::string id;
   bool isAttribute = false;

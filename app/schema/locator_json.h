@@ -18,7 +18,7 @@ namespace stretch::app {
 /// place or turn, two joints of one bone in one place.
 [[nodiscard]] Result<rig::Locators> locatorsFromJson(const gltf::Json& json);
 
-/// The same from a file.
+/// Reads locators from a file.
 [[nodiscard]] Result<rig::Locators> loadLocators(const std::filesystem::path& path);
 
 } // namespace stretch::app

@@ -26,7 +26,7 @@ struct SettingChoice {
 struct SettingRow {
   std::string section = {};           ///< Part of the panel; empty: only the window's own controls show it.
   std::string label = {};             ///< Empty: made from the name.
-  std::optional<double> minimum = {}; ///< What dragging offers; typing takes the whole range.
+  std::optional<double> minimum = {}; ///< Least value that dragging offers; typing takes the whole range.
   std::optional<double> maximum = {};
   double step = 0.01;    ///< Dragged values are multiples of it,
   double fineStep = 0.0; ///< or with Shift of this; 0: of the step.
@@ -37,10 +37,10 @@ struct SettingRow {
   bool typed = false;         ///< A text field without a slider: values over many powers of ten.
 };
 
-/// What there is to say about a setting, whatever it belongs to.
+/// Facts about a setting, whatever it belongs to.
 struct SettingFacts {
   std::string name;     ///< Key in files: "ease_in".
-  double minimum = 0.0; ///< Of numbers, inclusive.
+  double minimum = 0.0; ///< Least number, inclusive.
   double maximum = 0.0;
   std::string unit = {};                   ///< "frames", "Pa"; empty for plain numbers.
   std::vector<SettingChoice> choices = {}; ///< In the order of the enumeration.
@@ -57,7 +57,7 @@ struct SettingFacts {
 template <typename Settings>
 struct Setting : SettingFacts {
   std::function<gltf::Json(const Settings&)> read;
-  std::function<void(const gltf::Json&, Settings&)> write; ///< Of a value that was checked.
+  std::function<void(const gltf::Json&, Settings&)> write; ///< Writes a value that was checked.
 };
 
 template <typename Settings>
@@ -70,7 +70,7 @@ using Schema = std::vector<Setting<Settings>>;
 /// option.
 [[nodiscard]] Result<gltf::Json> valueOfText(const SettingFacts& setting, const std::string& text);
 
-/// What the setting takes, in words: "a number from 0 to 5".
+/// Says in words what the setting takes: "a number from 0 to 5".
 [[nodiscard]] std::string takenValues(const SettingFacts& setting);
 
 /// Help of the option: the sentence, choices or unit, and the default; of a flag that is on by default, that

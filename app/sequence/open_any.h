@@ -9,7 +9,7 @@
 
 namespace stretch::app {
 
-/// What a path turned out to be.
+/// Document of the kind that a path turned out to be.
 using Opened = std::variant<Document, SequenceDocument>;
 
 /// Whether the paths can only name a mesh sequence: a folder, a mesh or a cache, or two of them.

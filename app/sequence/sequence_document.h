@@ -14,14 +14,14 @@
 
 namespace stretch::app {
 
-/// What is measured of a body before anything is compressed.
+/// Measures of a body, taken before anything is compressed.
 struct SequenceAnalysis {
   std::vector<double> vertexDiameters;     ///< Shape diameter around each vertex, mesh units; empty where the
                                            ///< surface encloses nothing.
   std::vector<std::vector<Vec3>> joints;   ///< The centre line of each frame; empty for a body without one.
   std::vector<std::size_t> vertexSegments; ///< Segment of the centre line that each vertex belongs to; empty
                                            ///< for a body without one.
-  std::vector<skinning::CurvatureLength> measured; ///< Of the centre line, one for each frame.
+  std::vector<skinning::CurvatureLength> measured; ///< Lengths of the centre line, one for each frame.
   std::string problem;                             ///< Why something is missing, one line; empty otherwise.
   Vec3 low{0.0};                                   ///< The box around all frames.
   Vec3 high{0.0};
@@ -44,17 +44,18 @@ struct ExportedClip {
 struct WrittenClip {
   std::filesystem::path path;
   std::shared_ptr<const ExportedClip> clip;
-  skinning::SequenceMetrics metrics; ///< Of the file that was read back, against the sequence.
+  skinning::SequenceMetrics metrics; ///< Metrics of the file that was read back, against the sequence.
 };
 
 /// A mesh sequence that is open: a value whose large parts are shared and never change.
 struct SequenceDocument {
-  std::vector<std::filesystem::path> paths; ///< As opened: a folder or file, or a base mesh and its cache.
+  std::vector<std::filesystem::path> paths; ///< Paths as opened: a folder or file, or a base mesh and its
+                                            ///< cache.
   std::shared_ptr<const MeshSequence> mesh;
   std::shared_ptr<const SequenceAnalysis> analysis;
   skinning::CompressSettings settings; ///< For the next compression.
   std::filesystem::path skeletonFile;  ///< That the skeleton of the settings is from; empty without one.
-  skinning::EncodeSettings encoding{.quantise = true}; ///< Of what is exported.
+  skinning::EncodeSettings encoding{.quantise = true}; ///< Settings of the export.
   std::shared_ptr<const Compression> result;           ///< Null: nothing was compressed yet.
 };
 

@@ -11,13 +11,13 @@
 
 namespace stretch::app {
 
-/// What a compression made: the result, and how it would be written.
+/// Outcome of a compression: the result, and how it would be written.
 struct CompressedClip {
   std::shared_ptr<const Compression> result;
   std::shared_ptr<const ExportedClip> clip;
 };
 
-/// What is shown of a sequence.
+/// Looks in which a sequence is shown.
 enum class SequenceLook {
   material,  ///< The materials of its source.
   compare,   ///< Red for the original, green for the skinned result.
@@ -27,11 +27,11 @@ enum class SequenceLook {
   cylinders  ///< The segments as cylinders, as the elastic model sees them.
 };
 
-/// What is looked at: not part of the document.
+/// View of a sequence: not part of the document.
 struct SequenceView {
   double frame = 0.0; ///< Playhead.
   bool showOriginal = true;
-  bool showSkinned = true; ///< Where there is a result.
+  bool showSkinned = true; ///< Shown where there is a result.
   SequenceLook look = SequenceLook::material;
 };
 
@@ -80,8 +80,8 @@ private:
 
   SequenceView view_;
   std::shared_ptr<const ExportedClip> clip_; ///< The last that was encoded; may be left from other settings.
-  ExportedClip encodes_;                     ///< What `encoding_` was asked for; its clip is empty.
-  ExportedClip unwanted_; ///< What was cancelled: not encoded again by itself. Its clip is empty.
+  ExportedClip encodes_;                     ///< Export that `encoding_` was asked for; its clip is empty.
+  ExportedClip unwanted_; ///< Export that was cancelled: not encoded again by itself. Its clip is empty.
   std::unique_ptr<Job<CompressedClip>> compression_; ///< Null: none is being made; so the others.
   std::unique_ptr<Job<ExportedClip>> encoding_;
   std::unique_ptr<Job<WrittenClip>> export_;

@@ -31,7 +31,7 @@ void wrapList(std::vector<T>& list, const LoopRoom& room) {
   list = std::move(wrapped);
 }
 
-/// The same for places of joints (of a limb, base first): what the base travels in one turn is added up.
+/// Wraps places of joints (of a limb, base first): what the base travels in one turn is added up.
 void wrapJoints(std::vector<std::vector<Vec3>>& joints, const LoopRoom& room);
 
 } // namespace stretch::app

@@ -9,7 +9,7 @@
 
 namespace stretch::app {
 
-/// What the weight of one limb came to.
+/// Outcome of the weight of one limb.
 struct WeightReport {
   std::string limb;
   double youngModulus = 0.0;  ///< Pa, as used: given or chosen.

@@ -11,14 +11,14 @@
 
 namespace stretch::app {
 
-/// What the weight of the limbs of one clip is worked out from.
+/// Input from which the weight of the limbs of one clip is worked out.
 struct WeightInput {
   std::shared_ptr<const Scene> scene;
   const Clip* clip = nullptr;
   std::vector<rig::Limb> limbs;      ///< All limbs that weight may name, chains included.
-  double height = 1.0;               ///< Of the character, world units, > 0.
+  double height = 1.0;               ///< Height of the character, world units, > 0.
   bool loops = false;                ///< The clip goes on with its own beginning.
-  std::vector<WeightedLimb> weights; ///< Of this clip; what is off or names no limb is passed over.
+  std::vector<WeightedLimb> weights; ///< Weights of this clip; what is off or names no limb is passed over.
 
   [[nodiscard]] double metresPerUnit() const { return characterHeightMetres / height; }
 };
@@ -30,8 +30,8 @@ struct WeightInput {
 /// character of characterHeightMetres, and how its space lies.
 struct SampledClip {
   double samplesPerSecond = 30.0;
-  std::vector<double> seconds; ///< Of the samples, even; 48 to 96 of them per second; every frame is one
-                               ///< of them unless there are more frames than that.
+  std::vector<double> seconds; ///< Times of the samples, even; 48 to 96 of them per second; every frame is
+                               ///< one of them unless there are more frames than that.
   struct OfLimb {
     rig::Limb limb;
     std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.

@@ -13,7 +13,7 @@ struct Standing {
   std::vector<std::string> legs;
   std::vector<std::vector<double>> planted; ///< 0..1.
   std::vector<std::vector<double>> kept;    ///< How much the foot keeps its place, 0..1: 1 where it touches.
-  std::vector<std::vector<double>> shares;  ///< Of the body above, 0..1.
+  std::vector<std::vector<double>> shares;  ///< Shares of the body above, 0..1.
 
   /// `legs.size()` for a limb that is not a leg.
   [[nodiscard]] std::size_t indexOf(const std::string& limb) const {

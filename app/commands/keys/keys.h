@@ -7,7 +7,7 @@
 
 namespace stretch::app {
 
-// What commands of graph and dope sheet act on.
+// Keys that commands of graph and dope sheet act on.
 
 /// Picks keys of the viewed clip; `add`: beside those that are picked.
 void pickKeys(Session& session, const KeySelection& selection, bool add);

@@ -19,14 +19,14 @@ struct KeysModal {
   Lock lock = Lock::none;
   bool valuesShown = true;  ///< Else there is nothing but time: the dope sheet.
   bool wholeFrames = true;  ///< Keys come to stand on whole frames.
-  double aboutFrame = 0.0;  ///< Of a scale:
+  double aboutFrame = 0.0;  ///< For a scale:
   double aboutValue = 0.0;  ///< the playhead, and the value that the mouse began at.
   double mouseFrames = 0.0; ///< How far the mouse has pulled, frames and shown units;
   double mouseValue = 0.0;
   double mouseFactor = 1.0; ///< of a scale, how many times as far from the playhead it is.
   double arrowFrames = 0.0;
   double arrowValue = 0.0;
-  double valueStep = 1.0; ///< What Up and Down move by, shown units.
+  double valueStep = 1.0; ///< Step of Up and Down, shown units.
   TypedNumber typed; ///< Replaces mouse and arrows: frames (or the value where that is locked), a factor.
 };
 

@@ -19,7 +19,7 @@ enum class ControllerMotion { move, turn };
 struct AxisLock {
   std::optional<int> axis; ///< 0 x, 1 y, 2 z; none: free.
   bool plane = false;      ///< `axis` is what is left out.
-  bool ofCarrier = false;  ///< Of each controller's carrier, not of the world.
+  bool ofCarrier = false;  ///< Along the axes of each controller's carrier, not of the world.
 
   friend bool operator==(const AxisLock&, const AxisLock&) = default;
 };
@@ -30,7 +30,7 @@ struct ControllerModal {
   ControllerMotion motion = ControllerMotion::move;
   Mat3 viewAxes{1.0};        ///< World columns: right, up, towards the viewer.
   double arrowUnits = 0.0;   ///< World units that one arrow key moves, Shift ten times, Ctrl a tenth.
-  Vec3 mouseWorld{0.0};      ///< Where the mouse has pulled.
+  Vec3 mouseWorld{0.0};      ///< Way that the mouse has pulled.
   Vec3 arrowsWorld{0.0};     ///< Gathered by the arrow keys.
   double mouseRadians = 0.0; ///< How far the mouse has turned; may be more than a turn.
   AxisLock lock;
@@ -61,7 +61,7 @@ struct HeldController {
                                                           std::span<const rig::PlacedController> selected,
                                                           std::span<const ControllerOffset> offsets);
 
-/// What the modal makes of them: moved together, turned each about its own place.
+/// Returns the offsets as the modal changes them: moved together, turned each about its own place.
 [[nodiscard]] std::vector<ControllerOffset> changedOffsets(const ControllerModal& modal,
                                                            std::span<const HeldController> held);
 

@@ -13,10 +13,11 @@ namespace stretch::app {
 
 // Posing the viewed clip at the playhead, as commands, tools and panels do it.
 
-/// Where a first key acts: in the working range, on the whole clip where none is set or the user chose so.
+/// Returns the range in which a first key acts: in the working range, on the whole clip where none is set or
+/// the user chose so.
 [[nodiscard]] KeyRange keyRange(const Session& session);
 
-/// What a controller is offset by at the playhead, keyed or not.
+/// Returns the offset of a controller at the playhead, keyed or not.
 [[nodiscard]] ControllerOffset shownOffset(const Session& session, const std::string& id);
 [[nodiscard]] double shownValue(const Session& session, const std::string& id);
 
@@ -27,10 +28,11 @@ namespace stretch::app {
 [[nodiscard]] std::vector<rig::Attribute> attributesOf(const Session& session,
                                                        std::span<const rig::Controller> controllers);
 
-/// What posing acts on: the selected controllers and the attributes that go with them (attributesHeldBy).
+/// Lists what posing acts on: the selected controllers and the attributes that go with them
+/// (attributesHeldBy).
 [[nodiscard]] std::vector<std::string> posedIds(const Session& session);
 
-/// What these are offset by at the playhead, keyed or not.
+/// Returns the offsets of these at the playhead, keyed or not.
 [[nodiscard]] OffsetPose shownPose(const Session& session, std::span<const std::string> ids);
 
 /// Frames at which these have keys in the viewed clip, in order, each once.
@@ -45,7 +47,7 @@ Status endOffsetsHere(Session& session, bool start);
 
 /// Posing acts on something that has a key before the playhead and one after it; ends of ranges count.
 [[nodiscard]] bool canTween(const Session& session);
-/// What posing acts on, between these keys (tweenedPose).
+/// Returns the pose of what posing acts on, between these keys (tweenedPose).
 [[nodiscard]] OffsetPose tweened(const Session& session, double between);
 
 /// Whether what posing acts on holds over the whole clip: as it is adjusted at the playhead, else as a first
@@ -58,7 +60,7 @@ Status keyPose(Session& session, const OffsetPose& pose, const std::string& labe
 /// One finished step: keyed at the playhead, or shown without a key while auto-key is off.
 Status poseAll(Session& session, const OffsetPose& pose, const std::string& label);
 
-/// The same within a drag that was begun; each preview is made from the state at its beginning.
+/// Poses within a drag that was begun; each preview is made from the state at its beginning.
 Status previewPose(Session& session, const OffsetPose& pose);
 
 /// "Move the left hand", "Turn 3 controllers".

@@ -9,11 +9,11 @@
 
 namespace stretch::app {
 
-/// What an edit did, as the history, menus and messages name it: its label, the limbs that it changed and
-/// the value that they have since. "Exaggerate – left arm ×3", "Change the range – left arm 21 to 27".
+/// Says what an edit did, as the history, menus and messages name it: its label, the limbs that it changed
+/// and the value that they have since. "Exaggerate – left arm ×3", "Change the range – left arm 21 to 27".
 [[nodiscard]] std::string stepText(const std::string& label, const Document& before, const Document& after);
 
-/// The same of a mesh sequence: "Change the bones – 20".
+/// Says what an edit of a mesh sequence did: "Change the bones – 20".
 [[nodiscard]] std::string stepText(const std::string& label, const SequenceDocument& before,
                                    const SequenceDocument& after);
 

@@ -31,7 +31,7 @@ inline constexpr const char* selectNeck = "limb.neck";
 inline constexpr const char* selectSeventh = "limb.seventh";
 inline constexpr const char* selectEighth = "limb.eighth";
 inline constexpr const char* selectNinth = "limb.ninth";
-/// Of the keys 1 to 9: limbs in the order in which the diagram shows them. Named by a biped's.
+/// Commands of the keys 1 to 9: limbs in the order in which the diagram shows them. Named by a biped's.
 inline constexpr std::array<const char*, 9> limbSlots{selectLeftArm,  selectRightArm, selectLeftLeg,
                                                       selectRightLeg, selectSpine,    selectNeck,
                                                       selectSeventh,  selectEighth,   selectNinth};
@@ -152,7 +152,7 @@ inline constexpr const char* controllersOfNeck = "controller.neck";
 inline constexpr const char* controllersOfHips = "controller.hips";
 inline constexpr const char* controllersOfEighth = "controller.eighth";
 inline constexpr const char* controllersOfNinth = "controller.ninth";
-/// Of the keys Alt+1 to Alt+9: controllers of the limbs in the same order, then the hips.
+/// Commands of the keys Alt+1 to Alt+9: controllers of the limbs in the same order, then the hips.
 inline constexpr std::array<const char*, 9> controllerSlots{
     controllersOfLeftArm,  controllersOfRightArm, controllersOfLeftLeg,
     controllersOfRightLeg, controllersOfSpine,    controllersOfNeck,

@@ -17,7 +17,7 @@ namespace stretch::app {
 /// named.
 [[nodiscard]] std::vector<double> keyFrames(const Document& document, int clip,
                                             const std::vector<std::string>& limbIds);
-/// Of the viewed clip as it is shown: with the keys of applied trails.
+/// Frames of keys of the viewed clip as it is shown: with the keys of applied trails.
 [[nodiscard]] std::vector<double> shownKeyFrames(Session& session, const std::vector<std::string>& limbIds);
 
 } // namespace stretch::app

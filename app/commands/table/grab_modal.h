@@ -14,7 +14,7 @@ namespace stretch::app {
 struct GrabModal {
   Mat3 viewAxes{1.0};      ///< World columns: right, up, towards the viewer.
   double arrowUnits = 0.0; ///< World units that one arrow key moves; Shift ten times, Ctrl a tenth.
-  Vec3 mouseWorld{0.0};    ///< Where the mouse has pulled, in the view plane.
+  Vec3 mouseWorld{0.0};    ///< Way that the mouse has pulled, in the view plane.
   Vec3 arrowsWorld{0.0};   ///< Gathered by the arrow keys.
   std::optional<int> axis; ///< 0 x, 1 y, 2 z of the world.
   bool plane = false;      ///< `axis` is what is left out.

@@ -52,15 +52,16 @@ struct Chord {
 /// One press (or repeat) of a key, as the window reports it.
 struct KeyPress {
   Chord chord;
-  /// What the user's layout prints for the key without modifiers, in lower case; 0 when it prints nothing or
-  /// is not known. Keys that are typed for what they say (x, y, z) are read by this, commands by position.
+  /// Letter that the user's layout prints for the key without modifiers, in lower case; 0 when it prints
+  /// nothing or is not known. Keys that are typed for what they say (x, y, z) are read by this, commands by
+  /// position.
   char letter = 0;
 };
 
 /// "Ctrl+Shift+Z", "[", "Numpad 1", "?" (which is Shift+/). Modifiers in any order; case does not matter.
 [[nodiscard]] std::optional<Chord> parseChord(std::string_view text);
 
-/// As `parseChord` reads it, modifiers in the order Ctrl, Shift, Alt.
+/// Returns the text that `parseChord` reads, modifiers in the order Ctrl, Shift, Alt.
 [[nodiscard]] std::string chordText(const Chord& chord);
 
 /// Name of a key without modifiers: "Page Up". Empty for Key::none.
@@ -72,7 +73,7 @@ struct KeyPress {
 /// Whether the key types a decimal separator: period, comma, or the numeric pad's.
 [[nodiscard]] bool isDecimalSeparator(Key key);
 
-/// What the key is typed for: the layout's letter, else the position's.
+/// Returns the letter that the key is typed for: the layout's letter, else the position's.
 [[nodiscard]] char typedLetter(const KeyPress& press);
 
 } // namespace stretch::app

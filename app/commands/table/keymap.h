@@ -11,10 +11,10 @@
 
 namespace stretch::app {
 
-/// What keys need to know of a command.
+/// Facts that keys need to know of a command.
 struct KeyedCommand {
   std::string id;
-  std::vector<std::string> defaultKeys; ///< As Command::keys.
+  std::vector<std::string> defaultKeys; ///< Copied from Command::keys.
 };
 
 /// Which key runs which command: the defaults of the commands, with what the user changed on top.

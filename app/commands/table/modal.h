@@ -9,14 +9,14 @@
 
 namespace stretch::app {
 
-/// What a key did to a modal tool, which takes all keys until it ends.
+/// Outcome of a key for a modal tool, which takes all keys until it ends.
 enum class ModalOutcome {
   running,
   keep,   ///< Ends: the preview becomes one undo step.
   restore ///< Ends: everything is as before.
 };
 
-/// What a key does right now, for the status bar.
+/// Meaning of a key right now, for the status bar.
 struct ModalHint {
   std::string key;
   std::string does;
@@ -40,8 +40,9 @@ inline constexpr std::array<char, 3> axisNames{'X', 'Y', 'Z'};
 /// 0 for x, 1 for y, 2 for z; nothing for another letter.
 [[nodiscard]] std::optional<int> axisOf(char letter);
 
-/// What an arrow or page key nudges: right, up, towards the viewer, times the step (Shift ten times, Ctrl a
-/// tenth); zero for other keys. `viewAxes`: world columns: right, up, towards the viewer.
+/// Direction and length of an arrow's or page key's nudge: right, up, towards the viewer, times the step
+/// (Shift ten times, Ctrl a tenth); zero for other keys. `viewAxes`: world columns: right, up, towards the
+/// viewer.
 [[nodiscard]] Vec3 nudgeOf(const Chord& chord, const Mat3& viewAxes, double stepUnits);
 
 } // namespace stretch::app

@@ -4,7 +4,7 @@
 
 namespace stretch::app {
 
-// What several tables of commands need before their commands are on.
+// Conditions that several tables of commands need before their commands are on.
 
 [[nodiscard]] Need clipNeeded();          ///< A clip is viewed.
 [[nodiscard]] Need limbNeeded();          ///< A limb is selected, in a clip.

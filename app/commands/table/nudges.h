@@ -12,13 +12,14 @@ namespace stretch::app {
 /// Ids of the commands that nudge controllers begin with it.
 inline constexpr const char* controllerNudges = "controller.nudge-";
 
-/// What arrows and page keys move.
+/// Subject that arrows and page keys move.
 struct NudgeSubject {
   std::string idPrefix; ///< "sphere.nudge-": the direction and the reach follow.
   std::string words;    ///< "the selected spheres".
   bool ownsKeys = true; ///< Else the keys come to it through another command.
   Need need;
-  std::string otherwisePrefix; ///< Of the commands that the keys run while it is off; empty: what steps time.
+  std::string otherwisePrefix; ///< Prefix of the commands that the keys run while it is off; empty: what
+                               ///< steps time.
   std::function<Status(Session&, const Chord&)> nudge;
 };
 

@@ -7,8 +7,8 @@
 
 namespace stretch::app {
 
-/// What ends past the end of a clip, such as after keys were taken from its end: "trail of left arm (20 to
-/// 30)". It is kept, and acts as far as the clip goes.
+/// Lists what ends past the end of a clip, such as after keys were taken from its end: "trail of left arm (20
+/// to 30)". It is kept, and acts as far as the clip goes.
 [[nodiscard]] std::vector<std::string> standingPastEnd(const Document& document, int clip);
 
 } // namespace stretch::app

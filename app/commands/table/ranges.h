@@ -30,7 +30,7 @@ namespace stretch::app {
 /// together), where the limb makes no stroke, or none there while the playhead stands at a place in time.
 [[nodiscard]] Vec2 rangeBeside(const Session& session, const rig::Limb& limb, const Vec2& leading);
 
-/// The same about another stroke of the leading limb, wherever the playhead stands.
+/// Returns the range about another stroke of the leading limb, wherever the playhead stands.
 [[nodiscard]] Vec2 rangeBesideStroke(const Session& session, const rig::Limb& limb, const Vec2& leading);
 
 /// Whether the stroke goes on where the clip begins again: a limb that is in full swing at both ends of a
@@ -50,7 +50,7 @@ struct RangeClash {
   std::string limb; ///< Limb id.
   Vec2 present{0.0};
   Vec2 wanted{0.0};
-  std::optional<Vec2> beside; ///< Where there is room for another one.
+  std::optional<Vec2> beside; ///< Range where there is room for another one.
 };
 /// Nothing when exaggerating the selection leaves no doubt about what is meant.
 [[nodiscard]] std::optional<RangeClash> rangeClash(const Session& session);

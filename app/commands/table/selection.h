@@ -9,7 +9,8 @@
 
 namespace stretch::app {
 
-// What commands act on: pure questions to the session's view state, and the few ways of changing it.
+// Selection that commands act on: pure questions to the session's view state, and the few ways of changing
+// it.
 
 /// Selects a limb alone, or adds it (again: takes it away). Its trail at the playhead becomes the selected
 /// one, else none: the next one is made where the playhead stands.
@@ -30,8 +31,8 @@ void selectGroup(Session& session, int trailId);
 /// the playhead stands, else each limb's only one.
 [[nodiscard]] std::vector<int> targetTrails(const Session& session);
 
-/// Of these trails the ones over the selected one's range: its ends are changed together, other ranges stay.
-/// While something is dragged, as it was when that began.
+/// Returns those of these trails that lie over the selected one's range: its ends are changed together, other
+/// ranges stay. While something is dragged, as it was when that began.
 [[nodiscard]] std::vector<int> targetsOfRange(const Session& session);
 
 /// The limbs that commands about a limb's weight act on: the selected ones, else the selected trail's.
@@ -76,13 +77,13 @@ void selectLocators(Session& session, std::vector<std::string> names);
 /// How people call a limb, of a body that may lack it: "left arm", or the chain's id.
 [[nodiscard]] std::string limbTitle(const Document& document, const std::string& limbId);
 
-/// The same of the limb that a key goes to, from 0; "eighth limb" where the body has fewer.
+/// Returns the title of the limb that a key goes to, from 0; "eighth limb" where the body has fewer.
 [[nodiscard]] std::string limbTitleOfKey(const Document& document, std::size_t key);
 
-/// What a trail is called: its own name, else that of its limb.
+/// Returns a trail's title: its own name, else that of its limb.
 [[nodiscard]] std::string trailTitle(const Document& document, const rig::Trail& trail);
 
-/// What a group is called: its own name, else its limbs: "left arm, right arm and spine".
+/// Returns a group's title: its own name, else its limbs: "left arm, right arm and spine".
 [[nodiscard]] std::string groupTitle(const Document& document, const std::vector<int>& members);
 
 /// The members of the selected trail's group while the limbs of all of them are selected; else none.

@@ -5,7 +5,7 @@
 
 namespace stretch::app {
 
-// What the tables of commands share.
+// Parts that the tables of commands share.
 
 /// One finished edit from its result; an error is passed on.
 [[nodiscard]] inline Status finish(Session& session, Result<Document> changed, const char* label) {

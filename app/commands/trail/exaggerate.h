@@ -18,7 +18,7 @@ struct ExaggerateTargets {
 /// Scale of a trail that was not exaggerated before: the thesis's simple punch.
 inline constexpr double firstScale = 2.0;
 
-/// What a range that was set is for where it shares time with a trail of the limb (rangeClash in ranges.h).
+/// Use of a range that was set where it shares time with a trail of the limb (rangeClash in ranges.h).
 enum class OverlapChoice {
   edit,  ///< That trail is meant.
   beside ///< Another one is, in what is free of the range.
@@ -51,7 +51,7 @@ enum class OverlapChoice {
 /// its own stroke.
 [[nodiscard]] Result<ExaggerateTargets> newTrails(const Session& session, bool exaggerated);
 
-/// What a new trail of the limb over a range starts from.
+/// Returns the settings from which a new trail of the limb over a range starts.
 [[nodiscard]] rig::TrailSettings newTrailSettings(const Session& session, const rig::Limb& limb,
                                                   const Vec2& range);
 

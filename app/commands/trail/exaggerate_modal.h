@@ -10,14 +10,14 @@
 
 namespace stretch::app {
 
-/// What typed digits and arrows change.
+/// Setting that typed digits and arrows change.
 enum class ExaggerateField { scale, easeIn, easeOut, release, volume };
 
 /// The modal behind E: pure state, keys in, settings and text out.
 struct ExaggerateModal {
   rig::TrailSettings start;          ///< When it began.
-  rig::TrailSettings settings;       ///< As edited so far.
-  double defaultReleaseFrames = 0.0; ///< What the arrows start from while no release is set.
+  rig::TrailSettings settings;       ///< Settings as edited so far.
+  double defaultReleaseFrames = 0.0; ///< Value from which the arrows start while no release is set.
   ExaggerateField field = ExaggerateField::scale;
   TypedNumber typed;       ///< The number being typed for `field`.
   bool hasStrokes = false; ///< N goes to another stroke.
@@ -36,7 +36,7 @@ struct ExaggerateModal {
 /// "left arm x3.00, axes X Z", and what differs from plain after it.
 [[nodiscard]] std::string modalText(const ExaggerateModal& modal, std::string_view limbTitle);
 
-/// What the keys do right now.
+/// Says what the keys do right now.
 [[nodiscard]] std::vector<ModalHint> modalHints(const ExaggerateModal& modal);
 
 /// Another trail's settings with what the modal edits taken over; its range, space and spheres stay.

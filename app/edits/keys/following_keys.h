@@ -18,8 +18,8 @@ namespace stretch::app {
 /// Which keys of a track that was read as `row` follow.
 void markFollowing(const Document& document, int clip, const Track& track, KeyedRow& row);
 
-/// As writeTrack (track_row.h); then the following components of keys that were changed, or whose neighbours
-/// were, get their slopes.
+/// Writes as writeTrack does (track_row.h); then the following components of keys that were changed, or whose
+/// neighbours were, get their slopes.
 [[nodiscard]] WrittenTrack writeFollowing(const Track& before, const KeyedRow& row, double framesPerSecond);
 
 /// Keeps in the document which keys of the written track follow.

@@ -14,7 +14,7 @@ namespace stretch::app {
 struct ClipRequest {
   std::filesystem::path file;
   std::string clip; ///< By name, "#index" or the index alone; empty: all of them.
-  std::string name; ///< What the one clip is to be called; empty: as in its file.
+  std::string name; ///< Name that the one clip is to have; empty: the one in its file.
 };
 
 /// A clip of another file, brought to this character.

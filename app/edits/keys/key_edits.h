@@ -74,7 +74,7 @@ struct KeyScale {
 [[nodiscard]] Result<EditedKeys> removeKeys(const Document& document, int clip,
                                             const KeySelection& selection);
 
-/// What Copy takes: keys with their values and slopes, times counted from the first of all.
+/// Keys that Copy takes, with their values and slopes, times counted from the first of all.
 struct CopiedKeys {
   struct Row {
     KeyRow row;

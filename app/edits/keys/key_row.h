@@ -13,12 +13,12 @@ namespace stretch::app {
 // Two kinds of keys are edited in one way: those of the clip itself, and offset keys of controllers and
 // attributes. Both are read as a row of keys with shown values, changed there, and written back.
 
-/// What is keyed as one: a joint's translation, rotation or scale in the clip, or a controller or an
+/// Values that are keyed as one: a joint's translation, rotation or scale in the clip, or a controller or an
 /// attribute in its adjustments.
 struct KeyRow {
-  NodeIndex node;                         ///< Of the clip's own keys; none: offset keys.
-  Channel channel = Channel::translation; ///< Of the clip's own keys.
-  std::string controller = {};            ///< Of offset keys: Controller::id or Attribute::id.
+  NodeIndex node;                         ///< Node of the clip's own keys; none: offset keys.
+  Channel channel = Channel::translation; ///< Channel of the clip's own keys.
+  std::string controller = {};            ///< Owner of offset keys: Controller::id or Attribute::id.
 
   [[nodiscard]] bool isOffset() const { return !node.exists(); }
 
@@ -37,7 +37,7 @@ struct RowKey {
   rig::KeyInterpolation kind = rig::KeyInterpolation::automatic;
   int origin = -1;        ///< Place in the row that it was read from; -1: a new one.
   int part = 0;           ///< Which of KeyedRow::parts it belongs to.
-  unsigned following = 0; ///< Of the clip's own keys: components whose slopes follow the neighbours (auto).
+  unsigned following = 0; ///< For the clip's own keys: components whose slopes follow the neighbours (auto).
   bool onCurve = false;   ///< A new key that leaves the curve as it is: slopes beside it do not follow it.
   bool valuesChanged = true; ///< Else the key keeps its values as they are stored, to the last bit,
   bool slopesChanged = true; ///< and its slopes.
@@ -51,8 +51,9 @@ struct RowPart {
 
 struct KeyedRow {
   KeyRow row;
-  std::size_t components = 3;                          ///< Of the values that count.
-  Interpolation interpolation = Interpolation::linear; ///< Of the clip's own keys, as it is to be.
+  std::size_t components = 3;                          ///< Number of the values that count.
+  Interpolation interpolation = Interpolation::linear; ///< Interpolation of the clip's own keys, as it is to
+                                                       ///< be.
   std::vector<RowPart> parts;
   std::vector<RowKey> keys; ///< Ascending by frame.
 };
@@ -69,10 +70,10 @@ enum class RowDetail { times, values }; ///< Times alone are read faster; such k
 /// Frames of the keys of a row, in order, in the numbering of readRow.
 [[nodiscard]] std::vector<double> keyFramesOf(const Document& document, int clip, const KeyRow& row);
 
-/// What a row has at a frame, as values are shown; angles nearest to `near`.
+/// Returns a row's values at a frame, as values are shown; angles nearest to `near`.
 [[nodiscard]] KeyValues valuesAt(const Document& document, int clip, const KeyRow& row, double frame,
                                  const KeyValues& near);
-/// The same at several frames, each near the one before it.
+/// Returns a row's values at several frames, each near the one before it.
 [[nodiscard]] std::vector<KeyValues> sampleRow(const Document& document, int clip, const KeyRow& row,
                                                std::span<const double> frames, const KeyValues& near);
 

@@ -21,7 +21,7 @@ void setFramesPerSecond(Document& document, double framesPerSecond);
 /// document is left alone.
 void countInChosenRates(Document& document);
 
-/// The same moments in frames of a rate that is `factor` times as high.
+/// Returns the trail with the same moments in frames of a rate that is `factor` times as high.
 [[nodiscard]] rig::Trail recounted(rig::Trail trail, double factor);
 [[nodiscard]] rig::Adjustment recounted(rig::Adjustment adjustment, double factor);
 [[nodiscard]] rig::Pin recounted(rig::Pin pin, double factor);

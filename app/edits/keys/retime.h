@@ -11,7 +11,8 @@ struct Retime {
   double firstFrame = 0.0;
   double lastFrame = 0.0; ///< Above firstFrame.
   double newFrames = 0.0; ///< How long it is to be; above 0.
-  bool movesAfter = true; ///< What comes after moves along; else it stays, and gives way where it must.
+  bool movesAfter = true; ///< Everything that comes after moves along; else it stays, and gives way where it
+                          ///< must.
   std::string limb = {};  ///< Only the keys of this limb; empty: of the whole clip.
 
   friend bool operator==(const Retime&, const Retime&) = default;

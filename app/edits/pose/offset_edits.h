@@ -13,7 +13,7 @@ namespace stretch::app {
 // Keys of what controllers are offset by (docs/controllers.md, Keys). `id` names a controller or an
 // attribute; frames are those of the clip.
 
-/// What a controller is offset by: along the axes of its carrier, world units and a rotation vector, as in
+/// Offset of a controller: along the axes of its carrier, world units and a rotation vector, as in
 /// rig::OffsetKey.
 struct ControllerOffset {
   std::string id;
@@ -30,7 +30,7 @@ struct AttributeValue {
   friend bool operator==(const AttributeValue&, const AttributeValue&) = default;
 };
 
-/// What several controllers and attributes are given at one moment.
+/// Offsets and values of several controllers and attributes at one moment.
 struct OffsetPose {
   std::vector<ControllerOffset> offsets;
   std::vector<AttributeValue> values;
@@ -39,7 +39,7 @@ struct OffsetPose {
   friend bool operator==(const OffsetPose&, const OffsetPose&) = default;
 };
 
-/// Where a first key acts: inside a range and nowhere else, or on the whole clip.
+/// Range in which a first key acts: inside a range and nowhere else, or on the whole clip.
 struct KeyRange {
   std::optional<Vec2> rangeFrames;
 };
@@ -53,10 +53,10 @@ struct KeyRange {
 [[nodiscard]] const rig::OffsetKey* offsetKeyAt(const Document& document, int clip, double frame,
                                                 const std::string& id);
 
-/// What the keys come to at a frame; no offset where nothing is keyed.
+/// Returns the offset by the keys at a frame; no offset where nothing is keyed.
 [[nodiscard]] ControllerOffset offsetAt(const Document& document, int clip, double frame,
                                         const std::string& id);
-/// The same of an attribute, held to its range; its standard value where nothing is keyed.
+/// Returns the value of an attribute, held to its range; its standard value where nothing is keyed.
 [[nodiscard]] double valueAt(const Document& document, int clip, double frame, const std::string& id);
 
 /// Ids of everything that is adjusted in a clip, each once.

@@ -16,20 +16,20 @@ struct PropFile {
   std::vector<std::string> hands; ///< Limbs; one or two arms.
   int clip = 0;
   double frame = 0.0; ///< At which it is put into the hands.
-  Vec3 place{0.0};    ///< Where its origin is then, world space (evaluate/hand_place.h).
+  Vec3 place{0.0};    ///< Place of its origin then, world space (evaluate/hand_place.h).
 };
 
 struct AddedProp {
   Document document;
   std::string node;                       ///< Name of the node that carries it: what a prop names.
-  std::vector<std::string> warnings = {}; ///< Of the file, one line each.
+  std::vector<std::string> warnings = {}; ///< Warnings about the file, one line each.
 };
 
 /// Adds the thing of a file beside the source, not held yet. Refused with a line that names the file: one
 /// that is not there or broken, without a mesh, with a skinned one, and the open file itself.
 [[nodiscard]] Result<AddedProp> withPropFile(const Document& document, const PropFile& file);
 
-/// The same, held firmly by the hands over the whole clip, bound at the frame.
+/// Adds the prop, held firmly by the hands over the whole clip, bound at the frame.
 [[nodiscard]] Result<AddedProp> holdPropFile(const Document& document, const PropFile& file);
 
 /// Without the added files that no prop of any clip holds. All of them stay while a chain runs through one.
@@ -44,7 +44,7 @@ struct AddedProp {
 /// The body as it is found in the source alone: nodes of added files may have the names of limbs.
 [[nodiscard]] rig::Body bodyOfSource(const Document& document);
 
-/// The same, read as one of a plan that the user chose.
+/// Returns the body, read as one of a plan that the user chose.
 [[nodiscard]] rig::Body bodyOfSource(const Document& document, const rig::BodyPlan& plan);
 
 } // namespace stretch::app

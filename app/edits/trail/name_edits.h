@@ -9,7 +9,7 @@ namespace stretch::app {
 /// Gives a trail a name of its own; white space around it is dropped, and an empty one takes it away.
 [[nodiscard]] Result<Document> renameTrail(const Document& document, int trailId, const std::string& name);
 
-/// The same for the group that a trail belongs to; refused for a trail that stands alone.
+/// Renames the group that a trail belongs to; refused for a trail that stands alone.
 [[nodiscard]] Result<Document> renameGroup(const Document& document, int trailId, const std::string& name);
 
 } // namespace stretch::app

@@ -29,8 +29,8 @@ struct PlacedTrails {
 [[nodiscard]] Result<PlacedTrails> placeTrails(const Document& document, std::span<const rig::Trail> wanted,
                                                Entry entry);
 
-/// What speaks against these settings for a trail of this limb and clip, or success: values, length of the
-/// range, overlap with another trail than `trailId`.
+/// Tells what speaks against these settings for a trail of this limb and clip, or success: values, length of
+/// the range, overlap with another trail than `trailId`.
 [[nodiscard]] Status checkTrailSettings(const Document& document, const rig::Trail& trail);
 
 /// The trail of this limb and clip (other than `exceptTrailId`) that shares time with [start, end]; null when

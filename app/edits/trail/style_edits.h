@@ -12,7 +12,7 @@ namespace stretch::app {
 struct Style {
   const char* name;
   double arm;
-  double torso; ///< Of spine and neck.
+  double torso; ///< Value for spine and neck.
   double leg;
 };
 

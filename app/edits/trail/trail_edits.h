@@ -9,8 +9,8 @@ namespace stretch::app {
 // Edits of trails: pure functions from a document to a changed one. None of them evaluates motion; all of
 // them refuse what would make the document contradict itself, with one line that says why.
 
-/// What a new trail starts from. The range must have a length and may share no time with another trail of the
-/// same limb and clip; ranges that only touch at an end are fine.
+/// Limb, range and settings of a new trail. The range must have a length and may share no time with another
+/// trail of the same limb and clip; ranges that only touch at an end are fine.
 struct NewTrail {
   std::string limb; ///< Limb id; must exist in the document.
   int clip = 0;     ///< Must exist in the document.
