@@ -53,8 +53,8 @@ struct Skeleton {
   std::vector<Quat> bindTurns; ///< Their rotations.
   Mat3 axes{1.0};              ///< Columns: left, up and front of the body in the bind pose, unit length.
   double groundHeight = 0.0;   ///< Height, in the bind pose, of what stands at 0 in its clips: its soles',
-                             ///< where they are near 0 there.
-  bool isUpright = true; ///< The body stands along +Y there; `axes` then has exactly that.
+                               ///< where they are near 0 there.
+  bool isUpright = true;       ///< The body stands along +Y there; `axes` then has exactly that.
 };
 
 /// Nothing for a character without two legs and hips: a clip of another body cannot be brought to it. The

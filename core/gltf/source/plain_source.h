@@ -16,7 +16,7 @@ struct PlainSource {
   Source source;
   std::set<std::size_t> roundedAccessors; ///< Accessors whose values the codec rounds: their min and max are
                                           ///< the originals'.
-  std::size_t packedBytes = 0; ///< Size of the file's own buffers.
+  std::size_t packedBytes = 0;            ///< Size of the file's own buffers.
   std::size_t decodedBytes = 0;
 };
 
