@@ -18,7 +18,7 @@ struct SequencePictures {
   Camera camera;                                  ///< Sees all of them.
 };
 
-/// What is drawn of a sequence, beyond the look.
+/// Extras that are drawn of a sequence, beyond the look.
 struct SequenceExtras {
   bool bones = false;    ///< Over the mesh; the content then needs its analysis.
   std::string name = {}; ///< Begins the label of each picture; may be empty.
@@ -37,7 +37,7 @@ struct SequenceExtras {
 [[nodiscard]] Result<Image> drawStages(const SequenceContent& content, const std::vector<double>& frames,
                                        const PictureOptions& options);
 
-/// What pictures of a character show beyond its trails.
+/// Looks of a character in pictures, beyond its trails.
 struct CharacterLook {
   bool skeleton = false;
   bool trails = true;                    ///< Drawn; what they do to the character is seen either way.
@@ -46,7 +46,7 @@ struct CharacterLook {
   bool labelled = false;
 };
 
-/// What the window shows at these frames, every trail as if it were selected.
+/// Pictures of the window at these frames, every trail as if it were selected.
 [[nodiscard]] std::vector<PictureFrame>
 picturesOfCharacter(const app::Document& document, const std::shared_ptr<const rig::MotionState>& motion,
                     const std::vector<double>& frames, const CharacterLook& look);

@@ -14,7 +14,7 @@ struct Shell;
 /// A binding that is made beside the window.
 struct BindWork {
   std::unique_ptr<app::Job<app::BoundMeshes>> job; ///< Null: none is being made.
-  app::Document from;                              ///< What it was started with.
+  app::Document from;                              ///< Document that it was started with.
 };
 
 /// Once per frame: takes up a binding that is finished, as one edit.

@@ -27,7 +27,7 @@ public:
 
 struct EditorOptions {
   float scale = 0.0F; ///< The screen's scale, in place of what the screen says; 0: that.
-  int width = 0;      ///< Of the window; 0: as it was left.
+  int width = 0;      ///< Width of the window; 0: as it was left.
   int height = 0;
   EditorHand* hand = nullptr; ///< Null: a user's.
   bool firstStart = false;    ///< The hand is shown the tour, as a user is at the first start.

@@ -16,7 +16,7 @@ struct Shell;
 struct FitWork {
   std::unique_ptr<app::Job<app::FittedLocators>> job; ///< Null: none is being made.
   std::shared_ptr<const Scene> scene;                 ///< That they are fitted to.
-  std::string label;                                  ///< Of the step that takes them up.
+  std::string label;                                  ///< Label of the step that takes them up.
 };
 
 /// Lets the commands that fit locators work beside the window where there is a mesh alone.

@@ -6,7 +6,7 @@
 
 namespace stretch::ui {
 
-/// Where the mouse is and what it holds, when something else moves it than a hand.
+/// Place of the mouse and what it holds, when something else moves it than a hand.
 struct DrivenMouse {
   float x = 0.0F; ///< Window units.
   float y = 0.0F;

@@ -18,7 +18,8 @@ struct KeyInput {
   bool repeat = false;
 };
 
-/// What the window told since the last frame. Its callbacks and scripts fill it through the same functions.
+/// Events that the window told since the last frame. Its callbacks and scripts fill it through the same
+/// functions.
 struct InputQueue {
   std::vector<KeyInput> keys;
   std::vector<std::filesystem::path> drops;

@@ -10,8 +10,8 @@ namespace stretch::ui {
 /// The commands of graph and dope sheet that are the window's.
 [[nodiscard]] std::vector<app::Command<Shell>> keyPaneCommands();
 
-/// What a key means: over graph and dope sheet the command of theirs that is like the one elsewhere, so that
-/// G moves keys there, and a key that was changed is changed for both.
+/// Finds the command that a key means: over graph and dope sheet the command of theirs that is like the one
+/// elsewhere, so that G moves keys there, and a key that was changed is changed for both.
 [[nodiscard]] std::string commandUnderMouse(const Shell& shell, const app::Chord& chord,
                                             const std::string& elsewhere);
 

@@ -17,7 +17,7 @@ struct PaneSizes {
   friend bool operator==(const PaneSizes&, const PaneSizes&) = default;
 };
 
-/// Where everything lies, in window units.
+/// Places of the panes, in window units.
 struct PaneRects {
   Rect menu;
   Rect left;
@@ -27,7 +27,7 @@ struct PaneRects {
   Rect status;
 };
 
-/// What a pane never falls below, design pixels.
+/// Least size of a pane, design pixels.
 inline constexpr float smallestPane = 140.0F;
 inline constexpr float smallestViewport = 240.0F;
 

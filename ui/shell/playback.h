@@ -7,7 +7,7 @@ namespace stretch::ui {
 /// Moves the playhead by the time that passed, while playing.
 void play(Shell& shell, double secondsPassed);
 
-/// Where the playhead stops: at the nearest frame while snapping is on.
+/// Stops the playhead: at the nearest frame while snapping is on.
 void snapPlayhead(Shell& shell);
 
 } // namespace stretch::ui

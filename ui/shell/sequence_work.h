@@ -4,7 +4,7 @@
 
 namespace stretch::ui {
 
-// What the shell does with an open mesh sequence.
+// Work of the shell on an open mesh sequence.
 
 /// Turns the view to a sequence that was opened.
 void showSequence(Shell& shell);
@@ -12,10 +12,10 @@ void showSequence(Shell& shell);
 /// Once per frame: takes up what was made beside the window, and has the result encoded as it is asked for.
 void updateSequence(Shell& shell);
 
-/// What a dialog answered while a sequence is open: where to export to, moduli or a skeleton.
+/// Takes what a dialog answered while a sequence is open: where to export to, moduli or a skeleton.
 void answerSequenceFile(Shell& shell, const FileChoice& choice);
 
-/// What asks for a file: moduli of segments to read or write, a skeleton to take.
+/// Commands that ask for a file: moduli of segments to read or write, a skeleton to take.
 [[nodiscard]] std::vector<app::Command<Shell>> sequenceFileCommands();
 
 } // namespace stretch::ui

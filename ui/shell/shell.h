@@ -23,7 +23,7 @@ namespace stretch::ui {
 /// Clips of another file on their way to the open character, beside the window.
 struct ClipImport {
   std::filesystem::path file;
-  std::shared_ptr<const Scene> scene;           ///< Of the character that they are for.
+  std::shared_ptr<const Scene> scene;           ///< Scene of the character that they are for.
   std::unique_ptr<app::Job<app::NewClips>> job; ///< Null: none.
 };
 
@@ -55,7 +55,7 @@ struct Shell {
   bool quit = false;
 };
 
-/// What is going on, for the panels.
+/// Returns what is going on, for the panels.
 [[nodiscard]] EditorStatus statusOf(const Shell& shell);
 /// Work goes on beside the window.
 [[nodiscard]] bool isBusy(const Shell& shell);

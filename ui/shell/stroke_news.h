@@ -8,7 +8,7 @@
 
 namespace stretch::ui {
 
-/// What there is to say about the range that E took by itself: why these frames, that a loop's stroke goes on
+/// Says about the range that E took by itself: why these frames, that a loop's stroke goes on
 /// across the seam, that the clip was marked as a loop, and where the limb's strongest stroke is if another
 /// was taken. Empty where the strongest stroke lies at the playhead and nothing is odd.
 [[nodiscard]] std::string strokeNews(const app::Session& session, const ExaggerateTool& tool);

@@ -9,7 +9,7 @@
 
 namespace stretch::ui {
 
-/// What is remembered of the window between starts.
+/// Memory of the window between starts.
 struct WindowMemory {
   int width = 1440; ///< Window units.
   int height = 860;

@@ -13,7 +13,7 @@ namespace stretch::ui {
 // The one place that says what is drawn of a character. The window and the verb `render` both ask here, so
 // that a picture on the disk shows what the window showed.
 
-/// What is drawn: a moment of a document in motion.
+/// Subject of a picture: a moment of a document in motion.
 struct PictureSubject {
   const app::Document& document;
   const rig::MotionState& motion;
@@ -23,7 +23,7 @@ struct PictureSubject {
   SceneMeasures measures;
 };
 
-/// What the artist picked out, and what lies under the mouse.
+/// Everything the artist picked out, and what lies under the mouse.
 struct PictureSelection {
   std::vector<std::string> limbs; ///< Limb ids.
   int trail = 0;                  ///< Trail id; 0 none.
@@ -35,9 +35,9 @@ struct PictureSelection {
   std::optional<std::size_t> hoveredAxis = std::nullopt;
   std::vector<ControllerPicture> controllers = {};
   std::optional<ControllerHandles> controllerHandles = std::nullopt;
-  std::optional<HandlePart> activeHandle = std::nullopt; ///< Of these, under the mouse.
+  std::optional<HandlePart> activeHandle = std::nullopt; ///< Part of these under the mouse.
   NodeIndex weightsOf = NodeIndex::none;         ///< Joint whose weights colour the mesh; none: nothing does.
-  std::optional<double> tipFrame = std::nullopt; ///< Where a trail's tip is: the pose there is a ghost.
+  std::optional<double> tipFrame = std::nullopt; ///< Frame of a trail's tip: the pose there is a ghost.
 };
 
 [[nodiscard]] PictureContent assemblePicture(const PictureSubject& subject, const PictureSelection& selection,

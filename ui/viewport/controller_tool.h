@@ -14,15 +14,15 @@ namespace stretch::ui {
 /// go.
 struct ControllerTool {
   app::ControllerModal modal;
-  std::vector<app::HeldController> held; ///< As they were at the beginning.
+  std::vector<app::HeldController> held; ///< Controllers as they were at the beginning.
   std::string title;                     ///< "left hand", "2 controllers".
   app::UnkeyedPose unkeyed;              ///< At the beginning.
   bool byDrag = false;                   ///< Letting the mouse button go keeps it.
   Vec3 anchor{0.0};                      ///< The point that is held, or turned about; world.
-  Vec2 startPixels{0.0};                 ///< Of the mouse, in the viewport.
+  Vec2 startPixels{0.0};                 ///< Place of the mouse, in the viewport.
   Vec2 lastPixels{0.0};
   bool moved = false;        ///< The mouse left its place: a click is no drag.
-  bool isOfLocators = false; ///< What is held are locators, which have no keys.
+  bool isOfLocators = false; ///< Whether locators are held, which have no keys.
 };
 
 struct ControllerStart {

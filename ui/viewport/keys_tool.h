@@ -4,7 +4,7 @@
 
 namespace stretch::ui {
 
-/// What the tool's modal says, from the document at its beginning.
+/// Previews what the tool's modal says, from the document at its beginning.
 Status previewKeys(app::Session& session, const KeysTool& tool);
 
 } // namespace stretch::ui

@@ -9,7 +9,7 @@
 
 namespace stretch::ui {
 
-/// What of the character lies under the mouse.
+/// Part of the character that lies under the mouse.
 struct LimbUnderMouse {
   std::string limb;   ///< Limb id; empty for none.
   bool atEnd = false; ///< On its hand, foot or head, which can be pulled.
@@ -20,7 +20,7 @@ struct LimbUnderMouse {
 
 /// The surface that is picked from, kept while pose and view stay.
 struct LimbHover {
-  std::shared_ptr<const rig::MotionState> motion; ///< What the surface is posed by.
+  std::shared_ptr<const rig::MotionState> motion; ///< Motion by which the surface is posed.
   double frame = 0.0;
   bool original = false;
   bool inBindPose = false; ///< Locators are shown.

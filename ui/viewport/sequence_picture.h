@@ -18,7 +18,7 @@ namespace stretch::ui {
 
 // The one place that says what is drawn of a mesh sequence: the window and the verb `render` both ask here.
 
-/// What a picture of a sequence is made from.
+/// Input from which a picture of a sequence is made.
 struct SequenceContent {
   std::shared_ptr<const MeshSequence> original;
   std::shared_ptr<const app::SequenceAnalysis> analysis; ///< Null where only materials and comparison are
@@ -32,13 +32,13 @@ struct SequenceContent {
 
 [[nodiscard]] SequenceContent contentOf(const app::SequenceDocument& document);
 
-/// What the colours of a picture mean.
+/// Legend of the colours of a picture.
 struct SequenceLegend {
   std::string title;
   std::string low;
   std::string high;
   std::string detail;
-  std::function<glm::vec4(double)> colour; ///< Of a share 0..1, sRGB.
+  std::function<glm::vec4(double)> colour; ///< Colour of a share 0..1, sRGB.
 };
 
 /// One look at a sequence: a scene that stays over the frames, and each frame as a shape of it. With values

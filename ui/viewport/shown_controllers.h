@@ -43,8 +43,8 @@ pickController(const View& view, const std::vector<ShownController>& shown, cons
 [[nodiscard]] std::optional<ControllerHandles> controllerHandles(const app::Session& session,
                                                                  const std::vector<ShownController>& shown);
 
-/// What is drawn, with what is selected and under the mouse. Rings of joints that stand close together, as in
-/// a hand, leave each other room.
+/// Returns the controllers that are drawn, with what is selected and under the mouse. Rings of joints that
+/// stand close together, as in a hand, leave each other room.
 [[nodiscard]] std::vector<ControllerPicture> controllerPictures(const std::vector<ShownController>& shown,
                                                                 const std::vector<std::string>& selected,
                                                                 const std::string& hovered);

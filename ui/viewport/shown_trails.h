@@ -10,7 +10,7 @@
 
 namespace stretch::ui {
 
-/// Of a drawn path.
+/// Samples of a drawn path.
 inline constexpr std::size_t pathSamplesPerFrame = 2;
 
 /// One trail as pictures show it.

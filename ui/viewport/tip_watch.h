@@ -8,7 +8,7 @@ namespace stretch::ui {
 
 struct ViewportContext;
 
-/// What the viewport saw of the selected trail in the frame before: whether it is being changed.
+/// Memory of what the viewport saw of the selected trail in the frame before: whether it is being changed.
 struct TipWatch {
   int trail = 0; ///< Id; 0: none.
   rig::TrailSettings settings;

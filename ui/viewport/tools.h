@@ -28,17 +28,17 @@ struct ExaggerateTool {
 struct GrabTool {
   app::GrabModal modal;
   int trailId = 0;
-  app::Document base;                        ///< What the pull starts from.
-  rig::TrailSettings settings;               ///< Of the trail at the beginning.
-  std::vector<app::PlacedSphere> spheres;    ///< Where they stood.
+  app::Document base;                        ///< Document that the pull starts from.
+  rig::TrailSettings settings;               ///< Settings of the trail at the beginning.
+  std::vector<app::PlacedSphere> spheres;    ///< Places where they stood.
   std::vector<double> selected;              ///< Frames of those that are pulled in full.
   double falloffRadius = 0.0;                ///< World units; 0: only the selected.
   bool byDrag = false;                       ///< Letting the mouse button go keeps it.
   Vec3 anchor{0.0};                          ///< The point that is held, world.
-  Vec2 startPixels{0.0};                     ///< Of the mouse, in the viewport.
+  Vec2 startPixels{0.0};                     ///< Place of the mouse, in the viewport.
   bool moved = false;                        ///< The mouse left its place: a click is no drag.
   std::optional<app::TangentHandle> tangent; ///< This handle is pulled, and no sphere.
-  Vec3 slope{0.0}; ///< Of the sphere's offset at the beginning, along the trail's axes.
+  Vec3 slope{0.0}; ///< Slope of the sphere's offset at the beginning, along the trail's axes.
 };
 
 /// Moving or scaling picked keys of graph and dope sheet, by G or S until Enter or a click.
@@ -48,7 +48,7 @@ struct KeysTool {
   std::optional<Vec2> from; ///< The mouse at the beginning: frame and value.
 };
 
-/// What takes all keys until it ends; none most of the time.
+/// Tool that takes all keys until it ends; none most of the time.
 using Tool = std::variant<std::monostate, ExaggerateTool, GrabTool, ControllerTool, KeysTool>;
 
 [[nodiscard]] inline bool isRunning(const Tool& tool) {
@@ -101,7 +101,7 @@ bool goToStroke(app::Session& session, ExaggerateTool& tool, bool forwards);
 /// Ends the tool: kept as one undo step, or restored.
 void finishTool(app::Session& session, Tool& tool, bool keep);
 
-/// What the tool says: text for the status bar and what the keys do.
+/// Describes the tool: text for the status bar and what the keys do.
 void describeTool(const Tool& tool, EditorStatus& status);
 
 } // namespace stretch::ui

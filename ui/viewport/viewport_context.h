@@ -6,7 +6,7 @@
 
 namespace stretch::ui {
 
-/// What the viewport works with in one frame: what panels have, its own state, and the tool that runs.
+/// Context of the viewport in one frame: what panels have, its own state, and the tool that runs.
 struct ViewportContext : PanelContext {
   ViewportState& viewport;
   Tool& tool;

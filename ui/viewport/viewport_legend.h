@@ -4,7 +4,7 @@
 
 namespace stretch::ui {
 
-/// What the lines, ghosts and colours in the picture mean, in its lower right corner.
+/// Draws what the lines, ghosts and colours in the picture mean, in its lower right corner.
 void drawLegends(ViewportContext& context);
 
 /// The directions of the world's axes, in the upper right corner.

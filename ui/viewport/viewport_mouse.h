@@ -9,7 +9,7 @@ namespace stretch::ui {
 /// still down.
 void handleViewportMouse(ViewportContext& context, bool hovered, bool held);
 
-/// What lies under the mouse, for highlights and for the next press.
+/// Finds what lies under the mouse, for highlights and for the next press.
 void updateHover(ViewportContext& context);
 
 } // namespace stretch::ui

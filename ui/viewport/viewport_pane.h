@@ -16,19 +16,19 @@ namespace stretch::ui {
 /// One picture of the viewport on the graphics card, and what it shows.
 struct DrawnPicture {
   RenderTarget target;
-  std::uint64_t contentKey = 0; ///< Of what was drawn; it is not drawn again while this stays.
+  std::uint64_t contentKey = 0; ///< Key of what was drawn; it is not drawn again while this stays.
 };
 
-/// What of a mesh sequence is on the graphics card.
+/// Part of a mesh sequence that is on the graphics card.
 struct SequenceUpload {
   std::unique_ptr<SequencePicture> picture; ///< Null: nothing yet.
   std::shared_ptr<const Scene> scene;
-  std::uint64_t key = 0;    ///< Of what the picture was made from.
-  std::size_t frame = 0;    ///< Whose vertices are there.
+  std::uint64_t key = 0;    ///< Key of what the picture was made from.
+  std::size_t frame = 0;    ///< Frame whose vertices are there.
   std::uint64_t shapes = 0; ///< Number of times that vertices were moved.
 };
 
-/// What the viewport keeps on the graphics card; must go before its context.
+/// Objects that the viewport keeps on the graphics card; must go before its context.
 struct ViewportGpu {
   ViewportRenderer renderer;
   DrawnPicture picture;

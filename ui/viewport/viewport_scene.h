@@ -10,12 +10,12 @@
 
 namespace stretch::ui {
 
-// What of the session the viewport shows, picks and frames, as plain values.
+// Parts of the session that the viewport shows, picks and frames, as plain values.
 
-/// What is selected, and what lies under the mouse.
+/// Returns what is selected, and what lies under the mouse.
 [[nodiscard]] PictureSelection selectionOf(const app::Session& session, const ViewportState& viewport);
 
-/// What the window shows of its character.
+/// Returns the picture that the window shows of its character.
 [[nodiscard]] PictureContent workPicture(app::Session& session, const ViewportState& viewport,
                                          const ViewportOverlays& overlays, const Palette& palette,
                                          const SceneMeasures& measures);
@@ -32,7 +32,8 @@ struct LimbBones {
 };
 [[nodiscard]] LimbBones limbBones(const app::Document& document, const FrameState& frame);
 
-/// What "frame the selection" shows: limbs, trails and controllers that are selected, else nothing.
+/// Returns the box that "frame the selection" shows: limbs, trails and controllers that are selected, else
+/// nothing.
 [[nodiscard]] Box selectionBox(app::Session& session, const ShownTrails& shown);
 
 /// How far a hand or a foot stands out from where the limb of a trail ends, world units; 0 without the trail.

@@ -14,7 +14,7 @@
 
 namespace stretch::ui {
 
-/// What the mouse does in the viewport from press to release.
+/// Gesture of the mouse in the viewport from press to release.
 enum class ViewportGesture {
   none,
   orbit,
@@ -27,10 +27,10 @@ enum class ViewportGesture {
   boxSelect
 };
 
-/// What the viewport remembers between frames.
+/// Memory of the viewport between frames.
 struct ViewportState {
   Camera camera;
-  View view;                  ///< As of this frame; pixels are the framebuffer's.
+  View view;                  ///< View in this frame; pixels are the framebuffer's.
   Rect box;                   ///< The picture's place, window units.
   double pixelsPerUnit = 1.0; ///< Framebuffer pixels per window unit.
   bool hovered = false;       ///< The mouse is over it and nothing lies above.
@@ -51,7 +51,7 @@ struct ViewportState {
   double falloffRadius = 0.0;         ///< Kept from drag to drag, world units.
 
   // Under the mouse.
-  std::optional<HandlePart> hoveredHandle; ///< Of the selected controllers.
+  std::optional<HandlePart> hoveredHandle; ///< Handle of the selected controllers.
   std::string hoveredController;           ///< Id; empty: none.
   std::optional<double> hoveredSphere;     ///< Frame, of the selected trail.
   std::optional<std::size_t> hoveredAxis;
@@ -61,8 +61,8 @@ struct ViewportState {
   bool hoveredEnd = false; ///< Its hand, foot or head: a drag pulls it.
   NodeIndex hoveredJoint;  ///< That most of the place under the mouse follows.
   LimbHover limbs;
-  std::optional<Rect> figure;     ///< Where the character stood when the messages on show began to come.
-  std::optional<double> tipFrame; ///< Whose pose stands as a ghost (tipGhostFrame).
+  std::optional<Rect> figure; ///< Place where the character stood when the messages on show began to come.
+  std::optional<double> tipFrame; ///< Frame whose pose stands as a ghost (tipGhostFrame).
   TipWatch tipWatch;
 };
 

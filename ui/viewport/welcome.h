@@ -13,7 +13,8 @@ struct WelcomePictures {
   bool tried = false;
 };
 
-/// What the viewport says while no file is open: the bundled clips, a button that opens a file, recent files.
+/// Draws what the viewport says while no file is open: the bundled clips, a button that opens a file, recent
+/// files.
 void drawWelcome(ViewportContext& context, WelcomePictures& pictures, const Rect& box);
 
 } // namespace stretch::ui

@@ -7,13 +7,13 @@
 
 namespace stretch::ui {
 
-/// What colours on a surface mean.
+/// Legend of colours on a surface.
 struct ColorLegend {
   std::string title;                   ///< "Error"
   std::string low;                     ///< At the left end, with the unit.
   std::string high;                    ///< At the right end.
   std::string detail = {};             ///< A further quiet line; may be empty.
-  std::function<ImU32(double)> colour; ///< Of a share 0..1.
+  std::function<ImU32(double)> colour; ///< Colour of a share 0..1.
 };
 
 /// Screen pixels that the legend takes.
@@ -23,7 +23,7 @@ struct ColorLegend {
 void drawColorLegend(const WidgetContext& context, const std::string& id, const ImVec2& corner,
                      const ColorLegend& legend);
 
-/// The same in one row where there is little room: the bar between its values.
+/// Returns the size in one row where there is little room: the bar between its values.
 [[nodiscard]] ImVec2 legendRowSize(const Theme& theme);
 void drawLegendRow(const WidgetContext& context, const std::string& id, const ImVec2& corner,
                    const ColorLegend& legend);

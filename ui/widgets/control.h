@@ -10,21 +10,21 @@
 
 namespace stretch::ui {
 
-/// What every widget is given. Widgets draw at ImGui's cursor of the current window and keep no state of
-/// their own.
+/// Context that every widget is given. Widgets draw at ImGui's cursor of the current window and keep no state
+/// of their own.
 struct WidgetContext {
   const Theme& theme;
   ItemRegistry& items;
 };
 
-/// What one frame did to a value that is edited by a gesture: a click, a drag, or typing.
+/// Effect of one frame on a value that is edited by a gesture: a click, a drag, or typing.
 struct EditPhase {
   bool changed = false; ///< The value is new.
   bool ended = false;   ///< The gesture is over.
   bool cut = false;     ///< A limit stands for what was typed.
 };
 
-/// What the tooltip of a widget says.
+/// Text of a widget's tooltip.
 struct Help {
   std::string title = {};
   std::string text = {};
@@ -62,14 +62,14 @@ struct Control {
 
 /// Shows a tooltip for the last widget once the mouse has rested on it, where tooltipCorner says.
 void tooltip(const WidgetContext& context, const Help& help);
-/// The same at the mouse, for anything that says itself that it is hovered; shown at once.
+/// Draws a tooltip at the mouse, for anything that says itself that it is hovered; shown at once.
 void tooltipNow(const WidgetContext& context, const Help& help);
 /// Hides the tooltip that stands, or would come, until the mouse rests on another widget: a key was pressed.
 void hideTooltip();
 
-/// Where a tooltip of a widget goes, so that it covers neither the widget nor the rows below: beside an
-/// upright panel, level with the widget; above the widget in a flat one; below it only where nothing else is
-/// left. Inside of the window. All of them in window units.
+/// Returns where a tooltip of a widget goes, so that it covers neither the widget nor the rows below: beside
+/// an upright panel, level with the widget; above the widget in a flat one; below it only where nothing else
+/// is left. Inside of the window. All of them in window units.
 [[nodiscard]] ImVec2 tooltipCorner(const Rect& widget, const Rect& panel, const ImVec2& size,
                                    const ImVec2& window, float gap);
 

@@ -25,22 +25,22 @@ struct Curve {
   ImU32 colour = 0;
   std::vector<Vec2> points = {}; ///< (frame, value), frames increasing.
   std::vector<Vec2> before = {}; ///< Under what was put on top of it, drawn dashed; empty for none.
-  std::vector<Vec2> source = {}; ///< As it was before its keys were edited: a ghost; empty for none.
+  std::vector<Vec2> source = {}; ///< Curve before its keys were edited: a ghost; empty for none.
   std::vector<CurveKey> keys = {};
   bool hidden = false;
   bool seen = false;         ///< Since the view was set a part of it was in sight.
   std::size_t picked = 0;    ///< How many of the keys are.
   bool offsetKeys = false;   ///< Keys of a controller, drawn as circles; else the clip's own, as diamonds.
-  std::size_t row = 0;       ///< Whose curve it is: the caller's number,
+  std::size_t row = 0;       ///< Row whose curve it is: the caller's number,
   std::size_t component = 0; ///< and which of its values.
 };
 
-/// What the mouse holds in a graph, from press to release.
+/// Gesture of the mouse in a graph, from press to release.
 struct CurveGesture {
   enum class Part { nothing, playhead, box, keys, tangent };
   Part part = Part::nothing;
   Vec2 from{0.0};        ///< (frame, value) at the press.
-  std::size_t curve = 0; ///< Of the key whose tangent is held.
+  std::size_t curve = 0; ///< Curve of the key whose tangent is held.
   int key = 0;
   bool after = true;  ///< The tangent after the key.
   bool moved = false; ///< The mouse left its place.

@@ -19,7 +19,7 @@ struct Item {
   [[nodiscard]] ImVec2 centre() const { return {(min.x + max.x) * 0.5F, (min.y + max.y) * 0.5F}; }
 };
 
-/// Where every widget of the current frame is. Whoever drives the program without a hand (tests, guides)
+/// Places of all widgets of the current frame. Whoever drives the program without a hand (tests, guides)
 /// looks widgets up here instead of knowing pixels.
 struct ItemRegistry {
   std::vector<Item> items;

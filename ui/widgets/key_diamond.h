@@ -6,7 +6,7 @@
 
 namespace stretch::ui {
 
-/// Where keys stand, seen from the playhead.
+/// Place of keys, seen from the playhead.
 enum class KeyMark {
   none,
   elsewhere, ///< At other frames: half filled.

@@ -37,12 +37,12 @@ enum class NoticeKind { info, success, warning, error };
 /// Wrapped text with a coloured edge: something the user should know.
 void notice(const WidgetContext& context, NoticeKind kind, const std::string& text);
 
-/// The same on two lines, cut where it is long and told by its tooltip, or the `whole` of it; with `more` at
-/// its end. True when it was clicked.
+/// Draws the notice on two lines, cut where it is long and told by its tooltip, or the `whole` of it; with
+/// `more` at its end. True when it was clicked.
 [[nodiscard]] bool noticeLines(const WidgetContext& context, const std::string& id, NoticeKind kind,
                                const std::string& text, const std::string& more, bool whole);
 
-/// What a panel says while it has nothing to show: an icon, a title, and what to do.
+/// Draws what a panel says while it has nothing to show: an icon, a title, and what to do.
 void emptyState(const WidgetContext& context, const char* iconText, const std::string& title,
                 const std::string& text);
 

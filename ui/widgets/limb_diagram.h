@@ -22,8 +22,8 @@ struct DiagramBone {
 struct DiagramPart {
   std::string id = {}; ///< "left-arm": names the widget.
   std::vector<DiagramBone> bones = {};
-  ImVec2 end = {}; ///< Where the limb ends: what a trail is drawn for.
-  ImVec2 key = {}; ///< Where its key is written.
+  ImVec2 end = {}; ///< End of the limb: what a trail is drawn for.
+  ImVec2 key = {}; ///< Place where its key is written.
   bool found = false;
   bool selected = false;
   bool lowConfidence = false;
@@ -46,7 +46,7 @@ struct DiagramController {
 struct DiagramFigure {
   std::vector<DiagramPart> parts;
   std::vector<DiagramController> controllers;
-  bool leftIsOnTheRight = true; ///< As of a body that is seen from the front.
+  bool leftIsOnTheRight = true; ///< True for a body that is seen from the front.
 };
 
 struct DiagramClick {

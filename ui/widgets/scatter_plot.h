@@ -28,7 +28,7 @@ struct ScatterPlotModel {
   std::vector<PlotLine> lines;
   std::optional<std::size_t> current; ///< A point that is marked.
   ImU32 pointColour = 0;
-  std::function<std::string(std::size_t)> describe; ///< Of the point under the mouse. May be empty.
+  std::function<std::string(std::size_t)> describe; ///< Describes the point under the mouse. May be empty.
 };
 
 /// The values along one direction (0 x, 1 y) that all points and lines cover, with a margin; never without

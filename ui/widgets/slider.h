@@ -22,7 +22,7 @@ struct SliderSpec {
   const char* suffix = "";
   double displayFactor = 1.0; ///< Shown value = value x this (100 for percent).
   std::optional<double> defaultValue = {};
-  std::optional<double> hardMinimum = {}; ///< Of typing; `minimum` when empty.
+  std::optional<double> hardMinimum = {}; ///< Least value that can be typed; `minimum` when empty.
   std::optional<double> hardMaximum = {};
   bool showsFill = true; ///< The part of the range filled, from the left.
   float width = 0.0F;    ///< 0: the available width.

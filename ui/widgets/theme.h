@@ -75,7 +75,7 @@ inline constexpr ImU32 skinnedMeshColour = IM_COL32(0x4C, 0xA8, 0x5F, 255);
 inline constexpr std::array<ImU32, 5> trailPalette{
     IM_COL32(0xE6, 0x9F, 0x00, 255), IM_COL32(0x00, 0x9E, 0x73, 255), IM_COL32(0xCC, 0x79, 0xA7, 255),
     IM_COL32(0xF0, 0xE4, 0x42, 255), IM_COL32(0x00, 0x72, 0xB2, 255)};
-/// The same hues, dark enough for a light ground.
+/// Palette of the same hues, dark enough for a light ground.
 inline constexpr std::array<ImU32, 5> lightTrailPalette{
     IM_COL32(0xB2, 0x6E, 0x00, 255), IM_COL32(0x00, 0x7A, 0x59, 255), IM_COL32(0xA3, 0x43, 0x7B, 255),
     IM_COL32(0x86, 0x7C, 0x00, 255), IM_COL32(0x00, 0x5C, 0x94, 255)};

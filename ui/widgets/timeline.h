@@ -12,7 +12,7 @@ namespace stretch::ui {
 
 /// A trail's time: its range, and the release in which the limb comes back; or a hold's with its blends.
 struct TimelineBar {
-  int id = 0; ///< Of a trail above 0, of a hold below.
+  int id = 0; ///< Id of a trail above 0, of a hold below.
   double start = 0.0;
   double end = 0.0;
   double windowStart = 0.0; ///< Range and release together.
@@ -22,7 +22,7 @@ struct TimelineBar {
   bool selected = false;
   bool active = false;  ///< The character follows it, and the artist is not done with it.
   bool applied = false; ///< The artist is done with it.
-  std::size_t row = 0;  ///< Of the bars; those of one row have one label.
+  std::size_t row = 0;  ///< Row of the bar; the bars of one row have one label.
 };
 
 /// A row of keys, for the dope sheet.
@@ -36,7 +36,7 @@ struct KeyRow {
 
 struct TimelineModel {
   Span clip; ///< First and last frame.
-  Span view; ///< What is visible.
+  Span view; ///< Frames that are visible.
   double playhead = 0.0;
   Span range;                  ///< The working range.
   bool rangeIsDefault = false; ///< Not set by the user: drawn quieter.
@@ -64,13 +64,13 @@ enum class TimelinePart {
   keyBox
 };
 
-/// What the mouse holds, from press to release.
+/// Gesture of the mouse, from press to release.
 struct TimelineGesture {
   TimelinePart part = TimelinePart::nothing;
   int bar = 0;
   double grabbedAt = 0.0;   ///< Frame under the mouse at the press.
-  Span startSpan{0.0, 0.0}; ///< Of what is held, at the press.
-  std::size_t row = 0;      ///< Of keys, at the press.
+  Span startSpan{0.0, 0.0}; ///< Span of what is held, at the press.
+  std::size_t row = 0;      ///< Row of the keys, at the press.
 };
 
 /// Keys of some rows, in some frames.
@@ -81,7 +81,7 @@ struct KeyBox {
   bool add = false; ///< Beside those that are picked.
 };
 
-/// What the user asked for in this frame; spans are complete, ready to be set.
+/// Requests of the user in this frame; spans are complete, ready to be set.
 struct TimelineOutcome {
   bool playheadMoved = false;
   double playhead = 0.0;

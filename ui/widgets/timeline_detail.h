@@ -7,7 +7,7 @@ namespace stretch::ui::timeline_detail {
 // The two halves of the timeline: where things are and how they are drawn; what the mouse grabs and what that
 // changes.
 
-/// Where the parts of a timeline are, screen pixels.
+/// Places of a timeline's parts, screen pixels.
 struct Layout {
   Rect box;   ///< Everything.
   Rect ruler; ///< Right of the labels.
@@ -18,22 +18,22 @@ struct Layout {
 
 [[nodiscard]] Layout layoutOf(const Theme& theme, const Rect& box, const TimelineModel& model,
                               float labelWidth);
-/// Where a span of a bar is.
+/// Returns the box of a bar's span.
 [[nodiscard]] Rect barBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
                           const TimelineBar& bar, const Span& span);
 
-/// Where the ends of range and release together stand: on a loop one past the seam stands at the clip's other
+/// Returns the ends of range and release together: on a loop one past the seam stands at the clip's other
 /// end.
 [[nodiscard]] Span shownWindow(const TimelineModel& model, const TimelineBar& bar);
 
 void draw(const WidgetContext& context, const Layout& layout, const TimelineModel& model);
 
-/// What the mouse would grab.
+/// Part that the mouse would grab.
 struct Hit {
   TimelinePart part = TimelinePart::nothing;
   int bar = 0;
-  Span span{0.0, 0.0}; ///< Of what is grabbed.
-  std::size_t row = 0; ///< Of keys,
+  Span span{0.0, 0.0}; ///< Span of what is grabbed.
+  std::size_t row = 0; ///< Row of keys,
   double frame = 0.0;  ///< and where the key is.
 };
 /// The key of a row at the mouse.
@@ -42,7 +42,7 @@ struct Hit {
 [[nodiscard]] Hit hitTest(const Theme& theme, const Layout& layout, const TimelineModel& model,
                           const ImVec2& mouse);
 
-/// What a gesture asks for while the mouse is there.
+/// Applies what a gesture asks for while the mouse is there.
 void applyGesture(const TimelineModel& model, const Layout& layout, const TimelineGesture& gesture,
                   const ImVec2& mouse, TimelineOutcome& outcome);
 /// The wheel zooms about the mouse, with Shift it scrolls.
@@ -53,7 +53,7 @@ void applyWheel(const TimelineModel& model, const Layout& layout, const ImVec2& 
 void applyClicks(const Theme& theme, const TimelineModel& model, const Layout& layout, const Hit& hit,
                  const ImVec2& mouse, TimelineOutcome& outcome);
 
-/// Where a row of keys is.
+/// Returns the box of a row of keys.
 [[nodiscard]] Rect keyRowBox(const Theme& theme, const Layout& layout, const TimelineModel& model,
                              std::size_t row);
 /// The row of keys at this height; keyRows.size() for none.

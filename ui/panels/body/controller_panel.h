@@ -8,10 +8,10 @@
 
 namespace stretch::ui {
 
-/// Where these controllers and attributes have keys in the viewed clip.
+/// Says where these controllers and attributes have keys in the viewed clip.
 [[nodiscard]] KeyMark keyMarkOf(const app::Session& session, std::span<const std::string> ids);
 
-/// What the selected controllers are offset by, as numbers, and what goes with it: keys, range, attributes.
+/// Draws the offsets of the selected controllers, as numbers, and what goes with it: keys, range, attributes.
 /// At least one is selected.
 void drawControllerSettings(PanelContext& context);
 

@@ -8,7 +8,7 @@
 
 namespace stretch::ui {
 
-// Whose weights are shown: those of one joint at a time. It is chosen by hand, or goes with what is selected.
+// Weights are shown of one joint at a time. It is chosen by hand, or goes with what is selected.
 
 /// The joints that vertices of shown meshes can follow, each below the one it hangs on.
 [[nodiscard]] std::vector<NodeIndex> weightedJoints(const Scene& scene);

@@ -4,8 +4,8 @@
 
 namespace stretch::ui {
 
-/// What can be done with the picked keys, in one row: their frame and value as numbers, tangents, and, unless
-/// `keysAlone`, retiming.
+/// Draws what can be done with the picked keys, in one row: their frame and value as numbers, tangents, and,
+/// unless `keysAlone`, retiming.
 void drawKeyBar(PanelContext& context, bool keysAlone);
 
 void drawRetimeDialog(PanelContext& context);

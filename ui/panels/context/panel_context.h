@@ -22,7 +22,7 @@ struct CommandInfo {
   std::string keyText; ///< The real key, as the user's layout names it; empty without one.
   bool enabled = true;
   bool checked = false;    ///< A switch that is on.
-  std::string reason = {}; ///< What to do first while it is off.
+  std::string reason = {}; ///< Says what to do first while it is off.
   std::string name = {};   ///< The label as it is always, whatever the command would do now.
 };
 

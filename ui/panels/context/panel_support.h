@@ -13,7 +13,7 @@
 
 namespace stretch::ui {
 
-// What the panels share. None of this knows a particular panel.
+// Parts that the panels share. None of this knows a particular panel.
 
 [[nodiscard]] inline WidgetContext widgetsOf(const PanelContext& context) {
   return {context.theme, context.items};
@@ -45,7 +45,7 @@ using DocumentChange = std::function<Result<app::Document>(const app::Document&)
 void editThrough(PanelContext& context, const EditPhase& phase, const std::string& label,
                  const DocumentChange& change);
 
-/// The same for a mesh sequence.
+/// Change of a mesh sequence.
 using SequenceChange = std::function<void(app::SequenceDocument&)>;
 void editSequence(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SequenceChange& change);
@@ -53,12 +53,12 @@ void editSequence(PanelContext& context, const EditPhase& phase, const std::stri
 /// One finished edit; an error is told in a toast.
 void editOnce(PanelContext& context, const std::string& label, const Result<app::Document>& changed);
 
-/// The same for settings of every trail that commands act on.
+/// Change of the settings of every trail that commands act on.
 using SettingsChange = std::function<void(rig::TrailSettings&)>;
 void editSettings(PanelContext& context, const EditPhase& phase, const std::string& label,
                   const SettingsChange& change);
 
-/// The same for the ends of the range, of those whose range is the selected one's.
+/// Edits the ends of the range, of those whose range is the selected one's.
 void editRange(PanelContext& context, const EditPhase& phase, const SettingsChange& change);
 
 /// "left arm" -> "Left arm".
@@ -66,7 +66,7 @@ void editRange(PanelContext& context, const EditPhase& phase, const SettingsChan
 /// A limb's name as a heading: "Left arm", or the chain's id.
 [[nodiscard]] std::string limbHeading(const app::Document& document, const std::string& limbId);
 
-/// What a trail is called, as a heading.
+/// Returns a trail's name as a heading.
 [[nodiscard]] std::string trailHeading(const app::Document& document, const rig::Trail& trail);
 
 /// The name of a node, or "#index" where it has none.
@@ -86,8 +86,8 @@ void editRange(PanelContext& context, const EditPhase& phase, const SettingsChan
 /// How long the limb is at the trail's tip: straight distance from its base to its end, world units.
 struct TipLengths {
   double before = 0.0; ///< In the source clip.
-  double after = 0.0;  ///< Of the character as it moves where the trail is active, else of the exaggerated
-                       ///< path.
+  double after = 0.0;  ///< Value of the character as it moves where the trail is active, else of the
+                      ///< exaggerated path.
 };
 [[nodiscard]] TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved);
 

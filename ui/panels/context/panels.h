@@ -52,8 +52,8 @@ void drawDialogs(PanelContext& context);
 /// The card of the tour's step, while it runs, in the lower left of the picture: once a frame.
 void drawTour(PanelContext& context, const Rect& picture);
 
-/// What was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no bar,
-/// ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
+/// Draws what was told, for its seconds: once a frame, at the upper edge of the picture, so that it covers no
+/// bar, ruler or timeline, on `under`, the picture's own list, so that menus and tooltips lie over it. A menu
 /// takes news away; while a dialog is open only what went wrong is shown, over everything. `figure`: where
 /// the character stands; they keep beside it where there is room.
 void drawToasts(PanelContext& context, const Rect& picture, const std::optional<Rect>& figure,

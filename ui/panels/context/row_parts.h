@@ -14,8 +14,8 @@ struct RowPart {
   std::function<void()> draw; ///< At the cursor; the next part follows on the same line.
 };
 
-/// As many parts as fit, the first ones first; the others behind a button at the row's end, which opens them
-/// below each other. The button is `id`, its list `id` and "/list".
+/// Draws as many parts as fit, the first ones first; the others behind a button at the row's end, which opens
+/// them below each other. The button is `id`, its list `id` and "/list".
 void rowOfParts(PanelContext& context, const std::string& id, float available,
                 const std::vector<RowPart>& parts);
 

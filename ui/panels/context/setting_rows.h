@@ -24,20 +24,20 @@ namespace stretch::ui {
 /// "Change the scale": what undo calls a change of it.
 [[nodiscard]] std::string undoLabel(const app::SettingFacts& setting);
 
-/// What only the moment knows about a row.
+/// Facts about a row that only the moment knows.
 struct RowExtras {
   double automatic = 0.0;             ///< Shown while an optional number is left to the program.
-  std::optional<double> maximum = {}; ///< Of dragging, instead of the setting's own.
+  std::optional<double> maximum = {}; ///< Bound of dragging, instead of the setting's own.
   std::vector<bool> offered = {};     ///< Choices that can be chosen; empty: all.
   std::string hint = {};              ///< In an empty text field; else the default.
 };
 
-/// What only the moment knows about one number.
+/// Facts about one number that only the moment knows.
 struct NumberExtras {
-  std::optional<double> maximum = {};  ///< Of dragging, instead of the setting's own.
-  std::optional<double> standard = {}; ///< What Reset gives.
+  std::optional<double> maximum = {};  ///< Bound of dragging, instead of the setting's own.
+  std::optional<double> standard = {}; ///< Value that Reset gives.
   float width = 0.0F;                  ///< 0: the available width.
-  bool isPart = false;                 ///< Of a vector, in a narrow field: no unit behind it, no filled part.
+  bool isPart = false; ///< Part of a vector, in a narrow field: no unit behind it, no filled part.
 };
 
 /// A slider of the setting's range, step and unit.
@@ -63,7 +63,7 @@ void settingRow(PanelContext& context, const std::string& prefix, const app::Set
   edit(row.phase, undoLabel(setting), [&](Settings& s) { setting.write(row.value, s); });
 }
 
-/// The same for settings that are no document: changed at once, without undo. True when the value was
+/// Draws rows of settings that are no document: changed at once, without undo. True when the value was
 /// changed.
 template <typename Settings>
 bool viewRow(PanelContext& context, const std::string& prefix, const app::Setting<Settings>& setting,

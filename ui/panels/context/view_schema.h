@@ -6,10 +6,10 @@
 
 namespace stretch::ui {
 
-/// What the viewport draws over the character: all of it is remembered.
+/// Settings of what the viewport draws over the character: all of it is remembered.
 [[nodiscard]] const app::Schema<ViewportOverlays>& overlaySchema();
 
-/// What is shown of a mesh sequence, in the window and by `render`.
+/// Settings of how a mesh sequence is shown, in the window and by `render`.
 [[nodiscard]] const app::Schema<app::SequenceView>& sequenceViewSchema();
 
 /// Theme, size, navigation and the like: what is remembered of the window's ways.

@@ -30,8 +30,8 @@ struct FileType {
 [[nodiscard]] Result<std::vector<FileEntry>> listFolder(const std::filesystem::path& folder,
                                                         FilePurpose purpose);
 
-/// What was typed as a path: absolute, from the home folder ("~/clips"), or relative to the folder that is
-/// shown.
+/// Returns what was typed as a path: absolute, from the home folder ("~/clips"), or relative to the folder
+/// that is shown.
 [[nodiscard]] std::filesystem::path typedPath(const std::filesystem::path& folder, const std::string& typed);
 
 /// The user's home folder, or the root where there is none.

@@ -7,10 +7,11 @@
 
 namespace stretch::ui {
 
-/// What can be opened while nothing is: a bundled clip, the dialog that asks for a file, or a recent file.
+/// Entry that can be opened while nothing is: a bundled clip, the dialog that asks for a file, or a recent
+/// file.
 struct WelcomeEntry {
   enum class Kind { bundled, dialog, recent } kind = Kind::bundled;
-  const app::BundledClip* clip = nullptr; ///< Of a bundled clip.
+  const app::BundledClip* clip = nullptr; ///< The bundled clip of such an entry.
   std::filesystem::path file = {};        ///< A recent one.
 };
 

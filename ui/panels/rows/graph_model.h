@@ -11,12 +11,12 @@ namespace stretch::ui {
 /// Nodes of the selected limb, base first, its end last.
 [[nodiscard]] std::vector<NodeIndex> graphNodes(const rig::Limb& limb);
 
-/// What the graph can show: a joint, a controller or an attribute, or all joints at once.
+/// Subject that the graph can show: a joint, a controller or an attribute, or all joints at once.
 struct GraphSubject {
   std::string title;
   std::vector<NodeIndex> nodes = {}; ///< Joints; none: the controller.
   std::string controller = {};
-  std::string limb = {}; ///< Whose length is shown.
+  std::string limb = {}; ///< Limb whose length is shown.
   bool isOne = true;     ///< A joint alone: what the character does is drawn over its curves.
 };
 
@@ -24,7 +24,7 @@ struct GraphSubject {
 /// all joints of the selected limbs, and every one that is animated. Empty where nothing is selected.
 [[nodiscard]] std::vector<GraphSubject> graphSubjects(const PanelContext& context);
 
-/// What of the subject is drawn.
+/// Returns the channels of the subject that are drawn.
 [[nodiscard]] GraphChannels graphChannels(const PanelContext& context, const GraphSubject& subject);
 
 /// The rows of keys that the graph shows of a subject.

@@ -10,7 +10,7 @@ enum class RowDetail {
   everyLimb  ///< A row for each limb.
 };
 
-/// What the timeline shows of the session; the viewed clip must exist.
+/// Model of the session that the timeline shows; the viewed clip must exist.
 [[nodiscard]] TimelineModel timelineModel(PanelContext& context, RowDetail detail);
 
 /// The visible frames: as the user left them, else the whole clip.

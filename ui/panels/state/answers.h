@@ -18,7 +18,7 @@ struct FileChoice {
   std::filesystem::path path;
 };
 
-/// What is to become of it.
+/// Choice of what is to become of it.
 struct DropAnswer {
   std::filesystem::path file;
   FilePurpose purpose = FilePurpose::openModel; ///< Or openProp, or openClip.
@@ -27,15 +27,15 @@ struct DropAnswer {
 /// Which clips of another file are to be imported.
 struct ClipAnswer {
   std::filesystem::path file;
-  int clip = -1; ///< Of `file`; -1: all of them.
+  int clip = -1; ///< Clip of `file`; -1: all of them.
 };
 
 struct KeyChange {
   std::string commandId;
-  std::string keyText; ///< As Command::keys spells it; empty: no key.
+  std::string keyText; ///< Spelt as in Command::keys; empty: no key.
 };
 
-/// What the user decided in a dialog, for the shell to take (and reset) in the same frame.
+/// Answers that the user gave in a dialog, for the shell to take (and reset) in the same frame.
 struct UiAnswers {
   std::optional<FileChoice> file;
   std::optional<app::FileAnswer> question; ///< To EditorStatus::question.

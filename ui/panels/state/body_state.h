@@ -17,7 +17,7 @@ struct JointPick {
   std::string message; ///< Why the last try was refused.
 };
 
-/// Whose weights the viewport shows (ui/panels/body/weight_view.h).
+/// Joint whose weights the viewport shows (ui/panels/body/weight_view.h).
 struct WeightView {
   NodeIndex joint;                           ///< None, or one that no mesh follows: the first that one does.
   std::vector<std::string> limbs = {};       ///< That were selected when it was chosen,
@@ -31,7 +31,7 @@ struct BodyPanels {
   WeightView weights;
   std::string jointFilter;  ///< Typed into the list of joints.
   std::string expandedLimb; ///< Limb whose reasons the rig panel shows.
-  double tween = 0.5;       ///< Of the tween that is dragged, from key (0) to key (1).
+  double tween = 0.5;       ///< Place of the tween that is dragged, from key (0) to key (1).
 };
 
 } // namespace stretch::ui

@@ -44,7 +44,7 @@ struct ClipPick {
   std::filesystem::path file; ///< Empty: nothing is asked.
   std::vector<app::FileFacts::ClipFacts> clips;
   std::string filter;
-  int highlighted = 0;  ///< Of those that the filter leaves.
+  int highlighted = 0;  ///< Index among those that the filter leaves.
   bool wasOpen = false; ///< In the frame before.
 };
 

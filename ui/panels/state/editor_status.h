@@ -27,16 +27,16 @@ struct TourCard {
   int steps = 0;
   std::string title;
   std::string text;
-  std::string key; ///< What to press.
+  std::string key; ///< Key to press.
 };
 
-/// What is going on in this frame, as the panels show it: made anew for each one.
+/// State of the editor in this frame, as the panels show it: made anew for each one.
 struct EditorStatus {
-  std::string fileName;          ///< Of what is open; empty: nothing is.
+  std::string fileName;          ///< Name of what is open; empty: nothing is.
   bool unsaved = false;          ///< It holds work that no file has.
   app::FileQuestion question;    ///< Answered by UiAnswers::question.
   std::string modalText;         ///< "left arm x3.00, axes X Z": empty outside a modal.
-  std::vector<KeyHint> keyHints; ///< What the keys do in a modal.
+  std::vector<KeyHint> keyHints; ///< Meaning of the keys in a modal.
   std::string busyText;          ///< "Opening punch.glb": work in progress; empty: none.
   float busyFraction = -1.0F;    ///< 0..1; < 0 unknown.
   std::string pressedKey;       ///< Pressed in this frame, as Command::keys spells it: for the keys overview.

@@ -42,12 +42,12 @@ struct FileDialogState {
   int highlighted = -1; ///< Row that the keys are on; -1 none.
   std::string message;
   bool confirmOverwrite = false;      ///< The file exists; saving once more replaces it.
-  std::filesystem::path listedFolder; ///< What `entries` lists.
+  std::filesystem::path listedFolder; ///< Folder that `entries` lists.
   std::vector<FileEntry> entries;
   bool listsSequence = false;           ///< The listed folder can be opened as a mesh sequence.
-  int type = 0;                         ///< Of files that are shown: index into fileTypesOf().
+  int type = 0;                         ///< Type of files that are shown: index into fileTypesOf().
   std::optional<std::string> newFolder; ///< Name of a folder to be made, while it is typed.
-  std::filesystem::path factsPath;      ///< What `facts` tells of.
+  std::filesystem::path factsPath;      ///< File that `facts` tells of.
   app::FileFacts facts;
   bool wasOpen = false; ///< In the frame before.
 };

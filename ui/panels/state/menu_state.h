@@ -4,22 +4,22 @@
 
 namespace stretch::ui {
 
-/// What a menu at the mouse is about.
+/// Subject of a menu at the mouse.
 enum class MenuTarget { nothing, limb, trail, group, sphere, controller, hold, key, range, time, viewport };
 
-/// Where a menu opens that leaves uncovered what it is about, window units.
+/// Place where a menu opens that leaves uncovered what it is about, window units.
 struct MenuPlace {
   float x = 0.0F;
-  float top = 0.0F;    ///< Of what it is about:
+  float top = 0.0F;    ///< Edges of its subject:
   float bottom = 0.0F; ///< the menu ends above it, or begins below it.
 };
 
 /// The menu at the mouse.
 struct MenuState {
   MenuTarget asked = MenuTarget::nothing;  ///< To be opened in this frame.
-  MenuTarget target = MenuTarget::nothing; ///< Of the menu that was opened last.
+  MenuTarget target = MenuTarget::nothing; ///< Subject of the menu that was opened last.
   int hold = 0;                            ///< TimelineBar::id of the hold that the menu is about.
-  double frame = 0.0;                      ///< Where it was opened in the timeline.
+  double frame = 0.0;                      ///< Frame where it was opened in the timeline.
   std::optional<MenuPlace> place;          ///< Else at the mouse.
 };
 

@@ -2,14 +2,14 @@
 
 namespace stretch::ui {
 
-/// What the viewport draws over the character.
+/// Switches of what the viewport draws over the character.
 struct ViewportOverlays {
   bool controllers = false; ///< Else only while one is selected.
   bool skeleton = false;
   bool wire = false;
   bool jointNames = false;
   bool heatMap = false; ///< Stretch of the mesh as colour.
-  bool weights = false; ///< Of one joint (WeightView), as colour.
+  bool weights = false; ///< Weights of one joint (WeightView), as colour.
   bool ghosts = false;
   bool grid = true;
   bool trailFrameNumbers = false;

@@ -18,29 +18,29 @@ struct TimelineState {
   double viewEnd = -1.0;  ///< Last visible frame; < viewStart: fit the clip.
   bool playing = false;
   bool loop = true;
-  double speed = 1.0; ///< Of real time.
+  double speed = 1.0; ///< Multiple of real time.
   bool snapToFrames = true;
   bool everyFrame = false; ///< Each frame is shown, however long it takes; else time runs as it is.
   bool onTwos = false;     ///< Every second frame stands for two.
-  double clock = 0.0;      ///< Where playing has come to, in frames, between what is shown.
-  int seenClip = -1;       ///< What viewStart and viewEnd belong to:
+  double clock = 0.0;      ///< Place that playing has come to, in frames, between what is shown.
+  int seenClip = -1;       ///< Clip that viewStart and viewEnd belong to:
   double seenRate = 0.0;   ///< frames per second.
 };
 
 enum class GraphChannels { translation, rotation, scale, stretch };
 enum class BottomTab { timeline, graph, dopeSheet };
 
-/// What the curves and keys of one row were made from, but for the frames.
+/// Inputs that the curves and keys of one row were made from, but for the frames.
 struct GraphRowKey {
-  std::optional<CopyOnWrite<Track>> track = {}; ///< Of the clip, and as the source has it.
+  std::optional<CopyOnWrite<Track>> track = {}; ///< Track of the clip, and as the source has it.
   std::optional<CopyOnWrite<Track>> source = {};
-  std::vector<rig::Adjustment> adjustments = {};  ///< Of offset keys.
-  std::shared_ptr<const rig::MotionState> motion; ///< Where the result is drawn beside it.
+  std::vector<rig::Adjustment> adjustments = {};  ///< Adjustments of offset keys.
+  std::shared_ptr<const rig::MotionState> motion; ///< Motion, where the result is drawn beside it.
 
   friend bool operator==(const GraphRowKey&, const GraphRowKey&) = default;
 };
 
-/// What all curves of the graph have in common.
+/// Inputs that all curves of the graph have in common.
 struct GraphKey {
   std::shared_ptr<const std::vector<Clip>> clips = {};
   std::shared_ptr<const rig::MotionState> motion = {};
@@ -57,7 +57,7 @@ struct GraphKey {
 };
 
 struct GraphState {
-  GraphChannels channels = GraphChannels::rotation;          ///< Of joints,
+  GraphChannels channels = GraphChannels::rotation;          ///< Channels of joints,
   GraphChannels offsetChannels = GraphChannels::translation; ///< of controllers.
   int joint = 0; ///< Index into what the list of joints and controllers offers.
   bool fitPending = true;
@@ -66,13 +66,13 @@ struct GraphState {
   double valueMin = -1.0;
   double valueMax = 1.0;
   std::vector<bool> hidden = std::vector<bool>(3, false); ///< Components switched off in the legend.
-  std::vector<Curve> curves;                              ///< As last made, from:
+  std::vector<Curve> curves;                              ///< Curves as last made, from:
   std::optional<GraphKey> madeFrom;
-  std::vector<app::KeyRow> rows;     ///< Whose curves they are,
+  std::vector<app::KeyRow> rows;     ///< Rows whose curves they are,
   std::vector<GraphRowKey> madeRows; ///< each made from one of these; curves of a row follow each other.
   std::vector<Span> madeFrames;      ///< The frames that the points of each row are over.
   bool complete = true;              ///< No row waits for a later frame of the window.
-  std::optional<app::KeySelection> shownPicks; ///< As the curves mark them.
+  std::optional<app::KeySelection> shownPicks; ///< Picks as the curves mark them.
   CurveGesture gesture;
   app::KeySelection heldKeys; ///< Picked when a drag of keys began.
 };
@@ -83,7 +83,7 @@ struct KeyPane {
   bool valuesShown = false; ///< which have values there,
   double frame = 0.0;       ///< here.
   double value = 0.0;       ///< Shown units.
-  double valueStep = 1.0;   ///< What Up and Down move keys by.
+  double valueStep = 1.0;   ///< Step by which Up and Down move keys.
   bool pressTaken = false;  ///< The press that ended a tool means nothing else.
 };
 
@@ -97,7 +97,7 @@ struct RetimeState {
   bool movesAfter = true;
   std::string limb = {};                  ///< Only its keys; empty: those of the whole clip.
   std::optional<app::Retime> looked = {}; ///< What follows is about this.
-  std::string ends = {};                  ///< Where the clip will end,
+  std::string ends = {};                  ///< Frame where the clip will end,
   std::vector<std::string> past = {};     ///< and what will stand past its end that does not now.
   std::string problem = {};               ///< Why it cannot be done; empty: it can.
 };
@@ -109,8 +109,8 @@ struct KeyRowsState {
   std::vector<std::string> selected = {}; ///< Limbs and controllers.
   bool everyLimb = false;
   std::vector<KeyRow> rows = {};
-  std::vector<std::vector<app::KeyRow>> keyed = {}; ///< What each of the rows stands for.
-  std::optional<app::KeySelection> shownPicks = {}; ///< As the rows mark them.
+  std::vector<std::vector<app::KeyRow>> keyed = {}; ///< Keyed rows that each of the rows stands for.
+  std::optional<app::KeySelection> shownPicks = {}; ///< Picks as the rows mark them.
 };
 
 /// The panes below the picture: timeline, graph and dope sheet.

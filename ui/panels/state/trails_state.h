@@ -14,12 +14,12 @@ struct RenameState {
   bool open = false;
   int trail = 0; ///< Id; of one in the group.
   bool ofGroup = false;
-  std::string present = {}; ///< What it is called.
+  std::string present = {}; ///< Its name.
   std::string typed = {};
   bool wasOpen = false; ///< In the frame before.
 };
 
-/// What an animator would stumble over in the selected trail, as last looked for.
+/// Findings that an animator would stumble over in the selected trail, as last looked for.
 struct LookState {
   std::shared_ptr<const rig::MotionState> motion = {}; ///< Looked at in this one; null: not yet.
   int trailId = 0;

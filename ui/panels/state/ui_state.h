@@ -17,10 +17,10 @@
 
 namespace stretch::ui {
 
-/// What the editor offers while nothing is open.
+/// Entries that the editor offers while nothing is open.
 struct WelcomeState {
   int highlighted = 0;  ///< Entry that the keys are on.
-  int columns = 1;      ///< Of the entries that have pictures, as they were drawn last.
+  int columns = 1;      ///< Columns of the entries that have pictures, as they were drawn last.
   bool entered = false; ///< The highlighted entry is to be opened.
   bool moved = false;   ///< The highlight has not been scrolled to yet.
 };

@@ -7,8 +7,8 @@
 
 namespace stretch::ui {
 
-// What the rows of the list of trails share: the name over the whole width, below it what the row holds and
-// its buttons.
+// Parts that the rows of the list of trails share: the name over the whole width, below it what the row holds
+// and its buttons.
 
 /// Heights, screen pixels.
 struct RowLines {
@@ -24,11 +24,11 @@ struct RowText {
   std::string id;
   std::string title;
   std::string detail;
-  ImU32 colour = 0; ///< Of the title.
+  ImU32 colour = 0; ///< Colour of the title.
   Help help = {};
 };
 
-/// What the mouse did with a row's text.
+/// Clicks of the mouse on a row's text.
 struct RowClicks {
   bool clicked = false;
   bool renames = false;  ///< A double click.

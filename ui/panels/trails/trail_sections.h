@@ -21,7 +21,7 @@ struct ShownStyle {
 };
 [[nodiscard]] ShownStyle shownStyle(const TakenStyle& taken, const app::Document& document,
                                     const std::vector<int>& trails);
-/// What became of the tip: its length, and why it is not what was asked for.
+/// Tells what became of the tip: its length, and why it is not what was asked for.
 void tipMessages(PanelContext& context, int trailId);
 void releaseRows(PanelContext& context, const rig::Trail& trail);
 void sphereRows(PanelContext& context, const rig::Trail& trail);
@@ -32,7 +32,8 @@ void stopRows(PanelContext& context, const rig::Trail& trail);
 /// setting of every selected limb that has weight.
 void weightSection(PanelContext& context, const std::string& limbId);
 
-/// What holds hands, feet and props in the viewed clip: buttons that make a hold, and the rows of each.
+/// Section of what holds hands, feet and props in the viewed clip: buttons that make a hold, and the rows of
+/// each.
 void holdSection(PanelContext& context);
 
 } // namespace stretch::ui

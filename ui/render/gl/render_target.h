@@ -21,7 +21,7 @@ public:
   void resolve() const;
 
   [[nodiscard]] unsigned textureId() const { return texture_.name(); }
-  /// What `bind` binds.
+  /// Name of the framebuffer that `bind` binds.
   [[nodiscard]] unsigned framebufferId() const { return drawn_.name(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

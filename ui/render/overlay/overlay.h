@@ -8,7 +8,7 @@
 
 namespace stretch::ui {
 
-// What is drawn over the character with sizes of the screen: plain values, made by pure functions
+// Marks that are drawn over the character with sizes of the screen: plain values, made by pure functions
 // (skeleton_drawing, trail_drawing) and drawn by the overlay renderer. Colours are sRGB with opacity; sizes
 // are points.
 
@@ -43,7 +43,8 @@ struct Marker {
   glm::vec4 fill{1.0F};
   glm::vec4 edge{0.0F};
   float edgePoints = 0.0F;
-  double turnRadians = 0.0; ///< Of a tick: the direction across it, from the screen's right towards its top.
+  double turnRadians = 0.0; ///< Direction of a tick: the one across it, from the screen's right towards its
+                            ///< top.
   OverlayDepth depth = OverlayDepth::faded;
 };
 

@@ -18,17 +18,18 @@ struct TrailSphere {
   bool nearby = true; ///< Near the playhead; others are drawn smaller.
 };
 
-/// What a trail shows at one moment. Paths have one point for each sample, evenly in time; world space.
+/// Picture of a trail at one moment. Paths have one point for each sample, evenly in time; world space.
 struct TrailPicture {
   std::vector<Vec3> original;    ///< The limb's end as the clip moves it.
-  std::vector<Vec3> exaggerated; ///< As the trail moves it; empty for a trail that shows the original only.
+  std::vector<Vec3> exaggerated; ///< Path as the trail moves it; empty for a trail that shows the original
+                                 ///< only.
   std::vector<glm::vec4> exaggeratedColors; ///< One for each sample (speed or stretch as colour); empty: the
                                             ///< style's colour.
   std::size_t samplesPerFrame = 1;          ///< A frame tick stands at every so many samples; 0 for no ticks.
-  std::optional<double> currentSample; ///< Where the playhead is, in samples; nothing when it is outside the
+  std::optional<double> currentSample; ///< Place of the playhead, in samples; nothing when it is outside the
                                        ///< range.
   std::vector<TrailSphere> spheres;
-  std::optional<Vec3> pivot; ///< What the path grows from.
+  std::optional<Vec3> pivot; ///< Point that the path grows from.
   std::optional<Vec3> tip;   ///< The farthest point of the exaggerated path.
   /// Samples before and after the current one that are drawn in full; farther ones fade out. Nothing: all.
   std::optional<double> windowSamples;

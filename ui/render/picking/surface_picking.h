@@ -24,11 +24,11 @@ struct SurfaceShare {
 };
 struct SurfaceHit {
   std::vector<SurfaceShare> shares; ///< At least one.
-  double depth = 0.0;               ///< Of the hit, -1..1: the nearest.
+  double depth = 0.0;               ///< Depth of the hit, -1..1: the nearest.
 };
 
-/// What lies under the mouse, in front of everything else; nothing beside the character. What reaches behind
-/// the eye is not hit.
+/// Finds what lies under the mouse, in front of everything else; nothing beside the character. What reaches
+/// behind the eye is not hit.
 [[nodiscard]] std::optional<SurfaceHit> pickSurface(const View& view, const Scene& scene,
                                                     const PosedSurface& surface, const Vec2& mousePixels);
 

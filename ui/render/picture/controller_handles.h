@@ -10,7 +10,7 @@
 
 namespace stretch::ui {
 
-/// What takes hold of a selected controller, along the world's axes and of constant size on the screen
+/// Handles of a selected controller, along the world's axes and of constant size on the screen
 /// (smaller in a small picture): arrows and squares where it moves, rings where it turns.
 struct ControllerHandles {
   Vec3 origin{0.0};

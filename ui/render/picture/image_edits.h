@@ -21,7 +21,7 @@ void makeOpaque(Image& image);
 /// Copies `picture` into `sheet`, its top left at (x, y); what does not fit is cut off.
 void paste(Image& sheet, const Image& picture, int x, int y);
 
-/// Where pictures of one size go on a sheet, row by row, with a thin gap between them.
+/// Places of pictures of one size on a sheet, row by row, with a thin gap between them.
 struct SheetLayout {
   int columns = 1;
   int cellWidth = 0; ///< Gap included, pixels.

@@ -23,7 +23,7 @@ struct PictureOptions {
   int widthPixels = 1280; ///< 16..8192.
   int heightPixels = 720;
   ViewDirection view = ViewDirection::threeQuarter;
-  double facingYawRadians = 0.0; ///< Where the character faces: 0 is +Z.
+  double facingYawRadians = 0.0; ///< Direction that the character faces: 0 is +Z.
   std::optional<Camera> camera;  ///< Instead of a standard view that fits what all frames show.
   int supersampling = 2;         ///< Pixels drawn for each pixel of the picture, along each side; 1..4.
 };

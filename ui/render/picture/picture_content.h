@@ -20,21 +20,21 @@ struct StyledTrail {
   TrailStyle style;
 };
 
-/// What is drawn of a scene at one moment, wherever the camera stands.
+/// Content that is drawn of a scene at one moment, wherever the camera stands.
 struct PictureContent {
   FrameState frame = {};
   std::function<SceneShape()> shape = {}; ///< Asked for when the picture is drawn; empty: the scene's own.
   std::vector<Ghost> ghosts = {};         ///< The farthest in time first.
   SceneStyle style = {};
-  Overlay bones = {};    ///< Of a mesh sequence, drawn as they are.
+  Overlay bones = {};    ///< Bones of a mesh sequence, drawn as they are.
   bool skeleton = false; ///< Bones over the mesh, always where there is none; `style.highlight` tells which
                          ///< are selected.
   std::vector<StyledTrail> trails = {};
   std::vector<ControllerPicture> controllers = {};
   std::optional<ControllerHandles> controllerHandles = {};
-  std::optional<HandlePart> activeHandle = {}; ///< Of the controllers' handles: under the mouse.
+  std::optional<HandlePart> activeHandle = {}; ///< Part of the controllers' handles under the mouse.
   std::optional<AxisHandles> handles = {};
-  std::optional<std::size_t> activeAxis = {}; ///< Of the handles: under the mouse.
+  std::optional<std::size_t> activeAxis = {}; ///< Axis of the handles under the mouse.
 };
 
 /// Skeleton, controllers, trails and handles, as they lie over the scene in a view.

@@ -10,7 +10,7 @@
 
 namespace stretch::ui {
 
-/// What the colours of a picture mean.
+/// Legend of the colours of a picture.
 struct PictureLegend {
   std::string title;
   std::string low;                ///< At the left end, with the unit.

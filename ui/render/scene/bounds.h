@@ -35,17 +35,17 @@ private:
     std::size_t primitive = 0; ///< Counted through all meshes of the scene.
     std::vector<Sample> samples;
   };
-  void addJoints(const Scene& scene); ///< Of a scene without a mesh.
+  void addJoints(const Scene& scene); ///< For a scene without a mesh.
 
   std::size_t step_ = 1; ///< From one vertex of a sample to the next.
   std::vector<Group> groups_;
 };
 
-/// Where a character of that box stands: 0, glTF's ground, unless its lowest point lies far from it (more
-/// than a tenth of its height), then that point.
+/// Returns the floor on which a character of that box stands: 0, glTF's ground, unless its lowest point lies
+/// far from it (more than a tenth of its height), then that point.
 [[nodiscard]] double floorHeightOf(const Box& characterBox);
 
-/// What floor, shadows and lights need to know of a scene, in world units.
+/// Measures that floor, shadows and lights need to know of a scene, in world units.
 struct SceneMeasures {
   double floorHeight = 0.0;     ///< y.
   double characterHeight = 1.0; ///< Sets the grid's cell and the reach of the lights; above 0.

@@ -11,7 +11,7 @@
 
 namespace stretch::ui {
 
-/// What a joint adds to the look of the surface that follows it; blended by the skin's weights.
+/// Attributes that a joint adds to the look of the surface that follows it; blended by the skin's weights.
 struct JointAttributes {
   std::vector<double> stretchRatio; ///< One for each node; empty counts as 1.
   std::vector<float> highlight;     ///< One for each node, 0..1; empty counts as 0.

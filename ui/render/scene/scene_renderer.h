@@ -12,7 +12,7 @@
 
 namespace stretch::ui {
 
-/// What colours the surface.
+/// Source of the surface's colours.
 enum class SurfaceShading {
   material,     ///< The file's materials.
   stretchHeat,  ///< How much each joint's mesh is stretched, blended by the weights.

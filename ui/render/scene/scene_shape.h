@@ -7,11 +7,11 @@
 
 namespace stretch::ui {
 
-/// Where the vertices of a primitive are at one moment, in the space of its mesh: for meshes that move as
+/// Places of a primitive's vertices at one moment, in the space of its mesh: for meshes that move as
 /// no skin and no morph target says.
 struct PrimitiveShape {
-  std::vector<glm::vec3> positions; ///< As many as the primitive has.
-  std::vector<glm::vec3> normals;   ///< The same number.
+  std::vector<glm::vec3> positions; ///< One for each vertex of the primitive.
+  std::vector<glm::vec3> normals;   ///< One for each vertex.
   std::vector<glm::vec4> colors;    ///< Linear light; empty: they stay as they are.
 };
 

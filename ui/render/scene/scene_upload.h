@@ -46,7 +46,7 @@ struct DrawItem {
 /// A scene in the graphics card's memory.
 struct UploadedScene {
   std::vector<UploadedPart> parts;
-  std::vector<DrawItem> items;     ///< Of nodes below the roots, in the file's order.
+  std::vector<DrawItem> items;     ///< Items of nodes below the roots, in the file's order.
   std::vector<GlTexture> textures; ///< One for each image; empty for images without pixels or beyond the
                                    ///< driver's limit.
 };

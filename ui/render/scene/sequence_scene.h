@@ -22,14 +22,14 @@ struct PlainMesh {
 /// closed.
 [[nodiscard]] Scene sceneOfMeshes(std::span<const PlainMesh> meshes);
 
-/// The same meshes in another frame, as a shape of that scene; colours are taken from those that have one for
-/// each vertex.
+/// Returns the same meshes in another frame, as a shape of that scene; colours are taken from those that have
+/// one for each vertex.
 [[nodiscard]] SceneShape shapeOfMeshes(std::span<const PlainMesh> meshes);
 
 /// The only moment of such a scene.
 [[nodiscard]] FrameState restOf(const Scene& scene);
 
-// What scenes of frames are made of.
+// Parts that scenes of frames are made of.
 
 /// Adds the mesh, and a node that shows it where its vertices are.
 void addMeshNode(Scene& scene, Mesh mesh);

@@ -47,8 +47,8 @@ private:
   std::vector<Part> parts_;
   std::vector<std::uint32_t> smoothed_;   ///< For each vertex of the surface the group whose triangles it is
                                           ///< smooth with.
-  std::vector<glm::vec3> firstNormals_;   ///< Of the groups, in the first frame.
-  std::vector<glm::vec3> firstPositions_; ///< Of the sequence's vertices.
+  std::vector<glm::vec3> firstNormals_;   ///< Normals of the groups, in the first frame.
+  std::vector<glm::vec3> firstPositions_; ///< Places of the sequence's vertices, in the first frame.
 };
 
 } // namespace stretch::ui

@@ -18,7 +18,7 @@ struct ShadowMaps {
 };
 
 struct ShadowScene {
-  Box box; ///< Of the posed character.
+  Box box; ///< Box of the posed character.
   double floorHeight = 0.0;
   double characterHeight = 1.0;
   Vec3 towardsKey{0.0, 1.0, 0.0};

@@ -22,7 +22,7 @@ enum class ValueScale {
 /// Colour (linear light) of a share of the largest shown value; shares outside 0..1 keep the end's colour.
 [[nodiscard]] glm::vec4 valueColor(ValueScale scale, double share);
 
-/// The same in sRGB, for legends: 0xRRGGBB.
+/// Returns the colour in sRGB, for legends: 0xRRGGBB.
 [[nodiscard]] std::uint32_t valueColorHex(ValueScale scale, double share);
 
 /// One colour for each value; `largest` is the value of the scale's end. All of the first colour when it is
@@ -42,7 +42,7 @@ inline constexpr double largestShownStretch = 3.0;
 /// ones keep the end's colour.
 [[nodiscard]] glm::vec3 stretchColor(double ratio);
 
-/// The same in sRGB, for legends.
+/// Returns the colour in sRGB, for legends.
 [[nodiscard]] glm::vec4 stretchColorSrgb(double ratio);
 
 /// How much a linear map stretches: its singular value farthest from 1 in the logarithm. 1 for the identity;

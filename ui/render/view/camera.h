@@ -28,8 +28,8 @@ struct Viewport {
 
 enum class ProjectionKind { perspective, orthographic };
 
-/// Where the standard views stand: glTF characters face +Z, so `front` looks from +Z, `side` from +X, `top`
-/// from +Y.
+/// Sides from which the standard views look: glTF characters face +Z, so `front` looks from +Z, `side` from
+/// +X, `top` from +Y.
 enum class ViewDirection { front, back, side, otherSide, top, threeQuarter };
 
 /// A camera that orbits a target. +Y is up.
@@ -45,7 +45,7 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// What drawing and picking need to know of a camera: any camera, the file's too, can be put here.
+/// Facts that drawing and picking need of a camera: any camera, the file's too, can be put here.
 struct View {
   Mat4 view{1.0};       ///< World to eye space (right-handed, looking along -Z).
   Mat4 projection{1.0}; ///< Eye to clip space, OpenGL depth range (-1..1).
@@ -96,7 +96,7 @@ struct ScreenPoint {
 /// World units that one pixel covers at the depth of a point; the sign is dropped for points behind the eye.
 [[nodiscard]] double unitsPerPixel(const View& view, const Vec3& pointWorld);
 
-/// Where the mouse lies in the plane that faces the viewer and passes through `pointWorld`.
+/// Returns the mouse's place in the plane that faces the viewer and passes through `pointWorld`.
 [[nodiscard]] Vec3 pointInViewPlane(const View& view, const Vec3& pointWorld, const Vec2& pixels);
 
 /// Position along the line origin + t * axis that is nearest to the ray through the pixel; 0 when the axis

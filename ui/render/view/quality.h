@@ -2,9 +2,9 @@
 
 namespace stretch::ui {
 
-/// What a frame may cost.
+/// Cost that a frame may have.
 struct Quality {
-  int samples = 4;             ///< Of anti-aliasing for each pixel; 1 for none. The driver may give fewer.
+  int samples = 4; ///< Samples of anti-aliasing for each pixel; 1 for none. The driver may give fewer.
   int floorShadowPixels = 512; ///< Side of the floor shadow; 0 for no shadow on the floor.
   int floorShadowBlurs = 2;
   int selfShadowPixels = 2048; ///< Side of the shadow map that the character casts on itself; 0 for none.
