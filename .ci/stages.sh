@@ -1,5 +1,6 @@
 # Sourced by .ci/run: stages that share the seconds there are, each with a share of its own, so that none starves another.
-#   stage SHARE NAME COMMAND   queues a command (a function); SHARE is how many seconds it wants
+#   stage SHARE NAME COMMAND   queues a command (a function); SHARE is how many seconds it wants. With `only` set, those alone that have
+#                              it in their name
 #   run_stages SECONDS         runs them in their order, within so many seconds of the script's beginning, or `unlimited`
 #   counts_of LOG              adds the counts in the last line of a log to ours
 #   told_at_last               what was left out, then the counts
@@ -12,6 +13,7 @@ names=() shares=() commands=() left_out=()
 deadline=0 told=""
 
 stage() {
+  [[ "$2" == *"${only:-}"* ]] || return 0
   shares+=("$1") names+=("$2") commands+=("$3")
 }
 

@@ -87,7 +87,7 @@ void editRange(PanelContext& context, const EditPhase& phase, const SettingsChan
 struct TipLengths {
   double before = 0.0; ///< In the source clip.
   double after = 0.0;  ///< Value of the character as it moves where the trail is active, else of the
-                      ///< exaggerated path.
+                       ///< exaggerated path.
 };
 [[nodiscard]] TipLengths tipLengths(app::Session& session, const rig::SolvedTrail& solved);
 
