@@ -305,7 +305,12 @@ class Turns(unittest.TestCase):
     def test_what_changed_comes_first_a_header_by_a_source_that_reads_it(self):
         changed = ["core/e.h", "docs/a.md", "core/gone.cpp", "core/a.h"]
         for turn in range(turns.TURNS):
-            self.assertEqual(turns.chosen(self.files, changed, turn)[:2], ["core/d.cpp", "core/a.cpp"])
+            self.assertEqual(sorted(turns.chosen(self.files, changed, turn)[:2]), ["core/a.cpp", "core/d.cpp"])
+
+    def test_of_many_changed_ones_others_are_first_in_every_turn(self):
+        files = {f"core/{number}.cpp": None for number in range(50)}
+        first = {turns.chosen(files, list(files), turn)[0] for turn in range(turns.TURNS)}
+        self.assertEqual(len(first), turns.TURNS)
 
 
 class Pointers(LintTest):

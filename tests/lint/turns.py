@@ -49,9 +49,9 @@ def turn_of(name):
 
 
 def chosen(files, changed, turn):
-    """Names of sources, those of changed files first; `files` by name."""
+    """Names of sources, those of changed files first, and of these the ones whose turn it is; `files` by name."""
     urgent = (source_of(name, files) for name in changed if name.endswith((".cpp", ".h")))
-    names = [name for name in urgent if name]
+    names = sorted((name for name in urgent if name), key=lambda name: (turn_of(name) - turn) % TURNS)
     names += [name for name in sorted(files) if turn_of(name) == turn % TURNS]
     return list(dict.fromkeys(names))
 
