@@ -21,7 +21,7 @@ Result<rig::Prop> propOfRecipe(Json entry, const AdjustmentUnits& units) {
     return propFromJson(entry, units, {});
   }
   if (!entry["file"].is_string() || entry.contains("node")) {
-    return Error{"is no path, or stands beside a node", "file", "give the path of a file, or a node"};
+    return Error{"is not a path, or a node is given as well", "file", "give the path of a file, or a node"};
   }
   if (!entry.contains("bound_at")) {
     entry["bound_at"] = 0;

@@ -68,7 +68,7 @@ bool isAmong(const Names& names, const std::string& name) {
 Status checkHead(const std::vector<std::string>& head) {
   for (const std::string& column : head) {
     if (!isAmong(textColumns, column) && !isAmong(numberColumns, column)) {
-      return Error{"'" + column + "' is no column of a table of offset keys", "row 1",
+      return Error{"'" + column + "' is not a column of a table of offset keys", "row 1",
                    "docs/recipes.md, A table of offset keys, lists them"};
     }
     if (std::ranges::count(head, column) > 1) {

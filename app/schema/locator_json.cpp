@@ -26,7 +26,7 @@ Result<std::string> locatorName(const Json& json, const std::string& where) {
   }
   const auto name = json["name"].get<std::string>();
   if (rig::findBipedJoint(name) == nullptr) {
-    return Error{"'" + name + "' is no joint of the plan biped", where,
+    return Error{"'" + name + "' is not a joint of the plan biped", where,
                  "give one of VRM's names, such as leftUpperArm, leftLowerArm, leftHand"};
   }
   return name;
@@ -81,7 +81,8 @@ Result<rig::Locator> locatorFromJson(const Json& json, const std::string& place)
   }
   locator.position = *position;
   if (!isFinite(*position) || glm::length(*position) > farthestPlace) {
-    return Error{"is no place that a file can hold", *name + ".position", "give finite numbers up to 1e9"};
+    return Error{"has a coordinate that no file can hold", *name + ".position",
+                 "give finite numbers up to 1e9"};
   }
   if (json.contains("orientation")) {
     if (Status read = readTurn(json["orientation"], *name, locator.orientation); !read) {

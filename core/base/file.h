@@ -32,7 +32,7 @@ enum class MissingFolder { isError, isMade };
 /// renamed, in the order given: the file that refers to the others comes last. On an error every file is as
 /// it was and nothing is left behind. Between the first and the last rename the old files stay on the disk
 /// under other names. A file that is replaced keeps its permissions; a symbolic link stays and the file that
-/// it leads to is replaced. Error: a place that is no regular file, a file that is write-protected, and
+/// it leads to is replaced. Error: a place that is not a regular file, a file that is write-protected, and
 /// whatever the system refuses.
 [[nodiscard]] Status writeFiles(std::span<const OutputFile> files,
                                 MissingFolder folder = MissingFolder::isError);

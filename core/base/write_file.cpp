@@ -261,7 +261,7 @@ Status replaceAll(std::span<const Content> contents, MissingFolder folder) {
     std::error_code ignored;
     const fs::file_status before = fs::status(target, ignored);
     if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) {
-      return Error{"is no regular file", content.path.string(), "choose another name"};
+      return Error{"is not a regular file", content.path.string(), "choose another name"};
     }
     if (isProtected(target)) {
       return Error{"is write-protected", content.path.string(),

@@ -10,7 +10,7 @@ namespace stretch::rig {
 
 namespace {
 
-// Of the left leg, else of the right one: lengths of what has no limb.
+// Lengths of whatever has no limb are measured by the left leg, else by the right one.
 double bodyLength(const std::vector<Limb>& limbs) {
   for (const LimbKind kind : {LimbKind::leg, LimbKind::spine}) {
     if (const auto limb = std::ranges::find(limbs, kind, &Limb::kind); limb != limbs.end()) {

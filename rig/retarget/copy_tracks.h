@@ -11,7 +11,7 @@ namespace stretch::rig {
 /// The tracks of a clip on the nodes of another scene that have the same names.
 struct CopiedTracks {
   Clip clip;                        ///< Key for key as it was; without tracks where no name is known.
-  std::vector<std::string> missing; ///< Animated nodes that the other scene has not: names, "#3" without one.
+  std::vector<std::string> missing; ///< Animated nodes that the other scene lacks: names, "#3" without one.
   std::size_t joints = 0;           ///< Animated nodes that it has.
 };
 

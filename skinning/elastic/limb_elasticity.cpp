@@ -167,7 +167,7 @@ private:
   std::vector<Path> loads_;
 };
 
-/// Between the frames whose distance says how fast an end is.
+/// Seconds between the two frames by which the speed of an end is measured.
 constexpr double speedSeconds = 1.0 / 30.0;
 
 std::ptrdiff_t framesOf(double seconds, double framesPerSecond, std::ptrdiff_t fewest) {

@@ -107,7 +107,7 @@ Result<StreamBase> readBase(const std::filesystem::path& path) {
   const Json extras = loaded->source->json->value("extras", Json::object());
   const Json format = extras.is_object() ? extras.value("stretch_stream", Json::object()) : Json::object();
   if (!format.is_object() || format.value("version", 0) != streamVersion || loaded->scene->skins.empty()) {
-    return noStream(path, "the file is no base of a stream of this version");
+    return noStream(path, "the file is not the base of a stream of this version");
   }
   auto bones = readSkeleton(path);
   if (!bones) {

@@ -61,7 +61,7 @@ struct MeshFile {
 /// Whether the extension is .pc2 or .mdd.
 [[nodiscard]] bool isPointCache(const std::filesystem::path& path);
 
-/// Number of points that the header of a cache promises. An error for a file that is no point cache, or
+/// Number of points that the header of a cache promises. An error for a file that is not a point cache, or
 /// shorter than it says.
 [[nodiscard]] Result<std::uint64_t> pointsOfCache(const std::filesystem::path& cache);
 

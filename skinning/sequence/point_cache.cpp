@@ -138,7 +138,7 @@ Result<std::size_t> verticesOfBase(const std::filesystem::path& path) {
 Result<MeshSequence> readPointCache(const std::filesystem::path& base, const std::filesystem::path& cache,
                                     const Progress& progress) {
   if (!isBaseMesh(base)) {
-    return Error{"is no mesh that a cache could move", base.string(), "give an OBJ, PLY or glTF file"};
+    return Error{"is not a mesh that a cache could move", base.string(), "give an OBJ, PLY or glTF file"};
   }
   Result<MeshSequence> sequence = sequenceOfBase(base);
   if (!sequence) {

@@ -33,7 +33,7 @@ Error aloneError(const std::filesystem::path& path) {
 Result<MeshSequence> readTwo(const std::filesystem::path& base, const std::filesystem::path& cache,
                              const Progress& progress) {
   if (!isPointCache(cache)) {
-    return Error{"is no point cache", cache.string(), "name a base mesh and its .pc2 or .mdd cache"};
+    return Error{"is not a point cache", cache.string(), "name a base mesh and its .pc2 or .mdd cache"};
   }
   auto sequence = readPointCache(base, cache, progress);
   if (sequence && isGltfFile(base)) {

@@ -107,7 +107,7 @@ std::string Keymap::toJson(bool all) const {
 Status Keymap::readJson(const std::string& text) {
   const Json json = gltf::parseAnyJson(text);
   if (!json.is_object() || !json.contains("keys") || !json["keys"].is_object()) {
-    return badKeyFile("this is no file of keys", "keys");
+    return badKeyFile("this is not a file of keys", "keys");
   }
   std::map<std::string, std::vector<Chord>> read;
   for (const auto& [commandId, list] : json["keys"].items()) {

@@ -158,7 +158,7 @@ std::string listOf(const std::vector<std::string>& names, std::size_t most) {
   return names.size() > most ? list + fmt::format(" and {} more", names.size() - most) : list;
 }
 
-// What a clip moves and the character has not; empty where it has all of it.
+// Parts that a clip moves and the character lacks; empty where it has all of them.
 std::string leftText(const NewClip& clip) {
   if (clip.left.empty()) {
     return {};
@@ -166,7 +166,7 @@ std::string leftText(const NewClip& clip) {
   constexpr std::size_t most = 6;
   const std::string names = listOf(clip.left, most);
   return clip.isRetargeted ? "left out what this character has no joints for: " + names
-                           : fmt::format("left out {} {} that this character has not: {}", clip.left.size(),
+                           : fmt::format("left out {} {} that this character lacks: {}", clip.left.size(),
                                          clip.left.size() == 1 ? "joint" : "joints", names);
 }
 

@@ -22,7 +22,7 @@ struct NewClip {
   Clip clip;
   std::string from;              ///< Its name in the other file, "#2" without one.
   bool isRetargeted = false;     ///< Else its tracks were copied: the other skeleton is the same.
-  std::vector<std::string> left; ///< Joints, or parts of the body, that the character has not.
+  std::vector<std::string> left; ///< Joints, or parts of the body, that the character lacks.
 };
 
 struct NewClips {

@@ -56,7 +56,7 @@ Status checkTime(const Document& document, int clip, const rig::HoldTime& time, 
     return Error{"its range ends before it starts", who, "give the first frame first"};
   }
   if (blend.x < 0.0 || blend.y < 0.0 || std::max(blend.x, blend.y) > longest) {
-    return Error{"its blend is no number of frames", who, "give two numbers of frames, 0 or more"};
+    return Error{"its blend is not a number of frames", who, "give two numbers of frames, 0 or more"};
   }
   const double last = lastFrameOf(document, clip, entry);
   if (range.x > last + holdRounding || range.y < -holdRounding) {

@@ -23,7 +23,7 @@ void validateBufferView(const Source& source, std::size_t index, Problems& probl
   }
   constexpr int indexTarget = 34963;
   if (wholeOr(view, "byteStride", 4) % 4 != 0) {
-    problems.error(at("bufferViews", index) + ".byteStride", "is no multiple of 4");
+    problems.error(at("bufferViews", index) + ".byteStride", "is not a multiple of 4");
   } else if (find(view, "byteStride") != nullptr && indexOr(view, "target") == indexTarget) {
     problems.violation(at("bufferViews", index) + ".byteStride", "is not allowed for indices");
   }

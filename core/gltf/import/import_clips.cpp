@@ -162,7 +162,7 @@ private:
   bool isInput(int accessor, const std::string& place) {
     const std::optional<AccessorShape> shape = shapeOf(source_, accessor);
     if (!shape || shape->type != "SCALAR" || shape->component != ComponentType::float32) {
-      problems_.error(place + ".input", "is no accessor of float scalars");
+      problems_.error(place + ".input", "is not an accessor of float scalars");
       return false;
     }
     return true;

@@ -151,7 +151,7 @@ public:
   }
 
   void tellUnshown(std::size_t index) {
-    problems_.warning(at("images", index), "is no picture that can be shown (PNG, JPEG or WebP); its "
+    problems_.warning(at("images", index), "is not a picture that can be shown (PNG, JPEG or WebP); its "
                                            "texture is not shown");
   }
 

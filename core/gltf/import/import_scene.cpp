@@ -101,7 +101,7 @@ std::vector<Mat4> readInverseBind(const Source& source, int accessor, std::size_
   const std::optional<AccessorShape> shape = shapeOf(source, accessor);
   if (!shape || shape->type != "MAT4" || shape->component != ComponentType::float32 ||
       shape->count < joints) {
-    problems.error(where, "is no accessor of one float MAT4 for each joint");
+    problems.error(where, "is not an accessor with one float MAT4 for each joint");
     std::vector<Mat4> unread(joints, Mat4(1.0));
     return unread;
   }

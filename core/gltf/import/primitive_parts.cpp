@@ -203,7 +203,7 @@ void PrimitiveParts::checkOtherAttributes() {
         std::any_of(standardNames.begin(), standardNames.end(),
                     [&](std::string_view standard) { return name.starts_with(standard); });
     if (!isStandard && !name.starts_with('_')) {
-      problems_.violation(place, "is no attribute that glTF knows");
+      problems_.violation(place, "is not an attribute that glTF knows");
     } else if (!shape || shape->component == ComponentType::uint32 || shape->count != vertexCount_) {
       problems_.violation(place,
                           "its accessor has a type or number of elements that an attribute cannot have");

@@ -80,7 +80,7 @@ private:
           accessor < 0 ? std::nullopt : shapeOf(plain_.source, accessor);
       if (!number || *number > 0xFFFFFFFFU || !shape || shape->width > 4) {
         problems_.error(fmt::format("{}.attributes.{}", where_, name.substr(0, 100)),
-                        "is no attribute that the primitive has");
+                        "is not an attribute of the primitive");
         return false;
       }
       wanted_.push_back({static_cast<std::uint32_t>(*number), shape->width, shape->component});

@@ -48,7 +48,7 @@ struct AddedSkin {
 struct BoundMesh {
   NodeIndex node; ///< Node of the source; holds a mesh.
   int skin = -1;  ///< Skin of the source or added.
-  /// For each primitive of Mesh::primitives (core/scene/scene.h) one entry a vertex; the first four slots
+  /// For each primitive of Mesh::primitives (core/scene/scene.h) an entry per vertex; the first four slots
   /// count. Points and lines, which are not among those, follow the skin's first joint.
   std::vector<std::vector<VertexInfluences>> influences;
 };

@@ -147,8 +147,8 @@ private:
     const bool fits =
         areNumbers && (property.count == 0 || value.size() == static_cast<std::size_t>(property.count));
     expect(fits,
-           property.count == 0 ? "is no array of numbers"
-                               : fmt::format("is no array of {} numbers", property.count),
+           property.count == 0 ? "is not an array of numbers"
+                               : fmt::format("is not an array of {} numbers", property.count),
            place);
   }
 

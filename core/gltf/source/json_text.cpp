@@ -51,7 +51,7 @@ Result<Json> parseJson(std::string_view text) {
                  "JSON", std::string(exportAgain)};
   }
   if (!json.is_object()) {
-    return Error{"is no JSON object, so no glTF", "JSON", std::string(exportAgain)};
+    return Error{"is not a JSON object, so not glTF", "JSON", std::string(exportAgain)};
   }
   return json;
 }

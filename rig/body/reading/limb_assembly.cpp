@@ -116,7 +116,8 @@ std::vector<std::string> reasonsOf(const Scene& scene, const BodyView& view, con
                              ? "no end joint: estimated from the palm joints"
                              : "no end joint: estimated from the vertices of the last bone");
   } else if (guess.endDetached) {
-    reasons.emplace_back("the end joint is no descendant of the limb: it follows through its own channels");
+    reasons.emplace_back(
+        "the end joint is not a descendant of the limb: it follows through its own channels");
   }
   return reasons;
 }

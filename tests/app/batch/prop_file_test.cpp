@@ -265,9 +265,9 @@ TEST_CASE("props that cannot be taken are told in one line, and nothing is writt
   const Json hands = heldBy("right-arm");
   CHECK_THAT(recipeLine({{"file", "gone.glb"}, {"hands", hands}}),
              Catch::Contains("props[0]") && Catch::Contains("gone.glb"));
-  CHECK_THAT(recipeLine({{"file", 7}, {"hands", hands}}), Catch::Contains("is no path"));
+  CHECK_THAT(recipeLine({{"file", 7}, {"hands", hands}}), Catch::Contains("is not a path"));
   CHECK_THAT(recipeLine({{"file", "sheets.glb"}, {"node", "x"}, {"hands", hands}}),
-             Catch::Contains("is no path"));
+             Catch::Contains("is not a path"));
   CHECK_THAT(recipeLine({{"file", "sheets.glb"}, {"bound_at", "source"}, {"hands", hands}}),
              Catch::Contains("bound_at"));
   CHECK_THAT(recipeLine({{"file", "sheets.glb"}, {"hands", heldBy("tail")}}), Catch::Contains("tail"));

@@ -150,7 +150,7 @@ Result<Image> readPng(const std::filesystem::path& path) {
                             &channels, 4),
       stbi_image_free);
   if (pixels == nullptr) {
-    return Error{"this is no picture that can be read", path.string(), "give a PNG"};
+    return Error{"this is not a picture that can be read", path.string(), "give a PNG"};
   }
   image.rgba.assign(pixels.get(), pixels.get() + static_cast<std::size_t>(4 * image.width * image.height));
   return image;
