@@ -158,7 +158,8 @@ TEST_CASE("two files that are no mesh and cache are told apart") {
   const auto text = folder.write("notes.txt", "no mesh");
   const auto cache = folder.write("run.mdd", MddFile{}.bytes());
   CHECK_THAT(readSequence({text, cache}).error().line(), Contains("notes.txt") && Contains("no mesh"));
-  CHECK_THAT(readSequence({base, text}).error().line(), Contains("notes.txt") && Contains("not a point cache"));
+  CHECK_THAT(readSequence({base, text}).error().line(),
+             Contains("notes.txt") && Contains("not a point cache"));
 }
 
 TEST_CASE("numbers that are missing between frames are told, a step that all keep is none") {
