@@ -124,8 +124,9 @@ class Planting:
             shutil.copymode(self.tree.root / name, target)
 
     def _drop(self, mutants):
-        gone = {id(mutant) for mutant in mutants}
-        self.dropped += mutants
+        known = {id(mutant) for mutant in self.dropped}
+        gone = {id(mutant): mutant for mutant in mutants if id(mutant) not in known}
+        self.dropped += gone.values()
         self.mutants = [mutant for mutant in self.mutants if id(mutant) not in gone]
 
     def build(self, command, rounds=12):

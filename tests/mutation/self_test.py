@@ -31,15 +31,20 @@ void count(int& calls) {
 int frames(int first, int last) {
   return last - first + 1;
 }
+const int rates[] = {24, 30};
+int rate(int which) {
+  return rates[which];
+}
 constexpr int most = 3;
 static_assert(most == 3);
 }
 """
 # A program whose only argument says what it asks for.
 TEST = """#include <cstring>
-namespace stretch { double longer(double, double); int frames(int, int); void count(int&); }
+namespace stretch { double longer(double, double); int frames(int, int); int rate(int); void count(int&); }
 int main(int, char** arguments) {
   if (std::strcmp(arguments[1], "longer") == 0) return stretch::longer(1.0, 2.0) == 2.0 ? 0 : 1;
+  if (std::strcmp(arguments[1], "rate") == 0) return stretch::rate(0) == 24 ? 0 : 1;
   if (std::strcmp(arguments[1], "hang") == 0) while (stretch::frames(1, 2) != 2) {}
   int calls = 0;
   stretch::count(calls);
@@ -164,6 +169,8 @@ class TheWholeWay(unittest.TestCase):
             ("calls += 1;", ""),  # lives
             ("return last - first + 1;", "return last - first;"),  # hangs
             ("return a;", "return nowhere;"),  # does not compile
+            ("const int rates[] = {24, 30};", "const int rates[] = {25, 30};"),  # in a table: dies
+            ("constexpr int most = 3;", "constexpr int most = 4;"),  # the compiler's: does not compile
         ]
         mutants = [self.tree.locate(Mutant("core/limb.cpp", *pair, number=number)) for number, pair in enumerate(wanted)]
         self.planting = Planting(self.tree, root / "build", HERE / "mutant.h")
@@ -178,14 +185,15 @@ class TheWholeWay(unittest.TestCase):
         self.folder.cleanup()
 
     def test_each_mutant_has_its_fate(self):
-        self.assertEqual([one.becomes for one in self.planting.dropped], ["return nowhere;"])
-        cases = [trials.Case(name, [str(self.program), name], self.folder.name, ["core"]) for name in ("longer", "hang", "else")]
+        self.assertEqual(sorted(one.becomes for one in self.planting.dropped), ["constexpr int most = 4;", "return nowhere;"])
+        names = ("longer", "hang", "else", "rate")
+        cases = [trials.Case(name, [str(self.program), name], self.folder.name, ["core"]) for name in names]
         cases = trials.traced(cases, self.folder.name + "/notes", 1)
-        self.assertEqual([sorted(case.passes) for case in cases], [[0], [1, 2], [1]])
+        self.assertEqual([sorted(case.passes) for case in cases], [[0, 4], [1, 2, 4], [1, 4], [4]])
         for case in cases:
             case.seconds = -1.6  # So that what hangs is given a second.
         fates = {one.number: trials.tried(one, cases, 60) for one in self.mutants}
-        self.assertEqual([fates[number][0] for number in (0, 1, 2)], ["killed", "alive", "killed"])
+        self.assertEqual([fates[number][0] for number in (0, 1, 2, 4)], ["killed", "alive", "killed", "killed"])
         unasked = [case for case in cases if case.name == "longer"]
         self.assertEqual(trials.tried(self.mutants[1], unasked, 60)[0], "unreached")
 
