@@ -143,7 +143,8 @@ class Planting:
         raise RuntimeError("the planted tree does not build after taking out what errs")
 
     def _taken_out(self, output):
-        """Drops the mutants of lines that are told; an error further down in a file is the mutant's above it."""
+        """Drops the mutants of lines that are told; an error further down in a file is the mutant's above it, one that is
+        nobody's takes all of its file."""
         files = set()
         for block in re.split(r"(?=^In file included from |^\S+: In )", output, flags=re.M):
             told = {(self._name(match["file"]), int(match["line"]) - 1) for match in ERROR.finditer(block)}
@@ -151,7 +152,8 @@ class Planting:
                 continue
             places = told | {(self._name(match["file"]), int(match["line"]) - 1) for match in MENTION.finditer(block)}
             exact = self._at(places, 0)
-            for name, inside in exact or self._at(told, 40):
+            whole = [(name, span[2]) for name, _ in told for span in self.spans.get(name, [])]
+            for name, inside in exact or self._at(told, 40) or whole:
                 self._drop(inside)
                 files.add(name)
         return files
