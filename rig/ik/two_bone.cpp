@@ -144,11 +144,13 @@ TwoBoneShape solveTwoBone(const TwoBoneProblem& problem) {
   shape.scale = moved ? std::clamp(wanted, smallestStretch, largestStretch) : 1.0;
   shape.outcome = moved && shape.scale != wanted ? ShapeOutcome::clamped : ShapeOutcome::reached;
   const Vec3 line = distance > 0.0 ? toTarget / distance : triangle.line;
-  const Vec3 normal = glm::cross(triangle.line, triangle.bend);
-  const Quat turn = steadyTurn(triangle.line, line, normal);
+  const Quat turn = steadyTurn(triangle.line, line, glm::cross(triangle.line, triangle.bend));
   const Vec2 place = jointInPlane(triangle, span);
   Vec3 bend = unitAcross(turn * triangle.bend, line, 1e-9, anyPerpendicular(line));
   bend = towardsUsual(problem, triangle, bend, turn, line, place.y);
+  // Old and new pose use one normal: where the pose is too straight to tell it, or bent the other way a little,
+  // its own would turn the bones about themselves.
+  const Vec3 normal = glm::cross(triangle.line, glm::inverse(turn) * bend);
   if (bent) {
     bend = unitAcross(polePlace(problem) - problem.base, line, 1e-9 * triangle.length, bend);
   }
