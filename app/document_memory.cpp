@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/document.h"
+#include "app/things/thing.h"
 
 namespace stretch::app {
 
@@ -55,10 +56,28 @@ std::size_t bytesOfLimbs(const std::vector<rig::Limb>& limbs) {
   });
 }
 
-std::size_t bytesOfHolds(const rig::Holds& holds) {
-  return bytesOf(holds.pins) + bytesOf(holds.grips) + bytesOf(holds.props, [](const rig::Prop& prop) {
-           return bytesOf(prop.hands, [](const rig::PropHand& hand) { return bytesOf(hand.keys); });
-         });
+struct HeldBytes : IgnoredParts {
+  std::size_t bytes = 0;
+
+  template <typename Entries, typename Each>
+  void list(const Entries& entries, bool /*needsOne*/, const Each& /*each*/) {
+    bytes += bytesOf(entries);
+  }
+  template <typename Values>
+  void rest(const Values& values) {
+    bytes += bytesOf(values);
+  }
+};
+
+std::size_t bytesOfThings(const Document& document) {
+  HeldBytes held;
+  eachList(document, [&](const auto& list) {
+    held.bytes += bytesOf(list);
+    for (const auto& thing : list) {
+      visitParts(thing, held);
+    }
+  });
+  return held.bytes;
 }
 
 // A prop from a file of its own makes another scene.
@@ -92,20 +111,10 @@ std::size_t bytesBeyond(const Document& document, const Document& other) {
   std::size_t bytes = sizeof document + bytesOfClips(document.clips, other.clips) +
                       bytesOfScene(document.scene, other.scene) +
                       bytesOfSource(document.source, other.source);
-  bytes += bytesOf(document.trails, [](const rig::Trail& trail) {
-    return bytesOf(trail.settings.spheres) + bytesOf(trail.controlFrames) + trail.limb.size() +
-           trail.name.size() + trail.groupName.size();
-  });
-  bytes += bytesOf(document.adjustments, [](const rig::Adjustment& adjustment) {
-    return bytesOf(adjustment.keys) + adjustment.controller.size();
-  });
-  bytes += bytesOf(document.weights, [](const WeightedLimb& entry) {
-    return bytesOf(entry.settings.moduli) + entry.limb.size();
-  });
   bytes += bytesOf(document.followingKeys, [](const FollowingKeys& keys) { return bytesOf(keys.keys); });
   bytes += bytesOf(document.warnings, [](const std::string& warning) { return warning.size(); });
-  return bytes + bytesOfLimbs(document.body.limbs) + bytesOfLimbs(document.chains) +
-         bytesOfHolds(document.holds) + bytesOf(document.loopingClips) + bytesOf(document.rates);
+  return bytes + bytesOfLimbs(document.body.limbs) + bytesOfLimbs(document.chains) + bytesOfThings(document) +
+         bytesOf(document.loopingClips) + bytesOf(document.rates);
 }
 
 } // namespace stretch::app

@@ -104,4 +104,17 @@ std::string nodeTitle(const Document& document, NodeIndex node) {
   return name.empty() ? fmt::format("#{}", node.value) : name;
 }
 
+rig::ControllerList controllersOf(const Document& document) {
+  return rig::controllersOf(*document.scene, document.body.limbs, document.body.hips);
+}
+
+std::vector<rig::Controller> jointControllersOf(const Document& document) {
+  return rig::jointControllers(*document.scene, document.body.limbs, document.body.hips);
+}
+
+Result<rig::Controller> findController(const Document& document, const rig::ControllerList& list,
+                                       const std::string& id) {
+  return rig::controllerNamed(*document.scene, document.body.limbs, document.body.hips, list, id);
+}
+
 } // namespace stretch::app

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/document.h"
+#include "rig/controllers/controller.h"
 
 namespace stretch::app {
 
@@ -24,5 +26,15 @@ namespace stretch::app {
 
 /// The name of a node, or "#index" where it has none.
 [[nodiscard]] std::string nodeTitle(const Document& document, NodeIndex node);
+
+/// The controllers and attributes of the document's character.
+[[nodiscard]] rig::ControllerList controllersOf(const Document& document);
+
+/// Those on its other joints.
+[[nodiscard]] std::vector<rig::Controller> jointControllersOf(const Document& document);
+
+/// The controller on a joint, or of this id.
+[[nodiscard]] Result<rig::Controller> findController(const Document& document,
+                                                     const rig::ControllerList& list, const std::string& id);
 
 } // namespace stretch::app

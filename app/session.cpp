@@ -10,6 +10,7 @@
 #include "app/edits/trail/sphere_edits.h"
 #include "app/files/save.h"
 #include "app/locators/locator_edits.h"
+#include "app/things/time_map.h"
 #include "core/anim/sampling.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/body/reading/detection.h"
@@ -226,7 +227,7 @@ void Session::followRate() {
       }
     }
     if (view_.copiedTrail && view_.copiedTrail->clip == view_.clip) {
-      view_.copiedTrail = recounted(*view_.copiedTrail, factor);
+      view_.copiedTrail = mapped(*view_.copiedTrail, TimeMap{.factor = factor});
     }
   }
   ratedClip_ = view_.clip;

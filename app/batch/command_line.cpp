@@ -6,6 +6,18 @@
 
 namespace stretch::app {
 
+namespace {
+
+// A text that is given and empty is a slip: an unset variable of a script, mostly.
+CLI::Option& filled(CLI::Option* option) {
+  option->check([](const std::string& text) {
+    return text.empty() ? std::string("is empty: give a text, or leave the option out") : std::string();
+  });
+  return *option;
+}
+
+} // namespace
+
 const DeclaredOption& DeclaredOption::required() const {
   option_->required();
   return *this;
@@ -47,7 +59,7 @@ const DeclaredOption& DeclaredOption::group(const std::string& heading) const {
 }
 
 DeclaredOption CommandLine::option(const std::string& name, std::string& value, const std::string& help) {
-  return DeclaredOption(*verb_->add_option(name, value, help));
+  return DeclaredOption(filled(verb_->add_option(name, value, help)));
 }
 
 DeclaredOption CommandLine::option(const std::string& name, int& value, const std::string& help) {
@@ -64,12 +76,12 @@ DeclaredOption CommandLine::option(const std::string& name, double& value, const
 
 DeclaredOption CommandLine::options(const std::string& name, std::vector<std::string>& values,
                                     const std::string& help) {
-  return DeclaredOption(*verb_->add_option(name, values, help));
+  return DeclaredOption(filled(verb_->add_option(name, values, help)));
 }
 
 DeclaredOption CommandLine::repeated(const std::string& name, std::vector<std::string>& values,
                                      const std::string& help) {
-  return DeclaredOption(*verb_->add_option(name, values, help)->take_all()->expected(1));
+  return DeclaredOption(filled(verb_->add_option(name, values, help)->take_all()->expected(1)));
 }
 
 DeclaredOption CommandLine::flag(const std::string& name, bool& value, const std::string& help) {

@@ -10,10 +10,10 @@
 #include "app/batch/verb.h"
 #include "app/document.h"
 #include "app/edits/trail/starting_settings.h"
-#include "app/edits/trail/weight_edits.h"
 #include "app/named.h"
 #include "app/schema/parse_text.h"
 #include "app/schema/weight_schema.h"
+#include "app/things/place.h"
 #include "core/gltf/json/json.h"
 
 namespace stretch::app {
@@ -95,6 +95,7 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const std::optional
     return Error{"no limb but the trunk was found", document.source->path.string(),
                  "name a limb of the trunk or a chain, such as --limb JOINT_A..JOINT_B"};
   }
+  std::vector<WeightedLimb> weights;
   for (const std::string& name : wanted) {
     const Result<rig::Limb> limb = findOrAddLimb(document, name, "--limb");
     if (!limb) {
@@ -108,12 +109,13 @@ Status addLimbs(const ElasticArguments& arguments, int clip, const std::optional
     if (Status known = checkModuli(settings->moduli, limb->joints.size(), limb->id + ": moduli"); !known) {
       return known;
     }
-    Result<Document> changed = setWeight(document, {limb->id, clip, true, *settings});
-    if (!changed) {
-      return changed.error();
-    }
-    document = std::move(*changed);
+    weights.push_back({limb->id, clip, true, std::move(*settings)});
   }
+  Result<Placed> placed = placeOf<WeightedLimb>(document, std::move(weights), Entry::request);
+  if (!placed) {
+    return placed.error();
+  }
+  document = std::move(placed->document);
   return Success{};
 }
 

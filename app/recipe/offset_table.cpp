@@ -156,13 +156,16 @@ Result<std::vector<TableRow>> rowsOfCsv(const std::string& text) {
 }
 
 Result<std::vector<TableRow>> rowsOfJson(const std::string& text) {
-  const Json list = gltf::parseAnyJson(text);
-  if (!list.is_array()) {
-    return Error{"is not a list in JSON", "",
-                 R"(give [{"controller": "hips", "frame": 12, "move": [0, -0.1, 0]}, ...])"};
+  const std::string example = R"(give [{"controller": "hips", "frame": 12, "move": [0, -0.1, 0]}, ...])";
+  const Result<Json> list = gltf::parseHandwrittenJson(text, example);
+  if (list ? !list->is_array() : list.error().where.empty()) {
+    return Error{"is not a list in JSON", "", example};
+  }
+  if (!list) {
+    return list.error();
   }
   std::vector<TableRow> rows;
-  for (const Json& key : list) {
+  for (const Json& key : *list) {
     if (!key.is_object()) {
       return Error{key.dump() + " is not a key", fmt::format("row {}", rows.size() + 1),
                    R"(give {"controller": "hips", "frame": 12, "move": [0, -0.1, 0]})"};

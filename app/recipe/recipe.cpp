@@ -17,6 +17,7 @@
 #include "app/schema/adjustment_json.h"
 #include "app/schema/trail_schema.h"
 #include "app/schema/weight_schema.h"
+#include "app/things/time_map.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/source/json_text.h"
@@ -215,12 +216,15 @@ Result<rig::Trail> trailOf(const Json& json, int clip, bool inMetres, Document& 
   return read ? Result<rig::Trail>(std::move(trail)) : Result<rig::Trail>(read.error());
 }
 
-Result<WeightedLimb> weightOf(const Json& json, int clip, Document& document) {
+Result<WeightedLimb> weightOf(const Json& json, const Recipe& recipe, Document& document) {
   const Result<rig::Limb> limb = limbOf(json, document);
   if (!limb) {
     return limb.error();
   }
-  WeightedLimb entry{limb->id, clip, true, usualWeight(document, limb->id)};
+  WeightedLimb entry{limb->id, recipe.clip, true, usualWeight(document, limb->id)};
+  if (std::ranges::any_of(recipe.weights, [&](const WeightedLimb& other) { return meets(other, entry); })) {
+    return Error{"the limb " + limb->id + " is named twice", "limb", "name it once"};
+  }
   const Status read = weightFromJson(json, {"limb"}, entry.settings);
   return read ? Result<WeightedLimb>(std::move(entry)) : Result<WeightedLimb>(read.error());
 }
@@ -260,21 +264,6 @@ Json adjustmentsToJson(const Document& document, int clip) {
     }
   }
   return entries;
-}
-
-// In frames of a rate that is `factor` times as high.
-void recountAllOf(Recipe& recipe, double factor) {
-  const auto recountList = [&](auto& list) {
-    for (auto& one : list) {
-      one = recounted(std::move(one), factor);
-    }
-  };
-  recountList(recipe.trails);
-  recountList(recipe.weights);
-  recountList(recipe.adjustments);
-  recountList(recipe.holds.pins);
-  recountList(recipe.holds.grips);
-  recountList(recipe.holds.props);
 }
 
 } // namespace
@@ -320,7 +309,7 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
   });
   if (read) {
     read = readList(json, "elastic", ground, recipe.weights,
-                    [&](const Json& entry) { return weightOf(entry, *clip, asInRecipe); });
+                    [&](const Json& entry) { return weightOf(entry, recipe, asInRecipe); });
   }
   if (read) {
     const rig::ControllerList list = controllersOf(document);
@@ -334,7 +323,11 @@ Result<Recipe> recipeFromJson(const Json& json, Document& document, std::optiona
     recipe.holds = holds ? std::move(*holds) : rig::Holds{};
   }
   document.chains = std::move(asInRecipe.chains);
-  recountAllOf(recipe, rate / recipeRate);
+  eachList(recipe, [&](auto& list) {
+    for (auto& thing : list) {
+      thing = mapped(std::move(thing), TimeMap{.factor = rate / recipeRate});
+    }
+  });
   if (read) {
     read = addPropFiles(json, ground.inMetres, folder, recipe, document);
   }
@@ -349,13 +342,12 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
   if (!text) {
     return text.error();
   }
-  const Json json = gltf::parseAnyJson(*text);
-  if (json.is_discarded()) {
-    return Error{"is not JSON", path.string(), "give a recipe, as the editor saves it"};
-  }
-  Result<Recipe> recipe = recipeFromJson(json, document, clip, path.parent_path());
+  const Result<Json> json = gltf::parseHandwrittenJson(*text, "give a recipe, as the editor saves it");
+  Result<Recipe> recipe =
+      json ? recipeFromJson(*json, document, clip, path.parent_path()) : Result<Recipe>(json.error());
   if (!recipe) {
-    return Error{recipe.error().what, path.string() + ": " + recipe.error().where, recipe.error().remedy};
+    const Error& error = recipe.error();
+    return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
   }
   return recipe;
 }

@@ -4,18 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "app/document.h"
-#include "rig/hold/hold.h"
+#include "app/things/thing.h"
 
 namespace stretch::app {
 
 /// A recipe (docs/recipes.md): an edit that can be replayed on another clip or character.
-struct Recipe {
+struct Recipe : Things { // Trails have no ids; limbs exist in the document.
   int clip = 0;
-  std::vector<rig::Trail> trails;    ///< Without ids; limbs exist in the document.
-  std::vector<WeightedLimb> weights; ///< Limbs with weight.
-  std::vector<rig::Adjustment> adjustments;
-  rig::Holds holds;
 };
 
 /// Reads a recipe for a document: names its clip and limbs (chains are added to the document), turns

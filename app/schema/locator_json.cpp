@@ -170,11 +170,9 @@ Result<rig::Locators> loadLocators(const std::filesystem::path& path) {
   if (!text) {
     return text.error();
   }
-  const Json json = gltf::parseAnyJson(*text);
-  if (json.is_discarded()) {
-    return Error{"is not JSON", path.string(), "check the file for a missing comma or bracket"};
-  }
-  Result<rig::Locators> locators = locatorsFromJson(json);
+  const Result<Json> json =
+      gltf::parseHandwrittenJson(*text, "check the file for a missing comma or bracket");
+  Result<rig::Locators> locators = json ? locatorsFromJson(*json) : Result<rig::Locators>(json.error());
   if (!locators) {
     const Error& error = locators.error();
     return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "rig/motion/limb_deform.h"
 
@@ -24,11 +25,21 @@ bool isHeldTurn(const Quat& turn) {
   return glm::length(Vec3(turn.x, turn.y, turn.z)) > unseen;
 }
 
-double volumeOfTrail(const MotionState& motion, const Limb& limb) {
-  const auto last = std::find_if(motion.trails.rbegin(), motion.trails.rend(), [&](const SolvedTrail& trail) {
-    return trail.active && trail.limb.id == limb.id;
-  });
-  return last == motion.trails.rend() ? 1.0 : last->settings.volume;
+double stretchedVolume(const FrameState& frame, NodeIndex joint) {
+  return frame.stretch.empty() ? 1.0 : glm::determinant(frame.stretch[at(joint)]);
+}
+
+// Volume preservation, 0..1, of what made the limb `growth` times as long as in the source: a bone that is s
+// times as long and s^(-v/2) times as thick has s^(1-v) times the volume (docs/exaggeration.md). Read from
+// the frame, since several trails may have a part in it at one time.
+double keptVolume(const Limb& limb, double growth, const FrameState& source, const FrameState& frame) {
+  double change = 0.0;
+  for (const NodeIndex joint : limb.joints) {
+    const double own = std::log(stretchedVolume(frame, joint) / stretchedVolume(source, joint));
+    change = std::abs(own) > std::abs(change) ? own : change;
+  }
+  const double volume = 1.0 - change / std::log(growth);
+  return std::isfinite(volume) ? std::clamp(volume, 0.0, 1.0) : 1.0;
 }
 
 class Holder {
@@ -177,7 +188,7 @@ private:
     }
     ReachGoal back;
     back.place = points.front() + glm::normalize(line) * span * std::pow(before / now, strength);
-    back.volume = volumeOfTrail(motion_, reaching.limb);
+    back.volume = keptVolume(reaching.limb, now / before, source_, frame_);
     reachAsOne(scene_, reaching, back, frame_);
   }
 

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <tuple>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/edits/pose/hold_edits.h"
+#include "app/edits/trail/trail_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
 #include "tests/support/app/boxer.h"
@@ -64,4 +68,45 @@ TEST_CASE("the drawn path follows a hold that is moved, and is the trail's again
   document.holds = {};
   const rig::DrawnTrail free = cache.paths(document, 0, samplesPerFrame).front().drawn;
   CHECK(free == trailPaths(document, prepareMotion(document, 0), samplesPerFrame).front().drawn);
+}
+
+TEST_CASE(
+    "a pinned arm gives back the thickness that its trail at that time made, whatever trails come later") {
+  Document document = test::boxer();
+  for (const auto& [first, last, volume] : {std::tuple(2.0, 6.0, 1.0), std::tuple(12.0, 16.0, 0.0)}) {
+    NewTrail wanted;
+    wanted.limb = "left-arm";
+    wanted.settings.startFrame = first;
+    wanted.settings.endFrame = last;
+    wanted.settings.scale = 2.0;
+    wanted.settings.volume = volume;
+    wanted.settings.releaseFrames = 2.0;
+    wanted.connected = true;
+    const Result<CreatedTrail> created = createTrail(document, wanted);
+    REQUIRE(created);
+    document = created->document;
+  }
+  for (const double frame : {5.0, 6.0, 7.0, 15.0, 16.0}) {
+    CAPTURE(frame);
+    rig::Holds holds;
+    holds.pins.resize(1);
+    holds.pins[0].limb = "left-arm";
+    holds.pins[0].atFrame = frame;
+    holds.pins[0].time = {{frame, frame}, {0.0, 0.0}};
+    const Result<Document> held = placeHolds(document, holds);
+    REQUIRE(held);
+    const rig::Limb& arm = *findLimb(document, "left-arm");
+    const auto farthestFromRound = [&](const Document& shown) {
+      const FrameState seen = evaluate(shown, prepareMotion(shown, 0), frame / 30.0);
+      double farthest = 0.0;
+      for (const NodeIndex joint : arm.joints) {
+        for (int column = 0; column < 3 && !seen.stretch.empty(); ++column) {
+          farthest = std::max(farthest, glm::length(seen.stretch[at(joint)][column] - Mat3(1.0)[column]));
+        }
+      }
+      return farthest;
+    };
+    CHECK(farthestFromRound(document) > 0.1);
+    CHECK(farthestFromRound(*held) < 1e-6);
+  }
 }

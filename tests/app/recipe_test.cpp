@@ -143,3 +143,40 @@ TEST_CASE("A character without a clip is not told as a fault of the recipe") {
   CHECK(recipe.error().line() ==
         "boxer.glb: animations: the file holds no clip; give a file with an animation");
 }
+
+TEST_CASE("A recipe that says one thing twice is refused in a line with its place") {
+  const test::TemporaryFolder folder;
+  Document document = test::boxer();
+  const auto refused = [&](const std::string& text) {
+    const Result<Recipe> recipe = loadRecipe(folder.write("twice.json", text), document);
+    REQUIRE_FALSE(recipe);
+    CHECK(recipe.error().line().find('\n') == std::string::npos);
+    return recipe.error().where.substr((folder / "twice.json").string().size());
+  };
+  CHECK(refused(R"({"version": 1, "trails": [{"limb": "spine", "range": [0, 4]},
+      {"limb": "left-arm", "range": [0, 10], "scale": 2, "scale": 3}]})") == ": trails[1].scale");
+  CHECK(refused(R"({"version": 1, "trails": [], "trails": []})") == ": trails");
+  CHECK(refused(R"({"version": 1, "trails": [], "props": [{"node": "Club", "hands": {
+      "right-arm": [{"frame": 0, "value": 1}], "right-arm": [{"frame": 3, "value": 0}]}}]})") ==
+        ": props[0].hands.right-arm");
+  CHECK(refused(R"({"version": 1, "trails": [], "elastic": [{"limb": "left-arm"}, {"limb": "left-arm"}]})") ==
+        ": elastic[1].limb");
+}
+
+TEST_CASE("A pin or a grip to a frame that the clip does not have is refused") {
+  for (const char* const list : {"pins", "grips"}) {
+    Json entry{{"range", {2, 1000000}}};
+    entry[std::string(list) == "pins" ? "limb" : "follower"] = "left-arm";
+    if (std::string(list) == "grips") {
+      entry["leader"] = "right-arm";
+    }
+    Json json{{"version", 1}, {list, Json::array({entry})}};
+    Document document = test::boxer();
+    const Result<PlacedTrails> placed = withRecipe(document, *recipeFromJson(json, document));
+    REQUIRE_FALSE(placed);
+    CHECK(placed.error().where == "left-arm");
+    CHECK_THAT(placed.error().what, Catch::Contains("2 to 1000000") || Catch::Contains("1e+06"));
+    json[list][0]["range"] = {2, 20};
+    CHECK(withRecipe(document, *recipeFromJson(json, document)));
+  }
+}

@@ -1,40 +1,60 @@
 #include "app/commands/table/past_end.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include <fmt/core.h>
 
 #include "app/commands/table/selection.h"
 #include "app/edits/keys/key_row.h"
+#include "app/things/thing.h"
 
 namespace stretch::app {
+
+namespace {
+
+template <typename T>
+std::string titleOf(const Document& document, const T& thing) {
+  if constexpr (isThing<T, rig::Trail>) {
+    return trailTitle(document, thing);
+  } else if constexpr (isThing<T, rig::Adjustment>) {
+    return controllerTitle(document, thing.controller);
+  } else if constexpr (isThing<T, rig::Prop>) {
+    return thing.node;
+  } else {
+    return limbTitle(document, subjectOf(thing));
+  }
+}
+
+// The range, or the frames that are named where the whole clip is meant; nothing where none is.
+template <typename T>
+std::optional<Vec2> framesOf(const T& thing) {
+  const Vec2 span = spanOf(thing);
+  const std::vector<double> named = framesNamedBy(thing);
+  if (std::isfinite(span.y)) {
+    return span;
+  }
+  const auto [first, last] = std::ranges::minmax_element(named);
+  return named.empty() ? std::nullopt : std::optional(Vec2(*first, *last));
+}
+
+} // namespace
 
 std::vector<std::string> standingPastEnd(const Document& document, int clip) {
   const Clip& shown = clipOf(document, clip);
   const double last = shown.endSeconds * shown.framesPerSecond;
   std::vector<std::string> past;
-  const auto add = [&](int itsClip, const char* what, const std::string& whose, const Vec2& frames) {
-    if (itsClip == clip && frames.y > last + keyTolerance) {
-      past.push_back(fmt::format("{} of {} ({:g} to {:g})", what, whose, frames.x, frames.y));
+  eachList(document, [&](const auto& list) {
+    for (const auto& thing : list) {
+      const std::optional<Vec2> frames = framesOf(thing);
+      if (thing.clip == clip && frames && frames->y > last + keyTolerance) {
+        past.push_back(fmt::format("{} of {} ({:g} to {:g})",
+                                   kindTitle<std::remove_cvref_t<decltype(thing)>>(),
+                                   titleOf(document, thing), frames->x, frames->y));
+      }
     }
-  };
-  for (const rig::Trail& trail : document.trails) {
-    add(trail.clip, "trail", trailTitle(document, trail),
-        {trail.settings.startFrame, trail.settings.endFrame});
-  }
-  for (const rig::Adjustment& adjustment : document.adjustments) {
-    const Vec2 keys(adjustment.keys.front().frame, adjustment.keys.back().frame);
-    add(adjustment.clip, "offsets", controllerTitle(document, adjustment.controller),
-        adjustment.rangeFrames.value_or(keys));
-  }
-  for (const rig::Pin& pin : document.holds.pins) {
-    add(pin.clip, "pin", limbTitle(document, pin.limb), pin.time.rangeFrames);
-  }
-  for (const rig::Grip& grip : document.holds.grips) {
-    add(grip.clip, "grip", limbTitle(document, grip.follower), grip.time.rangeFrames);
-  }
-  for (const rig::Prop& prop : document.holds.props) {
-    add(prop.clip, "prop", prop.node,
-        prop.time ? prop.time->rangeFrames : Vec2(prop.boundFrame.value_or(0.0)));
-  }
+  });
   return past;
 }
 

@@ -175,8 +175,7 @@ Result<Document> writeOffsets(const Document& document, int clip, const KeyedRow
       kept.push_back(changed.adjustments[place]);
     }
   }
-  const Result<Document> sound =
-      placeAdjustments(removeAdjustments(document, row.row.controller, clip), kept);
+  const Result<Document> sound = placeAdjustments(document, kept);
   if (!sound) {
     return sound.error();
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/things/time_map.h"
 #include "core/base/check.h"
 
 namespace stretch::app {
@@ -18,98 +19,7 @@ void setRate(Document& document, int clip, double framesPerSecond) {
   document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
 }
 
-/// What lies on a frame stays exactly there when it is counted to and fro.
-double recountedFrame(double frame, double factor) {
-  const double moved = frame * factor;
-  const double whole = std::round(moved);
-  return std::abs(moved - whole) < 1e-6 ? whole : moved;
-}
-
-void recountTime(rig::HoldTime& time, double factor) {
-  time.rangeFrames = {recountedFrame(time.rangeFrames.x, factor), recountedFrame(time.rangeFrames.y, factor)};
-  time.blendFrames = {recountedFrame(time.blendFrames.x, factor), recountedFrame(time.blendFrames.y, factor)};
-}
-
-void recountKeys(std::vector<rig::OffsetKey>& keys, double factor) {
-  for (rig::OffsetKey& key : keys) {
-    key.frame = recountedFrame(key.frame, factor);
-    key.moveSlope /= factor; // Slopes are for each frame.
-    key.turnSlope /= factor;
-    key.valueSlope /= factor;
-  }
-}
-
-template <typename OfClip>
-void recountAll(std::vector<OfClip>& all, int clip, double factor) {
-  for (OfClip& one : all) {
-    one = one.clip == clip ? recounted(std::move(one), factor) : std::move(one);
-  }
-}
-
 } // namespace
-
-rig::Trail recounted(rig::Trail trail, double factor) {
-  rig::TrailSettings& settings = trail.settings;
-  settings.startFrame = recountedFrame(settings.startFrame, factor);
-  settings.endFrame = recountedFrame(settings.endFrame, factor);
-  if (settings.releaseFrames) {
-    settings.releaseFrames = recountedFrame(*settings.releaseFrames, factor);
-  }
-  for (rig::SphereOffset& sphere : settings.spheres) {
-    sphere.frame = recountedFrame(sphere.frame, factor);
-    if (sphere.tangent) {
-      *sphere.tangent /= factor; // A slope for each frame.
-    }
-  }
-  for (double& frame : trail.controlFrames) {
-    frame = recountedFrame(frame, factor);
-  }
-  return trail;
-}
-
-rig::Adjustment recounted(rig::Adjustment adjustment, double factor) {
-  if (adjustment.rangeFrames) {
-    Vec2& range = *adjustment.rangeFrames;
-    range = {recountedFrame(range.x, factor), recountedFrame(range.y, factor)};
-  }
-  recountKeys(adjustment.keys, factor);
-  return adjustment;
-}
-
-rig::Pin recounted(rig::Pin pin, double factor) {
-  recountTime(pin.time, factor);
-  pin.atFrame = recountedFrame(pin.atFrame, factor);
-  return pin;
-}
-
-rig::Grip recounted(rig::Grip grip, double factor) {
-  recountTime(grip.time, factor);
-  if (grip.relationFrame) {
-    grip.relationFrame = recountedFrame(*grip.relationFrame, factor);
-  }
-  return grip;
-}
-
-rig::Prop recounted(rig::Prop prop, double factor) {
-  if (prop.time) {
-    recountTime(*prop.time, factor);
-  }
-  if (prop.boundFrame) {
-    prop.boundFrame = recountedFrame(*prop.boundFrame, factor);
-  }
-  for (rig::PropHand& hand : prop.hands) {
-    recountKeys(hand.keys, factor);
-  }
-  return prop;
-}
-
-WeightedLimb recounted(WeightedLimb weight, double factor) {
-  if (weight.settings.rangeFrames) {
-    Vec2& range = *weight.settings.rangeFrames;
-    range = {recountedFrame(range.x, factor), recountedFrame(range.y, factor)};
-  }
-  return weight;
-}
 
 double ownRate(const Document& document, int clip) {
   const auto chosen = std::find_if(document.rates.begin(), document.rates.end(),
@@ -127,12 +37,11 @@ Document workAtRate(const Document& document, int clip, double framesPerSecond) 
   if (std::abs(framesPerSecond - own) > sameRate) {
     changed.rates.push_back({clip, framesPerSecond, own});
   }
-  recountAll(changed.trails, clip, factor);
-  recountAll(changed.adjustments, clip, factor);
-  recountAll(changed.holds.pins, clip, factor);
-  recountAll(changed.holds.grips, clip, factor);
-  recountAll(changed.holds.props, clip, factor);
-  recountAll(changed.weights, clip, factor);
+  eachList(changed, [&](auto& list) {
+    for (auto& thing : list) {
+      thing = thing.clip == clip ? mapped(std::move(thing), TimeMap{.factor = factor}) : std::move(thing);
+    }
+  });
   return changed;
 }
 

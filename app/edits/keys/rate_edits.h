@@ -21,12 +21,4 @@ void setFramesPerSecond(Document& document, double framesPerSecond);
 /// document is left alone.
 void countInChosenRates(Document& document);
 
-/// Returns the trail with the same moments in frames of a rate that is `factor` times as high.
-[[nodiscard]] rig::Trail recounted(rig::Trail trail, double factor);
-[[nodiscard]] rig::Adjustment recounted(rig::Adjustment adjustment, double factor);
-[[nodiscard]] rig::Pin recounted(rig::Pin pin, double factor);
-[[nodiscard]] rig::Grip recounted(rig::Grip grip, double factor);
-[[nodiscard]] rig::Prop recounted(rig::Prop prop, double factor);
-[[nodiscard]] WeightedLimb recounted(WeightedLimb weight, double factor);
-
 } // namespace stretch::app

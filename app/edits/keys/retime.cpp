@@ -9,38 +9,15 @@
 #include <fmt/core.h>
 
 #include "app/edits/keys/key_edits.h"
-#include "app/edits/pose/adjustment_edits.h"
+#include "app/named.h"
+#include "app/things/place.h"
+#include "app/things/time_map.h"
 
 namespace stretch::app {
 
 namespace {
 
-// Where a frame comes to stand.
-struct TimeMap {
-  double first = 0.0;
-  double last = 0.0;
-  double factor = 1.0;
-  bool movesAfter = true;
-
-  [[nodiscard]] double newLast() const { return first + (last - first) * factor; }
-  [[nodiscard]] bool isInside(double frame) const {
-    return frame >= first - keyTolerance && frame <= last + keyTolerance;
-  }
-  [[nodiscard]] double operator()(double frame) const {
-    if (frame <= first) {
-      return frame;
-    }
-    const double there = isInside(frame) ? first + (frame - first) * factor
-                         : movesAfter    ? frame + newLast() - last
-                                         : frame;
-    const double whole = std::round(there);
-    return std::abs(there - whole) < 1e-4 ? whole : there;
-  }
-  // Keys after the range that the range now reaches.
-  [[nodiscard]] bool givesWay(double frame) const {
-    return !movesAfter && frame > last + keyTolerance && frame <= newLast() + keyTolerance;
-  }
-};
+constexpr double roundedFrames = 1e-4; ///< A retimed frame that comes so near to a whole one is on it.
 
 void mapKey(const TimeMap& map, bool hasSlopes, RowKey& key) {
   const double frame = key.frame;
@@ -80,82 +57,6 @@ Result<Document> withRow(const Document& document, int clip, const KeyRow& which
   return writeRow(document, clip, row);
 }
 
-Vec2 mapped(const TimeMap& map, const Vec2& range) {
-  return {map(range.x), map(range.y)};
-}
-
-void mapOffsetKeys(const TimeMap& map, std::vector<rig::OffsetKey>& keys) {
-  std::erase_if(keys, [&](const rig::OffsetKey& key) { return map.givesWay(key.frame); });
-  for (rig::OffsetKey& key : keys) {
-    const double slower = map.isInside(key.frame) ? map.factor : 1.0;
-    key.frame = map(key.frame);
-    key.moveSlope /= slower;
-    key.turnSlope /= slower;
-    key.valueSlope /= slower;
-  }
-}
-
-void mapAdjustment(const TimeMap& map, rig::Adjustment& adjustment) {
-  mapOffsetKeys(map, adjustment.keys);
-  if (adjustment.rangeFrames) {
-    adjustment.rangeFrames = mapped(map, *adjustment.rangeFrames);
-  }
-}
-
-void mapTrail(const TimeMap& map, rig::Trail& trail) {
-  rig::TrailSettings& settings = trail.settings;
-  if (settings.releaseFrames) {
-    settings.releaseFrames = map(settings.endFrame + *settings.releaseFrames) - map(settings.endFrame);
-  }
-  settings.startFrame = map(settings.startFrame);
-  settings.endFrame = map(settings.endFrame);
-  for (rig::SphereOffset& sphere : settings.spheres) {
-    if (sphere.tangent) {
-      *sphere.tangent /= map.isInside(sphere.frame) ? map.factor : 1.0;
-    }
-    sphere.frame = map(sphere.frame);
-  }
-  for (double& frame : trail.controlFrames) {
-    frame = map(frame);
-  }
-}
-
-void mapProp(const TimeMap& map, rig::Prop& prop) {
-  if (prop.time) {
-    prop.time->rangeFrames = mapped(map, prop.time->rangeFrames);
-  }
-  if (prop.boundFrame) {
-    prop.boundFrame = map(*prop.boundFrame);
-  }
-  for (rig::PropHand& hand : prop.hands) {
-    const rig::OffsetKey last = hand.keys.back();
-    mapOffsetKeys(map, hand.keys);
-    if (hand.keys.empty()) {
-      hand.keys.push_back(last); // A hand that holds keeps one key.
-    }
-  }
-}
-
-void mapHolds(const TimeMap& map, int clip, rig::Holds& holds) {
-  for (rig::Pin& pin : holds.pins) {
-    if (pin.clip == clip) {
-      pin.time.rangeFrames = mapped(map, pin.time.rangeFrames);
-      pin.atFrame = map(pin.atFrame);
-    }
-  }
-  for (rig::Grip& grip : holds.grips) {
-    if (grip.clip == clip) {
-      grip.time.rangeFrames = mapped(map, grip.time.rangeFrames);
-      grip.relationFrame = grip.relationFrame ? std::optional(map(*grip.relationFrame)) : std::nullopt;
-    }
-  }
-  for (rig::Prop& prop : holds.props) {
-    if (prop.clip == clip) {
-      mapProp(map, prop);
-    }
-  }
-}
-
 bool isOfLimb(const rig::ControllerList& list, const std::string& limb, const std::string& id) {
   const rig::Controller* const controller = list.controller(id);
   const rig::Attribute* const attribute = list.attribute(id);
@@ -163,27 +64,16 @@ bool isOfLimb(const rig::ControllerList& list, const std::string& limb, const st
          (attribute != nullptr && attribute->limb == limb);
 }
 
-void mapWhatStandsOnTime(const TimeMap& map, int clip, const std::string& limb, Document& document) {
-  const rig::ControllerList list = controllersOf(document);
-  for (rig::Adjustment& adjustment : document.adjustments) {
-    if (adjustment.clip == clip && isOfLimb(list, limb, adjustment.controller)) {
-      mapAdjustment(map, adjustment);
-    }
-  }
-  std::erase_if(document.adjustments, [](const rig::Adjustment& one) { return one.keys.empty(); });
-  if (limb.empty()) {
-    mapHolds(map, clip, document.holds);
-  }
-  for (rig::Trail& trail : document.trails) {
-    if (limb.empty() && trail.clip == clip) {
-      mapTrail(map, trail);
-    }
-  }
-  for (WeightedLimb& weight : document.weights) {
-    if (limb.empty() && weight.clip == clip && weight.settings.rangeFrames) {
-      weight.settings.rangeFrames = mapped(map, *weight.settings.rangeFrames);
-    }
-  }
+// Of one limb only what its controllers are given.
+void mapThings(const TimeMap& map, int clip, const std::string& limb, Document& document) {
+  const rig::ControllerList controllers = controllersOf(document);
+  eachList(document, [&](auto& list) {
+    using T = typename std::remove_cvref_t<decltype(list)>::value_type;
+    list = mappedList(list, map, [&](const T& thing) {
+      return thing.clip == clip &&
+             (limb.empty() || (isThing<T, rig::Adjustment> && isOfLimb(controllers, limb, subjectOf(thing))));
+    });
+  });
 }
 
 std::vector<KeyRow> rowsOf(const Document& document, int clip, const std::string& limbId) {
@@ -223,17 +113,21 @@ Result<Document> retimed(const Document& document, int clip, const Retime& wante
     return sound.error();
   }
   const double length = wanted.lastFrame - wanted.firstFrame;
-  const TimeMap map{wanted.firstFrame, wanted.lastFrame, wanted.newFrames / length, wanted.movesAfter};
+  const TimeMap map{wanted.firstFrame, wanted.lastFrame,  wanted.newFrames / length,
+                    wanted.firstFrame, wanted.movesAfter, roundedFrames};
   const std::vector<KeyRow> rows = rowsOf(document, clip, wanted.limb);
   Result<Document> changed = withKeysAt(document, clip, rows, wanted.firstFrame);
   changed = changed ? withKeysAt(*changed, clip, rows, wanted.lastFrame) : changed;
   for (const KeyRow& row : rows) {
     changed = changed ? withRow(*changed, clip, row, map) : changed;
   }
-  if (changed) {
-    mapWhatStandsOnTime(map, clip, wanted.limb, *changed);
+  if (!changed) {
+    return changed;
   }
-  return changed;
+  mapThings(map, clip, wanted.limb, *changed);
+  const Status sound = checkThings(*changed, clip);
+  // What was odd before, as a trail of a limb that the body has no more, does not stand in the way.
+  return sound || !checkThings(document, clip) ? changed : Result<Document>(sound.error());
 }
 
 } // namespace stretch::app

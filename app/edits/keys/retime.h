@@ -18,9 +18,11 @@ struct Retime {
   friend bool operator==(const Retime&, const Retime&) = default;
 };
 
-/// The clip's own keys, offset keys with their ranges, and, for the whole clip, trails, holds and ranges of
-/// weight, slower or faster. Curves get a key at the ends of the range, so that what lies outside stays as it
-/// is. Morph weights are left alone.
+/// The clip's own keys, the offset keys of controllers and, for the whole clip, every thing that stands in
+/// its time, slower or faster. Curves get a key at the ends of the range, so that what lies outside stays as
+/// it is. Where what comes after stays, keys that the range reaches go; a thing that would share time with
+/// one of its kind and subject that the range brings begins where that ends, and goes where nothing is left
+/// of it. Refused where things came out that no edit would take. Morph weights are left alone.
 [[nodiscard]] Result<Document> retimed(const Document& document, int clip, const Retime& wanted);
 
 } // namespace stretch::app

@@ -3,18 +3,13 @@
 #include <cstddef>
 
 #include "app/document.h"
-#include "app/edits/trail/place_trails.h"
+#include "app/things/place.h"
 #include "rig/hold/hold.h"
 
 namespace stretch::app {
 
-// The one door for pins, grips and props: the editor, recipes and the work that a file carries all pass
-// through it. A hold names hands, feet and nodes that the character has and a clip of the file; its numbers
-// are finite and its range lies in the clip (Entry::file: or past its end); no hand is led by itself, through
-// others or not.
-
-/// All of them or none. What the document has that holds the same limb, or the same prop, over a part of the
-/// same range gives way; two of `wanted` that do so are refused. Errors name the limb or node.
+/// Pins, grips and props through the door (app/things/place.h). A hold names hands, feet and nodes that the
+/// character has; no hand is led by itself, through others or not.
 [[nodiscard]] Result<Document> placeHolds(const Document& document, const rig::Holds& wanted,
                                           Entry entry = Entry::request);
 

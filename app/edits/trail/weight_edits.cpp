@@ -2,45 +2,13 @@
 
 #include <algorithm>
 
-#include "app/document.h"
-#include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/starting_settings.h"
-#include "app/schema/weight_schema.h"
-#include "core/gltf/json/json.h"
+#include "app/things/place.h"
 
 namespace stretch::app {
 
-namespace {
-
-Status validate(const WeightSettings& settings) {
-  if (Status values = checkSettings(weightSchema(), settings); !values) {
-    return values;
-  }
-  const bool hasLength = !settings.rangeFrames || settings.rangeFrames->x < settings.rangeFrames->y;
-  return hasLength ? Status(Success{})
-                   : Status(Error{"the range has no length", "range", "set its end after its start"});
-}
-
-} // namespace
-
 Result<Document> setWeight(const Document& document, const WeightedLimb& wanted) {
-  if (const Status known = checkLimbAndClip(document, wanted.limb, wanted.clip); !known) {
-    return known.error();
-  }
-  if (const Status valid = validate(wanted.settings); !valid) {
-    return valid.error();
-  }
-  Document changed = document;
-  const auto present =
-      std::find_if(changed.weights.begin(), changed.weights.end(), [&](const WeightedLimb& entry) {
-        return entry.limb == wanted.limb && entry.clip == wanted.clip;
-      });
-  if (present != changed.weights.end()) {
-    *present = wanted;
-  } else {
-    changed.weights.push_back(wanted);
-  }
-  return changed;
+  return documentOf(placeOf<WeightedLimb>(document, {wanted}, Entry::request));
 }
 
 Document removeWeight(const Document& document, const std::string& limb, int clip) {

@@ -41,6 +41,7 @@ public:
   explicit Builder(Json& root) : root_(root) {}
 
   [[nodiscard]] const std::optional<JsonFailure>& failure() const { return failure_; }
+  [[nodiscard]] const std::optional<std::string>& repeated() const { return repeated_; }
 
   // NOLINTBEGIN(readability-identifier-naming): the library's names of its events
   bool null() { return add(nullptr); }
@@ -60,6 +61,7 @@ public:
     auto& object = open_.back().value->get_ref<Json::object_t&>();
     Json::object_t::Container& members = object;
     if (const std::optional<std::size_t> present = open_.back().placeOf(name)) {
+      repeated_ = repeated_ ? repeated_ : pathTo(name);
       named_ = &members[*present].second;
       return true;
     }
@@ -79,6 +81,21 @@ public:
 
 private:
   static constexpr std::size_t fewMembers = 4;
+
+  // Of a key where every open value is the last one in what holds it, as long as none came twice.
+  [[nodiscard]] std::string pathTo(const std::string& name) const {
+    std::string path;
+    for (const OpenValue& open : open_) {
+      if (open.value->is_array()) {
+        path.append("[").append(std::to_string(open.value->size() - 1)).append("]");
+      } else {
+        const bool isLast = &open == &open_.back();
+        path.append(path.empty() ? "" : ".")
+            .append(isLast ? name : open.value->get_ref<const Json::object_t&>().rbegin()->first);
+      }
+    }
+    return path;
+  }
 
   Json& place(Json value) {
     if (!open_.empty() && open_.back().value->is_array()) {
@@ -108,6 +125,7 @@ private:
   std::vector<OpenValue> open_; ///< From the root inwards.
   Json* named_ = nullptr;
   std::optional<JsonFailure> failure_;
+  std::optional<std::string> repeated_;
 };
 
 } // namespace
@@ -128,6 +146,13 @@ std::optional<JsonFailure> buildJson(std::string_view text, Json& tree) {
     return JsonFailure{};
   }
   return builder.failure();
+}
+
+std::optional<std::string> repeatedKey(std::string_view text) {
+  Json tree;
+  Builder builder(tree);
+  static_cast<void>(Json::sax_parse(text, &builder));
+  return builder.repeated();
 }
 
 } // namespace stretch::gltf

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -20,5 +21,9 @@ struct JsonFailure {
   bool isOutOfRange = false; ///< A number that double precision cannot hold; else no valid JSON.
 };
 [[nodiscard]] std::optional<JsonFailure> buildJson(std::string_view text, Json& tree);
+
+/// Place of the first key that an object of this JSON text has twice: "trails[0].scale". Nothing where there
+/// is none, or no valid JSON before one.
+[[nodiscard]] std::optional<std::string> repeatedKey(std::string_view text);
 
 } // namespace stretch::gltf

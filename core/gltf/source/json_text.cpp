@@ -61,4 +61,15 @@ Json parseAnyJson(std::string_view text) {
   return nestingOf(text) > deepestNesting || buildJson(text, json) ? Json(Json::value_t::discarded) : json;
 }
 
+Result<Json> parseHandwrittenJson(std::string_view text, const std::string& remedy) {
+  Json json = parseAnyJson(text);
+  if (json.is_discarded()) {
+    return Error{"is not JSON", "", remedy};
+  }
+  if (const std::optional<std::string> twice = repeatedKey(text)) {
+    return Error{"stands twice in one object", *twice, "leave one of the two out"};
+  }
+  return json;
+}
+
 } // namespace stretch::gltf

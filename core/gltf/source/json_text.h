@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "core/gltf/source/source.h"
@@ -13,5 +14,9 @@ namespace stretch::gltf {
 /// Any other JSON that a file holds: recipes, settings, tables. Discarded for what is none, and for more than
 /// 256 levels of nesting, which would overflow the stack of whoever walks through it.
 [[nodiscard]] Json parseAnyJson(std::string_view text);
+
+/// Parses JSON that people write by hand, where a key that stands twice in one object is a mistake: an error
+/// with its place. Text that is no JSON is an error with this remedy.
+[[nodiscard]] Result<Json> parseHandwrittenJson(std::string_view text, const std::string& remedy);
 
 } // namespace stretch::gltf

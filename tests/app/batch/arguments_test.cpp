@@ -90,17 +90,21 @@ TEST_CASE("Exaggerating writes nothing when a limb, its scale or its range is wr
 TEST_CASE("A wrong argument is told in one line") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();
-  const std::vector<std::vector<std::string>> wrong = {{"elastic", dummy, "-o", output, "--fps", "nan"},
-                                                       {"elastic", dummy, "-o", output, "--fps", "1e9"},
-                                                       {"elastic", dummy, "-o", output, "--fps", "0"},
-                                                       {"elastic", dummy, "-o", output, "--density", "0"},
-                                                       {"elastic", dummy, "-o", output, "--young", "nan"},
-                                                       {"elastic", dummy, "-o", output, "--softness", "3"},
-                                                       {"compress", "frames", "-o", output, "--skip", "-1"},
-                                                       {"compress", "frames", "-o", output, "--fps", "fast"},
-                                                       {"compress", "frames"},
-                                                       {"bend", dummy},
-                                                       {}};
+  const std::vector<std::vector<std::string>> wrong = {
+      {"elastic", dummy, "-o", output, "--fps", "nan"},
+      {"elastic", dummy, "-o", output, "--fps", "1e9"},
+      {"elastic", dummy, "-o", output, "--fps", "0"},
+      {"elastic", dummy, "-o", output, "--density", "0"},
+      {"elastic", dummy, "-o", output, "--young", "nan"},
+      {"elastic", dummy, "-o", output, "--softness", "3"},
+      {"compress", "frames", "-o", output, "--skip", "-1"},
+      {"compress", "frames", "-o", output, "--fps", "fast"},
+      {"compress", "frames"},
+      {"import-clip", dummy, "-o", output, "--from", dummy, "--name", ""},
+      {"elastic", dummy, "-o", output, "--limb", ""},
+      {"pose", dummy, "-o", output, "--recipe", ""},
+      {"bend", dummy},
+      {}};
   for (const std::vector<std::string>& words : wrong) {
     INFO((words.empty() ? "" : words.back()));
     const test::CapturedErrors errors;
@@ -110,6 +114,21 @@ TEST_CASE("A wrong argument is told in one line") {
     CHECK(std::count(told.begin(), told.end(), '\n') == 1);
     CHECK(told.size() < 200);
     CHECK_THAT(told, Catch::Contains(words.size() > 4 ? words[words.size() - 2] : ""));
+  }
+  CHECK(folder.fileCount() == 0);
+}
+
+TEST_CASE("A limb that is named twice is refused, and nothing is written") {
+  const test::TemporaryFolder folder;
+  const std::string output = (folder / "out.glb").string();
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"elastic", dummy, "-o", output, "--limb", "left-arm", "--limb", "left-arm"},
+        {"exaggerate", dummy, "-o", output, "--limb", "left-arm", "--scale", "2", "--limb", "left-arm",
+         "--scale", "3"}}) {
+    const test::VerbAnswer answer = test::runVerb(words);
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains("left-arm"));
+    CHECK(std::count(answer.told.begin(), answer.told.end(), '\n') == 1);
   }
   CHECK(folder.fileCount() == 0);
 }

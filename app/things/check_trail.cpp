@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "app/schema/trail_schema.h"
+#include "app/schema/weight_schema.h"
+#include "app/things/checks.h"
+#include "core/gltf/json/json.h"
+
+namespace stretch::app {
+
+namespace {
+
+bool hasFiniteShapes(const rig::TrailSettings& settings) {
+  const auto isFinite = [](const Vec3& v) { return std::isfinite(v.x + v.y + v.z); };
+  const bool spheres =
+      std::all_of(settings.spheres.begin(), settings.spheres.end(), [&](const rig::SphereOffset& sphere) {
+        return std::isfinite(sphere.frame) && isFinite(sphere.offset) &&
+               (!sphere.tangent || isFinite(*sphere.tangent));
+      });
+  return spheres && std::isfinite(settings.startFrame) && std::isfinite(settings.endFrame) &&
+         (!settings.stopAt || (isFinite(settings.stopAt->point) && isFinite(settings.stopAt->normal)));
+}
+
+} // namespace
+
+Status checkValues(const rig::Trail& trail) {
+  const rig::TrailSettings& settings = trail.settings;
+  if (!hasFiniteShapes(settings)) {
+    return Error{"a setting of the trail is not a number", trail.limb, "give a number"};
+  }
+  if (Status values = checkSettings(trailSchema(), settings); !values) {
+    return values;
+  }
+  if (settings.endFrame <= settings.startFrame) {
+    return Error{fmt::format("the range {:g} to {:g} has no length", settings.startFrame, settings.endFrame),
+                 trail.limb, "set its end after its start"};
+  }
+  return Success{};
+}
+
+Status checkAlone(const Ground& ground, const rig::Trail& trail) {
+  if (Status known = checkLimbAndClip(ground.document, trail.limb, trail.clip); !known) {
+    return known;
+  }
+  if (Status values = checkValues(trail); !values) {
+    return values;
+  }
+  const rig::TrailSettings& settings = trail.settings;
+  const Clip& clip = clipOf(ground.document, trail.clip);
+  const double last = std::round(clip.endSeconds * clip.framesPerSecond);
+  const bool isOutside = settings.startFrame >= last || settings.endFrame <= 0.0;
+  return isOutside && ground.entry != Entry::file
+             ? Status(
+                   outsideClip(fmt::format("the range {:g} to {:g}", settings.startFrame, settings.endFrame),
+                               last, trail.limb))
+             : Status(Success{});
+}
+
+Status checkAlone(const Ground& ground, const WeightedLimb& weight) {
+  if (Status known = checkLimbAndClip(ground.document, weight.limb, weight.clip); !known) {
+    return known;
+  }
+  if (Status values = checkSettings(weightSchema(), weight.settings); !values) {
+    return values;
+  }
+  const std::optional<Vec2>& range = weight.settings.rangeFrames;
+  return !range || range->x < range->y
+             ? Status(Success{})
+             : Status(Error{"the range has no length", "range", "set its end after its start"});
+}
+
+Status checkClip(const Document& document, int clip) {
+  if (document.clips == nullptr || clip < 0 || at(clip) >= document.clips->size()) {
+    return Error{"the file has no such clip", fmt::format("clip {}", clip), "open a file with an animation"};
+  }
+  return Success{};
+}
+
+Status checkLimbAndClip(const Document& document, const std::string& limbId, int clip) {
+  if (findLimb(document, limbId) == nullptr) {
+    return Error{"the character has no such limb", limbId,
+                 "pick a limb that was found, or any chain by its joints"};
+  }
+  return checkClip(document, clip);
+}
+
+double lastFrameFor(const Ground& ground, int clip) {
+  const Clip& shown = clipOf(ground.document, clip);
+  return ground.entry == Entry::file
+             ? std::numeric_limits<double>::infinity()
+             : std::max(0.0, std::ceil(shown.endSeconds * shown.framesPerSecond - frameTolerance));
+}
+
+Error outsideClip(const std::string& what, double lastFrame, const std::string& who) {
+  return {fmt::format("{} lies outside the clip, which has the frames 0 to {:g}", what, lastFrame), who,
+          "give frames of the clip"};
+}
+
+} // namespace stretch::app
