@@ -26,12 +26,21 @@ struct ImportArguments {
   JsonOutput json;
 };
 
-// "other.glb#walk" is the clip walk of other.glb, unless there is a file of that very name.
+// "other.glb#walk" is the clip walk of other.glb, unless there is a file of that very name. Files and clips
+// may have a # in their names: the mark is the first one that a file stands before, else the first.
 ClipRequest requestOf(const ImportArguments& arguments) {
   ClipRequest request{arguments.from, arguments.fromClip, arguments.name};
-  const std::size_t mark = arguments.from.find('#');
-  std::error_code ignored;
-  if (mark != std::string::npos && !std::filesystem::exists(arguments.from, ignored)) {
+  const auto isThere = [&](std::size_t length) {
+    std::error_code ignored;
+    return std::filesystem::exists(arguments.from.substr(0, length), ignored);
+  };
+  const std::size_t first = arguments.from.find('#');
+  std::size_t mark = first;
+  while (mark != std::string::npos && !isThere(mark)) {
+    mark = arguments.from.find('#', mark + 1);
+  }
+  mark = mark == std::string::npos ? first : mark;
+  if (mark != std::string::npos && !isThere(std::string::npos)) {
     request.file = arguments.from.substr(0, mark);
     request.clip = arguments.from.substr(mark + 1);
   }

@@ -6,10 +6,13 @@
 
 #include "app/edits/body/limb_edits.h"
 #include "app/edits/keys/rate_edits.h"
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/edits/pose/hold_edits.h"
 #include "app/edits/trail/trail_edits.h"
 #include "app/edits/trail/weight_edits.h"
 #include "app/evaluate/cache.h"
 #include "app/evaluate/evaluate.h"
+#include "app/evaluate/keyed_clip.h"
 #include "core/math/rotation.h"
 #include "tests/support/app/boxer.h"
 
@@ -67,6 +70,35 @@ Document withShorterArm(const Document& document, const std::string& id) {
   return orFail(correctLimb(document, arm));
 }
 
+// The clips, with a key of one of them turned on.
+std::shared_ptr<const std::vector<Clip>> clipsTurned(const Document& document, std::size_t clip) {
+  std::vector<Clip> clips = *document.clips;
+  clips[clip].tracks.front().edit([](Track& track) {
+    for (std::size_t key = 4; key + 3 < track.values.size(); key += 4) {
+      std::swap(track.values[key], track.values[key + 1]);
+      std::swap(track.values[key + 1], track.values[key + 2]);
+    }
+  });
+  return std::make_shared<const std::vector<Clip>>(std::move(clips));
+}
+
+rig::Adjustment hipsLowered(double frame) {
+  rig::Adjustment adjustment;
+  adjustment.controller = "hips";
+  adjustment.rangeFrames = Vec2(2.0, 16.0);
+  adjustment.keys = {{.frame = frame, .move = {0.0, -0.2, 0.1}}};
+  return adjustment;
+}
+
+// The right hand, which no trail moves and which rests in the clip, held at a place of its own.
+rig::Pin pinAt(double startFrame) {
+  rig::Pin pin;
+  pin.limb = "right-arm";
+  pin.time.rangeFrames = Vec2(startFrame, 14.0);
+  pin.place = rig::HeldPlace{Vec3(-0.5, 1.2, 0.3), Quat(1.0, 0.0, 0.0, 0.0)};
+  return pin;
+}
+
 struct Change {
   std::string name;
   std::function<void(Document&)> make;
@@ -113,6 +145,13 @@ std::vector<Change> changes() {
          const Result<CreatedTrail> created = createTrail(d, wanted);
          REQUIRE(created);
          d = created->document;
+       }},
+      {"keys of the clip", [](Document& d) { d.clips = clipsTurned(d, 0); }},
+      {"a loop alone", [](Document& d) { d = setLooping(d, 0, true); }},
+      {"an offset", [](Document& d) { d = orFail(placeAdjustments(d, std::vector{hipsLowered(8.0)})); }},
+      {"a pin",
+       [](Document& d) {
+         d = orFail(placeHolds(d, {{pinAt(8.0)}, {}, {}}));
        }},
       {"how the weight is damped", [](Document& d) { d.weights.front().settings.damping = 0.1; }},
   };
@@ -164,4 +203,58 @@ TEST_CASE("the cache sees other hips where a trail is told from them") {
   EvaluationCache cache;
   checkAnswers(cache, before);
   checkAnswers(cache, after);
+}
+
+TEST_CASE("the cache sees every part of a pin that changes, and the shown keys follow it") {
+  const Document without = busyBoxer();
+  const Document before = orFail(placeHolds(without, {{pinAt(8.0)}, {}, {}}));
+  const std::vector<std::pair<const char*, std::function<void(rig::Pin&)>>> parts{
+      {"range", [](rig::Pin& pin) { pin.time.rangeFrames.x = 5.0; }},
+      {"blend", [](rig::Pin& pin) { pin.time.blendFrames = Vec2(2.0, 3.0); }},
+      {"place", [](rig::Pin& pin) { pin.place->position.y += 0.1; }},
+      {"orientation", [](rig::Pin& pin) { pin.place->orientation = axisAngle(Vec3(0.0, 1.0, 0.0), 0.8); }},
+      {"turn", [](rig::Pin& pin) { pin.turns = false; }},
+      {"stretch", [](rig::Pin& pin) { pin.stretch = 0.0; }},
+      {"limb", [](rig::Pin& pin) { pin.limb = "left-arm"; }}};
+  for (const auto& [name, change] : parts) {
+    INFO(name);
+    rig::Pin pin = pinAt(8.0);
+    change(pin);
+    const Document after = orFail(placeHolds(without, {{pin}, {}, {}}));
+    EvaluationCache cache;
+    for (const Document& document : {before, after, without, after, before}) {
+      checkAnswers(cache, document);
+      CHECK(cache.keyed(document, 0) == keyedClip(document, 0));
+    }
+    CHECK_FALSE(keyedClip(before, 0) == keyedClip(after, 0));
+  }
+}
+
+TEST_CASE("the cache tells two clips of one length apart, and the edited clip from its source") {
+  Document document = busyBoxer();
+  std::vector<Clip> clips = *document.clips;
+  clips.push_back(clipsTurned(document, 0)->front());
+  document.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  std::vector<rig::Trail> others = document.trails;
+  for (rig::Trail& trail : others) {
+    trail.id = document.nextTrailId++;
+    trail.clip = 1;
+    document.trails.push_back(trail);
+  }
+  EvaluationCache cache;
+  for (const int clip : {0, 1, 0}) {
+    const rig::MotionState motion = prepareMotion(document, clip);
+    for (const double seconds : {0.1, 0.3, 0.5}) {
+      CHECK(cache.frame(document, clip, seconds).worlds == evaluate(document, motion, seconds).worlds);
+      CHECK(cache.original(document, clip, seconds).worlds ==
+            evaluateOriginal(document, clip, seconds).worlds);
+    }
+  }
+  CHECK_FALSE(cache.frame(document, 0, 0.3).worlds == cache.frame(document, 1, 0.3).worlds);
+  Document edited = document;
+  edited.sourceClips = document.clips;
+  edited.clips = clipsTurned(document, 0);
+  CHECK(cache.original(edited, 0, 0.3).worlds == cache.original(document, 0, 0.3).worlds);
+  CHECK(cache.original(edited, 0, 0.3).worlds == evaluateOriginal(edited, 0, 0.3).worlds);
+  CHECK_FALSE(cache.frame(edited, 0, 0.3).worlds == cache.frame(document, 0, 0.3).worlds);
 }

@@ -1,12 +1,18 @@
+#include <map>
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
 #include "app/edits/trail/place_trails.h"
 #include "app/edits/trail/trail_edits.h"
+#include "app/edits/trail/weight_edits.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/replay.h"
 #include "core/gltf/json/json.h"
 #include "tests/support/app/boxer.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -179,4 +185,147 @@ TEST_CASE("A pin or a grip to a frame that the clip does not have is refused") {
     json[list][0]["range"] = {2, 20};
     CHECK(withRecipe(document, *recipeFromJson(json, document)));
   }
+}
+TEST_CASE("Every frame of a recipe that counts at half the clip's rate is twice as late in the clip") {
+  const Json json = Json::parse(R"({
+    "version": 1, "frames_per_second": 15,
+    "trails": [{"limb": "left-arm", "range": [1, 5], "scale": 2, "release": 2,
+                "spheres": [{"frame": 3, "offset": [0, 0.1, 0]}]}],
+    "elastic": [{"limb": "right-arm", "range": [2, 6]}],
+    "adjustments": [{"controller": "hips", "range": [1, 8], "keys": [{"frame": 4, "move": [0, -0.1, 0]}]}],
+    "pins": [{"limb": "left-arm", "range": [1, 4], "blend": [1, 2], "at": 3}],
+    "grips": [{"leader": "left-arm", "follower": "right-arm", "range": [5, 7], "blend": [1, 2], "relation": 6}],
+    "props": [{"node": "Chest", "range": [2, 7], "blend": [1, 0], "bound_at": 3,
+               "hands": {"right-arm": [{"frame": 4, "value": 1}]}}]})");
+  const Result<Recipe> recipe = read(json);
+  INFO((recipe ? std::string() : recipe.error().line()));
+  REQUIRE(recipe);
+  const rig::TrailSettings& trail = recipe->trails[0].settings;
+  CHECK(Vec2(trail.startFrame, trail.endFrame) == Vec2(2, 10));
+  CHECK(trail.releaseFrames == 4.0);
+  CHECK(trail.spheres[0].frame == 6.0);
+  CHECK(recipe->weights[0].settings.rangeFrames == Vec2(4, 12));
+  CHECK(recipe->adjustments[0].rangeFrames == Vec2(2, 16));
+  CHECK(recipe->adjustments[0].keys[0].frame == 8.0);
+  const rig::Pin& pin = recipe->holds.pins[0];
+  CHECK(pin.time == rig::HoldTime{Vec2(2, 8), Vec2(2, 4)});
+  CHECK(pin.atFrame == 6.0);
+  const rig::Grip& grip = recipe->holds.grips[0];
+  CHECK(grip.time == rig::HoldTime{Vec2(10, 14), Vec2(2, 4)});
+  CHECK(grip.relationFrame == 12.0);
+  const rig::Prop& prop = recipe->holds.props[0];
+  CHECK(prop.time == rig::HoldTime{Vec2(4, 14), Vec2(2, 0)});
+  CHECK(prop.boundFrame == 6.0);
+  CHECK(prop.hands[0].keys[0].frame == 8.0);
+}
+
+TEST_CASE("Groups of a recipe stay apart from the groups that are there") {
+  Json json = punchRecipe();
+  json["trails"][0]["group"] = 1;
+  json["trails"].push_back({{"limb", "spine"}, {"range", {0, 10}}, {"scale", 1.5}, {"group", 1}});
+  json["trails"].push_back({{"limb", "right-arm"}, {"range", {0, 10}}, {"scale", 1.5}});
+  Json later = json;
+  for (Json& trail : later["trails"]) {
+    trail["range"] = {12, 18};
+  }
+  Result<PlacedTrails> once = withRecipe(test::boxer(), *read(json));
+  REQUIRE(once);
+  const Result<Recipe> again = recipeFromJson(later, once->document);
+  REQUIRE(again);
+  const Result<PlacedTrails> twice = withRecipe(once->document, *again);
+  REQUIRE(twice);
+  const std::vector<rig::Trail>& trails = twice->document.trails;
+  REQUIRE(trails.size() == 6);
+  std::map<std::pair<int, bool>, int> members; // by group, and whether it is of the later recipe
+  for (const rig::Trail& trail : trails) {
+    ++members[{trail.group, trail.settings.startFrame > 10.0}];
+  }
+  REQUIRE(members.size() == 4);
+  CHECK(members[{0, false}] == 1);
+  CHECK(members[{0, true}] == 1);
+  for (const auto& [group, count] : members) {
+    if (group.first > 0) {
+      CHECK(count == 2);
+      CHECK_FALSE(members.contains({group.first, !group.second}));
+    }
+  }
+}
+
+TEST_CASE("Weight that is off is no part of a recipe, nor is weight of another clip") {
+  Document document = test::boxer();
+  std::vector<Clip> clips = *document.clips;
+  clips.push_back(clips.front());
+  clips.back().name = "again";
+  document.clips = std::make_shared<const std::vector<Clip>>(clips);
+  for (const WeightedLimb& weight :
+       {WeightedLimb{"right-arm", 0, false, {}}, WeightedLimb{"left-arm", 0, true, {}},
+        WeightedLimb{"spine", 1, true, {}}}) {
+    Result<Document> changed = setWeight(document, weight);
+    REQUIRE(changed);
+    document = *changed;
+  }
+  const Json json = recipeToJson(document, 0);
+  REQUIRE(json["elastic"].size() == 1);
+  CHECK(json["elastic"][0]["limb"] == "left-arm");
+}
+
+TEST_CASE("Fractions of the clip win over frames that stand beside them, before or behind, and are "
+          "refused out of order") {
+  const auto rangeOf = [](const char* trail) {
+    const Result<Recipe> recipe = read(Json::parse(
+        R"({"version": 1, "trails": [{"limb": "left-arm", "scale": 2, )" + std::string(trail) + "}]}"));
+    REQUIRE(recipe);
+    return Vec2(recipe->trails[0].settings.startFrame, recipe->trails[0].settings.endFrame);
+  };
+  CHECK(rangeOf(R"("range": [1, 3], "range_of_clip": [0.25, 0.5])") == Vec2(5, 10));
+  CHECK(rangeOf(R"("range_of_clip": [0.25, 0.5], "range": [1, 3])") == Vec2(5, 10));
+  for (const Json& wrong :
+       {Json{0.5, 0.25}, Json{0.5, 0.5}, Json{0.5, 1.5}, Json{-0.5, 0.5}, Json{0.5}, Json{0.1, 0.2, 0.3}}) {
+    INFO(wrong.dump());
+    Json json = punchRecipe();
+    json["trails"][0]["range_of_clip"] = wrong;
+    const Result<Recipe> refused = read(json);
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().line(), Catch::Contains("is not a part of a clip"));
+  }
+}
+
+TEST_CASE(
+    "A prop is brought by lengths of the leg, by metres where they are asked for, and turned by degrees") {
+  Document document = test::openedFile(test::posedCharacter);
+  const double leg = findLimb(document, "left-leg")->restLength;
+  REQUIRE(leg < 0.9);
+  Json json =
+      Json::parse(R"({"version": 1, "props": [{"node": "Hips", "move": [0, 0.5, 0], "turn": [0, 90, 0],
+                              "hands": {"right-arm": [{"frame": 0, "value": 1}]}}]})");
+  const auto propOf = [&] {
+    const Result<Recipe> recipe = recipeFromJson(json, document);
+    INFO((recipe ? std::string() : recipe.error().line()));
+    REQUIRE(recipe);
+    return recipe->holds.props.front();
+  };
+  CHECK(propOf().move.y == Approx(0.5 * leg));
+  CHECK(propOf().turn.y == Approx(0.5 * pi));
+  json["units"] = "metres";
+  CHECK(propOf().move.y == Approx(0.5));
+}
+
+TEST_CASE(
+    "Slopes of free keys come back from a saved file as the recipe has them: by length and degrees a frame") {
+  const test::TemporaryFolder folder;
+  const Json recipe =
+      Json::parse(R"({"version": 1, "units": "metres", "adjustments": [{"controller": "hips", "keys": [
+      {"frame": 12, "move": [0, -0.1, 0], "turn": [0, 15, 0], "interpolation": "free",
+       "move_slope": [0, 0.01, 0], "turn_slope": [0, 3, 0]}]}]})");
+  const test::Posed posed = test::pose(folder, recipe);
+  INFO(posed.answer.told);
+  REQUIRE(posed.answer.exitCode == 0);
+  const Document document = test::openedFile(posed.path);
+  const rig::OffsetKey& key = document.adjustments.at(0).keys.at(0);
+  CHECK(key.moveSlope.y == Approx(0.01));
+  CHECK(key.turn.y == Approx(15.0 * pi / 180.0));
+  CHECK(key.turnSlope.y == Approx(3.0 * pi / 180.0));
+  const Json written = recipeToJson(document, 0)["adjustments"][0]["keys"][0];
+  CHECK(written["turn_slope"][1].get<double>() == Approx(3.0));
+  CHECK(written["turn"][1].get<double>() == Approx(15.0));
 }

@@ -436,3 +436,93 @@ TEST_CASE("A program that only reorders keys and respells numbers does not cost 
   CHECK(result.savedWork == edits.work);
   CHECK(result.source->json == Json::parse(nlohmann::json::parse(file.source->json->dump()).dump()));
 }
+
+TEST_CASE("New keys drive every channel that names their target, by node or by pointer") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  Json& channels = glb.json["animations"][0]["channels"];
+  channels.push_back(channels[0]); // the turn of "lower" once more
+  const std::size_t twin = channels.size() - 1;
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.clips = {{wave, {turnTrack(NodeIndex(lower))}}};
+  const Json changed = patchedOrFail(*file.source, edits).json;
+  const Json& after = changed["animations"][0]["channels"];
+  REQUIRE(after.size() == channels.size());
+  CHECK(after[0]["sampler"] != channels[0]["sampler"]);
+  CHECK(after[twin]["sampler"] == after[0]["sampler"]);
+  CHECK(after[1]["sampler"] == channels[1]["sampler"]);
+}
+
+TEST_CASE("A node that gives up its matrix keeps its scale, whether it is keyed or moved") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  constexpr int camera = 5;
+  glb.json["nodes"][camera]["matrix"] = {0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 0, 1, 0, 1};
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  SECTION("keyed by a turn") {
+    edits.clips = {{wave, {turnTrack(NodeIndex(camera))}}};
+  }
+  SECTION("keyed by a scale") {
+    edits.clips = {{wave, {scaleTrack(NodeIndex(camera), {0, 1}, {1, 1, 1, 3, 1, 1})}}};
+  }
+  SECTION("moved") {
+    edits.movedNodes = {{NodeIndex(camera), file.scene->nodes[camera].rest}};
+  }
+  const gltf::Loaded result = reopened(folder, patchedOrFail(*file.source, edits));
+  const Node& node = result.scene->nodes[camera];
+  CHECK_FALSE(node.matrix.has_value());
+  CHECK(glm::length(node.rest.scale - Vec3(2, 3, 4)) < 1e-6);
+  CHECK(glm::length(node.rest.translation - Vec3(0, 1, 0)) < 1e-9);
+  CHECK(glm::length(node.rest.rotation * Vec3(1, 0, 0) - Vec3(0, 1, 0)) < 1e-6);
+}
+
+TEST_CASE("Channels of morph weights follow a mesh to its leaf, by node or by pointer, others stay") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  Json& primitive = glb.json["meshes"][1]["primitives"][0];
+  primitive["targets"] = {{{"POSITION", primitive["attributes"]["POSITION"]}}};
+  glb.json["nodes"][prop]["weights"] = {0.25};
+  Json& animation = glb.json["animations"][0];
+  const int weights = glb.floats({0.0F, 1.0F, 0.5F}, "SCALAR", 1);
+  animation["samplers"].push_back({{"input", animation["samplers"][0]["input"]}, {"output", weights}});
+  const std::size_t sampler = animation["samplers"].size() - 1;
+  const auto pointer = [](int node) {
+    return Json{{"path", "pointer"},
+                {"extensions",
+                 {{"KHR_animation_pointer", {{"pointer", "/nodes/" + std::to_string(node) + "/weights"}}}}}};
+  };
+  const std::size_t first = animation["channels"].size();
+  animation["channels"].push_back({{"sampler", sampler}, {"target", pointer(prop)}});
+  glb.json["animations"][1]["channels"].push_back(
+      {{"sampler", 0}, {"target", {{"node", prop}, {"path", "translation"}}}});
+  glb.json["animations"].push_back(
+      {{"samplers", {{{"input", animation["samplers"][0]["input"]}, {"output", weights}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", prop}, {"path", "weights"}}}}}}});
+  glb.json["animations"][1]["channels"].erase(1);
+  glb.json["extensionsUsed"].push_back("KHR_animation_pointer");
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.addedNodes = {{"prop_bind", NodeIndex(prop), {}, NodeIndex(prop), true}};
+  const Json changed = patchedOrFail(*file.source, edits).json;
+  CHECK(changed["animations"][0]["channels"][first]["target"] == pointer(firstAdded));
+  CHECK(changed["animations"][2]["channels"][0]["target"] ==
+        Json({{"node", firstAdded}, {"path", "weights"}}));
+  CHECK(changed["nodes"][firstAdded]["weights"] == Json::array({0.25}));
+  CHECK_FALSE(changed["nodes"][prop].contains("weights"));
+  CHECK(changed["animations"][0]["channels"][0]["target"]["node"] == lower);
+}
+
+TEST_CASE("A new root joins the scene that is shown") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["scenes"] = {{{"nodes", {5}}}, {{"nodes", {0}}}};
+  glb.json["scene"] = 1;
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.addedNodes = {{"root_too", NodeIndex::none, {}, NodeIndex::none, false}};
+  const Json changed = patchedOrFail(*file.source, edits).json;
+  CHECK(changed["scenes"][0]["nodes"] == Json::array({5}));
+  CHECK(changed["scenes"][1]["nodes"] == Json::array({0, firstAdded}));
+}

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "core/gltf/json/json.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/skinning/bodies.h"
+#include "tests/support/skinning/obj_frames.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace stretch;
@@ -21,6 +25,46 @@ using namespace stretch::app;
 namespace {
 
 constexpr const char* dummy = STRETCH_SOURCE_DIR "/assets/dummy.glb";
+
+/// A command line that a verb refuses while it runs, and the reason that it has to tell.
+struct RefusedLine {
+  std::vector<std::string> words;
+  std::string reason;
+};
+
+/// The texts of the reasons that the verbs' sources give by themselves: what stands first in each Error.
+std::vector<std::string> reasonsInSources() {
+  // Told by the program as a whole, when memory or disk are full: tests/trust tries them.
+  const std::set<std::string> ofTheMachine{"there is not enough memory for this",
+                                           "the report cannot be written"};
+  const std::regex first(R"re(Error\{(?:fmt::format\()?"([^"]+)")re");
+  std::vector<std::string> reasons;
+  for (const auto& entry : std::filesystem::directory_iterator(STRETCH_SOURCE_DIR "/app/batch")) {
+    const std::string text = entry.path().extension() == ".cpp" ? *readText(entry.path()) : std::string();
+    for (std::sregex_iterator found(text.begin(), text.end(), first), end; found != end; ++found) {
+      if (!ofTheMachine.contains((*found)[1])) {
+        reasons.push_back((*found)[1]);
+      }
+    }
+  }
+  return reasons;
+}
+
+/// A reason as it is told, with any text where its source has a field.
+std::regex toldAs(const std::string& reason) {
+  const std::string plain = std::regex_replace(reason, std::regex(R"([.()+*?^$\[\]|])"), R"(\$&)");
+  return std::regex(std::regex_replace(plain, std::regex(R"(\{[^}]*\})"), ".*"));
+}
+
+void checkThatEveryReasonIsTold(const std::vector<RefusedLine>& lines) {
+  const std::vector<std::string> reasons = reasonsInSources();
+  CHECK(reasons.size() > 15);
+  for (const std::string& reason : reasons) {
+    INFO("no command line is refused with: " << reason);
+    CHECK(std::ranges::any_of(
+        lines, [&](const RefusedLine& line) { return std::regex_search(line.reason, toldAs(reason)); }));
+  }
+}
 
 } // namespace
 
@@ -226,4 +270,77 @@ TEST_CASE("An option that switches something off says so") {
       std::ranges::find(settings, "--no-pull", [](const auto& setting) { return setting.option; });
   REQUIRE(pull != settings.end());
   CHECK(optionHelp(*pull).starts_with("Switches this off: "));
+}
+
+TEST_CASE("Every refusal of a verb tells its reason in one line and writes nothing") {
+  const test::TemporaryFolder inputs;
+  const test::TemporaryFolder outputs;
+  const std::string out = (outputs / "out.glb").string();
+  test::writeObjFrames(test::shorteningTube(3, 0.1, 0.2, 0.1), inputs / "tube", "tube");
+  test::writeObjFrames(skinning::skinAllFrames(test::armedBody(3)), inputs / "armed", "armed");
+  const std::string tube = (inputs / "tube").string();
+  const std::string moduli =
+      inputs.write("moduli.json", R"({"segments": [{"from": 0, "to": 7, "young": 5000}]})").string();
+  const std::string trails =
+      inputs.write("trails.json", R"({"version": 1, "trails": [{"limb": "left-arm", "scale": 2}]})").string();
+  const std::vector<RefusedLine> lines{
+      {{"bind", dummy, "-o", out}, "the file has a skeleton already; bind to it with --keep-joints"},
+      {{"bind", dummy, "-o", out, "--keep-joints", "--locators", moduli}, "joints are either kept or made"},
+      {{"compare", tube, tube, tube}, "two are compared, 3 were named"},
+      {{"compress", tube, "-o", out, "--moduli", moduli, "--tolerance", "1"},
+       "it names segments of a number of bones that is not known"},
+      {{"compress", tube, "-o", out, "--moduli", moduli, "--bones", "3"},
+       "names bone 7, and the last one is 2"},
+      {{"compress", (inputs / "armed").string(), "-o", out, "--bones", "6", "--stretch", "measured",
+        "--curvature", (outputs / "table.csv").string()},
+       "the body has no centre line, so there is no curvature to write"},
+      {{"compress", tube, "-o", out, "--append", tube, "--stream", tube},
+       "the bones are those of the stream that is there"},
+      {{"compress", tube, "-o", out, "--append", tube, "--open-stream"},
+       "the bones are those of the stream that is there"},
+      {{"compress", tube, "-o", out, "--append", tube, "--skeleton", out},
+       "the bones are those of the stream that is there"},
+      {{"compress", tube, "-o", out, "--append", tube, "--moduli", moduli},
+       "the bones are those of the stream that is there"},
+      {{"compress", tube, "-o", out, "--append", tube, "--curvature", out + ".csv"},
+       "the bones are those of the stream that is there"},
+      {{"compress", tube, "-o", out, "--append", tube, "--bones", "3"},
+       "--bones: frames that are appended take their bones from the stream"},
+      {{"compress", tube, "-o", out, "--open-stream"}, "there is no stream to write"},
+      {{"compress", tube, "-o", out, "--skip", "3"},
+       "3 frames are skipped, and the sequence has 3; give at most 2"},
+      {{"elastic", dummy, "-o", out, "--range", "60:70"},
+       "the range lies outside the clip, which has the frames 0 to 60"},
+      {{"exaggerate", dummy, "-o", out}, "no limb was named"},
+      {{"exaggerate", dummy, "-o", out, "--limb", "left-arm"}, "--limb left-arm: has no scale"},
+      {{"resave", dummy, "-o", dummy}, "is read and would be written over"},
+      {{"trail", tube, "--limb", "left-arm"}, "is a sequence of meshes, no character with joints"},
+      {{"pose", dummy, "-o", out}, "nothing was asked for"},
+      {{"pose", dummy, "-o", out, "--recipe", trails}, "holds no adjustments, pins, grips or props"},
+      {{"rig", dummy, "-o", out}, "the file has a skeleton already, and no joint is made"},
+  };
+  for (const RefusedLine& line : lines) {
+    INFO(line.reason);
+    const test::VerbAnswer answer = test::runVerb(line.words);
+    CHECK(answer.exitCode == 1);
+    CHECK_THAT(answer.told, Catch::Contains(line.reason));
+    CHECK(std::count(answer.told.begin(), answer.told.end(), '\n') == 1);
+    CHECK(outputs.fileCount() == 0);
+  }
+  checkThatEveryReasonIsTold(lines);
+}
+
+TEST_CASE("check answers 1 for a file that cannot be opened, with or without a report as JSON, else 0") {
+  const test::TemporaryFolder folder;
+  const std::string whole = *readText(dummy);
+  const std::string cut = folder.write("cut.glb", whole.substr(0, whole.size() / 2)).string();
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{}, {"--json"}, {"--json-line"}}) {
+    std::vector<std::string> broken{"check", cut};
+    broken.insert(broken.end(), more.begin(), more.end());
+    CHECK(test::runVerb(broken).exitCode == 1);
+    broken[1] = dummy;
+    CHECK(test::runVerb(broken).exitCode == 0);
+  }
+  CHECK(test::runVerb({"check", (folder / "gone.glb").string()}).exitCode == 1);
 }

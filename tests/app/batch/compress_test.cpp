@@ -18,6 +18,7 @@
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
+#include "tests/support/core/two_sheets.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -280,4 +281,56 @@ TEST_CASE("STED is measured with the parameters that are asked for, and names th
   CHECK(wide["sted_parameters"]["window"] == 5);
   CHECK(wide["sted_spatial"].get<double>() != usual["sted_spatial"].get<double>());
   CHECK(test::exitCodeOf({"compare", tube.frames(), output, "--sted-window", "4"}) == 2);
+}
+
+TEST_CASE("compare looks at both files on the frames of the first, whatever keys the second has") {
+  const BendingTube folder(1);
+  const auto written = [&](const char* name, int keys) {
+    test::GlbBuilder glb = test::twoSheets();
+    std::vector<float> times;
+    std::vector<float> places;
+    for (int key = 0; key <= keys; ++key) {
+      const float share = static_cast<float>(key) / static_cast<float>(keys);
+      times.push_back(share);
+      places.insert(places.end(), {0.0F, share, 0.0F});
+    }
+    const int input = glb.floats(times, "SCALAR", 1);
+    glb.json["accessors"][static_cast<std::size_t>(input)]["min"] = {0.0F};
+    glb.json["accessors"][static_cast<std::size_t>(input)]["max"] = {1.0F};
+    const int output = glb.floats(places, "VEC3", 3);
+    glb.json["animations"] = {
+        {{"samplers", {{{"input", input}, {"output", output}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    glb.write(folder.file(name));
+    return folder.file(name);
+  };
+  const std::string at10 = written("at10.glb", 10);
+  const std::string at30 = written("at30.glb", 30);
+  const Result<MeshSequence> few = skinning::readAnimatedGltf(at10);
+  const Result<MeshSequence> many = skinning::readAnimatedGltf(at30);
+  REQUIRE(few);
+  REQUIRE(many);
+  REQUIRE(few->frameCount() < many->frameCount());
+  for (const auto& [first, second] : {std::pair{at10, at30}, std::pair{at30, at10}}) {
+    const test::VerbAnswer answer = test::runVerb({"compare", first, second, "--json"});
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    CHECK(gltf::Json::parse(answer.output)["rmse_percent"].get<double>() < 1e-4);
+  }
+}
+
+TEST_CASE("compress --fps sets how long the clip lasts, not how many frames it has") {
+  const BendingTube tube(7);
+  const auto clipAt = [&](const std::vector<std::string>& rate) {
+    std::vector<std::string> words{"compress", tube.frames(), "-o", tube.file("tube.glb"), "--bones", "3"};
+    words.insert(words.end(), rate.begin(), rate.end());
+    REQUIRE(test::exitCodeOf(words) == 0);
+    const Result<gltf::Loaded> written = gltf::load(tube.file("tube.glb"));
+    REQUIRE(written);
+    return written->clips.front();
+  };
+  CHECK(clipAt({}).endSeconds == Approx(6.0 / 30.0));
+  const Clip slow = clipAt({"--fps", "12"});
+  CHECK(slow.endSeconds == Approx(6.0 / 12.0));
+  CHECK(slow.tracks.front()->times.size() == clipAt({}).tracks.front()->times.size());
 }

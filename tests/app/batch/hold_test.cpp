@@ -416,3 +416,20 @@ TEST_CASE("a hold that cannot be is told in one line, and nothing is written") {
     CHECK(folder.fileCount() == 1);
   }
 }
+
+TEST_CASE("pose --pin-feet leaves a foot to the recipe's own pin and pins the other where it stands") {
+  const test::TemporaryFolder folder;
+  const Posed posed = pose(
+      folder, heldRecipe("pins", {{"limb", "left-leg"}, {"range", {0, 60}}, {"at", 30}, {"stretch", 0.5}}),
+      {"--pin-feet"});
+  INFO(posed.answer.told);
+  REQUIRE(posed.answer.exitCode == 0);
+  const std::vector<rig::Pin> pins = openedFile(posed.path).holds.pins;
+  const auto isOf = [](const char* limb) { return [limb](const rig::Pin& pin) { return pin.limb == limb; }; };
+  REQUIRE(std::ranges::count_if(pins, isOf("left-leg")) == 1);
+  const rig::Pin& own = *std::ranges::find_if(pins, isOf("left-leg"));
+  CHECK(own.time.rangeFrames == Vec2(0, 60));
+  CHECK(own.atFrame == 30.0);
+  CHECK(own.stretch == 0.5);
+  CHECK(std::ranges::count_if(pins, isOf("right-leg")) >= 1);
+}

@@ -167,3 +167,55 @@ TEST_CASE("Undoing the import of the clip that is viewed shows one that is still
   CHECK(session.view().frame == 0.0);
   CHECK(session.frameAt(0.0).worlds.size() == before.scene->nodes.size());
 }
+
+TEST_CASE("FILE#CLIP names one clip of a file, whatever of the two has a # in its name") {
+  const TemporaryFolder folder;
+  const test::MovingBiped moving = test::punchingBiped();
+  Clip jab = moving.clip;
+  jab.name = "jab";
+  Clip numbered = moving.clip;
+  numbered.name = "take#2";
+  const std::string plain = written(folder, "moves.glb", moving, {jab, numbered});
+  const std::string marked = written(folder, "moves#1.glb", moving, {jab, numbered});
+  const std::string output = (folder / "out.glb").string();
+  const auto namesFrom = [&](const std::string& from, const std::vector<std::string>& more = {}) {
+    const test::VerbAnswer answer = import(output, from, more);
+    INFO(from << ": " << answer.told);
+    std::vector<std::string> names;
+    CHECK(answer.exitCode == 0);
+    if (answer.exitCode == 0) {
+      for (const Json& clip : Json::parse(answer.output)["clips"]) {
+        names.push_back(clip["name"].get<std::string>());
+      }
+    }
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  for (const std::string& file : {plain, marked}) {
+    CHECK(namesFrom(file) == Names{"jab", "take#2"});
+    CHECK(namesFrom(file + "#jab") == Names{"jab"});
+    CHECK(namesFrom(file + "#take#2") == Names{"take#2"});
+    CHECK(namesFrom(file + "##1") == Names{"take#2"});
+    CHECK(namesFrom(file, {"--from-clip", "take#2"}) == Names{"take#2"});
+  }
+  const test::VerbAnswer gone = import(output, (folder / "gone.glb").string() + "#jab");
+  CHECK(gone.exitCode == 1);
+  CHECK_THAT(gone.told, Catch::Contains("gone.glb") && !Catch::Contains("#jab"));
+}
+
+TEST_CASE(
+    "A clip that comes in after keys were edited is among the sources as it came, and the edit stays one") {
+  const TemporaryFolder folder;
+  Document edited = openedFile(posedCharacter);
+  const auto source = edited.clips;
+  std::vector<Clip> clips = *edited.clips;
+  clips.front().tracks.front().edit([](Track& track) { track.values.back() += 0.25F; });
+  edited.clips = std::make_shared<const std::vector<Clip>>(std::move(clips));
+  edited.sourceClips = source;
+  const Document changed = imported(edited, punchFile(folder));
+  REQUIRE(changed.clips->size() == source->size() + 1);
+  REQUIRE(sourceClipsOf(changed)->size() == changed.clips->size());
+  CHECK(sourceClipsOf(changed)->back() == changed.clips->back());
+  CHECK(sourceClipsOf(changed)->front() == source->front());
+  CHECK_FALSE(changed.clips->front() == source->front());
+}

@@ -146,3 +146,17 @@ TEST_CASE("What rig cannot do is told in one line, and nothing is written", "[lo
   CHECK(runVerb({"rig", file.mesh, "-o", file.output, "--locators", "missing.json"}).exitCode == 1);
   CHECK(runVerb({"rig", file.mesh, "-o", file.mesh}).exitCode == 1);
 }
+
+TEST_CASE("rig --json tells no joint where none was made", "[locators]") {
+  const PersonFile file;
+  const auto jointsOf = [](const std::vector<std::string>& words) {
+    const test::VerbAnswer answer = runVerb(words);
+    INFO(answer.told);
+    REQUIRE(answer.exitCode == 0);
+    return gltf::Json::parse(answer.output)["joints"].get<int>();
+  };
+  CHECK(jointsOf({"rig", file.mesh, "-o", file.places, "--locators-only", "--json"}) == 0);
+  CHECK(jointsOf({"rig", file.mesh, "-o", file.output, "--locators", file.places, "--json"}) == 22);
+  CHECK(jointsOf({"rig", test::posedCharacter, "-o", file.places, "--locators-only", "--json"}) == 0);
+  CHECK(jointsOf({"rig", test::posedCharacter, "-o", file.output, "--locators", file.places, "--json"}) == 0);
+}

@@ -2,10 +2,12 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/document.h"
 #include "app/files/save.h"
 #include "core/gltf/json/json.h"
+#include "tests/support/app/posed_file.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/temporary_folder.h"
 
@@ -165,4 +167,31 @@ TEST_CASE("A recipe's mistakes are told in its own words, with their place in th
   clip["clip"] = "Swim";
   CHECK_THAT(told(clip), Catch::Contains("clip: there is no clip 'Swim'"));
   CHECK_THAT(told(recipeWith(Json::array({punch(27, 21)}))), Catch::Contains("trails[0].range"));
+}
+
+TEST_CASE("trail tells where the limb's end and its base are, at the frames that it tells") {
+  const test::VerbAnswer answer =
+      test::runVerb({"trail", character, "--limb", "left-arm", "--range", "10:20", "--json"});
+  REQUIRE(answer.exitCode == 0);
+  const Json report = Json::parse(answer.output);
+  const Document document = test::openedFile(character);
+  const rig::Limb& arm = *findLimb(document, "left-arm");
+  const Json& frames = report["frames"];
+  REQUIRE(frames.size() >= 11);
+  REQUIRE(report["points"].size() == frames.size());
+  REQUIRE(report["base"].size() == frames.size());
+  CHECK(frames.front().get<double>() == Approx(10.0));
+  CHECK(frames.back().get<double>() == Approx(20.0));
+  const auto placeOf = [](const Json& place) {
+    return Vec3(place[0].get<double>(), place[1].get<double>(), place[2].get<double>());
+  };
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double frame = frames[i].get<double>();
+    CHECK(glm::length(placeOf(report["points"][i]) - test::endOf(document, "left-arm", frame)) < 1e-6);
+    CHECK(glm::length(placeOf(report["base"][i]) - test::nodeOf(document, arm.joints.front(), frame)) < 1e-6);
+  }
+  for (const Json& frame : report["control_frames"]) {
+    CHECK(frame.get<double>() >= 10.0);
+    CHECK(frame.get<double>() <= 20.0);
+  }
 }

@@ -113,6 +113,8 @@ TEST_CASE("Nothing about a trail is lost on the way into a file and back") {
   trail.pinned = true;
   trail.visible = false;
   trail.colour = 3;
+  trail.group = 2;
+  trail.groupName = "one-two";
   trail.controlFrames = {0.0, 4.0, 10.0};
   trail.connected = false;
   trail.settings.space = rig::TrailSpace::view;
