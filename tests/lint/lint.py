@@ -35,6 +35,7 @@ RULES = {
     "folder-size": size_rules.folder_size,
     "product-lines": size_rules.product_lines,
     "readme-words": size_rules.readme_words,
+    "rooms-named": size_rules.rooms_named,
     "struct-members": shape_rules.struct_members,
     "parameters": shape_rules.parameter_count,
     "kind-switches": shape_rules.kind_switches,

@@ -1,4 +1,4 @@
-"""Rules about how large things are: folders, the product, the front page."""
+"""Rules about how large things are: folders, the product, the pages at the front; and whether the map shows every room."""
 
 import collections
 import pathlib
@@ -10,6 +10,11 @@ from sources import ROOMS, code_files, text_files
 
 FILES_AT_MOST = 40
 README_WORDS_AT_MOST = 600
+MAP = "ARCHITECTURE.md"
+MAP_WORDS_AT_MOST = 1600
+# The first cell of a row of the map: a folder, then others beside it by their last names.
+MAP_ROW = re.compile(r"^\| (`[^|]*`) \|", re.MULTILINE)
+NAMED = re.compile(r"`([\w/]+)`")
 CODE = {".cpp", ".h", ".py", ".mjs", ".frag", ".vert", ".geom", ".glsl"}
 PRODUCT = re.compile(r"^\*\*At most ([\d,]+) lines\*\*", re.MULTILINE)
 SIZE_PAGE = "docs/size.md"
@@ -52,3 +57,28 @@ def readme_words(root):
     if count <= README_WORDS_AT_MOST:
         return []
     return [Finding("README.md", 0, f"{count} words; at most {README_WORDS_AT_MOST}: what is told belongs to docs/")]
+
+
+def rooms_on(text):
+    """Every folder that the map names."""
+    rooms = set()
+    for cell in MAP_ROW.findall(text):
+        first, *beside = [name.rstrip("/") for name in NAMED.findall(cell)]
+        parent = first.rpartition("/")[0]
+        rooms.add(first)
+        rooms.update(f"{parent}/{name}" if parent else name for name in beside)
+    return rooms
+
+
+def rooms_named(root):
+    """Folders of the product that the map does not show, rooms that it shows and that are gone, a map of more than two pages."""
+    text = pathlib.Path(root, MAP).read_text(encoding="utf-8")
+    named = rooms_on(text)
+    folders = {file.name.rpartition("/")[0] for file in code_files(root) if file.room in ROOMS}
+    findings = [Finding(MAP, 0, f"does not say what {folder} holds") for folder in sorted(folders - named)]
+    gone = sorted(name for name in named if not pathlib.Path(root, name).is_dir())
+    findings += [Finding(MAP, 0, f"names {name}, which is gone") for name in gone]
+    count = len(words_of(text))
+    if count > MAP_WORDS_AT_MOST:
+        findings.append(Finding(MAP, 0, f"{count} words; at most {MAP_WORDS_AT_MOST}"))
+    return findings

@@ -57,6 +57,22 @@ class ReadmeWords(LintTest):
         self.broken(self.rule, {"README.md": "word " * 601}, "README.md: 601 words; at most 600")
 
 
+class RoomsNamed(LintTest):
+    rule = staticmethod(size_rules.rooms_named)
+    code = {"rig/ik/a.h": "\n", "rig/hold/a.h": "\n", "rig/a.h": "\n", "tests/rig/a.cpp": "\n"}
+
+    def test_rows_name_a_folder_and_those_beside_it(self):
+        self.kept(self.rule, self.code | {"ARCHITECTURE.md": "| `rig/ik`, `hold` | shapes; values |\n| `rig/` | the limb |\n"})
+
+    def test_rooms_that_are_missing_or_gone_are_found(self):
+        text = "| `rig/ik`, `tail` | shapes |\n| `rig/` | the limb |\n"
+        self.broken(self.rule, self.code | {"ARCHITECTURE.md": text}, "ARCHITECTURE.md: does not say what rig/hold", "ARCHITECTURE.md: names rig/tail")
+
+    def test_a_map_of_many_pages_is_found(self):
+        text = "| `rig/ik`, `hold` | shapes |\n| `rig/` | the limb |\n" + "word " * 1600
+        self.broken(self.rule, self.code | {"ARCHITECTURE.md": text}, "ARCHITECTURE.md: 160")
+
+
 class StructMembers(LintTest):
     rule = staticmethod(shape_rules.struct_members)
 
