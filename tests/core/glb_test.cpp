@@ -41,6 +41,62 @@ TEST_CASE("Every truncation of a GLB is refused") {
   }
 }
 
+namespace {
+
+void appendNumber(Bytes& bytes, std::uint32_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8) {
+    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+}
+
+// A GLB of these chunks as they are, and loose bytes behind them that its header counts in.
+Bytes glbOf(const std::vector<GlbChunk>& chunks, std::size_t loose = 0) {
+  Bytes body;
+  for (const GlbChunk& chunk : chunks) {
+    appendNumber(body, static_cast<std::uint32_t>(chunk.bytes.size()));
+    appendNumber(body, chunk.type);
+    body.insert(body.end(), chunk.bytes.begin(), chunk.bytes.end());
+  }
+  body.resize(body.size() + loose);
+  Bytes bytes{'g', 'l', 'T', 'F'};
+  appendNumber(bytes, 2);
+  appendNumber(bytes, static_cast<std::uint32_t>(12 + body.size()));
+  bytes.insert(bytes.end(), body.begin(), body.end());
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("What is wrong with the chunks of a GLB is told") {
+  const GlbChunk json{GlbChunk::jsonType, {'{', '}', ' ', ' '}};
+  const GlbChunk binary{GlbChunk::binaryType, {1, 2, 3, 4}};
+  REQUIRE(readGlb(glbOf({json, binary})).ok());
+  const auto whatOf = [](const Bytes& bytes) {
+    const Result<Glb> read = readGlb(bytes);
+    return read ? std::string("nothing") : read.error().what;
+  };
+  CHECK(whatOf(glbOf({json, binary, binary})) == "has two BIN chunks");
+  CHECK(whatOf(glbOf({json, json})) == "has two JSON chunks");
+  CHECK(whatOf(glbOf({binary, json})) == "its first chunk is not JSON");
+  CHECK(whatOf(glbOf({{GlbChunk::jsonType, {}}, binary})) == "its JSON chunk is empty");
+  for (std::size_t loose = 1; loose < 8; ++loose) {
+    CHECK(whatOf(glbOf({json, binary}, loose)) == "ends within the header of a chunk");
+  }
+  Bytes longer = glbOf({json, binary});
+  longer[longer.size() - 12] = 5;
+  CHECK(whatOf(longer) == "a chunk reaches past the end");
+}
+
+TEST_CASE("A chunk that is not padded, and one padded with zeros, are read with a warning") {
+  const Result<Glb> unpadded = readGlb(glbOf({{GlbChunk::jsonType, {'{', '}'}}}));
+  REQUIRE(unpadded.ok());
+  CHECK(unpadded->warnings == std::vector<std::string>{"a chunk is not padded to 4 bytes"});
+  const Result<Glb> zeros = readGlb(glbOf({{GlbChunk::jsonType, {'{', '}', 0, 0}}}));
+  REQUIRE(zeros.ok());
+  CHECK(zeros->json == "{}");
+  CHECK(zeros->warnings == std::vector<std::string>{"the JSON chunk is padded with zeros instead of spaces"});
+}
+
 TEST_CASE("Bytes after the end of a GLB are warned of") {
   Bytes bytes = sampleBytes();
   bytes.push_back(0);

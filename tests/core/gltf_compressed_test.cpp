@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/gltf/import/texture_sets.h"
 #include "core/gltf/json/json.h"
 #include "core/gltf/load/report.h"
 #include "core/gltf/patch/edits.h"
@@ -146,6 +147,27 @@ TEST_CASE("A mesh packed by Draco opens within its quantisation, vertices in wha
     CHECK(tube.influences[i].weights == tubeOf(expected).influences[twin].weights);
   }
   checkSameMotion(found, expected);
+}
+
+TEST_CASE("A mesh packed by Draco is a list of triangles, whatever its primitive calls it") {
+  const GlbBuilder packed = packedByDraco(tubeBuilder(), DracoMethod::sequential);
+  const gltf::Loaded expected = opened(packed);
+  GlbBuilder glb = packed;
+  gltf::Json& primitive = glb.json["meshes"][0]["primitives"][0];
+  SECTION("a strip") {
+    primitive["mode"] = 5;
+  }
+  SECTION("without indices") {
+    primitive.erase("indices");
+  }
+  CHECK(tubeOf(opened(glb)).indices == tubeOf(expected).indices);
+}
+
+TEST_CASE("Texture coordinates of a packed file are read with its packed parts opened") {
+  const gltf::Loaded packed = opened(packedByDraco(tubeBuilder(), DracoMethod::sequential));
+  const auto sets = gltf::TextureSets(packed).of(0, 0);
+  REQUIRE(sets.size() == 1);
+  CHECK(sets[0] == tubeOf(packed).texCoords);
 }
 
 TEST_CASE("Of a mesh with plain data for other readers the packed ones are read") {

@@ -139,6 +139,10 @@ TEST_CASE("What breaks the specification but can be read is refused, unless it i
     glb.json["accessors"][0]["max"] = {1, 1, 1};
     place = "accessors[0]";
   }
+  SECTION("values that are no finite numbers") {
+    const int unused = glb.floats({0, std::numeric_limits<float>::infinity(), 0}, "VEC3", 3);
+    place = "accessors[" + std::to_string(unused) + "]";
+  }
   SECTION("positions without bounds") {
     glb.json["accessors"][0].erase("min");
     place = "meshes[0].primitives[0].attributes.POSITION";
@@ -368,4 +372,24 @@ TEST_CASE("A data file that the model needs is named when it is missing") {
   CHECK(missing.error().line().find("gone%20away.bin") != std::string::npos);
   test::writeBytes(folder / "gone away.bin", glb.binary);
   CHECK(gltf::load(folder / "model.gltf").ok());
+}
+
+TEST_CASE("A data file that the model does not need may be missing, whatever is said of its values") {
+  const test::TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["buffers"] = {{{"uri", "here.bin"}, {"byteLength", glb.binary.size()}},
+                         {{"uri", "gone.bin"}, {"byteLength", 24}}};
+  glb.json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 24}});
+  glb.json["accessors"].push_back({{"bufferView", glb.json["bufferViews"].size() - 1},
+                                   {"componentType", 5126},
+                                   {"count", 2},
+                                   {"type", "VEC3"},
+                                   {"min", {1, 1, 1}},
+                                   {"max", {2, 2, 2}}});
+  const std::string text = glb.json.dump();
+  test::writeBytes(folder / "model.gltf", {text.begin(), text.end()});
+  test::writeBytes(folder / "here.bin", glb.binary);
+  const Result<gltf::Loaded> file = gltf::load(folder / "model.gltf");
+  REQUIRE(file.ok());
+  CHECK(file->scene->meshes.size() == 2);
 }

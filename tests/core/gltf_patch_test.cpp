@@ -191,6 +191,25 @@ TEST_CASE("A rigid mesh moves to its bind leaf") {
   CHECK(result.scene->nodes[prop].mesh == 1);
 }
 
+TEST_CASE("A root that is added stands in the scene that is shown, the first one where the file names none") {
+  const TemporaryFolder folder;
+  GlbBuilder glb = armBuilder();
+  glb.json["scenes"] = {{{"nodes", {5}}}, {{"nodes", {0}}}};
+  glb.json["scene"] = 1;
+  std::size_t shown = 1;
+  SECTION("the second is named") {}
+  SECTION("none is named") {
+    glb.json.erase("scene");
+    shown = 0;
+  }
+  const gltf::Loaded file = arm(folder, glb);
+  gltf::Edits edits;
+  edits.addedNodes = {{"ball", NodeIndex::none, {}, NodeIndex::none, false}};
+  const Json scenes = (*patchedOrFail(*file.source, edits).json)["scenes"];
+  CHECK(scenes[shown]["nodes"].back() == firstAdded);
+  CHECK(scenes[1 - shown] == glb.json["scenes"][1 - shown]);
+}
+
 TEST_CASE("What VRM says of a mesh's node follows the mesh") {
   const TemporaryFolder folder;
   GlbBuilder glb = armBuilder();
@@ -368,7 +387,12 @@ TEST_CASE("A file that another program changed opens as an ordinary one, with a 
     changed.buffers[0][0] ^= 1U;
   }
   SECTION("undo broken") {
-    (*changed.json)["extras"]["stretch_engine"]["restore"]["steps"][0] = {"cut", "/nowhere", 3};
+    const Json step =
+        GENERATE(Json({"cut", "/nowhere", 3}), Json({"cut", "/nodes", "3"}), Json({"cut", "/nodes", -1}),
+                 Json({"cut", "/nodes", 99}), Json({"cut", "/nodes"}), Json({"cut", "/asset", 0}),
+                 Json({"set", "", 3}), Json({"set", "/asset"}), Json({"remove", "/nodes/0"}),
+                 Json({"else", "/asset"}), Json("cut"), Json(3));
+    (*changed.json)["extras"]["stretch_engine"]["restore"]["steps"][0] = step;
   }
   Json& restore = (*changed.json)["extras"]["stretch_engine"]["restore"];
   SECTION("buffers that are no list") {

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "core/gltf/load/report.h"
 #include "tests/support/core/glb_builder.h"
 
@@ -76,4 +78,29 @@ TEST_CASE("Shear of a node that no mesh follows does not matter") {
   Scene scene = turnedUnder(Vec3(2.0, 1.0, 1.0));
   scene.nodes[1].mesh = -1;
   CHECK(gltf::residualShear(scene, {}).empty());
+}
+
+TEST_CASE("Of shear is told whether it stands at rest or in which clip and when") {
+  test::GlbBuilder glb = armBuilder();
+  glb.json["nodes"][2]["rotation"] = {0.0, 0.0, std::sin(pi / 8), std::cos(pi / 8)};
+  std::string where = "at rest";
+  SECTION("at rest") {
+    glb.json["nodes"][1]["scale"] = {2, 1, 1};
+  }
+  SECTION("in a clip") {
+    gltf::Json& still = glb.json["animations"][1];
+    const int times = glb.floats({0, 0.5}, "SCALAR", 1);
+    glb.json["accessors"].back()["min"] = {0};
+    glb.json["accessors"].back()["max"] = {0.5};
+    const int scales = glb.floats({1, 1, 1, 3, 1, 1}, "VEC3", 3);
+    still["samplers"].push_back({{"input", times}, {"output", scales}});
+    still["channels"].push_back(
+        {{"sampler", still["samplers"].size() - 1}, {"target", {{"node", 1}, {"path", "scale"}}}});
+    std::swap(glb.json["animations"][0], glb.json["animations"][1]);
+    where = "in clip 'still' at 0.500 s";
+  }
+  const std::vector<gltf::Problem> problems = problemsOf(glb);
+  REQUIRE_FALSE(problems.empty());
+  CHECK(problems[0].severity == gltf::Severity::warning);
+  CHECK_THAT(problems[0].what, Catch::Contains("'lower' is sheared") && Catch::Contains(where));
 }

@@ -23,7 +23,7 @@ def candidates(source, line):
     """Changes of a line as (operator, begin, end, text): what of the source becomes what. Text None: the statement is gone."""
     begin, end = source.line_span(line)
     code = source.code[begin:end]
-    if not code.strip() or skipped(code):
+    if not code.strip() or skipped(code) or is_constant(source, begin):
         return []
     found = []
     for finder in (edges, equalities, logic, terms, signs, factors, numbers, sides, clamps, conditions, removals):
@@ -36,6 +36,17 @@ def skipped(code):
     return bool(re.match(r"(?:#|static_assert|constexpr|using|case|template|namespace|struct|class|enum|public|private|default)\b", code)) or (
         code in ("{", "}", "};", "});", "else {", "} else {")
     )
+
+
+def is_constant(source, place):
+    """Whether a place lies in what the compiler calculates: an entry of a constexpr table, a function that is constexpr."""
+    opening = source.opening_around(place)
+    while opening is not None:
+        begin = max(source.code.rfind(mark, 0, opening) for mark in ";{}")
+        if re.search(r"\bconstexpr\b", source.code[begin + 1 : opening]):
+            return True
+        opening = source.opening_around(opening)
+    return False
 
 
 def edges(source, begin, code):

@@ -85,6 +85,10 @@ class WhatALineBecomes(unittest.TestCase):
         gone = [line for line in range(9) if any(text is None for _, _, _, text in operators.candidates(source, line))]
         self.assertEqual(gone, [2])
 
+    def test_an_entry_of_a_constant_table_is_left_alone(self):
+        source = Source("constexpr auto table = make({\n    {1, 2},\n    more(3, 4),\n});\nconst int other = make({\n    {1, 2}});\n")
+        self.assertEqual([bool(operators.candidates(source, line)) for line in range(6)], [False, False, False, False, False, True])
+
     def test_a_template_is_no_comparison(self):
         self.assertNotIn("edge", self.becomes("std::vector<int> all;"))
 

@@ -71,7 +71,7 @@ class Source:
         begin, end = self._balanced(begin, end)
         inside = self._stops_in(begin, end)
         if inside & {",", ";", "return"} or any(mark.endswith("=") for mark in inside):
-            opening = self._opening_around(begin)
+            opening = self.opening_around(begin)
             if opening is None or self.code[opening] != "(" or inside - {",", "?", ":"}:
                 return None
             return self.expression(opening, self.partner[opening] + 1)
@@ -103,7 +103,8 @@ class Source:
                     found.add(mark)
         return found
 
-    def _opening_around(self, place):
+    def opening_around(self, place):
+        """The innermost bracket that is open at a place, or None."""
         around = [opening for opening, closing in self.partner.items() if opening < place <= closing and self.code[opening] in OPENING]
         return max(around, default=None)
 
