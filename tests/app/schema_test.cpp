@@ -142,6 +142,22 @@ TEST_CASE("A wrong value is told in plain words") {
         "--blend: 'much' is not a number; give one number, such as 2 or 0.5");
 }
 
+TEST_CASE("A range of weight is two frames in order, or none") {
+  WeightSettings settings;
+  settings.rangeFrames = Vec2(1.0, 2.0);
+  REQUIRE(weightFromJson(Json{{"range", {3, 12.5}}}, {}, settings));
+  CHECK(settings.rangeFrames == Vec2(3.0, 12.5));
+  REQUIRE(weightFromJson(Json{{"range", nullptr}}, {}, settings));
+  CHECK_FALSE(settings.rangeFrames);
+  for (const char* const range : {"[]", "[3]", "[3, 12, 20]", "[3, \"12\"]", "[\"3\", 12]", "[12, 3]",
+                                  "[3, 3]", "3", "\"3:12\"", "{\"0\": 3}"}) {
+    INFO(range);
+    const Status read = weightFromJson(Json{{"range", Json::parse(range)}}, {}, settings);
+    REQUIRE_FALSE(read.ok());
+    CHECK_THAT(read.error().line(), Catch::Contains("is not a range"));
+  }
+}
+
 TEST_CASE("A damaged value is brought near, or left out") {
   const SettingFacts& blend = *findSetting(trailSchema(), "blend");
   const SettingFacts& pivot = *findSetting(trailSchema(), "pivot");

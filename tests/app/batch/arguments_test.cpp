@@ -42,6 +42,35 @@ TEST_CASE("A file that cannot be opened is named") {
   CHECK(openDocument(FileArguments{folder.path().string()}).error().what == "is a folder");
 }
 
+TEST_CASE("Every verb that opens a file refuses a broken one in one line, and writes nothing") {
+  const test::TemporaryFolder folder;
+  const std::string broken = folder.write("broken.glb", "no model").string();
+  const std::string output = (folder / "out.glb").string();
+  const std::vector<std::vector<std::string>> calls{
+      {"info", broken},
+      {"check", broken},
+      {"trail", broken, "--limb", "left-arm"},
+      {"exaggerate", broken, "-o", output, "--limb", "left-arm", "--scale", "2"},
+      {"elastic", broken, "-o", output},
+      {"pose", broken, "-o", output, "--pin-feet"},
+      {"resave", broken, "-o", output},
+      {"rig", broken, "-o", output},
+      {"bind", broken, "-o", output},
+      {"import-clip", broken, "-o", output, "--from", dummy},
+      {"import-clip", dummy, "-o", output, "--from", broken},
+      {"compress", broken, "-o", output},
+      {"compare", broken, dummy},
+      {"compare", dummy, broken},
+  };
+  for (const std::vector<std::string>& call : calls) {
+    INFO(call[0]);
+    const test::VerbAnswer answer = test::runVerb(call);
+    CHECK(answer.exitCode == 1);
+    CHECK(std::count(answer.told.begin(), answer.told.end(), '\n') == 1);
+  }
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("Exaggerating writes nothing when a limb, its scale or its range is wrong") {
   const test::TemporaryFolder folder;
   const std::string output = (folder / "out.glb").string();

@@ -78,6 +78,39 @@ TEST_CASE("Erasing what was typed gives back the scale of the beginning") {
   CHECK(modal.settings.scale == 2.0);
 }
 
+TEST_CASE("Erasing gives back the number of the beginning, whatever is typed, and nothing else changes") {
+  rig::TrailSettings settings;
+  settings.scale = 2.0;
+  settings.easeIn = {0.3, 0.2};
+  settings.easeOut = {0.25, 0.8};
+  settings.releaseFrames = 7.0;
+  settings.volume = 0.6;
+  for (const char* const field : {"E", "I", "O", "L", "V"}) {
+    INFO(field);
+    ExaggerateModal modal = beginExaggerate(settings, 4.0);
+    type(modal, field);
+    type(modal, "1 2");
+    CHECK_FALSE(modal.settings == settings);
+    type(modal, "Backspace Backspace");
+    CHECK(modal.settings == settings);
+  }
+  ExaggerateModal unset = beginExaggerate(rig::TrailSettings{}, 4.0);
+  type(unset, "L 3 Backspace");
+  CHECK_FALSE(unset.settings.releaseFrames);
+}
+
+TEST_CASE("Every digit counts in a number that is typed, before and behind the separator, and a minus") {
+  TypedNumber number;
+  const auto typed = [&](const std::string& text) {
+    number.text = text;
+    return number.value();
+  };
+  CHECK(typed("407") == 407.0);
+  CHECK(typed("12.25") == Approx(12.25));
+  CHECK(typed("-30.5") == Approx(-30.5));
+  CHECK(typed(".5") == 0.5);
+}
+
 TEST_CASE("Arrows step the scale: plain, fine with Shift, coarse with Ctrl") {
   ExaggerateModal modal = punch();
   type(modal, "Up");
@@ -100,6 +133,23 @@ TEST_CASE("Axes toggle, and with Shift one is left alone") {
   CHECK(modal.settings.axes == std::array{false, true, false});
   type(modal, "Y");
   CHECK(modalText(modal, "arm") == "arm x2.00, no axis");
+}
+
+TEST_CASE("Each of the three axes toggles alone, is left alone with Shift, and is told by its letter") {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string letter(1, static_cast<char>('X' + axis));
+    ExaggerateModal modal = punch();
+    type(modal, letter);
+    std::array<bool, 3> others{true, true, true};
+    others[axis] = false;
+    CHECK(modal.settings.axes == others);
+    CHECK(modalText(modal, "arm").find(letter) == std::string::npos);
+    type(modal, letter + " Shift+" + letter);
+    std::array<bool, 3> alone{false, false, false};
+    alone[axis] = true;
+    CHECK(modal.settings.axes == alone);
+    CHECK(modalText(modal, "arm") == "arm x2.00, axes " + letter);
+  }
 }
 
 TEST_CASE("Axes are read by what the layout prints, not by position") {

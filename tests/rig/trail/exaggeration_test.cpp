@@ -196,3 +196,19 @@ TEST_CASE("the remap is monotone and stays between 0 and 1 for every ease") {
     }
   }
 }
+
+TEST_CASE("each ease bends its own end of the remap, with and without the other") {
+  for (const RemapKind kind : {RemapKind::spline, RemapKind::linear}) {
+    for (const double other : {0.0, 0.4}) {
+      const Remap eased(kind, {0.3, 0.1}, {other, 0.9});
+      CHECK(eased.at(0.3) == Approx(0.1));
+      const Remap easedOut(kind, {other, 0.1}, {0.2, 0.7});
+      CHECK(easedOut.at(0.8) == Approx(0.7));
+    }
+    const Remap none(kind, {0.0, 0.1}, {0.0, 0.9});
+    for (const double ratio : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+      const double smooth = ratio * ratio * (3.0 - 2.0 * ratio); // the spline leaves and arrives level
+      CHECK(none.at(ratio) == Approx(kind == RemapKind::spline ? smooth : ratio));
+    }
+  }
+}
