@@ -392,10 +392,12 @@ void FileWork::keepAside(FileUser& user, double nowSeconds) {
   const fs::path file = autosavePath(path_);
   const WorkPlace place = placeOf(session->view());
   const Status written = writeText(file, autosaveText(document, place, path_));
-  if (!written && !keptAside_) {
+  if (written) {
+    keptAside_ = KeptAside{file, document, place};
+  } else if (!keepFailureTold_) {
     user.tell(Tone::warning, "Unsaved work is not kept aside: " + written.error().line());
   }
-  keptAside_ = KeptAside{file, document, place};
+  keepFailureTold_ = !written;
 }
 
 void FileWork::forgetKeptAside() {
@@ -410,6 +412,7 @@ void FileWork::close(FileUser& user) {
     user.closing();
   }
   forgetKeptAside();
+  keepFailureTold_ = false;
 }
 
 void FileWork::stamp(const fs::path& path, const std::optional<FileStamp>& stamp) {

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace stretch::app {
 
-/// Bytes that the steps of a history may take: hundreds of thousands of the usual ones, since a snapshot
-/// shares what did not change.
+/// Bytes that the steps of a history may take: some 16,000 of all kinds mixed (docs/trust.md), hundreds of
+/// thousands of small ones, since a snapshot shares what did not change.
 inline constexpr std::size_t mostHistoryBytes = std::size_t{256} << 20U;
 
 /// Snapshots of a document with labels; undo and redo move an index. Where the steps take more than
@@ -108,7 +109,7 @@ private:
 
   std::size_t mostBytes_;
   std::size_t bytes_ = 0;
-  std::vector<Entry> entries_;
+  std::deque<Entry> entries_; ///< The oldest go from the front, without the others moving.
   std::size_t index_ = 0;
   std::size_t savedIndex_ = 0;
 };

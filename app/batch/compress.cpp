@@ -147,16 +147,17 @@ Status compressSequence(const CompressArguments& arguments, const skinning::Comp
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const skinning::EncodedClip encoded = skinning::encodeGltf(compressed->skinned, encoding);
-  if (Status written = writeTable(arguments, sequence, *compressed); !written) {
-    return written;
-  }
-  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
-    return saved;
-  }
   gltf::Json report = compressionJson(sequence, *compressed, encoded);
   report["seconds"] = seconds;
   if (Status written = writeStream(arguments, compressed->skinned, encoding.quantise, report); !written) {
     return written;
+  }
+  if (Status written = writeTable(arguments, sequence, *compressed); !written) {
+    return written;
+  }
+  // The clip last: where it stands, everything that was asked for does.
+  if (Status saved = gltf::save(encoded.source, arguments.output.path); !saved) {
+    return saved;
   }
   if (Status told = addWrittenFile(sequence, arguments.output.path, encoded, report); !told) {
     return told;

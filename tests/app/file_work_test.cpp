@@ -340,6 +340,39 @@ TEST_CASE("Unsaved work is kept aside, offered after a crash, and forgotten once
   }
 }
 
+TEST_CASE(
+    "Work that cannot be kept aside any more is told once, does not count as kept, and is tried again") {
+  Desk desk;
+  FileWork work;
+  desk.openNow(work, "a.glb");
+  const bool keptBefore = GENERATE(true, false);
+  const fs::path folder = autosavePath(desk.file("a.glb")).parent_path();
+  if (keptBefore) {
+    desk.edit();
+    work.update(desk, desk.clock += 10.0);
+    REQUIRE(work.isKeptAside(*desk.document.character()));
+    fs::rename(folder, folder.parent_path() / "away");
+  }
+  fs::create_directories(folder.parent_path());
+  REQUIRE(writeText(folder, "in the way"));
+  desk.told.clear();
+  desk.edit();
+  desk.document.character()->view().frame = 5.0;
+  work.update(desk, desk.clock += 10.0);
+  REQUIRE(desk.told.size() == 1);
+  CHECK(desk.lastTone() == Tone::warning);
+  CHECK_THAT(desk.told.back().second, Catch::StartsWith("Unsaved work is not kept aside: "));
+  CHECK_FALSE(work.isKeptAside(*desk.document.character()));
+  work.update(desk, desk.clock += 10.0);
+  CHECK(desk.told.size() == 1);
+
+  fs::remove(folder); // There is room again: nothing was edited since.
+  work.update(desk, desk.clock += 10.0);
+  CHECK(desk.told.size() == 1);
+  CHECK(work.isKeptAside(*desk.document.character()));
+  CHECK(placeOfAutosave(autosavePath(desk.file("a.glb"))).value_or(WorkPlace{}).frame == 5.0);
+}
+
 TEST_CASE("After a save under another name unsaved work is kept for the file that was saved") {
   Desk desk;
   FileWork work;

@@ -13,7 +13,51 @@ Document looping(const Document& document, bool loops) {
   return setLooping(document, 0, loops);
 }
 
+// A document that counts how often any of its kind is copied or moved.
+struct Counted {
+  explicit Counted(int value) : number(value) {}
+  Counted(const Counted& other) : number(other.number) { ++moves; }
+  Counted(Counted&& other) noexcept : number(other.number) { ++moves; }
+  Counted& operator=(const Counted& other) {
+    number = other.number;
+    ++moves;
+    return *this;
+  }
+  Counted& operator=(Counted&& other) noexcept {
+    number = other.number;
+    ++moves;
+    return *this;
+  }
+  ~Counted() = default;
+
+  int number;
+  static inline int moves = 0;
+};
+bool sameDocument(const Counted& a, const Counted& b) {
+  return a.number == b.number;
+}
+std::size_t bytesBeyond(const Counted& /*document*/, const Counted& /*other*/) {
+  return 1;
+}
+
 } // namespace
+
+TEST_CASE("A step at the most that a history holds moves no other step") {
+  constexpr int most = 1000;
+  History<Counted> history(Counted(0), most);
+  for (int i = 1; i <= 2 * most; ++i) {
+    REQUIRE(history.push(Counted(i), "Step"));
+  }
+  REQUIRE(history.bytes() == most);
+  Counted::moves = 0;
+  for (int i = 1; i <= 100; ++i) {
+    REQUIRE(history.push(Counted(-i), "Step"));
+  }
+  CHECK(Counted::moves <= 100 * 4);
+  CHECK(history.position() == most);
+  CHECK(history.at(0).number == most + 100);
+  CHECK(history.current().number == -100);
+}
 
 TEST_CASE("A new history has nothing to undo and is saved") {
   History<Document> history(test::boxer());

@@ -48,8 +48,18 @@ double settledFrame(double frame) {
   return std::abs(frame - whole) < 1e-4 ? whole : frame;
 }
 
+// Keys that an edit brought to one place, or that a track cannot tell apart: of these the first is written.
+bool areOne(const HeldKey& kept, const HeldKey& key, double framesPerSecond) {
+  const auto seconds = [&](const HeldKey& one) {
+    return static_cast<float>(one.key.frame / framesPerSecond);
+  };
+  const bool wereApart = std::abs(kept.before - key.before) >= keyTolerance;
+  return kept.key.part == key.key.part &&
+         ((wereApart && key.key.frame - kept.key.frame < keyTolerance) || !(seconds(key) > seconds(kept)));
+}
+
 // In order, and of keys in one place the picked one.
-void settle(std::vector<HeldKey>& keys) {
+void settle(std::vector<HeldKey>& keys, double framesPerSecond) {
   std::stable_sort(keys.begin(), keys.end(), [](const HeldKey& a, const HeldKey& b) {
     return a.key.frame < b.key.frame || (a.key.frame == b.key.frame && a.picked > b.picked);
   });
@@ -62,7 +72,9 @@ void settle(std::vector<HeldKey>& keys) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const bool covered = keys[i].picked == 0 && ((i > 0 && covers(keys[i - 1], keys[i])) ||
                                                  (i + 1 < keys.size() && covers(keys[i + 1], keys[i])));
-    if (!covered) {
+    if (!covered && !kept.empty() && areOne(kept.back(), keys[i], framesPerSecond)) {
+      kept.back().picked |= keys[i].picked;
+    } else if (!covered) {
       kept.push_back(keys[i]);
     }
   }
@@ -70,7 +82,7 @@ void settle(std::vector<HeldKey>& keys) {
 }
 
 Result<EditedKeys> written(EditedKeys so, int clip, HeldRow held) {
-  settle(held.keys);
+  settle(held.keys, clipOf(so.document, clip).framesPerSecond);
   PickedRow picked{held.row.row, {}};
   for (const HeldKey& key : held.keys) {
     if (key.picked != 0) {
@@ -250,6 +262,28 @@ Result<EditedKeys> moveKeys(const Document& document, int clip, const KeySelecti
                     });
 }
 
+namespace {
+
+// Time is scaled for all components of a key, values only for those that are picked. Turned round in time,
+// what came to the key leaves it.
+void scaleSlopes(const HeldRow& held, const KeyScale& scale, HeldKey& key) {
+  const double slower = scale.time == 0.0 ? 1.0 : finite(scale.time);
+  for (std::size_t i = 0; i < held.row.components; ++i) {
+    const bool isPicked = (key.picked >> i & 1U) != 0;
+    const double steeper = (isPicked ? finite(scale.value) : 1.0) / slower;
+    key.key.inSlopes[i] *= steeper;
+    key.key.outSlopes[i] *= steeper;
+  }
+  if (slower < 0.0) {
+    std::swap(key.key.inSlopes, key.key.outSlopes);
+  }
+  if (slower != 1.0 || scale.value != 1.0) {
+    key.key.slopesChanged = held.row.interpolation == Interpolation::cubicSpline;
+  }
+}
+
+} // namespace
+
 Result<EditedKeys> scaleKeys(const Document& document, int clip, const KeySelection& selection,
                              const KeyScale& scale) {
   if (selection.empty()) {
@@ -268,15 +302,7 @@ Result<EditedKeys> scaleKeys(const Document& document, int clip, const KeySelect
           setValues(key, held.row.components, [&](std::size_t, double old) {
             return values ? scale.aboutValue + (old - scale.aboutValue) * finite(scale.value) : old;
           });
-          const double steeper = scale.time == 0.0 ? 1.0 : finite(scale.value / scale.time);
-          for (std::size_t i = 0; i < held.row.components && steeper != 1.0; ++i) {
-            key.key.inSlopes[i] *= steeper;
-            key.key.outSlopes[i] *= steeper;
-            key.key.slopesChanged = held.row.interpolation == Interpolation::cubicSpline;
-          }
-          if (scale.time < 0.0) {
-            std::swap(key.key.inSlopes, key.key.outSlopes);
-          }
+          scaleSlopes(held, scale, key);
         });
         return Success{};
       });

@@ -84,15 +84,15 @@ Binds modelBinds(const Scene& scene, const Skin& skin) {
 }
 
 void dropFalseIdentities(const Placer& placer, Binds& binds) {
+  std::vector<NodeIndex> nearest(binds.size()); // bound node at or above each
   for (const NodeIndex node : placer.order) {
     auto& bind = binds[at(node)];
-    NodeIndex parent = placer.scene.nodes[at(node)].parent;
-    while (parent.exists() && !binds[at(parent)]) {
-      parent = placer.scene.nodes[at(parent)].parent;
-    }
-    if (bind && parent.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(parent)])) {
+    const NodeIndex parent = placer.scene.nodes[at(node)].parent;
+    const NodeIndex above = parent.exists() ? nearest[at(parent)] : NodeIndex::none;
+    if (bind && above.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(above)])) {
       bind.reset();
     }
+    nearest[at(node)] = bind ? node : above;
   }
 }
 

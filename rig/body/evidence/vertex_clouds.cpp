@@ -64,21 +64,25 @@ void addSkinnedMeshes(const Scene& scene, const BindPose& bindPose, std::vector<
   }
 }
 
-NodeIndex jointAbove(const Scene& scene, const std::set<NodeIndex>& joints, NodeIndex node) {
-  while (node.exists() && joints.count(node) == 0) {
-    node = scene.nodes[at(node)].parent;
+// For each node the joint that it is, else the nearest one above it; none where there is none.
+std::vector<NodeIndex> jointsAtOrAbove(const Scene& scene) {
+  const std::set<NodeIndex> joints = skinJoints(scene);
+  std::vector<NodeIndex> above(scene.nodes.size());
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    above[at(node)] = joints.count(node) != 0 ? node : parent.exists() ? above[at(parent)] : NodeIndex::none;
   }
-  return node;
+  return above;
 }
 
 // Rigid meshes of the body in a scene with skins: on at least two joints in a row that move no vertices. One
 // alone is the slot of a prop.
 std::vector<bool> bodyParts(const Scene& scene, const std::vector<std::vector<Vec3>>& skinned) {
-  const std::set<NodeIndex> joints = skinJoints(scene);
+  const std::vector<NodeIndex> nearest = jointsAtOrAbove(scene);
   std::vector<NodeIndex> jointOf(scene.nodes.size());
   std::set<NodeIndex> carriers;
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-    const NodeIndex joint = jointAbove(scene, joints, NodeIndex(node));
+    const NodeIndex joint = nearest[node];
     if (scene.nodes[node].mesh >= 0 && scene.nodes[node].skin < 0 && joint.exists() &&
         skinned[at(joint)].empty()) {
       jointOf[node] = joint;
@@ -87,7 +91,8 @@ std::vector<bool> bodyParts(const Scene& scene, const std::vector<std::vector<Ve
   }
   std::set<NodeIndex> inRow;
   for (const NodeIndex joint : carriers) {
-    const NodeIndex above = jointAbove(scene, joints, scene.nodes[at(joint)].parent);
+    const NodeIndex parent = scene.nodes[at(joint)].parent;
+    const NodeIndex above = parent.exists() ? nearest[at(parent)] : NodeIndex::none;
     if (above.exists() && carriers.count(above) != 0) {
       inRow.insert({joint, above});
     }

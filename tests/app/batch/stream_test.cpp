@@ -145,6 +145,21 @@ TEST_CASE("a stream needs a folder that can be made") {
                "--stream", (file / "s").string()});
   CHECK(answer.exitCode == 1);
   CHECK_THAT(answer.told, Catch::Contains("taken"));
+  CHECK_FALSE(std::filesystem::exists(folder / "out.glb"));
+}
+
+TEST_CASE("where the table or a file of the stream cannot be written there is no clip either") {
+  const TemporaryFolder folder;
+  writeObjFrames(shorteningTube(3, 1.0, 0.0, 0.0), folder / "tube", "tube");
+  const std::string taken = GENERATE("s/base.glb", "s/frames.bin", "table.csv");
+  std::filesystem::create_directories(folder / taken); // A folder in the place of the file.
+  const VerbAnswer answer =
+      runVerb({"compress", (folder / "tube").string(), "-o", (folder / "out.glb").string(), "--bones", "3",
+               "--stream", (folder / "s").string(), "--curvature", (folder / "table.csv").string()});
+  CAPTURE(taken, answer.told);
+  CHECK(answer.exitCode == 1);
+  CHECK_THAT(answer.told, Catch::Contains(taken));
+  CHECK_FALSE(std::filesystem::exists(folder / "out.glb"));
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "rig/body/evidence/bind_pose.h"
 #include "tests/support/matrices.h"
 #include "tests/support/rig/described_limbs.h"
+#include "tests/support/rig/moving_biped.h"
 
 using namespace stretch;
 using namespace stretch::rig;
@@ -82,6 +83,45 @@ TEST_CASE("inverse bind matrices that cannot be a bind pose are replaced by the 
   scene.skins[0].inverseBind[2] = GENERATE(Mat4(0.0), Mat4(1.0), Mat4(std::nan("")));
   const std::vector<Mat4> worlds = bindPoseWorlds(scene);
   CHECK(glm::distance(positionOf(worlds[3]), Vec3(0, 3, 0)) < 1e-12);
+}
+
+TEST_CASE("a bind matrix that says nothing is seen through however many nodes that no skin binds") {
+  Scene scene = bentChain({});
+  constexpr int between = 200'000;
+  scene.nodes.resize(4 + between);
+  for (int i = 4; i < 4 + between; ++i) {
+    Node& node = scene.nodes[static_cast<std::size_t>(i)];
+    node.parent = NodeIndex(i - 1);
+    node.rest.translation = Vec3(0, 1e-5, 0);
+    scene.nodes[static_cast<std::size_t>(i - 1)].children.emplace_back(i);
+  }
+  scene.skins[0].joints.emplace_back(3 + between); // The last of all is bound by the identity.
+  scene.skins[0].inverseBind.emplace_back(1.0);
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  CHECK(glm::distance(positionOf(worlds.back()), Vec3(0, 5, 0)) < 1e-6);
+}
+
+TEST_CASE("a character with a long chain of nodes below its hand is read as the one without") {
+  SyntheticBiped body = namedBody();
+  const BuiltBiped built = build(body);
+  Scene scene = built.scene;
+  const std::size_t first = scene.nodes.size();
+  constexpr std::size_t links = 100'000;
+  scene.nodes.resize(first + links);
+  NodeIndex above = built.node.at("hand.l");
+  for (std::size_t i = first; i < first + links; ++i) {
+    scene.nodes[i].parent = above;
+    scene.nodes[i].rest.translation = Vec3(0, -1e-6, 0);
+    scene.nodes[at(above)].children.emplace_back(i);
+    above = NodeIndex(i);
+  }
+  const Body with = detectBody(scene);
+  const Body without = detectBody(built.scene);
+  REQUIRE(with.limbs.size() == without.limbs.size());
+  for (std::size_t i = 0; i < with.limbs.size(); ++i) {
+    CHECK(with.limbs[i].id == without.limbs[i].id);
+    CHECK(with.limbs[i].joints == without.limbs[i].joints);
+  }
 }
 
 TEST_CASE("rest length and estimated ends are in world units, whatever the armature's scale") {
