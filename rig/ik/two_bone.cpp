@@ -148,8 +148,8 @@ TwoBoneShape solveTwoBone(const TwoBoneProblem& problem) {
   const Vec2 place = jointInPlane(triangle, span);
   Vec3 bend = unitAcross(turn * triangle.bend, line, 1e-9, anyPerpendicular(line));
   bend = towardsUsual(problem, triangle, bend, turn, line, place.y);
-  // Old and new pose use one normal: where the pose is too straight to tell it, or bent the other way a little,
-  // its own would turn the bones about themselves.
+  // Old and new pose use one normal: where the pose is too straight to tell it, or bent the other way a
+  // little, its own would turn the bones about themselves.
   const Vec3 normal = glm::cross(triangle.line, glm::inverse(turn) * bend);
   if (bent) {
     bend = unitAcross(polePlace(problem) - problem.base, line, 1e-9 * triangle.length, bend);

@@ -62,7 +62,7 @@ TEST_CASE("What a set of locators lacks or has too much of is told in one line t
   REQUIRE(problemOf(whole).empty());
   Json json = whole;
   entryOf(json, "leftHand")["name"] = "leftPaw";
-  CHECK(tells(json, "leftPaw", "no joint"));
+  CHECK(tells(json, "leftPaw", "not a joint"));
   json = whole;
   json["locators"].push_back(entryOf(json, "leftHand"));
   CHECK(tells(json, "leftHand", "twice"));

@@ -437,23 +437,6 @@ TEST_CASE("A program that only reorders keys and respells numbers does not cost 
   CHECK(result.source->json == Json::parse(nlohmann::json::parse(file.source->json->dump()).dump()));
 }
 
-TEST_CASE("New keys drive every channel that names their target, by node or by pointer") {
-  const TemporaryFolder folder;
-  GlbBuilder glb = armBuilder();
-  Json& channels = glb.json["animations"][0]["channels"];
-  channels.push_back(channels[0]); // the turn of "lower" once more
-  const std::size_t twin = channels.size() - 1;
-  const gltf::Loaded file = arm(folder, glb);
-  gltf::Edits edits;
-  edits.clips = {{wave, {turnTrack(NodeIndex(lower))}}};
-  const Json changed = patchedOrFail(*file.source, edits).json;
-  const Json& after = changed["animations"][0]["channels"];
-  REQUIRE(after.size() == channels.size());
-  CHECK(after[0]["sampler"] != channels[0]["sampler"]);
-  CHECK(after[twin]["sampler"] == after[0]["sampler"]);
-  CHECK(after[1]["sampler"] == channels[1]["sampler"]);
-}
-
 TEST_CASE("A node that gives up its matrix keeps its scale, whether it is keyed or moved") {
   const TemporaryFolder folder;
   GlbBuilder glb = armBuilder();

@@ -157,7 +157,7 @@ TEST_CASE("two files that are no mesh and cache are told apart") {
   const auto base = folder.write("base.obj", oneTriangle);
   const auto text = folder.write("notes.txt", "no mesh");
   const auto cache = folder.write("run.mdd", MddFile{}.bytes());
-  CHECK_THAT(readSequence({text, cache}).error().line(), Contains("notes.txt") && Contains("no mesh"));
+  CHECK_THAT(readSequence({text, cache}).error().line(), Contains("notes.txt") && Contains("not a mesh"));
   CHECK_THAT(readSequence({base, text}).error().line(),
              Contains("notes.txt") && Contains("not a point cache"));
 }

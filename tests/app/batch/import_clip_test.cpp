@@ -184,7 +184,8 @@ TEST_CASE("FILE#CLIP names one clip of a file, whatever of the two has a # in it
     std::vector<std::string> names;
     CHECK(answer.exitCode == 0);
     if (answer.exitCode == 0) {
-      for (const Json& clip : Json::parse(answer.output)["clips"]) {
+      const Json report = Json::parse(answer.output);
+      for (const Json& clip : report["clips"]) {
         names.push_back(clip["name"].get<std::string>());
       }
     }

@@ -308,7 +308,7 @@ TEST_CASE("Every option of exaggerate changes the keys that it writes") {
 TEST_CASE("Every option of elastic changes the keys that it writes") {
   const TemporaryFolder inputs;
   addCharacters(inputs);
-  const std::string arm = "--limb left-arm";
+  const std::string arm = "--limb left-arm --clip Guard";
   checkTable(
       {"elastic", "--json --clean",
        joinedRows(
