@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/anim/key_time.h"
 #include "core/math/monotone_curve.h"
 
 namespace stretch::rig {
 
 namespace {
-
-// Key times are stored in single precision: a time nearer than this to a key is at it.
-double curveRounding(double timeSeconds) {
-  return 1e-7 * std::max(1.0, std::abs(timeSeconds));
-}
 
 double hermite(double from, double outSlope, double to, double inSlope, double length, double t) {
   const double t2 = t * t;
@@ -103,7 +99,7 @@ OffsetCurve::Numbers OffsetCurve::rest() const {
 }
 
 bool OffsetCurve::covers(double timeSeconds) const {
-  const double rounding = curveRounding(timeSeconds);
+  const double rounding = keyTimeRounding(timeSeconds);
   return !keys_.empty() && timeSeconds >= start_ - rounding && timeSeconds <= end_ + rounding;
 }
 
@@ -111,7 +107,7 @@ Offset OffsetCurve::at(double timeSeconds) const {
   if (!covers(timeSeconds)) {
     return offsetOf(rest());
   }
-  const double rounded = timeSeconds + curveRounding(timeSeconds);
+  const double rounded = timeSeconds + keyTimeRounding(timeSeconds);
   const auto next = std::upper_bound(keys_.begin(), keys_.end(), rounded,
                                      [](double time, const Key& key) { return time < key.timeSeconds; });
   if (next == keys_.begin()) {

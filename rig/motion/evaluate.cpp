@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/anim/key_time.h"
 #include "core/base/index.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
@@ -31,13 +32,8 @@ Vec3 stoppedAt(const StopPlane& plane, const Vec3& original, const Vec3& target)
   return original + (target - original) * (before / (before - after));
 }
 
-// Key times are stored in single precision: a time nearer than this to a border is at it.
-double keyRounding(double timeSeconds) {
-  return 1e-7 * std::max(1.0, std::abs(timeSeconds));
-}
-
 bool insideWindow(const SolvedTrail& solved, double timeSeconds) {
-  const double rounding = keyRounding(timeSeconds);
+  const double rounding = keyTimeRounding(timeSeconds);
   return timeSeconds >= solved.windowStartSeconds - rounding &&
          timeSeconds <= solved.windowEndSeconds + rounding;
 }
@@ -76,7 +72,7 @@ Amount amountAt(const MotionState& motion, const SolvedTrail& solved, const Limb
   const double framesPerSecond = motion.framesPerSecond;
   const double timeSeconds = wrapped(motion, solved, sample.timeSeconds);
   const Outside outside = outsideOf(solved, timeSeconds);
-  const double rounding = keyRounding(timeSeconds);
+  const double rounding = keyTimeRounding(timeSeconds);
   if (outside.pastPivot > rounding) {
     const double fade =
         solved.release.seconds() > 0.0 ? 1.0 - smoothstep(outside.pastPivot / solved.release.seconds()) : 0.0;

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/anim/key_time.h"
 #include "core/base/index.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/ik/two_bone.h"
@@ -23,8 +24,7 @@ namespace {
 const Vec3 up(0.0, 1.0, 0.0);
 
 double fadeAt(const LimbWeight& weight, double timeSeconds) {
-  // Key times are stored in single precision: a time nearer than this to a border is at it.
-  const double rounding = 1e-7 * std::max(1.0, std::abs(timeSeconds));
+  const double rounding = keyTimeRounding(timeSeconds);
   if (timeSeconds < weight.startSeconds - rounding || timeSeconds > weight.endSeconds + rounding) {
     return 0.0;
   }

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/anim/key_time.h"
 #include "core/math/rotation.h"
 #include "rig/ik/spline_spine.h"
 #include "rig/motion/adjusted_sampler.h"
@@ -195,8 +196,7 @@ bool HoldSpan::actsInTurn(int turn) const {
 }
 
 double HoldSpan::strengthAt(double timeSeconds) const {
-  // Key times are stored in single precision: a time nearer than this to a border is at it.
-  const double rounding = 1e-7 * std::max(1.0, std::abs(timeSeconds));
+  const double rounding = keyTimeRounding(timeSeconds);
   const auto beside = [&](double outside, double blend) {
     return outside <= rounding ? 1.0 : (blend > 0.0 ? 1.0 - smoothstep(outside / blend) : 0.0);
   };

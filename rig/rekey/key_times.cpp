@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -152,11 +154,16 @@ std::vector<double> firstTimes(const Window& window, const PartKeys& keys, doubl
   return withoutLongSpans(times, framesPerSecond);
 }
 
-void addBesideJumps(const KeyedPart& part, const Window& window, std::vector<double>& times) {
-  for (const double time : part.jumpSeconds) {
-    const auto place = std::lower_bound(times.begin(), times.end(), time);
-    if (time > window.startSeconds && time < window.endSeconds && *place != time) {
-      times.insert(place, time);
+// The two keys of each jump, in place of a key that is as good as one of them.
+void addJumps(const KeyedPart& part, const Window& window, std::vector<double>& times) {
+  const auto isWithin = [&](double time) { return time > window.startSeconds && time < window.endSeconds; };
+  for (const JumpInside& jump : part.jumps) {
+    std::erase_if(
+        times, [&](double time) { return isWithin(time) && std::abs(time - jump.insideSeconds) < sameKey; });
+    for (const double time : {jump.insideSeconds, jump.besideSeconds}) {
+      if (isWithin(time)) {
+        times.insert(std::ranges::lower_bound(times, time), time);
+      }
     }
   }
 }
@@ -232,6 +239,37 @@ void refine(const MissOf& missOf, double framesPerSecond, double tolerance, doub
     added.push_back(key);
     refine(missOf, framesPerSecond, tolerance, key, end, added);
   }
+}
+
+// The ascending keys of a span, its end among them, with those added that need the grid of frames this many
+// times shorter; a span of more than so many frames is taken as it is.
+template <typename MissOf>
+std::vector<double> refined(const MissOf& missOf, double framesPerSecond, double tolerance, double mostFrames,
+                            double start, const std::vector<double>& keys) {
+  std::vector<double> all;
+  for (const double key : keys) {
+    if ((key - start) * framesPerSecond <= mostFrames) {
+      refine(missOf, framesPerSecond, tolerance, start, key, all);
+    }
+    all.push_back(key);
+    start = key;
+  }
+  return all;
+}
+
+// The keys of a span, its end among them. Frames and halves are right to the tolerance. A player that shows
+// more pictures than the clip has frames asks between these as well, where a limb that comes to its full
+// length turns fast: spans that are off by a few tolerances at eighths of a frame get further keys, and what
+// is cut to eighths is looked at once more in between.
+template <typename MissOf>
+std::vector<double> keysInside(const MissOf& missOf, double framesPerSecond, double tolerance, double start,
+                               double end) {
+  constexpr double few = 8.0;
+  constexpr double anyLength = std::numeric_limits<double>::infinity();
+  const std::vector<double> halves = refined(missOf, framesPerSecond, tolerance, anyLength, start, {end});
+  const std::vector<double> eighths =
+      refined(missOf, 4.0 * framesPerSecond, few * tolerance, anyLength, start, halves);
+  return refined(missOf, 32.0 * framesPerSecond, few * tolerance, 5.0, start, eighths);
 }
 
 // The stretches of a node at its times, gathered on one walk through the times of all nodes.
@@ -317,13 +355,13 @@ PartKeys chooseKeys(ExactMotion& exact, const KeyedPart& part, const FramesOfNod
     std::vector<double> times{first.front()};
     std::vector<double> stretchTimes{first.front()};
     for (std::size_t i = 1; i < first.size(); ++i) {
-      refine(missOfJoints, framesPerSecond, options.tolerance, first[i - 1], first[i], times);
-      times.push_back(first[i]);
-      refine(missOfStretch, framesPerSecond, options.tolerance, first[i - 1], first[i], stretchTimes);
-      stretchTimes.push_back(first[i]);
+      std::ranges::copy(keysInside(missOfJoints, framesPerSecond, options.tolerance, first[i - 1], first[i]),
+                        std::back_inserter(times));
+      std::ranges::copy(keysInside(missOfStretch, framesPerSecond, options.tolerance, first[i - 1], first[i]),
+                        std::back_inserter(stretchTimes));
     }
-    addBesideJumps(part, window, times);
-    addBesideJumps(part, window, stretchTimes);
+    addJumps(part, window, times);
+    addJumps(part, window, stretchTimes);
     keys.times.push_back(std::move(times));
     keys.stretchTimes.push_back(std::move(stretchTimes));
   }

@@ -18,6 +18,17 @@ Window windowOf(const MotionState& motion, double start, double end) {
   return window;
 }
 
+// Of the two keys at a border where the motion jumps the inner one is not beyond it, so that whoever asks
+// for the border's very time, in whatever precision, is inside.
+void keepBordersInside(double start, double end, Window& window) {
+  if (window.jumpsBefore) {
+    window.startSeconds = std::min(window.startSeconds, keyTimeAtMost(start));
+  }
+  if (window.jumpsAfter) {
+    window.endSeconds = std::max(window.endSeconds, keyTimeAtLeast(end));
+  }
+}
+
 void mergeOverlaps(std::vector<Window>& windows) {
   std::sort(windows.begin(), windows.end(),
             [](const Window& a, const Window& b) { return a.startSeconds < b.startSeconds; });
@@ -50,6 +61,7 @@ std::vector<Window> windowsOf(const MotionState& motion, std::size_t place) {
   const bool forwards = trail.settings.pivot == Pivot::start;
   own.jumpsAfter = noRelease && forwards && own.endSeconds < motion.endSeconds - sameKey;
   own.jumpsBefore = noRelease && !forwards && own.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
   std::vector<Window> windows{own};
   addWrapped(motion, trail, windows);
   if (trail.settings.stayInWorld) {
@@ -80,6 +92,7 @@ Window windowOf(const MotionState& motion, const LimbWeight& weight) {
   window.jumpsBefore =
       weight.fadeInSeconds <= 0.0 && window.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
   window.jumpsAfter = weight.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
+  keepBordersInside(weight.startSeconds, weight.endSeconds, window);
   return window;
 }
 
@@ -125,21 +138,21 @@ void joinWindows(std::vector<Window>& windows) {
   windows = std::move(joined);
 }
 
-void addJumps(const OffsetCurve& curve, KeyedPart& part) {
+void addKeys(const OffsetCurve& curve, KeyedPart& part) {
   for (const double jump : curve.jumpSeconds()) {
-    part.keySeconds.push_back(asKeyTime(jump));
-    part.jumpSeconds.push_back(besideJump(jump, -1.0));
+    part.jumps.push_back({keyTimeAtMost(jump), besideJump(jump, -1.0)});
+  }
+  for (const double key : curve.keySeconds()) {
+    part.keySeconds.push_back(asKeyTime(key));
   }
 }
 
 void addBorderJumps(const Window& window, KeyedPart& part) {
   if (window.jumpsBefore) {
-    part.keySeconds.push_back(window.startSeconds);
-    part.jumpSeconds.push_back(besideJump(window.startSeconds, -1.0));
+    part.jumps.push_back({window.startSeconds, besideJump(window.startSeconds, -1.0)});
   }
   if (window.jumpsAfter) {
-    part.keySeconds.push_back(window.endSeconds);
-    part.jumpSeconds.push_back(besideJump(window.endSeconds, 1.0));
+    part.jumps.push_back({window.endSeconds, besideJump(window.endSeconds, 1.0)});
   }
 }
 
@@ -155,10 +168,8 @@ KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted
       Window window = windowOf(motion, curve.startSeconds(), curve.endSeconds());
       window.jumpsBefore = curve.jumpsAtStart() && window.startSeconds > first + sameKey;
       window.jumpsAfter = curve.jumpsAtEnd() && window.endSeconds < motion.endSeconds - sameKey;
-      for (const double key : curve.keySeconds()) {
-        part.keySeconds.push_back(asKeyTime(key));
-      }
-      addJumps(curve, part);
+      keepBordersInside(curve.startSeconds(), curve.endSeconds(), window);
+      addKeys(curve, part);
       addBorderJumps(window, part);
       part.windows.push_back(window);
     }
@@ -178,6 +189,7 @@ void addHoldAt(const MotionState& motion, const HoldSpan& span, double shift, Ke
   Window window = windowOf(motion, start - span.blendInSeconds, end + span.blendOutSeconds);
   window.jumpsBefore = span.blendInSeconds <= 0.0 && window.startSeconds > first + sameKey;
   window.jumpsAfter = span.blendOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
+  keepBordersInside(start, end, window);
   for (const double border : {start, end}) {
     if (border > first && border < motion.endSeconds) {
       part.keySeconds.push_back(asKeyTime(border));
@@ -198,10 +210,7 @@ void addHold(const MotionState& motion, const HoldSpan& span, KeyedPart& part) {
 void addProp(const MotionState& motion, const SolvedProp& prop, KeyedPart& part) {
   addHold(motion, prop.span, part);
   for (const SolvedPropHand& hand : prop.hands) {
-    for (const double key : hand.firmness.keySeconds()) {
-      part.keySeconds.push_back(asKeyTime(key));
-    }
-    addJumps(hand.firmness, part);
+    addKeys(hand.firmness, part);
   }
 }
 

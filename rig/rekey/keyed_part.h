@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/anim/key_time.h"
 #include "core/scene/scene.h"
 #include "rig/motion/motion.h"
 
@@ -9,11 +10,6 @@ namespace stretch::rig {
 
 /// Seconds: nearer than this to a key of the source is that key.
 inline constexpr double sameKey = 2e-5;
-
-/// Time as a key stores it.
-[[nodiscard]] inline double asKeyTime(double timeSeconds) {
-  return static_cast<double>(static_cast<float>(timeSeconds));
-}
 
 /// A stretch of time that is keyed anew. Both ends are exactly representable in single precision, as keys
 /// are.
@@ -29,14 +25,20 @@ struct Window {
 /// a direction of -1, after it for 1.
 [[nodiscard]] double besideJump(double borderSeconds, double direction);
 
+/// A jump of the motion inside a window gets two keys: one on the side where the time itself lies, and one
+/// right beside it.
+struct JumpInside {
+  double insideSeconds = 0.0;
+  double besideSeconds = 0.0; ///< See besideJump.
+};
+
 /// Nodes that adjustments, one active trail, holds, or the weight of one limb move, and when.
 struct KeyedPart {
-  std::vector<NodeIndex> nodes;         ///< Nodes whose local transforms may change.
-  double boneLength = 0.0;              ///< Mean length of the limb's bones, world units.
-  std::vector<Window> windows;          ///< Usually one; two where a loop wraps. Disjoint, ascending.
-  std::vector<double> keySeconds;       ///< Times inside that get a key in any case: the ends of the range.
-  std::vector<double> jumpSeconds = {}; ///< Times right beside a jump inside a window (besideJump), which get
-                                        ///< one too.
+  std::vector<NodeIndex> nodes;   ///< Nodes whose local transforms may change.
+  double boneLength = 0.0;        ///< Mean length of the limb's bones, world units.
+  std::vector<Window> windows;    ///< Usually one; two where a loop wraps. Disjoint, ascending.
+  std::vector<double> keySeconds; ///< Times inside that get a key in any case: the ends of the range.
+  std::vector<JumpInside> jumps = {};
 };
 
 /// All parts of a motion.

@@ -10,7 +10,7 @@ namespace stretch::rig {
 
 struct RekeyOptions {
   /// How far any joint, and the mesh that turns with it, may be from the exact motion at every frame and half
-  /// frame, world units (1e-4 of the height).
+  /// frame, world units (1e-4 of the height); ten times as far at other times.
   double tolerance = 1e-4;
   bool keyEveryFrame = false;
 };
