@@ -244,7 +244,7 @@ Status runCompress(const CompressArguments& arguments) {
     return settings.error();
   }
   skinning::EncodeSettings encoding;
-  if (const Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
+  if (Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
     return set;
   }
   Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);

@@ -5,7 +5,7 @@
 namespace stretch::app {
 
 Result<PlacedTrails> withRecipe(const Document& document, const Recipe& recipe) {
-  Things things = recipe;
+  Things things = static_cast<const Things&>(recipe);
   const int othersGroups = freeGroup(document) - 1;
   for (rig::Trail& trail : things.trails) {
     trail.group += trail.group > 0 ? othersGroups : 0;

@@ -258,7 +258,7 @@ private:
     if (channel == Channel::rotation) {
       return {local.rotation.x, local.rotation.y, local.rotation.z, local.rotation.w};
     }
-    return Vec4(channel == Channel::scale ? local.scale : local.translation, 0.0);
+    return {channel == Channel::scale ? local.scale : local.translation, 0.0};
   }
 
   static void set(Transform& local, Channel channel, const Vec4& value) {

@@ -26,7 +26,7 @@ struct AppendedFrames {
 /// `bytesBefore`: of the frames that are there already. Errors: the base is none, or of another mesh; the
 /// frames before are cut short; or what a client would show is off by more than `mostPercent` (RMSE, of the
 /// diagonal).
-[[nodiscard]] Result<AppendedFrames> framesForStream(const std::filesystem::path& base,
+[[nodiscard]] Result<AppendedFrames> framesForStream(const std::filesystem::path& path,
                                                      const MeshSequence& sequence, std::size_t bytesBefore,
                                                      double mostPercent);
 

@@ -84,7 +84,7 @@ glm::vec3 armThatShortens(const glm::vec3& rest, double angle, double shortening
   const double turned = angle * std::min(out, length) / length;
   const double radius = length * (1.0 - shortening * angle) / angle;
   const double beyond = std::max(0.0, out - length);
-  const double up = static_cast<double>(rest.y);
+  const auto up = static_cast<double>(rest.y);
   const double x = shoulder + (radius - up) * std::sin(turned) + beyond * std::cos(turned);
   const double y = radius - (radius - up) * std::cos(turned) + beyond * std::sin(turned);
   return {static_cast<float>(std::copysign(x, static_cast<double>(rest.x))), static_cast<float>(y), rest.z};

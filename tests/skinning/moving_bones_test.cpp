@@ -29,8 +29,10 @@ MeshSequence cubesThatMove(std::size_t cubes, const std::function<Vec3(std::size
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
       const std::size_t place = v % ofPart;
       const auto cube = static_cast<double>(v / ofPart);
-      const Vec3 rest(6.0 * cube + static_cast<double>(place % 4), static_cast<double>(place / 4 % 4),
-                      static_cast<double>(place / 16));
+      const std::size_t row = place / 4 % 4;
+      const std::size_t layer = place / 16;
+      const Vec3 rest(6.0 * cube + static_cast<double>(place % 4), static_cast<double>(row),
+                      static_cast<double>(layer));
       sequence.positions.emplace_back(moved(v / ofPart, static_cast<double>(k) / frames, rest));
     }
   }

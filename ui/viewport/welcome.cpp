@@ -85,6 +85,8 @@ void drawClipPicture(const Theme& theme, const GlTexture& picture, const Rect& b
     list->AddRectFilled(box.min, box.max, theme.colours.sunken, theme.corner());
     return;
   }
+  // Dear ImGui holds OpenGL's name of a texture as a pointer.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.name()));
   list->AddImageRounded(texture, box.min, box.max, {0.0F, 0.0F}, {1.0F, 1.0F}, IM_COL32_WHITE,
                         theme.corner());

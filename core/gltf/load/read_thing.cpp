@@ -123,7 +123,7 @@ private:
   }
 
   void retakeAll(Json& attributes) {
-    for (auto& [name, accessor] : attributes.items()) {
+    for (const auto& [name, accessor] : attributes.items()) {
       accessor = take("accessors", accessor.get<int>());
     }
   }
@@ -131,7 +131,7 @@ private:
   // Wherever a material names a texture: its own properties, and those of its extensions.
   void retakeTextures(Json& json) {
     std::vector<std::string> lost;
-    for (auto& [key, value] : json.items()) {
+    for (const auto& [key, value] : json.items()) {
       const bool isTexture = key.ends_with("Texture") && indexOr(value, "index") >= 0;
       if (isTexture && !hasPictures(element(from_.json, "textures", at(indexOr(value, "index"))))) {
         lost.push_back(key);
@@ -175,7 +175,7 @@ private:
     retake(texture, "sampler", "samplers");
     retake(texture, "source", "images");
     if (texture.contains("extensions")) {
-      for (auto& [name, extension] : texture["extensions"].items()) {
+      for (const auto& [name, extension] : texture["extensions"].items()) {
         retake(extension, "source", "images");
       }
     }

@@ -34,7 +34,7 @@ public:
   }
 
   void shiftAll(Json& members, const char* list) const {
-    for (auto& [key, index] : members.items()) {
+    for (const auto& [key, index] : members.items()) {
       index = first_.at(list) + index.get<std::size_t>();
     }
   }
@@ -47,7 +47,7 @@ private:
 };
 
 void shiftTextures(Json& json, const Shifts& shifts) {
-  for (auto& [key, value] : json.items()) {
+  for (const auto& [key, value] : json.items()) {
     if (key.ends_with("Texture") && indexOr(value, "index") >= 0) {
       shifts.shift(value, "index", "textures");
     } else if (value.is_structured()) {
@@ -81,7 +81,7 @@ void shiftTexture(Json& texture, const Shifts& shifts) {
   shifts.shift(texture, "sampler", "samplers");
   shifts.shift(texture, "source", "images");
   if (texture.contains("extensions")) {
-    for (auto& [name, extension] : texture["extensions"].items()) {
+    for (const auto& [name, extension] : texture["extensions"].items()) {
       shifts.shift(extension, "source", "images");
     }
   }

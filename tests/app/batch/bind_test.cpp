@@ -73,7 +73,7 @@ std::string locatorsOf(const TemporaryFolder& folder) {
     }
   }
   json["locators"] = kept;
-  const std::string path = (folder / "locators.json").string();
+  std::string path = (folder / "locators.json").string();
   REQUIRE(writeText(path, json.dump(), MissingFolder::isError).ok());
   return path;
 }

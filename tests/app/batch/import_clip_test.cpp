@@ -7,6 +7,7 @@
 
 #include "app/edits/keys/import_clip.h"
 #include "app/files/autosave.h"
+#include "app/files/save.h"
 #include "app/session.h"
 #include "core/base/file.h"
 #include "core/gltf/json/json.h"

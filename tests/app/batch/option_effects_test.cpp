@@ -215,6 +215,7 @@ std::vector<OptionRow> fileRows(const std::string& file, const std::string& copy
 /// stands in its place.
 std::vector<OptionRow> rowsBehind(const std::string& words, const std::vector<OptionRow>& rows) {
   std::vector<OptionRow> behind;
+  behind.reserve(rows.size());
   for (const OptionRow& row : rows) {
     behind.push_back({row.option, words + ' ' + row.without, words + ' ' + row.with});
   }

@@ -40,7 +40,7 @@ Document openedForKeys(const fs::path& path) {
 KeyRow armRow(const Document& document) {
   const rig::Limb* const arm = findLimb(document, "left-arm");
   REQUIRE(arm != nullptr);
-  const KeyRow row{arm->joints[1], Channel::rotation, {}};
+  KeyRow row{arm->joints[1], Channel::rotation, {}};
   REQUIRE(keyFramesOf(document, 0, row).size() > 4);
   return row;
 }

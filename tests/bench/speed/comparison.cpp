@@ -53,6 +53,7 @@ Pair measureInTurn(int repetitions, const Work& ours, const Work& other) {
 
 RunCost runProgram(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str())); // what posix_spawnp asks for
   }

@@ -27,10 +27,10 @@ constexpr double measuredFrames = 48.0;    // 49 with both ends
 double blenderMilliseconds(const SpeedInput& input) {
   const std::filesystem::path answer = std::filesystem::temp_directory_path() / "stretch-engine-blender.txt";
   std::filesystem::remove(answer);
-  const RunCost cost =
-      runProgram({"blender", "--background", "--factory-startup", "--python",
-                  STRETCH_SOURCE_DIR "/tests/bench/speed/blender_paths.py", "--", input.file.string(),
-                  fmt::format("{}", static_cast<int>(measuredFrames) + 1), answer.string()});
+  const RunCost cost = runProgram({"blender", "--background", "--factory-startup", "--python",
+                                   (std::string(STRETCH_SOURCE_DIR) + "/tests/bench/speed/blender_paths.py"),
+                                   "--", input.file.string(),
+                                   fmt::format("{}", static_cast<int>(measuredFrames) + 1), answer.string()});
   double milliseconds = 0.0;
   std::ifstream(answer) >> milliseconds;
   return cost.ran ? milliseconds : 0.0;
@@ -173,7 +173,8 @@ Comparison manyTrails(const SpeedInput& input) {
     app::Document document = withLongClip(input.document, 500);
     const std::size_t limbs = std::min<std::size_t>(4, document.body.limbs.size());
     for (int i = 0; i < trails; ++i) {
-      const double start = 1.5 * length * (i / static_cast<int>(limbs));
+      const int round = i / static_cast<int>(limbs);
+      const double start = 1.5 * length * round;
       addTrail(document, static_cast<std::size_t>(i) % limbs, start, start + length);
     }
     return document;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/commands/table/command_ids.h"
+#include "app/files/save.h"
 #include "app/open_document.h"
 #include "tests/support/app/mesh_file.h"
 #include "tests/support/skinning/tube_person.h"
