@@ -31,7 +31,7 @@ struct StretchKeys {
 /// A clip with its active trails and the weight of its limbs keyed in.
 struct RekeyedClip {
   std::vector<Track> tracks; ///< The tracks that change, whole: keys outside range and release are the
-                             ///< source's bit for bit.
+                             ///< source's bit for bit, quaternions perhaps negated after a full turn.
   std::vector<StretchKeys> stretches;
 };
 

@@ -232,15 +232,26 @@ void sortUnique(std::vector<Key>& keys) {
       keys.end());
 }
 
-// Readers that lerp quaternions without looking at signs get neighbouring ones; keys of the source keep
-// theirs.
+void negate(Key& key) {
+  key.value = -key.value;
+  key.inTangent = -key.inTangent;
+  key.outTangent = -key.outTangent;
+}
+
+// A quaternion and its negative are one rotation, but a spline between them passes through none, and readers
+// that lerp do not look at signs: neighbouring keys get neighbouring ones. Keys of the source keep theirs,
+// but for those after a window in which the joint turned once round: they are negated together.
 void alignHemispheres(std::vector<Key>& keys) {
+  bool isNegated = false;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const Key* neighbour = i > 0 ? &keys[i - 1] : (keys.size() > 1 ? &keys[1] : nullptr);
-    if (!keys[i].sourceKey && neighbour != nullptr && glm::dot(keys[i].value, neighbour->value) < 0.0) {
-      keys[i].value = -keys[i].value;
-      keys[i].inTangent = -keys[i].inTangent;
-      keys[i].outTangent = -keys[i].outTangent;
+    if (keys[i].sourceKey && isNegated) {
+      negate(keys[i]);
+    }
+    const Key* const neighbour = i > 0 ? &keys[i - 1] : (keys.size() > 1 ? &keys[1] : nullptr);
+    const bool isOfSource = keys[i].sourceKey && (i == 0 || keys[i - 1].sourceKey);
+    if (!isOfSource && neighbour != nullptr && glm::dot(keys[i].value, neighbour->value) < 0.0) {
+      negate(keys[i]);
+      isNegated = keys[i].sourceKey ? !isNegated : isNegated;
     }
   }
 }

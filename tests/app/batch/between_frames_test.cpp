@@ -154,3 +154,49 @@ TEST_CASE("a step of a controller is taken at its frame, and the frame before it
     }
   }
 }
+
+TEST_CASE(
+    "after a full turn within its range a joint goes on as in the source, without a key of the other sign") {
+  for (const char* name : {"dummy.glb", "dummy_leap.glb"}) {
+    const test::TemporaryFolder folder;
+    Json keys = Json::array();
+    for (int i = 0; i <= 4; ++i) {
+      keys.push_back({{"frame", 6 + 2 * i}, {"turn", {0.0, 90.0 * i, 0.0}}});
+    }
+    const Json recipe{
+        {"version", 1},
+        {"units", "metres"},
+        {"adjustments", Json::array({{{"controller", "body"}, {"range", {6, 14.25}}, {"keys", keys}}})}};
+    const Posed posed = test::pose(folder, recipe, {"--clean"}, bundled(name));
+    REQUIRE(posed.answer.exitCode == 0);
+    const app::Document source = openedFile(bundled(name));
+    const app::Document file = openedFile(posed.path);
+    const NodeIndex body = file.body.hips;
+    int changed = 0;
+    for (const CopyOnWrite<Track>& track : (*file.clips)[0].tracks) {
+      if (track->channel != Channel::rotation) {
+        continue;
+      }
+      const bool isCubic = track->interpolation == Interpolation::cubicSpline;
+      const std::size_t perKey = isCubic ? 12 : 4;
+      for (std::size_t i = 1; i < track->times.size(); ++i) {
+        double dot = 0.0;
+        for (std::size_t c = 0; c < 4; ++c) {
+          const std::size_t value = i * perKey + (isCubic ? 4 : 0) + c;
+          dot +=
+              static_cast<double>(track->values[value]) * static_cast<double>(track->values[value - perKey]);
+        }
+        INFO(name << ", node " << at(track->node) << " after " << track->times[i - 1] << " s");
+        CHECK(dot >= -1e-6);
+        ++changed;
+      }
+    }
+    CHECK(changed > 100);
+    for (double frame = 14.5; frame < 30.0; frame += 0.25) {
+      const double apart = glm::length(test::nodeOf(file, body, frame) - test::nodeOf(source, body, frame)) +
+                           glm::length(endOf(file, "left-arm", frame) - endOf(source, "left-arm", frame));
+      INFO(name << " at frame " << frame);
+      CHECK(apart < 1e-4 * source.body.height);
+    }
+  }
+}
