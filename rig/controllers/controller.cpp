@@ -63,6 +63,10 @@ void addAttributes(const Scene& scene, const Limb& limb, ControllerList& list) {
     list.attributes.push_back(
         {limb.id + ".follow", AttributeKind::follow, limb.id, 0.0, 1.0, isLeg(limb) ? 0.0 : 1.0});
   }
+  if (hasElbowOrKnee(limb)) {
+    list.attributes.push_back(
+        {limb.id + ".softness", AttributeKind::softness, limb.id, 0.0, mostSoftness, 0.0});
+  }
   if (isArm(limb) && !fingerJoints(scene, limb).empty()) {
     list.attributes.push_back({endController(limb) + ".curl", AttributeKind::curl, limb.id, -0.2, 1.0, 0.0});
   }

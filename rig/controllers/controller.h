@@ -34,7 +34,10 @@ struct Controller {
   double length = 1.0; ///< World units: what a recipe counts its moves in.
 };
 
-enum class AttributeKind { stretch, volume, follow, curl, roll };
+enum class AttributeKind { stretch, volume, follow, curl, roll, softness };
+
+/// The largest value of the attribute softness, of the limb's length.
+inline constexpr double mostSoftness = 0.3;
 
 /// A number that is keyed beside the offsets.
 struct Attribute {

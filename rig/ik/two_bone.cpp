@@ -52,11 +52,12 @@ Triangle triangleOf(const TwoBoneProblem& problem) {
 }
 
 // How far the unscaled limb spans on its way to a target at the distance.
-double spanFor(const Triangle& triangle, double distance, bool isExact) {
+double spanFor(const TwoBoneProblem& problem, const Triangle& triangle, double distance) {
   const double nearest =
       std::min(std::abs(triangle.first - triangle.second) + 0.02 * triangle.length, triangle.reach);
-  const double reached =
-      isExact ? std::min(distance, triangle.length) : softReach(triangle.length, triangle.reach, distance);
+  const double reached = problem.isExact
+                             ? std::min(distance, triangle.length)
+                             : softReach(triangle.length, triangle.reach, distance, problem.softness);
   return std::max(reached, nearest);
 }
 
@@ -102,6 +103,30 @@ Quat planeTurn(const Vec3& bone, const Vec3& normal, const Vec3& newBone, const 
   return glm::normalize(axisAngle(glm::normalize(newBone), twist) * aligned);
 }
 
+// With a soft zone of its own; spec of it in docs/controllers.md, Arms and legs.
+double softerReach(double length, double poseReach, double distance, double zone) {
+  const double start = length - zone;
+  const double rest = length - poseReach; // what the pose is short of the full length
+  if (distance <= start) {
+    return distance;
+  }
+  if (rest >= zone) {
+    return length - zone * std::exp(-(distance - start) / zone);
+  }
+  if (distance >= poseReach) {
+    return length - rest * std::exp(-(distance - poseReach) / zone);
+  }
+  // From the zone's start, where it goes on as it came, to the pose's own reach, where it is what it is.
+  const double span = poseReach - start;
+  const double u = (distance - start) / span;
+  const double startSlope = span;
+  const double endSlope = span * rest / zone;
+  const double u2 = u * u;
+  const double u3 = u2 * u;
+  return (2.0 * u3 - 3.0 * u2 + 1.0) * start + (u3 - 2.0 * u2 + u) * startSlope +
+         (3.0 * u2 - 2.0 * u3) * poseReach + (u3 - u2) * endSlope;
+}
+
 TwoBoneShape still(const TwoBoneProblem& problem, ShapeOutcome outcome) {
   TwoBoneShape shape;
   shape.joint = problem.joint;
@@ -112,7 +137,10 @@ TwoBoneShape still(const TwoBoneProblem& problem, ShapeOutcome outcome) {
 
 } // namespace
 
-double softReach(double length, double poseReach, double distance) {
+double softReach(double length, double poseReach, double distance, double softness) {
+  if (softness > 0.0) {
+    return softerReach(length, poseReach, distance, softness * length);
+  }
   const double soft = std::min(0.04 * length, length - poseReach);
   if (!(soft > 0.0)) {
     return std::min(distance, length);
@@ -138,7 +166,7 @@ TwoBoneShape solveTwoBone(const TwoBoneProblem& problem) {
   }
   const Vec3 toTarget = problem.target - problem.base;
   const double distance = glm::length(toTarget);
-  const double span = moved ? spanFor(triangle, distance, problem.isExact) : triangle.reach;
+  const double span = moved ? spanFor(problem, triangle, distance) : triangle.reach;
   const double wanted = 1.0 + problem.stretchSwitch * (distance / span - 1.0);
   TwoBoneShape shape;
   shape.scale = moved ? std::clamp(wanted, smallestStretch, largestStretch) : 1.0;

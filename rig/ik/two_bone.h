@@ -19,7 +19,11 @@ inline constexpr double overextendedOfLength = 0.25;
 /// the distance itself up to a soft zone before its full length, never more than that length, with a
 /// continuous slope. A limb that stands straighter than the soft zone in its own pose (`poseReach`) keeps
 /// that.
-[[nodiscard]] double softReach(double length, double poseReach, double distance);
+///
+/// `softness`, 0 to 0.3 of the length, gives the soft zone that size for a straight limb too, so that its
+/// joint does not pop out as it shortens. 0: the rule above. Whatever it is, a limb that is asked to stay
+/// where its pose has it stays.
+[[nodiscard]] double softReach(double length, double poseReach, double distance, double softness = 0.0);
 
 /// A limb of two bones at one time, to be brought to a target by turning and scaling its bones. World space.
 struct TwoBoneProblem {
@@ -32,6 +36,7 @@ struct TwoBoneProblem {
   /// zero.
   Vec3 usualBend{0.0};
   double stretchSwitch = 1.0; ///< k: 1 reaches every target, 0 leaves the bones as long as they are.
+  double softness = 0.0;      ///< Of the soft zone; see softReach.
   bool isExact = false;       ///< Without a soft zone: a target within the limb's length is reached as it is.
 };
 

@@ -271,7 +271,8 @@ private:
     const Limb& limb = adjusted.limb;
     reach(scene_, adjusted,
           {goal.place, endTurn(limb, goal), attribute(adjusted.controls.stretch, 1.0, 0.0, 1.0),
-           attribute(adjusted.controls.volume, 1.0, 0.0, 1.0), pole},
+           attribute(adjusted.controls.volume, 1.0, 0.0, 1.0),
+           attribute(adjusted.controls.softness, 0.0, 0.0, mostSoftness), pole},
           frame_);
   }
 

@@ -68,6 +68,12 @@ public:
 
 private:
   [[nodiscard]] double strengthOf(const HoldSpan& span) const { return span.strengthAt(frame_.timeSeconds); }
+  // The limb's attribute, 0 to `largest`.
+  [[nodiscard]] double attributeOf(const Limb& limb, const char* name, double standard,
+                                   double largest) const {
+    const Offset keyed = offsetAt(motion_.adjustments.curves, limb.id + name, frame_.timeSeconds, standard);
+    return std::clamp(keyed.value, 0.0, largest);
+  }
 
   // After the grip that moves its leader.
   void grip(std::size_t index) {
@@ -166,9 +172,8 @@ private:
       return;
     }
     reachGoal.stretchSwitch = stretch;
-    reachGoal.volume = std::clamp(
-        offsetAt(motion_.adjustments.curves, reaching.limb.id + ".volume", frame_.timeSeconds, 1.0).value,
-        0.0, 1.0);
+    reachGoal.volume = attributeOf(reaching.limb, ".volume", 1.0, 1.0);
+    reachGoal.softness = attributeOf(reaching.limb, ".softness", 0.0, mostSoftness);
     takeStretchBack(reaching, what.strength, goal.position);
     reach(scene_, reaching, reachGoal, frame_);
   }

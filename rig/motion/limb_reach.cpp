@@ -107,6 +107,7 @@ Vec3 bendTo(const Scene& scene, const ReachingLimb& reaching, const ReachGoal& g
   TwoBoneProblem problem = posedLimb(reaching, frame);
   problem.target = goal.place;
   problem.poleOffset = goal.pole;
+  problem.softness = goal.softness;
   problem.stretchSwitch = goal.stretchSwitch;
   const TwoBoneShape shape = solveTwoBone(problem);
   LimbPose pose;

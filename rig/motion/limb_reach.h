@@ -45,6 +45,7 @@ struct ReachGoal {
   Quat endTurn{1.0, 0.0, 0.0, 0.0}; ///< How the end joint turns from where the frame has it, world space.
   double stretchSwitch = 1.0;       ///< 0..1: 1 reaches every place, 0 leaves the bones as long as they are.
   double volume = 1.0;              ///< 0..1: volume preservation.
+  double softness = 0.0;            ///< 0..0.3 of the limb's length; see softReach.
   Vec3 pole{0.0};                   ///< How far the pole is moved; zero: the bend keeps its direction.
 };
 

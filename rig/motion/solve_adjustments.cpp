@@ -13,8 +13,9 @@ Quat bindRotation(const AdjustedBody& body, NodeIndex node) {
 
 LimbControls controlsOf(const Limb& limb) {
   const std::string end = endController(limb);
-  return {end,           poleController(limb), limb.id + ".follow", limb.id + ".stretch", limb.id + ".volume",
-          end + ".roll", end + ".curl"};
+  return {
+      end,           poleController(limb), limb.id + ".follow",  limb.id + ".stretch", limb.id + ".volume",
+      end + ".roll", end + ".curl",        limb.id + ".softness"};
 }
 
 std::vector<NodeIndex> detachedNodes(const Scene& scene, const ReachingLimb& reaching) {

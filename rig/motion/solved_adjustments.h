@@ -33,6 +33,7 @@ struct LimbControls {
   std::string volume;
   std::string roll;
   std::string curl;
+  std::string softness;
 };
 
 /// A limb that controllers may move.

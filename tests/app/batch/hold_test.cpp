@@ -433,3 +433,38 @@ TEST_CASE("pose --pin-feet leaves a foot to the recipe's own pin and pins the ot
   CHECK(own.stretch == 0.5);
   CHECK(std::ranges::count_if(pins, isOf("right-leg")) >= 1);
 }
+
+TEST_CASE("softness moves the knee or elbow alone, of a foot that is lifted and of a hand that is pinned") {
+  struct Places {
+    Vec3 joint;
+    Vec3 end;
+  };
+  const auto placesOf = [](const Json& recipe, const char* limb) {
+    const test::TemporaryFolder folder;
+    const Posed posed = pose(folder, recipe, {"--clean"});
+    INFO(posed.answer.told);
+    REQUIRE(posed.answer.exitCode == 0);
+    const Document file = openedFile(posed.path);
+    return Places{test::nodeOf(file, findLimb(file, limb)->joints[1], 12.0), endOf(file, limb, 12.0)};
+  };
+  const auto movedAt12 = [](const char* controller, const Vec3& move) {
+    return Json::array(
+        {{{"controller", controller},
+          {"keys",
+           {{{"frame", 6}, {"move", {0, 0, 0}}}, {{"frame", 12}, {"move", {move.x, move.y, move.z}}}}}}});
+  };
+  const double height = openedFile(posedCharacter).body.height;
+  Json lifted{{"version", 1}, {"units", "metres"}, {"adjustments", movedAt12("left-foot", {0, -0.06, 0})}};
+  Json pinned = heldRecipe("pins", {{"limb", "right-arm"}, {"range", {6, 20}}, {"at", 6}});
+  pinned["adjustments"] = movedAt12("body", {0.0, 0.3, 0.0});
+  for (const auto& [limb, plain] : {std::pair("left-leg", lifted), std::pair("right-arm", pinned)}) {
+    Json soft = plain;
+    soft["adjustments"].push_back(
+        {{"attribute", std::string(limb) + ".softness"}, {"keys", {{{"frame", 12}, {"value", 0.3}}}}});
+    const Places hard = placesOf(plain, limb);
+    const Places softer = placesOf(soft, limb);
+    INFO(plain.dump());
+    CHECK(glm::length(softer.end - hard.end) < heldShare * height);
+    CHECK(glm::length(softer.joint - hard.joint) > 20.0 * heldShare * height);
+  }
+}

@@ -77,7 +77,8 @@ TwoBoneProblem standingLeg() {
 TEST_CASE("a limb reaches softly for a far target as the worked cases say") {
   for (const auto& one : workedControllers("soft_reach")) {
     INFO(one.dump());
-    CHECK(std::abs(softReach(one["L"].get<double>(), one["d0"].get<double>(), one["d"].get<double>()) -
+    CHECK(std::abs(softReach(one["L"].get<double>(), one["d0"].get<double>(), one["d"].get<double>(),
+                             one.value("softness", 0.0)) -
                    one["e"].get<double>()) < 1e-6);
   }
 }

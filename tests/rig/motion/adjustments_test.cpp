@@ -328,10 +328,11 @@ TEST_CASE("a character has the controllers that its limbs allow, and other joint
         "right-foot", "left-elbow", "right-elbow", "left-knee", "right-knee"}) {
     CHECK(list.controller(id) != nullptr);
   }
-  for (const char* id :
-       {"left-arm.stretch", "spine.volume", "neck.follow", "left-hand.curl", "right-foot.roll"}) {
+  for (const char* id : {"left-arm.stretch", "spine.volume", "neck.follow", "left-hand.curl",
+                         "right-foot.roll", "left-arm.softness", "right-leg.softness"}) {
     CHECK(list.attribute(id) != nullptr);
   }
+  CHECK(list.attribute("spine.softness") == nullptr);
   CHECK(list.attribute("spine.follow") == nullptr);
   const auto named = [&](const std::string& id) {
     return controllerNamed(moving.scene, moving.body.limbs, moving.body.hips, list, id);

@@ -162,7 +162,7 @@ struct AttributeText {
   const char* help;
 };
 
-constexpr std::array<AttributeText, 5> attributeTexts{{
+constexpr std::array<AttributeText, 6> attributeTexts{{
     {rig::AttributeKind::curl, "Curl", "1 is a fist; below 0 the hand opens."},
     {rig::AttributeKind::roll, "Roll",
      "Above 0 the heel lifts about the ball of the foot, below 0 the toes about the heel."},
@@ -171,6 +171,8 @@ constexpr std::array<AttributeText, 5> attributeTexts{{
     {rig::AttributeKind::volume, "Volume", "How much of its volume a stretched bone keeps."},
     {rig::AttributeKind::follow, "Follow",
      "1: the end goes along with what carries it. 0: it stays where the clip has it in the world."},
+    {rig::AttributeKind::softness, "Softness",
+     "Above 0 a straight elbow or knee does not pop out as the limb shortens."},
 }};
 
 void attributeRow(PanelContext& context, const std::vector<rig::Attribute>& attributes,
