@@ -163,13 +163,13 @@ const Stroke* strongestStroke(const std::vector<Stroke>& strokes) {
 }
 
 std::optional<Stroke> greatestMovement(const Scene& scene, const Clip& clip, const Limb& limb,
-                                       double longestFrames) {
+                                       double mostFrames) {
   constexpr double still = 1e-4; // Limb lengths.
   if (limb.joints.empty()) {
     return std::nullopt;
   }
   const std::vector<Vec3> reach = reachOf(scene, clip, limb);
-  const auto longest = static_cast<std::size_t>(std::max(1.0, longestFrames));
+  const auto longest = static_cast<std::size_t>(std::max(1.0, mostFrames));
   Stroke best;
   for (std::size_t first = 0; first < reach.size(); ++first) {
     for (std::size_t last = first + 1; last < std::min(reach.size(), first + longest + 1); ++last) {

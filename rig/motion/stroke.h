@@ -32,9 +32,9 @@ struct Stroke {
 /// The one that goes farthest, fastest; null without strokes.
 [[nodiscard]] const Stroke* strongestStroke(const std::vector<Stroke>& strokes);
 
-/// For a limb that makes no stroke, finds where within at most `longestFrames` frames its end, seen from its
+/// For a limb that makes no stroke, finds where within at most `mostFrames` frames its end, seen from its
 /// base, gets farthest. Nothing where it stands still.
 [[nodiscard]] std::optional<Stroke> greatestMovement(const Scene& scene, const Clip& clip, const Limb& limb,
-                                                     double longestFrames);
+                                                     double mostFrames);
 
 } // namespace stretch::rig

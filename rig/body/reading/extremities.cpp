@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/math/finite.h"
 #include "rig/body/evidence/name_text.h"
 
 namespace stretch::rig::body {
