@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
-
 #include <set>
 
 #include <glm/common.hpp>
@@ -19,6 +19,7 @@ namespace {
 
 // Beyond what any character has; keeps a file that is no character from costing much.
 constexpr int mostCandidates = 3000;
+constexpr int mostForFeet = 800; // joints of a tree in which feet are looked for elsewhere
 
 // Nodes of the asked-for kind, before names and weights are looked at.
 std::vector<bool> possibleNodes(const Scene& scene, const BindPose& bindPose, Candidates candidates) {
@@ -76,6 +77,8 @@ public:
       }
     }
     hangFromStandIns();
+    view_.isDetached.assign(static_cast<std::size_t>(view_.count()), false);
+    hangDetachedFeet();
     link();
     gather();
     return std::move(view_);
@@ -153,6 +156,116 @@ private:
       }
     }
     return -1;
+  }
+
+  [[nodiscard]] const std::vector<Vec3>& cloudOf(int candidate) const {
+    return clouds_[at(view_.nodes[static_cast<std::size_t>(candidate)])];
+  }
+
+  // Distance of two joints' meshes, the joint before the ground counted to its own.
+  [[nodiscard]] double meshGap(int last, int foot) const {
+    double gap = glm::distance(view_.at(last), view_.at(foot));
+    for (const Vec3& point : cloudOf(foot)) {
+      gap = std::min(gap, glm::distance(view_.at(last), point));
+      for (const Vec3& other : cloudOf(last)) {
+        gap = std::min(gap, glm::distance(other, point));
+      }
+    }
+    return gap;
+  }
+
+  // How far the joints below a joint are from it.
+  [[nodiscard]] double farthestBelow(int joint) const {
+    double farthest = 0.0;
+    for (int other = joint + 1; other < view_.count(); ++other) {
+      if (view_.isAboveOrSelf(joint, other)) {
+        farthest = std::max(farthest, glm::distance(view_.at(joint), view_.at(other)));
+      }
+    }
+    return farthest;
+  }
+
+  // Stands on the ground and hangs from nothing that moves a mesh.
+  [[nodiscard]] bool mayBeDetachedFoot(int candidate, double floor) const {
+    constexpr double nearGround = 0.15; // of the body
+    const NameEvidence& name = view_.names[static_cast<std::size_t>(candidate)];
+    const int parent = view_.parentOf(candidate);
+    return (parent < 0 || cloudOf(parent).empty()) && !name.accessory && !name.finger &&
+           view_.at(candidate).y < floor + nearGround * view_.size;
+  }
+
+  // Last joints of rows of at least two bones.
+  [[nodiscard]] std::vector<int> lastJoints() const {
+    std::vector<bool> hasChild(static_cast<std::size_t>(view_.count()), false);
+    for (int candidate = 0; candidate < view_.count(); ++candidate) {
+      if (view_.parentOf(candidate) >= 0) {
+        hasChild[static_cast<std::size_t>(view_.parentOf(candidate))] = true;
+      }
+    }
+    std::vector<int> last;
+    for (int candidate = 0; candidate < view_.count(); ++candidate) {
+      const int parent = view_.parentOf(candidate);
+      if (!hasChild[static_cast<std::size_t>(candidate)] && parent >= 0 && view_.parentOf(parent) >= 0 &&
+          !cloudOf(candidate).empty()) {
+        last.push_back(candidate);
+      }
+    }
+    return last;
+  }
+
+  // Of a last joint and a foot: how far their meshes are apart, in the joint's bone; nothing where the foot
+  // is not what comes next.
+  [[nodiscard]] std::optional<double> gapTo(int last, int foot) const {
+    constexpr double widest = 0.35;
+    const Vec3& joint = view_.at(last);
+    const Vec3& before = view_.at(view_.parentOf(last));
+    const double bone = glm::distance(before, joint);
+    const Side side = view_.names[static_cast<std::size_t>(last)].side;
+    const Side footSide = view_.names[static_cast<std::size_t>(foot)].side;
+    const bool otherSide = side != Side::none && footSide != Side::none && side != footSide;
+    const double away = glm::distance(joint, view_.at(foot));
+    const bool goesOn = glm::distance(before, view_.at(foot)) > away && view_.at(foot).y < joint.y;
+    if (otherSide || !goesOn || !(bone > 0.0) || away > 3.0 * bone || farthestBelow(foot) > bone) {
+      return std::nullopt;
+    }
+    // A coarse mesh has no vertices between the two: then its name has to say what it is.
+    const NameEvidence& name = view_.names[static_cast<std::size_t>(foot)];
+    const bool saysFoot = std::max(name.role(Role::ankle), name.role(Role::wrist)) > 0.0; // a front foot
+    const bool isNamed = saysFoot && away < 1.3 * bone;
+    const double gap = isNamed ? away / bone : meshGap(last, foot) / bone;
+    return isNamed || gap < widest ? std::optional(gap) : std::nullopt;
+  }
+
+  void hangDetachedFeet() {
+    if (!view_.hasVertices || view_.count() > mostForFeet) {
+      return;
+    }
+    double floor = std::numeric_limits<double>::max();
+    for (const auto& cloud : clouds_) {
+      for (const Vec3& point : cloud) {
+        floor = std::min(floor, point.y);
+      }
+    }
+    const std::vector<int> rows = lastJoints();
+    for (int foot = 0; foot < view_.count(); ++foot) {
+      if (!mayBeDetachedFoot(foot, floor)) {
+        continue;
+      }
+      std::optional<double> nearest;
+      int leg = -1;
+      for (const int last : rows) {
+        const bool isApart = !view_.isAboveOrSelf(foot, last);
+        const std::optional<double> gap = isApart ? gapTo(last, foot) : std::nullopt;
+        if (gap && (!nearest || *gap < *nearest)) {
+          nearest = gap;
+          leg = last;
+        }
+      }
+      if (leg >= 0) {
+        view_.parent[static_cast<std::size_t>(foot)] = leg;
+        view_.isDetached[static_cast<std::size_t>(foot)] = true;
+      }
+    }
   }
 
   // Puts parents before children again (stand-ins may come later) and fills children and depths.

@@ -22,6 +22,8 @@ struct BodyView {
   std::vector<NodeIndex> nodes;     ///< Node of each candidate.
   std::vector<int> candidateOfNode; ///< One for each node.
   std::vector<int> parent;          ///< Nearest candidate above.
+  std::vector<bool> isDetached;     ///< A foot that hangs elsewhere in the file: its parent is the shin whose
+                                    ///< mesh ends at it.
   std::vector<std::vector<int>> children;
   std::vector<int> depth;
   std::vector<Vec3> position;
@@ -56,7 +58,8 @@ struct BodyView {
 
 /// Handles of the animator's, tips, and joints that nothing follows are left out; what hung from them hangs
 /// from the nearest candidate above, or from the candidate that stands in the same place (deform bones under
-/// their masters).
+/// their masters). Feet that hang from the root, as rigs for inverse kinematics have them, hang from the last
+/// joint of the leg that ends there.
 [[nodiscard]] BodyView viewBody(const Scene& scene, const BindPose& bindPose, Candidates candidates);
 
 /// Vertices of every node in the bind pose, world units, each at the node that moves it most: the joint of

@@ -50,6 +50,16 @@ void replace(std::vector<Word>& words, Word part, Word other, Word joined) {
   }
 }
 
+// The front leg of what may be a biped is its arm.
+void readFrontLegs(std::vector<Word>& words) {
+  const bool isFrontLeg = has(words, Word::fore) && (has(words, Word::leg) || has(words, Word::foot));
+  if (isFrontLeg) {
+    std::erase(words, Word::fore);
+    std::ranges::replace(words, Word::leg, Word::arm);
+    std::ranges::replace(words, Word::foot, Word::hand);
+  }
+}
+
 // "upper" and "leg", in any order and however written, are the thigh, and so on.
 void joinWords(std::vector<Word>& words) {
   replace(words, Word::upper, Word::arm, Word::upperArm);
@@ -140,6 +150,7 @@ NameEvidence readName(std::string_view name) {
     const std::vector<Word> found = chunkWords(chunk);
     words.insert(words.end(), found.begin(), found.end());
   }
+  readFrontLegs(words);
   joinWords(words);
   NameEvidence evidence;
   evidence.side = sideOf(words);
@@ -154,7 +165,10 @@ NameEvidence readName(std::string_view name) {
   // "middle" and "index" are fingers, the middle of the spine is none.
   const bool namesTrunk =
       std::ranges::any_of(words, [](Word word) { return word >= Word::spine && word <= Word::head; });
-  evidence.finger = has(words, Word::finger) && !namesTrunk;
+  // So is the middle leg of an insect.
+  const bool namesLeg = has(words, Word::leg) || has(words, Word::foot) || has(words, Word::thigh) ||
+                        has(words, Word::shin) || has(words, Word::knee);
+  evidence.finger = has(words, Word::finger) && !namesTrunk && !namesLeg;
   evidence.palm = has(words, Word::palm);
   evidence.face = has(words, Word::face);
   evidence.accessory = has(words, Word::accessory) || evidence.face;

@@ -47,7 +47,10 @@ bool isSure(const std::vector<Limb>& limbs, const LimbPlace& place) {
 bool makesBiped(const std::vector<Limb>& limbs) {
   const bool legs = isSure(limbs, biped::leftLeg) && isSure(limbs, biped::rightLeg);
   const bool arms = isSure(limbs, biped::leftArm) && isSure(limbs, biped::rightArm);
-  return legs && (arms || isSure(limbs, biped::spine));
+  const bool trunk = isSure(limbs, biped::spine);
+  // A robe may hide the legs of a body that has everything else.
+  const bool wearsRobe = arms && isSure(limbs, biped::neck);
+  return (legs && (arms || trunk)) || wearsRobe;
 }
 
 Vec3 bodyUpOf(const BodyView& view, const BipedReading& reading, const Trunk& trunk) {
@@ -186,7 +189,8 @@ bool movesMorphTargets(const Scene& scene) {
 void warn(const Scene& scene, Finding& finding) {
   Body& result = finding.result;
   if (result.isBiped) {
-    for (const LimbPlace& usual : {biped::leftArm, biped::rightArm, biped::spine}) {
+    for (const LimbPlace& usual :
+         {biped::leftArm, biped::rightArm, biped::leftLeg, biped::rightLeg, biped::spine}) {
       if (limbAt(result.limbs, usual) == nullptr) {
         result.warnings.push_back("no " + limbName(usual) +
                                   " found: choose a chain of joints if there is one");

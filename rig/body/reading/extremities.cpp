@@ -45,6 +45,9 @@ constexpr std::array partEntries = std::to_array<PartEntry>({
     {"tooth", PartWord::ornament}, {"fang", PartWord::ornament}, {"mandible", PartWord::ornament},
     {"whisker", PartWord::ornament}, {"brow", PartWord::ornament}, {"lid", PartWord::ornament},
     {"hair", PartWord::ornament}, {"mane", PartWord::ornament}, {"saddle", PartWord::ornament},
+    {"front", PartWord::front}, {"fore", PartWord::front}, {"avant", PartWord::front},
+    {"back", PartWord::back}, {"hind", PartWord::back}, {"rear", PartWord::back},
+    {"arriere", PartWord::back}, {"hinten", PartWord::back},
     {"beak", PartWord::ornament}, {"lip", PartWord::ornament}, {"cheek", PartWord::ornament},
 });
 // clang-format on
@@ -74,6 +77,9 @@ public:
       if (isSided(joint) && (parent < 0 || !isSided(parent))) {
         collect(joint, parent, sideSum_[index(joint)] > 0.0 ? left : right);
       }
+    }
+    for (std::vector<Extremity>* side : {&left, &right}) {
+      std::erase_if(*side, [&](const Extremity& row) { return isWorn(row); });
     }
     if (std::max(left.size(), right.size()) > mostOfOneSide) {
       return result;
@@ -118,6 +124,19 @@ private:
 
   [[nodiscard]] double reachOf(int from, int child) const {
     return below_[index(child)] + glm::distance(view_.at(from), view_.at(child));
+  }
+
+  // A hem, a staff, a strand of hair: named so, and nothing else.
+  [[nodiscard]] bool isWorn(const Extremity& row) const {
+    const auto worn = std::ranges::count_if(row.path, [&](int joint) { return view_.name(joint).accessory; });
+    return 2 * static_cast<std::size_t>(worn) > row.path.size() && !isNamedPart(row);
+  }
+
+  [[nodiscard]] static bool isNamedPart(const Extremity& row) {
+    return std::ranges::any_of(std::array{PartWord::leg, PartWord::arm, PartWord::wing, PartWord::fin,
+                                          PartWord::feeler, PartWord::tail, PartWord::head,
+                                          PartWord::ornament},
+                               [&](PartWord word) { return row.word(word) > 0.0; });
   }
 
   // Follows the longest way down; where several long ones start near the beginning, each is one of its own.
@@ -174,7 +193,9 @@ private:
   // The last joints of a row that hang from each other in the file: some rigs hang them side by side.
   [[nodiscard]] std::vector<int> inOneLine(std::vector<int> path) const {
     for (std::size_t i = path.size() - 1; i > 0; --i) {
-      if (!isAncestorOrSelf(scene_, view_.nodes[index(path[i - 1])], view_.nodes[index(path[i])])) {
+      const bool isFoot = view_.isDetached[index(path[i])];
+      if (!isFoot &&
+          !isAncestorOrSelf(scene_, view_.nodes[index(path[i - 1])], view_.nodes[index(path[i])])) {
         path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
         break;
       }
@@ -361,7 +382,11 @@ private:
       while (view_.parentOf(top) >= 0) {
         top = view_.parentOf(top);
       }
-      rows.push_back(extremityOf(view_.path(top, joint), -1));
+      Extremity row = extremityOf(view_.path(top, joint), -1);
+      if (view_.name(joint).accessory && !isNamedPart(row)) {
+        continue;
+      }
+      rows.push_back(std::move(row));
     }
     return rows;
   }

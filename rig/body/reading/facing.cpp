@@ -59,6 +59,8 @@ double footMeshVote(const BodyView& view, const LimbGuess& leg, const Frame& fra
   const Vec3 ankle = leg.endPosition;
   double front = 0.0;
   double back = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
   for (int joint = 0; joint < view.count(); ++joint) {
     if (joint != last && view.parentOf(joint) != last) {
       continue;
@@ -66,12 +68,18 @@ double footMeshVote(const BodyView& view, const LimbGuess& leg, const Frame& fra
     for (const Vec3& point : view.points[static_cast<std::size_t>(joint)]) {
       const double along = glm::dot(point - view.at(last), frame.forward);
       const bool low = glm::dot(point - ankle, frame.up) < 0.15 * leg.length;
+      sum += low ? along : 0.0;
+      count += low ? 1.0 : 0.0;
       front = low ? std::max(front, along) : front;
       back = low ? std::max(back, -along) : back;
     }
   }
   const double extent = front + back;
-  if (extent <= 0.05 * leg.length) {
+  // Without a joint of its own a foot is measured from the knee: where the shin leads aside, that tells
+  // nothing.
+  constexpr double shinStraight = 0.12;
+  const bool leads = leg.end < 0 && count > 0.0 && std::abs(sum / count) > shinStraight * leg.length;
+  if (leads || extent <= 0.05 * leg.length) {
     return 0.0;
   }
   // A block of a foot is the same in front and behind, give or take.

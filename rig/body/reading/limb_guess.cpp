@@ -18,12 +18,13 @@ constexpr std::size_t mostGuesses = 60000; // of one region: a file with more is
 constexpr int mostForDetached = 800;       // joints of a tree in which ends are looked for elsewhere
 constexpr double shortestBone = 0.02;      // of the body's size
 
-// Joints up to `deepest` levels below, nearest first.
+// Joints up to `deepest` levels below, nearest first; none below a foot that hangs elsewhere in the file.
 std::vector<int> descendants(const BodyView& view, int from) {
   std::vector<int> found{from};
   const int lowest = view.depth[static_cast<std::size_t>(from)] + deepest;
   for (std::size_t i = 0; i < found.size() && found.size() < mostBelow; ++i) {
-    if (view.depth[static_cast<std::size_t>(found[i])] < lowest) {
+    const auto here = static_cast<std::size_t>(found[i]);
+    if (view.depth[here] < lowest && (i == 0 || !view.isDetached[here])) {
       const auto& children = view.childrenOf(found[i]);
       found.insert(found.end(), children.begin(), children.end());
     }
@@ -46,7 +47,7 @@ public:
 
   std::vector<LimbGuess> all() {
     for (int base = 0; base < view_.count() && guesses_.size() < mostGuesses; ++base) {
-      if (canBend(base)) {
+      if (canBend(base) && !continuesBone(base)) {
         guessFrom(base);
       }
     }
@@ -67,6 +68,17 @@ private:
     return view_.movesMesh(candidate) && !name.finger && !name.accessory;
   }
 
+  // The second half of an upper arm or thigh: a joint in line with the one above, of the same name but for
+  // its number. The limb starts at the first.
+  [[nodiscard]] bool continuesBone(int joint) const {
+    const int above = view_.parentOf(joint);
+    const Role role = region_ == Region::arm ? Role::upperArm : Role::thigh;
+    const auto word = [](const std::string& key) { return key.substr(0, key.find('#')); };
+    return above >= 0 && view_.movesMesh(above) && view_.name(joint).role(role) >= 0.8 &&
+           view_.name(above).role(role) >= 0.8 && view_.name(above).side == view_.name(joint).side &&
+           word(view_.name(above).key) == word(view_.name(joint).key);
+  }
+
   [[nodiscard]] bool isBone(const Vec3& from, const Vec3& to) const {
     return glm::distance(from, to) > shortestBone * view_.size;
   }
@@ -75,11 +87,25 @@ private:
     return ends_[static_cast<std::size_t>(joint)];
   }
 
+  // An arm that is one bone: the hand hangs from it and is called so.
+  [[nodiscard]] bool isEndOfOneBone(int base, int end) const {
+    const Role role = region_ == Region::arm ? Role::wrist : Role::ankle;
+    const Role above = region_ == Region::arm ? Role::upperArm : Role::thigh;
+    return view_.name(end).role(role) >= 0.8 && view_.name(base).role(above) >= 0.4 &&
+           isBone(view_.at(base), view_.at(end));
+  }
+
   void guessFrom(int base) {
     const std::vector<int> below = descendants(view_, base);
     for (const int middle : below) {
-      if (canBend(middle) && isBone(view_.at(base), view_.at(middle))) {
+      const bool isOwn = !view_.isDetached[static_cast<std::size_t>(middle)];
+      if (isOwn && canBend(middle) && isBone(view_.at(base), view_.at(middle))) {
         guessFrom(base, middle);
+      }
+    }
+    for (const int end : view_.childrenOf(base)) {
+      if (isEndOfOneBone(base, end)) {
+        keep({.base = base, .end = end, .endPosition = view_.at(end)});
       }
     }
     const bool alone = std::ranges::none_of(below, [&](int joint) { return canBend(joint); });
@@ -93,7 +119,11 @@ private:
     const std::vector<int> below = descendants(view_, middle);
     for (const int end : below) {
       if (isBone(view_.at(middle), view_.at(end))) {
-        keep({.base = base, .middle = middle, .end = end, .endPosition = view_.at(end)});
+        keep({.base = base,
+              .middle = middle,
+              .end = end,
+              .endDetached = view_.isDetached[static_cast<std::size_t>(end)],
+              .endPosition = view_.at(end)});
       }
     }
     if (const std::optional<EstimatedEnd>& end = endOf(middle)) {

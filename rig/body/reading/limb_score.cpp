@@ -84,7 +84,8 @@ double remainderPenalty(const BodyView& view, const LimbGuess& guess, Region reg
 double basePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {
   const double lateral = std::abs(plane.lateral(view.at(guess.base)));
   const double least = (region == Region::arm ? 0.12 : 0.04) * guess.length;
-  double penalty = lateral < least ? 0.45 : 0.0;
+  const bool isInMiddle = region == Region::arm && lateral < 0.01 * view.size;
+  double penalty = isInMiddle ? 1.2 : lateral < least ? 0.45 : 0.0;
   const int before = view.parentOf(guess.base);
   if (before >= 0 && guess.middle >= 0) {
     const Vec3 upper = view.at(guess.middle) - view.at(guess.base);
@@ -153,7 +154,7 @@ double nameFit(const BodyView& view, const LimbGuess& guess, Region region) {
 double shapePenalty(const BodyView& view, const MirrorPlane& plane, const LimbGuess& guess, Region region) {
   double penalty = lengthPenalty(view, guess) + basePenalty(view, plane, guess, region);
   if (guess.middle < 0) {
-    return penalty + 1.2;
+    return penalty + (guess.end < 0 ? 1.2 : 0.8);
   }
   penalty += bonesPenalty(view, guess, region) + skipPenalty(view, view.path(guess.base, guess.middle));
   penalty += fanPenalty(view, guess, region) + remainderPenalty(view, guess, region);

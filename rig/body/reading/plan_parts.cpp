@@ -81,6 +81,7 @@ private:
       }
     }
     dropFlatLegs();
+    dropShortLegs();
     if (legPairs_) {
       chooseLegs(static_cast<std::size_t>(*legPairs_));
     }
@@ -105,6 +106,24 @@ private:
     if (-glm::dot(reach, up_) < leastSteepness * glm::length(reach)) {
       only.stands = false;
       only.kind = isNamed(only.pair, PartWord::leg) ? LimbKind::leg : LimbKind::chain;
+    }
+  }
+
+  // "Front legs" that are far shorter than those that carry the body, and end well above the ground, are
+  // arms.
+  void dropShortLegs() {
+    constexpr double shorter = 0.7;
+    constexpr double above = 0.25; // of the body's height
+    double longest = 0.0;
+    for (const KindredPair& one : parts_.pairs) {
+      longest = std::max(longest, one.kind == LimbKind::leg && one.stands ? one.pair.length() : 0.0);
+    }
+    for (KindredPair& one : parts_.pairs) {
+      const double lowest = std::min(one.pair.negative.lowest, one.pair.positive.lowest);
+      if (one.kind == LimbKind::leg && !one.stands && one.pair.length() < shorter * longest &&
+          lowest > parts_.extremities.floor + above * height()) {
+        one.kind = LimbKind::arm;
+      }
     }
   }
 
@@ -220,6 +239,25 @@ private:
   }
 
   // From where the other rows and the legs are to the head.
+  // Legs that are called front and hind ones tell, if they stand apart: 1 along a direction, -1 against it.
+  [[nodiscard]] double namedAhead(const Vec3& forward) const {
+    double front = 0.0;
+    double back = 0.0;
+    int fronts = 0;
+    int backs = 0;
+    for (const KindredPair* leg : legs()) {
+      const double place = glm::dot(baseOf(leg->pair), forward);
+      const bool isFront = isNamed(leg->pair, PartWord::front);
+      const bool isBack = isNamed(leg->pair, PartWord::back);
+      front += isFront && !isBack ? place : 0.0;
+      back += isBack && !isFront ? place : 0.0;
+      fronts += isFront && !isBack ? 1 : 0;
+      backs += isBack && !isFront ? 1 : 0;
+    }
+    const double apart = fronts > 0 && backs > 0 ? front / fronts - back / backs : 0.0;
+    return std::abs(apart) < 0.05 * view_.size ? 0.0 : std::copysign(1.0, apart);
+  }
+
   void findForward() {
     Vec3 forward = glm::cross(plane_.normal, up_);
     forward = glm::length(forward) > 1e-6 ? glm::normalize(forward) : Vec3(0.0, 0.0, 1.0);
@@ -232,6 +270,10 @@ private:
     for (const KindredPair* leg : legs()) {
       middle += baseOf(leg->pair);
       count += 1.0;
+    }
+    if (const double named = namedAhead(forward); named != 0.0) {
+      parts_.axis.forward = named < 0.0 ? -forward : forward;
+      return;
     }
     const int head = parts_.axis.head;
     const double ahead = head >= 0 && count > 0.0 ? glm::dot(view_.at(head) - middle / count, forward) : 0.0;

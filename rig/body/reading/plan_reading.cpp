@@ -217,12 +217,15 @@ private:
     return ahead > 0.0;
   }
 
-  // Of a leg: where it meets the ground; what lies beyond are toes.
+  // Of a leg: where it meets the ground, or its foot that hangs elsewhere; what lies beyond are toes.
   [[nodiscard]] std::size_t endOf(const Extremity& limb, bool stands) const {
     constexpr double nearGround = 0.1; // of the height of its base
     const double floor = parts_.extremities.floor;
     const double base = glm::dot(limb.points.front(), up_) - floor;
     for (std::size_t i = 1; stands && i < limb.points.size(); ++i) {
+      if (i < limb.path.size() && view_.isDetached[static_cast<std::size_t>(limb.path[i])]) {
+        return i;
+      }
       if (i >= 2 && glm::dot(limb.points[i], up_) - floor < nearGround * base) {
         return i;
       }
@@ -230,8 +233,30 @@ private:
     return limb.points.size() - 1;
   }
 
+  // A collar bone or half of a pelvis is none of the limb's: a first bone that only leads aside, and from
+  // which the limb turns away.
+  [[nodiscard]] Extremity withoutStub(Extremity row, bool hasShoulder) const {
+    constexpr double aside = 0.8;     // cosine
+    constexpr double turnsAway = 0.7; // cosine
+    constexpr double longest = 0.45;  // of what follows
+    if (!hasShoulder || parts_.standingLegs() > 4 || row.path.size() < 4) {
+      return row;
+    }
+    const Vec3 first = row.points[1] - row.points[0];
+    const Vec3 next = row.points[2] - row.points[1];
+    const double length = glm::length(first);
+    const bool leads = std::abs(glm::dot(first, plane_.normal)) > aside * length;
+    const bool turns = glm::dot(first, next) < turnsAway * length * glm::length(next);
+    if (leads && turns && length < longest * (row.length - length)) {
+      row.path.erase(row.path.begin());
+      row.points.erase(row.points.begin());
+      row.length -= length;
+    }
+    return row;
+  }
+
   void addLimb(const PlannedLimb& planned, const Placed& placed, std::vector<Limb>& limbs) const {
-    const Extremity& row = *placed.limb;
+    const Extremity row = withoutStub(*placed.limb, isArm(placed.place) || isLeg(placed.place));
     std::size_t end = endOf(row, isLeg(placed.place) && placed.pair->stands);
     if (isArm(placed.place)) {
       end = std::min<std::size_t>(end, 2);
