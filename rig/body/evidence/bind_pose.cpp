@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/anim/sampling.h"
@@ -126,6 +128,46 @@ NodeIndex anchorOf(const Placer& placer, const Binds& binds) {
   return anchor;
 }
 
+// How much longer bones are at rest than where a placement puts the binds: the median over all bones.
+// Exporters write inverse binds in other units than the scene's.
+double unitsOf(const Placer& placer, const Binds& binds, const Mat4& placement) {
+  std::vector<NodeIndex> nearest(binds.size()); // bound node at or above each
+  std::vector<Mat4> rests(binds.size(), Mat4(1.0));
+  std::vector<double> ratios;
+  for (const NodeIndex node : placer.order) {
+    const NodeIndex parent = placer.scene.nodes[at(node)].parent;
+    rests[at(node)] = (parent.exists() ? rests[at(parent)] : Mat4(1.0)) * placer.locals[at(node)];
+    const NodeIndex above = parent.exists() ? nearest[at(parent)] : NodeIndex::none;
+    nearest[at(node)] = binds[at(node)] ? node : above;
+    if (!binds[at(node)] || !above.exists()) {
+      continue;
+    }
+    const double atRest = glm::distance(positionOf(rests[at(node)]), positionOf(rests[at(above)]));
+    const double bound =
+        glm::distance(positionOf(placement * *binds[at(node)]), positionOf(placement * *binds[at(above)]));
+    if (atRest > 0.0 && bound > 0.0 && std::isfinite(atRest / bound)) {
+      ratios.push_back(atRest / bound);
+    }
+  }
+  if (ratios.empty()) {
+    return 1.0;
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return *middle;
+}
+
+// The placement scaled about a point, where it is in other units than the scene; bones that a pose stretches
+// are within a factor of two.
+Mat4 inUnitsOfScene(const Placer& placer, const Binds& binds, const Mat4& placement, const Vec3& about) {
+  const double units = unitsOf(placer, binds, placement);
+  if (units > 0.5 && units < 2.0) {
+    return placement;
+  }
+  return glm::translate(Mat4(1.0), about) * glm::scale(Mat4(1.0), Vec3(units)) *
+         glm::translate(Mat4(1.0), -about) * placement;
+}
+
 Mat4 placeSkin(Placer& placer, const Skin& skin) {
   Binds binds = modelBinds(placer.scene, skin);
   dropFalseIdentities(placer, binds);
@@ -133,7 +175,10 @@ Mat4 placeSkin(Placer& placer, const Skin& skin) {
   if (!anchor.exists()) {
     return Mat4(1.0);
   }
-  const Mat4 placement = placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
+  const Mat4 anchored = placer.world(anchor) * glm::inverse(*binds[at(anchor)]);
+  const bool isPlacedAlready = placer.bound[at(anchor)].has_value();
+  const Mat4 placement =
+      isPlacedAlready ? anchored : inUnitsOfScene(placer, binds, anchored, positionOf(placer.world(anchor)));
   if (!isFinite(placement)) {
     return Mat4(1.0);
   }

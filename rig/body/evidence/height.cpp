@@ -17,8 +17,18 @@ bool hasSkinnedMesh(const Scene& scene) {
   return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
 }
 
-Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex root) {
-  const bool skinned = hasSkinnedMesh(scene);
+NodeIndex topmost(const Scene& scene, NodeIndex node) {
+  while (node.exists() && scene.nodes[at(node)].parent.exists()) {
+    node = scene.nodes[at(node)].parent;
+  }
+  return node;
+}
+
+double extentY(const Bounds& bounds) {
+  return bounds.empty() ? 0.0 : bounds.high.y - bounds.low.y;
+}
+
+Bounds boundsOf(const Scene& scene, const BindPose& bindPose, NodeIndex root, bool skinned) {
   const std::vector<std::vector<Vec3>> clouds =
       vertexClouds(scene, bindPose, skinned ? RigidMeshes::none : RigidMeshes::all);
   Bounds bounds;
@@ -51,10 +61,21 @@ Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
   return bounds;
 }
 
+// Of skinned meshes, and of the rigid ones as well where these are most of the body: gloves alone may be
+// skinned.
+Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex hips) {
+  if (!hasSkinnedMesh(scene)) {
+    return boundsOf(scene, bindPose, topmost(scene, hips), false);
+  }
+  const Bounds skinned = boundsOf(scene, bindPose, hips, true);
+  const Bounds all = hips.exists() ? boundsOf(scene, bindPose, hips, false) : skinned;
+  return extentY(all) > 2.0 * extentY(skinned) ? all : skinned;
+}
+
 } // namespace
 
-double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex root, const Vec3& bodyUp) {
-  Bounds bounds = vertexBounds(scene, bindPose, root);
+double characterHeight(const Scene& scene, const BindPose& bindPose, NodeIndex hips, const Vec3& bodyUp) {
+  Bounds bounds = vertexBounds(scene, bindPose, hips);
   if (bounds.empty()) {
     bounds = jointBounds(scene, bindPose);
   }

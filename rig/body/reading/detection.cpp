@@ -300,13 +300,6 @@ void tellBiped(Finding& finding) {
   result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
 }
 
-NodeIndex topmost(const Scene& scene, NodeIndex node) {
-  while (node.exists() && scene.nodes[at(node)].parent.exists()) {
-    node = scene.nodes[at(node)].parent;
-  }
-  return node;
-}
-
 } // namespace
 
 } // namespace body
@@ -324,8 +317,7 @@ Body detectBody(const Scene& scene) {
   if (finding.result.plan == "biped") {
     body::tellBiped(finding);
   }
-  finding.result.height =
-      body::characterHeight(scene, bindPose, body::topmost(scene, finding.result.hips), finding.bodyUp);
+  finding.result.height = body::characterHeight(scene, bindPose, finding.result.hips, finding.bodyUp);
   return std::move(finding.result);
 }
 
@@ -355,7 +347,7 @@ Body bodyAsPlan(const Scene& scene, const BodyPlan& plan) {
   }
   result.planConfidence = 1.0;
   result.planReasons = {"chosen by hand"};
-  result.height = body::characterHeight(scene, bindPose, body::topmost(scene, result.hips), finding.bodyUp);
+  result.height = body::characterHeight(scene, bindPose, result.hips, finding.bodyUp);
   return std::move(result);
 }
 
