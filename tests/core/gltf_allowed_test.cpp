@@ -1,4 +1,9 @@
+#include <limits>
+#include <utility>
+#include <vector>
+
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include "core/anim/sampling.h"
 #include "core/gltf/patch/edits.h"
@@ -94,17 +99,59 @@ TEST_CASE("Data that glTF allows are read: data written out, zeros without data,
     accessor["count"] = 1;
     CHECK(loadBytes(file.bytes()).ok());
   }
-  SECTION("normals a little off unit length") {
-    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
-    const std::size_t position = attributes["POSITION"];
-    const std::size_t count = file.json["accessors"][position]["count"];
-    std::vector<float> normals;
-    for (std::size_t i = 0; i < count; ++i) {
-      normals.insert(normals.end(), {0.0F, 0.0F, 1.05F});
+  SECTION("normals that are off unit length, a little or by far") {
+    for (const auto& [length, words] :
+         {std::pair(1.05F, "normals a little off unit length"),
+          std::pair(3.0F, "normals that are not of unit length; they are repaired"),
+          std::pair(0.0F, "normals that are not of unit length; they are repaired")}) {
+      Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+      const std::size_t position = attributes["POSITION"];
+      const std::size_t count = file.json["accessors"][position]["count"];
+      std::vector<float> normals;
+      for (std::size_t i = 0; i < count; ++i) {
+        normals.insert(normals.end(), {0.0F, 0.0F, length});
+      }
+      attributes["NORMAL"] = file.floats(normals, "VEC3", 3);
+      const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+      REQUIRE(loaded);
+      CHECK(warnsOf(*loaded, words));
+      for (const glm::vec3& normal : loaded->scene->meshes[0].primitives[0].normals) {
+        CHECK(glm::length(normal) == Approx(1.0F));
+      }
     }
-    attributes["NORMAL"] = file.floats(normals, "VEC3", 3);
-    const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
-    REQUIRE(loaded);
-    CHECK(warnsOf(*loaded, "normals a little off unit length"));
+  }
+}
+
+TEST_CASE("Vertices whose weights are no numbers follow their neighbours, with a warning") {
+  // Two triangles that share an edge, and a third one that shares a place with them alone.
+  GlbBuilder file = armBuilder();
+  file.json["meshes"][0]["primitives"][0].erase("mode");
+  Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes = Json::object();
+  attributes["POSITION"] =
+      file.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 2, 1, 0, 2, 2, 0}, "VEC3", 3);
+  file.json["accessors"].back()["min"] = {0, 0, 0};
+  file.json["accessors"].back()["max"] = {2, 2, 0};
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  attributes["JOINTS_0"] = file.accessor(std::vector<std::uint8_t>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0,
+                                                                   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                         5121, "VEC4", 4);
+  std::vector<float> weights;
+  for (int vertex = 0; vertex < 7; ++vertex) {
+    const float weight = vertex < 3 ? 1.0F : nan;
+    weights.insert(weights.end(), {weight, vertex < 3 ? 0.0F : nan, 0.0F, 0.0F});
+  }
+  attributes["WEIGHTS_0"] = file.floats(weights, "VEC4", 4);
+  file.json["meshes"][0]["primitives"][0]["indices"] =
+      file.accessor(std::vector<std::uint16_t>{0, 1, 2, 2, 1, 3, 4, 5, 6}, 5123, "SCALAR", 1);
+  const Result<gltf::Loaded> loaded = loadBytes(file.bytes());
+  INFO((loaded ? std::string() : loaded.error().line()));
+  REQUIRE(loaded);
+  CHECK(warnsOf(*loaded, "4 vertices have no numbers for weights; such vertices follow their neighbours"));
+  const std::vector<VertexInfluences>& influences = loaded->scene->meshes[0].primitives[0].influences;
+  REQUIRE(influences.size() == 7);
+  for (const VertexInfluences& vertex : influences) {
+    CHECK(vertex.joints[0] == 1);
+    CHECK(vertex.weights[0] == 1.0F);
   }
 }

@@ -239,17 +239,41 @@ bool agrees(const std::vector<double>& said, const std::vector<float>& found, co
   return true;
 }
 
-void validateValues(const Source& source, std::size_t index, const AccessorShape& shape, bool isRounded,
-                    Problems& problems) {
+// Accessors of weights: values that are no numbers are told where the mesh is read, which can do without.
+std::set<int> weightAccessors(const Json& json) {
+  std::set<int> accessors;
+  for (std::size_t i = 0; i < sizeOf(json, "meshes"); ++i) {
+    const Json& mesh = element(json, "meshes", i);
+    for (std::size_t k = 0; k < sizeOf(mesh, "primitives"); ++k) {
+      const Json* const attributes = find(element(mesh, "primitives", k), "attributes");
+      for (int set = 0; attributes != nullptr && set < 2; ++set) {
+        accessors.insert(indexOr(*attributes, fmt::format("WEIGHTS_{}", set)));
+      }
+    }
+  }
+  return accessors;
+}
+
+// What an accessor is used for changes what its values may be.
+struct AccessorUse {
+  bool isRounded = false; // by compression: min and max are those of before
+  bool holdsWeights = false;
+};
+
+void validateValues(const Source& source, std::size_t index, const AccessorShape& shape,
+                    const AccessorUse& use, Problems& problems) {
   const Json& json = element(source.json, "accessors", index);
   const std::vector<float> values = readFloats(source, static_cast<int>(index));
   if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
+    if (use.holdsWeights) {
+      return;
+    }
     problems.violation(at("accessors", index), "holds values that are no finite numbers");
     return;
   }
   const Bounds bounds = boundsOf(values, static_cast<std::size_t>(shape.width));
   // What min and max mean for normalised integers is read both ways in the wild.
-  const bool isComparable = !shape.isNormalized && !isRounded;
+  const bool isComparable = !shape.isNormalized && !use.isRounded;
   if (isComparable && (!agrees(numbersOf(json, "min"), bounds.least, bounds) ||
                        !agrees(numbersOf(json, "max"), bounds.most, bounds))) {
     problems.violation(at("accessors", index), "has a min or max that its values do not have");
@@ -267,6 +291,7 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
   }
   validateSharedViews(source.json, problems);
   const std::vector<bool> used = usedAccessors(source.json);
+  const std::set<int> weights = weightAccessors(source.json);
   DecodeBudget compared(source);
   for (std::size_t i = 0; i < sizeOf(source.json, "accessors"); ++i) {
     if (!AccessorCheck(source, i, used[i], problems).run()) {
@@ -274,7 +299,8 @@ void validateAccessors(const Source& source, const std::set<std::size_t>& rounde
     }
     const AccessorShape shape = *shapeOf(source, static_cast<int>(i));
     if (compared.take(shape.count * static_cast<std::size_t>(shape.width))) {
-      validateValues(source, i, shape, rounded.contains(i), problems);
+      validateValues(source, i, shape, {rounded.contains(i), weights.contains(static_cast<int>(i))},
+                     problems);
     }
   }
 }

@@ -63,6 +63,7 @@ private:
     parts.readVertices(texCoord, emissiveTexCoord(source_, made.material).value_or(texCoord), made);
     parts.readInfluences(joints, made);
     parts.readTriangles(made);
+    parts.spreadInfluences(made);
     parts.readMorphTargets(made);
     if (parts.failed()) {
       return std::nullopt;

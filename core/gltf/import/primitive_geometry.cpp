@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "core/gltf/import/primitive_parts.h"
@@ -50,8 +53,8 @@ void PrimitiveParts::completeNormals(Primitive& made) {
   constexpr float rounding = 2e-2F; // of normals stored in bytes
   constexpr float little = 0.1F;
   if (worst >= little) {
-    problems_.violation(where_ + ".attributes.NORMAL", "holds normals that are not of unit length",
-                        "they are repaired");
+    problems_.warning(where_ + ".attributes.NORMAL",
+                      "holds normals that are not of unit length; they are repaired");
   } else if (worst >= rounding) {
     problems_.warning(where_ + ".attributes.NORMAL", "holds normals a little off unit length");
   }
@@ -60,6 +63,63 @@ void PrimitiveParts::completeNormals(Primitive& made) {
     const glm::vec3 normal = hasOwn && isNormal(made.normals[i]) ? made.normals[i] : computed[i];
     const float length = glm::length(normal);
     made.normals[i] = std::isfinite(length) && length > 0.0F ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
+  }
+}
+
+namespace {
+
+// For each vertex those that share a triangle or the place with it.
+std::vector<std::vector<std::uint32_t>> neighboursOf(const Primitive& made) {
+  std::vector<std::vector<std::uint32_t>> neighbours(made.positions.size());
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  };
+  for (std::size_t i = 0; i + 2 < made.indices.size(); i += 3) {
+    join(made.indices[i], made.indices[i + 1]);
+    join(made.indices[i + 1], made.indices[i + 2]);
+    join(made.indices[i + 2], made.indices[i]);
+  }
+  std::map<std::array<float, 3>, std::uint32_t> first;
+  for (std::uint32_t vertex = 0; vertex < made.positions.size(); ++vertex) {
+    const glm::vec3& place = made.positions[vertex];
+    const auto [known, isNew] = first.try_emplace({place.x, place.y, place.z}, vertex);
+    if (!isNew) {
+      join(known->second, vertex);
+    }
+  }
+  return neighbours;
+}
+
+} // namespace
+
+void PrimitiveParts::spreadInfluences(Primitive& made) {
+  if (failed_ || unweighted_.empty()) {
+    return;
+  }
+  problems_.warning(where_ + ".attributes.WEIGHTS_0",
+                    fmt::format("{} {} no numbers for weights; such vertices follow their neighbours",
+                                unweighted_.size(),
+                                unweighted_.size() == 1 ? "vertex has" : "vertices have"));
+  std::vector<bool> isOpen(made.positions.size(), false);
+  for (const std::uint32_t vertex : unweighted_) {
+    isOpen[vertex] = true;
+  }
+  const std::vector<std::vector<std::uint32_t>> neighbours = neighboursOf(made);
+  std::vector<std::uint32_t> known;
+  for (std::uint32_t vertex = 0; vertex < made.positions.size(); ++vertex) {
+    if (!isOpen[vertex]) {
+      known.push_back(vertex);
+    }
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    for (const std::uint32_t next : neighbours[known[i]]) {
+      if (isOpen[next]) {
+        isOpen[next] = false;
+        made.influences[next] = made.influences[known[i]];
+        known.push_back(next);
+      }
+    }
   }
 }
 

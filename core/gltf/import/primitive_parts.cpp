@@ -228,6 +228,10 @@ void PrimitiveParts::addInfluenceSet(int set, std::size_t jointCount, Primitive&
     const std::size_t slot = static_cast<std::size_t>(set) * 4 + i % 4;
     VertexInfluences& influence = made.influences[i / 4];
     const float weight = std::isfinite(numbers[i]) ? std::max(numbers[i], 0.0F) : 0.0F;
+    const auto vertex = static_cast<std::uint32_t>(i / 4);
+    if (!std::isfinite(numbers[i]) && (unweighted_.empty() || unweighted_.back() != vertex)) {
+      unweighted_.push_back(vertex);
+    }
     const bool isThere = indices[i] < jointCount;
     if (!isThere && weight > 0.0F) {
       fail("attributes." + jointsName,

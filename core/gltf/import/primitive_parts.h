@@ -24,6 +24,9 @@ public:
   void readInfluences(std::optional<std::size_t> jointCount, Primitive& made);
   /// Indices, or the vertices in their order, strips and fans unrolled.
   void readTriangles(Primitive& made);
+  /// Gives vertices whose weights are no numbers, as exporters write 0 / 0 for those without any, the
+  /// influences of the nearest vertex along the triangles; a piece that has none follows its first joint.
+  void spreadInfluences(Primitive& made);
   void readMorphTargets(Primitive& made);
   /// Normals that the file lacks: of the faces around a vertex, by their area. All of unit length.
   void completeNormals(Primitive& made);
@@ -55,6 +58,7 @@ private:
   DecodeBudget& budget_;
   Problems& problems_;
   std::size_t vertexCount_ = 0;
+  std::vector<std::uint32_t> unweighted_; // vertices whose weights are no numbers
   bool failed_ = false;
 };
 
