@@ -7,6 +7,7 @@
 #include "app/locators/build_rig.h"
 #include "core/anim/sampling.h"
 #include "rig/body/evidence/bind_pose.h"
+#include "rig/body/evidence/name_evidence.h"
 #include "rig/body/reading/detection.h"
 #include "skinning/linear_blend_skinning.h"
 
@@ -35,18 +36,35 @@ std::set<NodeIndex> jointsOfSkins(const Scene& scene) {
   return joints;
 }
 
+bool isOfLimb(const rig::Body& body, NodeIndex joint) {
+  return std::ranges::any_of(body.limbs, [&](const rig::Limb& limb) {
+    return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
+  });
+}
+
 // A joint beyond the limbs that nothing hangs on but rigid meshes: it holds a prop.
 bool isSocket(const Document& document, NodeIndex joint) {
   const Scene& scene = *document.scene;
   const rig::Body& biped = document.body;
-  const bool isOfBody =
-      joint == biped.head || std::ranges::any_of(biped.limbs, [&](const rig::Limb& limb) {
-        return limb.endNode == joint || std::ranges::find(limb.joints, joint) != limb.joints.end();
-      });
   const std::vector<NodeIndex>& children = scene.nodes[at(joint)].children;
-  return !isOfBody && !children.empty() && std::ranges::all_of(children, [&](NodeIndex child) {
-    return holdsAnyMesh(scene, child) && scene.nodes[at(child)].skin < 0;
-  });
+  return joint != biped.head && !isOfLimb(biped, joint) && !children.empty() &&
+         std::ranges::all_of(children, [&](NodeIndex child) {
+           return holdsAnyMesh(scene, child) && scene.nodes[at(child)].skin < 0;
+         });
+}
+
+// Legs may hang beside the hips, and feet from the root: what a limb needs is the body's, wherever it hangs.
+bool isOfBody(const Scene& scene, const rig::Body& body, NodeIndex joint) {
+  const auto carries = [&](NodeIndex node) { return node.exists() && isAncestorOrSelf(scene, node, joint); };
+  return carries(body.hips) || std::ranges::any_of(body.limbs, [&](const rig::Limb& limb) {
+           return carries(limb.joints.front()) || carries(limb.endNode);
+         });
+}
+
+// Handles for inverse kinematics stand where joints of limbs stand, and would take their weights.
+bool isHandle(const Document& document, NodeIndex joint) {
+  const std::string& name = document.scene->nodes[at(joint)].name;
+  return rig::body::readName(name).control && !isOfLimb(document.body, joint);
 }
 
 std::set<NodeIndex> jointsToBind(const Document& document) {
@@ -61,8 +79,8 @@ std::set<NodeIndex> jointsToBind(const Document& document) {
     }
   }
   std::erase_if(joints, [&](NodeIndex joint) {
-    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) ||
-           (hips.exists() && !isAncestorOrSelf(scene, hips, joint));
+    return scene.nodes[at(joint)].isBindLeaf || isSocket(document, joint) || isHandle(document, joint) ||
+           (hips.exists() && !isOfBody(scene, document.body, joint));
   });
   return joints;
 }

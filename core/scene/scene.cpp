@@ -24,6 +24,13 @@ bool isAncestorOrSelf(const Scene& scene, NodeIndex ancestor, NodeIndex node) {
   return node == ancestor;
 }
 
+NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b) {
+  while (a.exists() && !isAncestorOrSelf(scene, a, b)) {
+    a = scene.nodes[at(a)].parent;
+  }
+  return a;
+}
+
 std::set<NodeIndex> skinJoints(const Scene& scene) {
   std::set<NodeIndex> joints;
   for (const Skin& skin : scene.skins) {

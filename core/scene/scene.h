@@ -130,6 +130,9 @@ struct Scene {
 /// Whether `ancestor` is `node` or above it.
 [[nodiscard]] bool isAncestorOrSelf(const Scene& scene, NodeIndex ancestor, NodeIndex node);
 
+/// The lowest node that is at or above both; -1 where they hang from different roots.
+[[nodiscard]] NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b);
+
 /// Nodes that are a joint of any skin.
 [[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);
 

@@ -65,13 +65,6 @@ bool everyMesh(const Scene& scene, const BindPlaces& places, NodeIndex root, con
   return any && all;
 }
 
-NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b) {
-  while (a.exists() && !isAncestorOrSelf(scene, a, b)) {
-    a = scene.nodes[at(a)].parent;
-  }
-  return a;
-}
-
 // Finds what stands at the end of a limb and hangs elsewhere.
 class CompanionSearch {
 public:

@@ -54,11 +54,7 @@ NodeIndex leaderOf(const Scene& scene, const Limb& limb) {
   if (!limb.ledByFirst || limb.joints.size() < 2) {
     return NodeIndex::none;
   }
-  NodeIndex leader = limb.joints.front();
-  while (leader.exists() && !isAncestorOrSelf(scene, leader, limb.joints[1])) {
-    leader = scene.nodes[at(leader)].parent;
-  }
-  return leader;
+  return commonAncestor(scene, limb.joints.front(), limb.joints[1]);
 }
 
 std::set<NodeIndex> legJoints(const std::vector<Limb>& limbs) {

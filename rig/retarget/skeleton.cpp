@@ -33,13 +33,6 @@ NodeIndex tableNode(const Scene& scene, const std::string& bone) {
   return isThere ? found->second : NodeIndex::none;
 }
 
-NodeIndex nearestCommon(const Scene& scene, NodeIndex a, NodeIndex b) {
-  while (a.exists() && !isAncestorOrSelf(scene, a, b)) {
-    a = scene.nodes[at(a)].parent;
-  }
-  return a;
-}
-
 // The joint between the trunk and the arm's base that is farthest up: none of the other arm hangs on it.
 NodeIndex shoulderOf(const Scene& scene, const Limb& arm, const Limb* other, const Skeleton& skeleton,
                      const std::string& side) {
@@ -129,12 +122,12 @@ void addTrunk(const Scene& scene, const Body& biped, Skeleton& skeleton) {
   }
   std::erase(skeleton.spine, skeleton.hips);
   // What bears both legs and the trunk travels; a pelvis beside the spine does not.
-  skeleton.carrier = nearestCommon(scene, skeleton.legs[leftSide].limb.joints.front(),
+  skeleton.carrier = commonAncestor(scene, skeleton.legs[leftSide].limb.joints.front(),
                                    skeleton.legs[rightSide].limb.joints.front());
   for (const NodeIndex other :
        {skeleton.hips, skeleton.spine.empty() ? NodeIndex::none : skeleton.spine.front()}) {
     if (other.exists() && skeleton.carrier.exists()) {
-      const NodeIndex common = nearestCommon(scene, skeleton.carrier, other);
+      const NodeIndex common = commonAncestor(scene, skeleton.carrier, other);
       skeleton.carrier = common.exists() ? common : skeleton.carrier;
     }
   }

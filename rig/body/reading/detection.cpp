@@ -300,6 +300,28 @@ void tellBiped(Finding& finding) {
   result.planConfidence = result.limbs.empty() ? 0.0 : sum / static_cast<double>(result.limbs.size());
 }
 
+// The joint that carries trunk and legs. Many rigs call the torso's root hips and hang the legs beside it,
+// from a body that carries both; one that stands far from the hips (a root on the ground) is no centre to
+// turn about.
+NodeIndex centreOf(const Scene& scene, const BindPose& bindPose, const Body& found) {
+  NodeIndex centre = found.hips;
+  double legLength = 0.0;
+  for (const LimbPlace& place : {biped::leftLeg, biped::rightLeg, biped::spine}) {
+    if (const Limb* const limb = limbAt(found.limbs, place); limb != nullptr && centre.exists()) {
+      const bool isSpine = place == biped::spine && limb->joints.front() != centre;
+      legLength = std::max(legLength, isLeg(*limb) ? limb->restLength : 0.0);
+      centre = isLeg(*limb) || isSpine ? commonAncestor(scene, centre, limb->joints.front()) : centre;
+    }
+  }
+  if (!centre.exists() || centre == found.hips) {
+    return found.hips;
+  }
+  constexpr double farthest = 0.75; // of a leg
+  const double away =
+      glm::distance(positionOf(bindPose.worlds[at(centre)]), positionOf(bindPose.worlds[at(found.hips)]));
+  return away < farthest * legLength ? centre : found.hips;
+}
+
 } // namespace
 
 } // namespace body
@@ -312,6 +334,7 @@ Body detectBody(const Scene& scene) {
   if (table.limbs.empty()) {
     body::takePlan(scene, bindPose, finding);
   }
+  finding.result.hips = body::centreOf(scene, bindPose, finding.result);
   setLeadingEnds(bindPose.worlds, finding.result);
   body::warn(scene, finding);
   if (finding.result.plan == "biped") {
