@@ -24,7 +24,7 @@ double degreesBetween(const FrameState& before, const FrameState& after, NodeInd
   return 2.0 * std::atan2(glm::length(Vec3(turn.x, turn.y, turn.z)), std::abs(turn.w)) * 180.0 / pi;
 }
 
-SoftBones longer(double /*frame*/) {
+SoftBones longerEachFrame(double /*frame*/) {
   return {1.2, 0.9, 1.0, Vec3(0.3, 1.0, 0.2), 0.0};
 }
 
@@ -103,7 +103,8 @@ TEST_CASE("The end of a serpent's spine turns by what its controller is turned, 
 TEST_CASE("Weight stretches each bone of a serpent, also that behind its head") {
   const MovingBiped snake = strikingSnake();
   const Limb& spine = snake.limb("spine");
-  const FrameState soft = atFrame(snake, softMotion(snake, {}, {softLimb(snake, "spine", longer)}), 12);
+  const FrameState soft =
+      atFrame(snake, softMotion(snake, {}, {softLimb(snake, "spine", longerEachFrame)}), 12);
   const std::vector<Vec3> before = limbPoints(spine, sourceAtFrame(snake, 12));
   const std::vector<Vec3> after = limbPoints(spine, soft);
   for (std::size_t i = 0; i < spine.joints.size(); ++i) {
