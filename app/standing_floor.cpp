@@ -4,11 +4,11 @@
 
 #include <glm/matrix.hpp>
 
-#include "rig/motion/bind_places.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/floor.h"
 #include "rig/motion/part_motion.h"
 #include "rig/motion/solve_holds.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 
@@ -23,7 +23,7 @@ double soleDepth(const Scene& scene, const rig::Limb& leg, const rig::BindPlaces
   double lowest = rig::endPosition(leg, places.worlds).y;
   const double ankle = lowest;
   const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
-  for (const NodeIndex node : rig::withSubtrees(scene, {foot})) {
+  for (const NodeIndex node : withSubtrees(scene, {foot})) {
     const Bounds& mesh = places.meshes[at(node)];
     lowest = mesh.empty() ? lowest : std::min(lowest, mesh.low.y);
   }
@@ -36,7 +36,7 @@ double footDepth(const Scene& scene, const rig::Limb& leg, const FrameState& fra
   const double ankle = rig::endPosition(leg, frame).y;
   double lowest = ankle;
   const NodeIndex foot = leg.endNode.exists() ? leg.endNode : leg.joints.back();
-  for (const NodeIndex node : rig::withSubtrees(scene, {foot})) {
+  for (const NodeIndex node : withSubtrees(scene, {foot})) {
     const Bounds& box = places.meshes[at(node)];
     const Mat4 moved = frame.worlds[at(node)] * glm::inverse(places.worlds[at(node)]);
     for (int corner = 0; corner < 8 && !box.empty(); ++corner) {

@@ -20,7 +20,7 @@
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
 #include "core/gltf/json/json.h"
-#include "rig/motion/apply_adjustments.h"
+#include "rig/adjust/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::app {

@@ -11,8 +11,8 @@
 #include "app/evaluate/evaluation_input.h"
 #include "app/weight/weight_motion.h"
 #include "core/anim/frame_state.h"
+#include "rig/adjust/controller_shapes.h"
 #include "rig/motion/controller_places.h"
-#include "rig/motion/controller_shapes.h"
 #include "rig/motion/motion.h"
 
 namespace stretch::app {

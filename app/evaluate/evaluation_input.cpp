@@ -8,9 +8,9 @@
 
 #include "app/edits/pose/hold_edits.h"
 #include "core/base/index.h"
+#include "rig/adjust/solve_adjustments.h"
 #include "rig/motion/seam.h"
 #include "rig/motion/solve.h"
-#include "rig/motion/solve_adjustments.h"
 #include "rig/motion/solve_holds.h"
 
 namespace stretch::app {

@@ -5,9 +5,9 @@
 
 #include "app/document.h"
 #include "app/weight/weight_motion.h"
-#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/paths.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 

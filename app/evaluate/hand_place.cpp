@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/evaluate/evaluate.h"
-#include "rig/motion/bind_places.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 

@@ -9,7 +9,7 @@
 
 #include "core/math/bounds.h"
 #include "rig/limb.h"
-#include "rig/motion/bind_places.h"
+#include "rig/reach/bind_places.h"
 #include "skinning/linear_blend_skinning.h"
 
 namespace stretch::app {

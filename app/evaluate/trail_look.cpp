@@ -13,9 +13,9 @@
 #include "core/math/rotation.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/limb.h"
-#include "rig/motion/bind_places.h"
 #include "rig/motion/evaluate.h"
 #include "rig/motion/part_motion.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 
@@ -50,7 +50,7 @@ float squaredDistance(const glm::vec3& a, const glm::vec3& b) {
 
 std::vector<bool> movedBy(const Scene& scene, const rig::SolvedTrail& trail) {
   std::vector<bool> moved(scene.nodes.size(), false);
-  for (const NodeIndex node : rig::withSubtrees(scene, rig::touchedNodes(trail.limb, trail.topology))) {
+  for (const NodeIndex node : withSubtrees(scene, rig::touchedNodes(trail.limb, trail.topology))) {
     moved[at(node)] = true;
   }
   return moved;
@@ -136,7 +136,7 @@ void TrailLook::findHead() {
     return;
   }
   Bounds box;
-  for (const NodeIndex node : rig::withSubtrees(*document_.scene, {joint})) {
+  for (const NodeIndex node : withSubtrees(*document_.scene, {joint})) {
     const Bounds& mesh = places.meshes[at(node)];
     if (!mesh.empty()) {
       box.add(mesh.low);
@@ -181,7 +181,7 @@ void TrailLook::findLowestPlace() {
   for (const rig::Limb& limb : limbs) {
     joints.insert(joints.end(), limb.joints.begin(), limb.joints.end());
   }
-  const std::vector<NodeIndex> body = rig::withSubtrees(scene, joints);
+  const std::vector<NodeIndex> body = withSubtrees(scene, joints);
   double lowest = std::numeric_limits<double>::infinity();
   const auto lookAt = [&](const FrameState& frame) {
     for (const NodeIndex node : body) {

@@ -7,7 +7,7 @@
 
 #include "app/weight/report.h"
 #include "app/weight/sample_clip.h"
-#include "rig/motion/limb_weight.h"
+#include "rig/reach/limb_weight.h"
 
 namespace stretch::app {
 

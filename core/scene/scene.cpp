@@ -31,6 +31,24 @@ NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b) {
   return a;
 }
 
+std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {
+  std::vector<bool> wanted(scene.nodes.size(), false);
+  for (const NodeIndex node : nodes) {
+    wanted[at(node)] = true;
+  }
+  for (const NodeIndex node : parentsFirst(scene)) {
+    const NodeIndex parent = scene.nodes[at(node)].parent;
+    wanted[at(node)] = wanted[at(node)] || (parent.exists() && wanted[at(parent)]);
+  }
+  std::vector<NodeIndex> all;
+  for (std::size_t node = 0; node < wanted.size(); ++node) {
+    if (wanted[node]) {
+      all.emplace_back(node);
+    }
+  }
+  return all;
+}
+
 std::set<NodeIndex> skinJoints(const Scene& scene) {
   std::set<NodeIndex> joints;
   for (const Skin& skin : scene.skins) {

@@ -133,6 +133,9 @@ struct Scene {
 /// The lowest node that is at or above both; -1 where they hang from different roots.
 [[nodiscard]] NodeIndex commonAncestor(const Scene& scene, NodeIndex a, NodeIndex b);
 
+/// The nodes, and all below them; ascending, without repeats.
+[[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
+
 /// Nodes that are a joint of any skin.
 [[nodiscard]] std::set<NodeIndex> skinJoints(const Scene& scene);
 

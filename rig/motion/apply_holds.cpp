@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rig/motion/limb_deform.h"
+#include "rig/reach/limb_deform.h"
 
 namespace stretch::rig {
 

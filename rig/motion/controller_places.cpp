@@ -5,7 +5,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "rig/motion/apply_adjustments.h"
+#include "rig/adjust/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::rig {

@@ -7,8 +7,8 @@
 #include "core/anim/clip.h"
 #include "core/anim/frame_state.h"
 #include "core/scene/scene.h"
+#include "rig/adjust/solved_adjustments.h"
 #include "rig/controllers/controller.h"
-#include "rig/motion/solved_adjustments.h"
 
 namespace stretch::rig {
 

@@ -8,12 +8,12 @@
 
 #include "core/anim/key_time.h"
 #include "core/base/index.h"
+#include "rig/adjust/apply_adjustments.h"
 #include "rig/ik/limb_shape.h"
 #include "rig/limb.h"
-#include "rig/motion/apply_adjustments.h"
 #include "rig/motion/apply_holds.h"
-#include "rig/motion/limb_deform.h"
 #include "rig/motion/range_offset.h"
+#include "rig/reach/limb_deform.h"
 
 namespace stretch::rig {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "rig/adjust/solved_adjustments.h"
 #include "rig/limb.h"
-#include "rig/motion/bend_normal.h"
-#include "rig/motion/body_outline.h"
-#include "rig/motion/limb_topology.h"
-#include "rig/motion/limb_weight.h"
-#include "rig/motion/solved_adjustments.h"
 #include "rig/motion/solved_holds.h"
+#include "rig/reach/bend_normal.h"
+#include "rig/reach/body_outline.h"
+#include "rig/reach/limb_topology.h"
+#include "rig/reach/limb_weight.h"
 #include "rig/trail/exaggeration.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rig/motion/apply_adjustments.h"
+#include "rig/adjust/apply_adjustments.h"
 #include "rig/motion/evaluate.h"
 
 namespace stretch::rig {
@@ -46,24 +46,6 @@ void PartMotion::moved(double timeSeconds, FrameState& frame) const {
 void PartMotion::move(FrameState& frame) const {
   applyAdjustments(skeleton_, motion_.adjustments, frame);
   applyMotion(skeleton_, motion_, frame);
-}
-
-std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes) {
-  std::vector<bool> wanted(scene.nodes.size(), false);
-  for (const NodeIndex node : nodes) {
-    wanted[at(node)] = true;
-  }
-  for (const NodeIndex node : parentsFirst(scene)) {
-    const NodeIndex parent = scene.nodes[at(node)].parent;
-    wanted[at(node)] = wanted[at(node)] || (parent.exists() && wanted[at(parent)]);
-  }
-  std::vector<NodeIndex> all;
-  for (std::size_t node = 0; node < wanted.size(); ++node) {
-    if (wanted[node]) {
-      all.emplace_back(node);
-    }
-  }
-  return all;
 }
 
 std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion) {

@@ -33,9 +33,6 @@ private:
   Scene skeleton_; // the sampled nodes only
 };
 
-/// The nodes, and all below them; ascending, without repeats.
-[[nodiscard]] std::vector<NodeIndex> withSubtrees(const Scene& scene, const std::vector<NodeIndex>& nodes);
-
 /// Every node that the adjustments, the active trails, the holds and the weights of a motion may move: what
 /// they touch and all that hangs from it; ascending.
 [[nodiscard]] std::vector<NodeIndex> movedNodes(const Scene& scene, const MotionState& motion);

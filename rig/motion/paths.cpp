@@ -5,9 +5,9 @@
 #include <iterator>
 #include <set>
 
+#include "rig/adjust/frame_table.h"
 #include "rig/motion/apply_holds.h"
 #include "rig/motion/evaluate.h"
-#include "rig/motion/frame_table.h"
 #include "rig/motion/order.h"
 
 namespace stretch::rig {

@@ -10,10 +10,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include "rig/adjust/solve_adjustments.h"
 #include "rig/body/reading/detection.h"
 #include "rig/motion/order.h"
 #include "rig/motion/release_length.h"
-#include "rig/motion/solve_adjustments.h"
 #include "rig/motion/solve_steps.h"
 
 namespace stretch::rig {

@@ -8,8 +8,8 @@
 #include "rig/controllers/adjustment.h"
 #include "rig/hold/hold.h"
 #include "rig/limb.h"
-#include "rig/motion/bind_places.h"
 #include "rig/motion/motion.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::rig {
 

@@ -8,8 +8,8 @@
 
 #include "core/anim/key_time.h"
 #include "core/math/rotation.h"
+#include "rig/adjust/adjusted_sampler.h"
 #include "rig/ik/spline_spine.h"
-#include "rig/motion/adjusted_sampler.h"
 #include "rig/motion/solve_steps.h"
 #include "rig/trail/limb_path.h"
 #include "rig/trail/release.h"

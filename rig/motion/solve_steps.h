@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/motion/frame_table.h"
+#include "rig/adjust/frame_table.h"
 #include "rig/motion/motion.h"
 #include "rig/motion/solve.h"
 

@@ -9,7 +9,7 @@
 #include "core/anim/frame_state.h"
 #include "rig/controllers/offset_curve.h"
 #include "rig/hold/hold.h"
-#include "rig/motion/limb_reach.h"
+#include "rig/reach/limb_reach.h"
 
 namespace stretch::rig {
 

@@ -14,11 +14,11 @@
 #include "core/math/finite.h"
 #include "core/math/rotation.h"
 #include "core/math/transform.h"
+#include "rig/adjust/foot_roll.h"
 #include "rig/body/evidence/bind_pose.h"
 #include "rig/controllers/finger_joints.h"
-#include "rig/motion/bind_places.h"
-#include "rig/motion/foot_roll.h"
-#include "rig/motion/limb_topology.h"
+#include "rig/reach/bind_places.h"
+#include "rig/reach/limb_topology.h"
 
 namespace stretch::rig {
 
@@ -123,7 +123,7 @@ void addTrunk(const Scene& scene, const Body& biped, Skeleton& skeleton) {
   std::erase(skeleton.spine, skeleton.hips);
   // What bears both legs and the trunk travels; a pelvis beside the spine does not.
   skeleton.carrier = commonAncestor(scene, skeleton.legs[leftSide].limb.joints.front(),
-                                   skeleton.legs[rightSide].limb.joints.front());
+                                    skeleton.legs[rightSide].limb.joints.front());
   for (const NodeIndex other :
        {skeleton.hips, skeleton.spine.empty() ? NodeIndex::none : skeleton.spine.front()}) {
     if (other.exists() && skeleton.carrier.exists()) {

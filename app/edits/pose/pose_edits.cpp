@@ -11,7 +11,7 @@
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/edits/trail/mirror_edits.h"
 #include "rig/controllers/offset_curve.h"
-#include "rig/motion/bind_places.h"
+#include "rig/reach/bind_places.h"
 
 namespace stretch::app {
 

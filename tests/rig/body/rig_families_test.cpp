@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "rig/body/evidence/bind_pose.h"
 #include "tests/support/rig/creatures.h"
 #include "tests/support/rig/described_limbs.h"
 #include "tests/support/rig/naming_schemes.h"

@@ -1,4 +1,4 @@
-#include "rig/motion/apply_adjustments.h"
+#include "rig/adjust/apply_adjustments.h"
 
 #include <algorithm>
 #include <array>

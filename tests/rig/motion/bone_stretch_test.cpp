@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/motion/limb_deform.h"
+#include "rig/reach/limb_deform.h"
 #include "rig/rekey/stretch_frames.h"
 #include "tests/support/matrices.h"
 #include "tests/support/rig/moving_biped.h"

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/math/rotation.h"
-#include "rig/motion/apply_adjustments.h"
-#include "rig/motion/solve_adjustments.h"
+#include "rig/adjust/apply_adjustments.h"
+#include "rig/adjust/solve_adjustments.h"
 #include "tests/support/rig/adjusted_biped.h"
 #include "tests/support/rig/moving_creatures.h"
 

@@ -1,5 +1,5 @@
 #include "rig/limb.h"
-#include "rig/motion/limb_weight.h"
+#include "rig/reach/limb_weight.h"
 
 #include <cmath>
 #include <optional>

@@ -1,0 +1,82 @@
+#include "rig/adjust/frame_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <tbb/parallel_for.h>
+
+#include "rig/adjust/apply_adjustments.h"
+#include "rig/trail/limb_path.h"
+
+namespace stretch::rig {
+
+FrameTable::Extent FrameTable::extentOf(std::vector<NodeIndex> nodes, std::vector<double> timesSeconds) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::sort(timesSeconds.begin(), timesSeconds.end());
+  timesSeconds.erase(std::unique(timesSeconds.begin(), timesSeconds.end()), timesSeconds.end());
+  return {std::move(nodes), std::move(timesSeconds)};
+}
+
+FrameTable::FrameTable(const Scene& scene, const Clip& clip, Extent extent) : extent_(std::move(extent)) {
+  const std::vector<double>& times = extent_.timesSeconds;
+  frames_.resize(times.size());
+  const NodeSampler sampler(scene, clip, extent_.nodes);
+  skeleton_ = sampler.skeleton();
+  tbb::parallel_for(std::size_t{0}, times.size(),
+                    [&](std::size_t i) { sampler.sample(times[i], frames_[i]); });
+}
+
+FrameTable::FrameTable(const FrameTable& source, const SolvedAdjustments& adjustments)
+    : extent_(source.extent_), skeleton_(source.skeleton_) {
+  frames_.resize(source.frames_.size());
+  tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
+    frames_[i] = source.frames_[i];
+    applyAdjustments(skeleton_, adjustments, source.frames_[i], frames_[i]);
+  });
+}
+
+bool FrameTable::covers(const std::vector<NodeIndex>& nodes) const {
+  return std::ranges::all_of(nodes, [&](NodeIndex node) {
+    return std::binary_search(extent_.nodes.begin(), extent_.nodes.end(), node);
+  });
+}
+
+const FrameState* FrameTable::find(double timeSeconds) const {
+  const std::vector<double>& times = extent_.timesSeconds;
+  const auto found = std::lower_bound(times.begin(), times.end(), timeSeconds);
+  return found != times.end() && *found == timeSeconds
+             ? &frames_[static_cast<std::size_t>(found - times.begin())]
+             : nullptr;
+}
+
+std::size_t FrameTable::most(const Scene& scene) {
+  constexpr std::size_t mostNodes = 250000; // about 64 MB
+  return mostNodes / std::max<std::size_t>(1, scene.nodes.size());
+}
+
+FrameSource::FrameSource(const Scene& scene, const Clip& clip, const SolvedAdjustments& adjustments,
+                         std::vector<NodeIndex> nodes, const FrameTable* table)
+    : scene_(scene), clip_(clip), adjustments_(adjustments), nodes_(std::move(nodes)),
+      table_(table != nullptr && table->covers(nodes_) ? table : nullptr) {}
+
+const AdjustedSampler& FrameSource::sampler() {
+  if (!sampler_) {
+    sampler_.emplace(scene_, clip_, adjustments_, nodes_);
+  }
+  return *sampler_;
+}
+
+const Scene& FrameSource::skeleton() {
+  return table_ != nullptr ? table_->skeleton() : sampler().skeleton();
+}
+
+const FrameState& FrameSource::at(double timeSeconds) {
+  if (const FrameState* const known = table_ != nullptr ? table_->find(timeSeconds) : nullptr) {
+    return *known;
+  }
+  sampler().sample(timeSeconds, sampled_);
+  return sampled_;
+}
+
+} // namespace stretch::rig
