@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 
-#include "rig/motion/bind_places.h"
-#include "rig/motion/foot_roll.h"
-#include "rig/motion/hand_curl.h"
+#include "rig/adjust/foot_roll.h"
+#include "rig/adjust/hand_curl.h"
+#include "rig/reach/bind_places.h"
 #include "tests/support/rig/adjusted_biped.h"
 
 using namespace stretch;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "rig/motion/limb_weight.h"
+#include "rig/reach/limb_weight.h"
 
 using namespace stretch;
 using namespace stretch::rig;
