@@ -13,6 +13,7 @@
 #include "core/gltf/load/load_as_it_stands.h"
 #include "skinning/linear_blend_skinning.h"
 #include "skinning/sequence/gltf_surface.h"
+#include "skinning/sequence/mesh_file.h"
 
 namespace stretch::skinning {
 namespace {
@@ -35,6 +36,14 @@ std::size_t mostPositions(const gltf::Source& source) {
     most = std::min(ofAnyFile, most + ofOneByte * buffer.size());
   }
   return most;
+}
+
+Status checkPlaces(const MeshSequence& sequence, const std::filesystem::path& path) {
+  if (std::ranges::all_of(sequence.positions, isUsablePlace)) {
+    return Success{};
+  }
+  return Error{fmt::format("the clip moves a vertex to no finite place, or beyond {:g}", largestCoordinate),
+               path.string(), "export the file again"};
 }
 
 } // namespace
@@ -86,10 +95,8 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
       progress(static_cast<double>(frame - first + 1) / static_cast<double>(last - first));
     }
   }
-  for (const glm::vec3& p : sequence.positions) {
-    if (!std::isfinite(p.x + p.y + p.z)) {
-      return Error{"the clip moves a vertex to no finite place", path.string(), "export the file again"};
-    }
+  if (const Status usable = checkPlaces(sequence, path); !usable) {
+    return usable.error();
   }
   return sequence;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,6 +19,12 @@ namespace stretch::skinning {
 
 /// Largest magnitude of a number that readers of meshes take: it leaves room for squares in single precision.
 inline constexpr double largestCoordinate = 1e15;
+
+/// Whether a place can be worked with: each coordinate is a number of at most largestCoordinate.
+[[nodiscard]] inline bool isUsablePlace(const glm::vec3& place) {
+  constexpr auto largest = static_cast<float>(largestCoordinate);
+  return std::abs(place.x) <= largest && std::abs(place.y) <= largest && std::abs(place.z) <= largest;
+}
 
 /// Positions and triangles of one mesh file; polygons are cut into fans. Everything is checked: indices are
 /// in range, numbers are finite, there is at least one triangle.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/base/number.h"
 #include "skinning/sequence/text.h"
 
@@ -13,7 +15,8 @@ Result<glm::vec3> parsePosition(std::string_view words, const std::string& place
   for (glm::length_t axis = 0; axis < 3; ++axis) {
     const auto number = parseNumber(nextWord(words));
     if (!number || std::abs(*number) > largestCoordinate) {
-      return Error{"a vertex needs three finite numbers", place, "export the frame again"};
+      return Error{fmt::format("a vertex needs three finite numbers of at most {:g}", largestCoordinate),
+                   place, "export the frame again"};
     }
     position[axis] = static_cast<float>(*number);
   }

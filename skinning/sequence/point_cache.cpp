@@ -73,8 +73,8 @@ Status readSamples(std::ifstream& stream, const std::string& place, const CacheH
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     takeSample(bytes, header.bigEndian, frame);
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
-      if (!std::isfinite(frame[v].x + frame[v].y + frame[v].z)) {
-        return Error{fmt::format("vertex {} is no finite position", v),
+      if (!isUsablePlace(frame[v])) {
+        return Error{fmt::format("vertex {} is at no finite place, or beyond {:g}", v, largestCoordinate),
                      fmt::format("{}, sample {}", place, s), "export the cache again"};
       }
     }

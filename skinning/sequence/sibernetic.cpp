@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/text.h"
 #include "skinning/sequence/topology.h"
 
@@ -117,8 +118,7 @@ private:
                                        static_cast<float>(parsed.numbers[1]),
                                        static_cast<float>(parsed.numbers[2]));
       ++next_;
-      const glm::vec3& p = sequence_.positions.back();
-      if (!std::isfinite(p.x + p.y + p.z)) {
+      if (!isUsablePlace(sequence_.positions.back())) {
         return false;
       }
     }

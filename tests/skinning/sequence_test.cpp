@@ -192,7 +192,9 @@ TEST_CASE("bad point caches are refused with one clear line") {
   CHECK_THAT(refuse(pointCache(5, 3, 45)), Contains("5 points") && Contains("4 vertices"));
   CHECK_THAT(refuse(pointCache(4, 0, 0)), Contains("0 samples"));
   CHECK_THAT(refuse(pointCache(4, 2000000000, 12)), Contains("cut short"));
-  CHECK_THAT(refuse(pointCache(4, 1, 12, std::nanf(""))), Contains("vertex 0") && Contains("sample 0"));
+  for (const float number : {std::nanf(""), 1e16F, -1e30F}) {
+    CHECK_THAT(refuse(pointCache(4, 1, 12, number)), Contains("vertex 0") && Contains("sample 0"));
+  }
 }
 
 TEST_CASE("a particle log becomes the mesh of its membranes, wound outwards") {
