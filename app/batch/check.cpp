@@ -65,7 +65,8 @@ Status runCheck(const CheckArguments& arguments) {
   if (error == problems.end()) {
     return Success{};
   }
-  return Error{error->what, error->where, error->remedy};
+  return Error{error->what, arguments.file + (error->where.empty() ? "" : ": ") + error->where,
+               error->remedy};
 }
 
 } // namespace

@@ -87,8 +87,7 @@ Box boxOf(const Points& points) {
 Result<std::vector<SkinBone>> readSkeleton(const std::filesystem::path& path) {
   const auto loaded = gltf::loadAsItStands(path);
   if (!loaded) {
-    const Error& error = loaded.error();
-    return Error{error.what, path.string() + (error.where.empty() ? "" : ", " + error.where), error.remedy};
+    return loaded.error();
   }
   const Scene& scene = *loaded->scene;
   const auto skin = std::ranges::max_element(

@@ -4,8 +4,10 @@
 #include <limits>
 
 #include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/source/problems.h"
 #include "tests/support/core/glb_builder.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace stretch;
 using gltf::Json;
@@ -395,4 +397,16 @@ TEST_CASE("A data file that the model does not need may be missing, whatever is 
   const Result<gltf::Loaded> file = gltf::load(folder / "model.gltf");
   REQUIRE(file.ok());
   CHECK(file->scene->meshes.size() == 2);
+}
+
+TEST_CASE("A file that is read as it stands is named in what refuses it, once") {
+  const TemporaryFolder folder;
+  const std::filesystem::path broken = folder.write("broken.gltf", "{\"asset\":");
+  const Result<gltf::Loaded> loaded = gltf::loadAsItStands(broken);
+  REQUIRE_FALSE(loaded);
+  CHECK(loaded.error().where == broken.string() + ": JSON");
+  const std::filesystem::path missing = folder / "missing.gltf";
+  const Result<gltf::Loaded> nothing = gltf::loadAsItStands(missing);
+  REQUIRE_FALSE(nothing);
+  CHECK(nothing.error().where == missing.string());
 }

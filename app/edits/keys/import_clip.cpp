@@ -40,7 +40,7 @@ std::string titleOfClip(const Document& document, int clip) {
 Result<Donor> readDonor(const std::filesystem::path& file) {
   Result<gltf::Loaded> loaded = gltf::loadAsItStands(file);
   if (!loaded) {
-    return Error{loaded.error().line(), file.string(), ""};
+    return loaded.error();
   }
   Donor donor;
   donor.document.scene = loaded->scene;

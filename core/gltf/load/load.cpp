@@ -111,7 +111,12 @@ Result<std::shared_ptr<const Scene>> sceneWith(const Source& source, const std::
 }
 
 Result<Loaded> loadAsItStands(const std::filesystem::path& path) {
-  return loadFile(path, false, Tolerance::warn);
+  Result<Loaded> loaded = loadFile(path, false, Tolerance::warn);
+  if (loaded || loaded.error().where.starts_with(path.string())) {
+    return loaded;
+  }
+  const Error& error = loaded.error();
+  return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
 }
 
 } // namespace stretch::gltf
