@@ -61,10 +61,15 @@ bool isOfBody(const Scene& scene, const rig::Body& body, NodeIndex joint) {
          });
 }
 
-// Handles for inverse kinematics stand where joints of limbs stand, and would take their weights.
+// Handles for inverse kinematics stand where joints of limbs stand, and would take their weights. One that a
+// limb hangs on is a joint, whatever it is called.
 bool isHandle(const Document& document, NodeIndex joint) {
-  const std::string& name = document.scene->nodes[at(joint)].name;
-  return rig::body::readName(name).control && !isOfLimb(document.body, joint);
+  const Scene& scene = *document.scene;
+  const bool carriesLimb = std::ranges::any_of(document.body.limbs, [&](const rig::Limb& limb) {
+    return isAncestorOrSelf(scene, joint, limb.joints.front()) || limb.endNode == joint;
+  });
+  return rig::body::readName(scene.nodes[at(joint)].name).control && !carriesLimb &&
+         !isOfLimb(document.body, joint);
 }
 
 std::set<NodeIndex> jointsToBind(const Document& document) {
