@@ -137,7 +137,7 @@ std::vector<std::pair<const Limb*, const Limb*>> pairsOf(const std::vector<Limb>
       pairs.emplace_back(&limb, other);
     }
   }
-  std::ranges::stable_partition(pairs, [](const auto& pair) { return isLeg(*pair.first); });
+  std::stable_partition(pairs.begin(), pairs.end(), [](const auto& pair) { return isLeg(*pair.first); });
   return pairs;
 }
 

@@ -28,7 +28,8 @@ MeshSequence cubesThatMove(std::size_t cubes, const std::function<Vec3(std::size
   for (std::size_t k = 0; k < frames; ++k) {
     for (std::size_t v = 0; v < sequence.vertexCount; ++v) {
       const std::size_t place = v % ofPart;
-      const auto cube = static_cast<double>(v / ofPart);
+      const std::size_t part = v / ofPart;
+      const auto cube = static_cast<double>(part);
       const std::size_t row = place / 4 % 4;
       const std::size_t layer = place / 16;
       const Vec3 rest(6.0 * cube + static_cast<double>(place % 4), static_cast<double>(row),
