@@ -66,7 +66,7 @@ bool isOfBody(const Scene& scene, const rig::Body& body, NodeIndex joint) {
 bool isHandle(const Document& document, NodeIndex joint) {
   const Scene& scene = *document.scene;
   const bool carriesLimb = std::ranges::any_of(document.body.limbs, [&](const rig::Limb& limb) {
-    return isAncestorOrSelf(scene, joint, limb.joints.front()) || limb.endNode == joint;
+    return isAncestorOrSelf(scene, joint, limb.joints.front());
   });
   return rig::body::readName(scene.nodes[at(joint)].name).control && !carriesLimb &&
          !isOfLimb(document.body, joint);

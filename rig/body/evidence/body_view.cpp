@@ -162,12 +162,25 @@ private:
     return clouds_[at(view_.nodes[static_cast<std::size_t>(candidate)])];
   }
 
+  // Some of a joint's vertices, evenly picked: enough to tell where its mesh is, whatever the file holds.
+  [[nodiscard]] std::vector<Vec3> someOfMesh(int candidate) const {
+    constexpr std::size_t most = 60;
+    const std::vector<Vec3>& cloud = cloudOf(candidate);
+    const std::size_t step = 1 + cloud.size() / most;
+    std::vector<Vec3> some;
+    for (std::size_t i = 0; i < cloud.size(); i += step) {
+      some.push_back(cloud[i]);
+    }
+    return some;
+  }
+
   // Distance of two joints' meshes, the joint before the ground counted to its own.
   [[nodiscard]] double meshGap(int last, int foot) const {
+    std::vector<Vec3> above = someOfMesh(last);
+    above.push_back(view_.at(last));
     double gap = glm::distance(view_.at(last), view_.at(foot));
-    for (const Vec3& point : cloudOf(foot)) {
-      gap = std::min(gap, glm::distance(view_.at(last), point));
-      for (const Vec3& other : cloudOf(last)) {
+    for (const Vec3& point : someOfMesh(foot)) {
+      for (const Vec3& other : above) {
         gap = std::min(gap, glm::distance(other, point));
       }
     }
@@ -214,8 +227,8 @@ private:
   }
 
   // Of a last joint and a foot: how far their meshes are apart, in the joint's bone; nothing where the foot
-  // is not what comes next.
-  [[nodiscard]] std::optional<double> gapTo(int last, int foot) const {
+  // (as long as `footLength`) is not what comes next.
+  [[nodiscard]] std::optional<double> gapTo(int last, int foot, double footLength) const {
     constexpr double widest = 0.35;
     const Vec3& joint = view_.at(last);
     const Vec3& before = view_.at(view_.parentOf(last));
@@ -225,7 +238,7 @@ private:
     const bool otherSide = side != Side::none && footSide != Side::none && side != footSide;
     const double away = glm::distance(joint, view_.at(foot));
     const bool goesOn = glm::distance(before, view_.at(foot)) > away && view_.at(foot).y < joint.y;
-    if (otherSide || !goesOn || !(bone > 0.0) || away > 3.0 * bone || farthestBelow(foot) > bone) {
+    if (otherSide || !goesOn || !(bone > 0.0) || away > 3.0 * bone || footLength > bone) {
       return std::nullopt;
     }
     // A coarse mesh has no vertices between the two: then its name has to say what it is.
@@ -251,11 +264,12 @@ private:
       if (!mayBeDetachedFoot(foot, floor)) {
         continue;
       }
+      const double footLength = farthestBelow(foot);
       std::optional<double> nearest;
       int leg = -1;
       for (const int last : rows) {
         const bool isApart = !view_.isAboveOrSelf(foot, last);
-        const std::optional<double> gap = isApart ? gapTo(last, foot) : std::nullopt;
+        const std::optional<double> gap = isApart ? gapTo(last, foot, footLength) : std::nullopt;
         if (gap && (!nearest || *gap < *nearest)) {
           nearest = gap;
           leg = last;

@@ -13,8 +13,9 @@ namespace stretch::rig::body {
 
 namespace {
 
-bool hasSkinnedMesh(const Scene& scene) {
-  return std::ranges::any_of(scene.nodes, [](const Node& node) { return node.mesh >= 0 && node.skin >= 0; });
+bool hasMesh(const Scene& scene, bool skinned) {
+  return std::ranges::any_of(scene.nodes,
+                             [&](const Node& node) { return node.mesh >= 0 && (node.skin >= 0) == skinned; });
 }
 
 NodeIndex topmost(const Scene& scene, NodeIndex node) {
@@ -64,11 +65,14 @@ Bounds jointBounds(const Scene& scene, const BindPose& bindPose) {
 // Of skinned meshes, and of the rigid ones as well where these are most of the body: gloves alone may be
 // skinned.
 Bounds vertexBounds(const Scene& scene, const BindPose& bindPose, NodeIndex hips) {
-  if (!hasSkinnedMesh(scene)) {
+  if (!hasMesh(scene, true)) {
     return boundsOf(scene, bindPose, topmost(scene, hips), false);
   }
   const Bounds skinned = boundsOf(scene, bindPose, hips, true);
-  const Bounds all = hips.exists() ? boundsOf(scene, bindPose, hips, false) : skinned;
+  if (!hips.exists() || !hasMesh(scene, false)) {
+    return skinned;
+  }
+  const Bounds all = boundsOf(scene, bindPose, hips, false);
   return extentY(all) > 2.0 * extentY(skinned) ? all : skinned;
 }
 
