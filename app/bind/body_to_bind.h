@@ -32,8 +32,8 @@ struct SkeletonToBind {
   std::vector<gltf::AddedNode> added;      ///< Joints that the file does not have yet.
 };
 
-/// The joints that the file has: those of its skins, without control joints beside the body, or where it has
-/// no skin all that hangs on the hips. Empty where no joint is found.
+/// The joints that the file has: those of its skins that the hips or a limb carry, without handles that no
+/// limb hangs on, or where it has no skin all that hangs on the hips. Empty where no joint is found.
 [[nodiscard]] SkeletonToBind ownSkeleton(const Document& document);
 
 /// Joints made at the locators, carried as `meshes` are.
