@@ -65,8 +65,7 @@ Status runCheck(const CheckArguments& arguments) {
   if (error == problems.end()) {
     return Success{};
   }
-  return Error{error->what, arguments.file + (error->where.empty() ? "" : ": ") + error->where,
-               error->remedy};
+  return inFile(arguments.file, Error{error->what, error->where, error->remedy});
 }
 
 } // namespace

@@ -119,12 +119,7 @@ Result<Document> openDocument(const FileArguments& arguments) {
   if (document && arguments.framesPerSecond > 0.0) {
     setFramesPerSecond(*document, arguments.framesPerSecond);
   }
-  if (document || document.error().where == arguments.file) {
-    return document;
-  }
-  Error error = document.error();
-  error.where = arguments.file + (error.where.empty() ? "" : ": ") + error.where;
-  return error;
+  return document ? std::move(document) : inFile(arguments.file, document.error());
 }
 
 Result<int> clipOfArguments(const FileArguments& arguments, const Document& document) {

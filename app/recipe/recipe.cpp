@@ -347,7 +347,7 @@ Result<Recipe> loadRecipe(const std::filesystem::path& path, Document& document,
       json ? recipeFromJson(*json, document, clip, path.parent_path()) : Result<Recipe>(json.error());
   if (!recipe) {
     const Error& error = recipe.error();
-    return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
+    return inFile(path.string(), error);
   }
   return recipe;
 }

@@ -175,7 +175,7 @@ Result<rig::Locators> loadLocators(const std::filesystem::path& path) {
   Result<rig::Locators> locators = json ? locatorsFromJson(*json) : Result<rig::Locators>(json.error());
   if (!locators) {
     const Error& error = locators.error();
-    return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
+    return inFile(path.string(), error);
   }
   return locators;
 }

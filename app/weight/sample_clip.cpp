@@ -17,25 +17,17 @@ namespace stretch::app {
 
 namespace {
 
-// Samples per frame, or frames per sample, so that there are 48 to 96 samples per second: what the model
-// makes of them then hardly depends on the rate.
-double samplesPerFrame(double framesPerSecond) {
-  constexpr double fewest = 48.0;
-  return framesPerSecond < fewest ? std::ceil(fewest / framesPerSecond)
-                                  : 1.0 / std::floor(framesPerSecond / fewest);
-}
-
-std::vector<double> evenSeconds(const Clip& clip, double samplesPerSecond) {
-  constexpr double mostSamples = 100000.0;
-  const double first = std::floor(clip.startSeconds * clip.framesPerSecond + 1e-6) / clip.framesPerSecond;
-  const double start = std::max(0.0, first);
-  const double count =
-      std::clamp(std::floor((clip.endSeconds - start) * samplesPerSecond + 1e-3), 0.0, mostSamples);
-  std::vector<double> seconds;
-  for (double i = 0.0; i <= count; i += 1.0) {
-    seconds.push_back(start + i / samplesPerSecond);
+// Even times from a clip's first key to its last, about 120 a second, whatever rate the clip is counted in:
+// its weight is the same at every rate.
+void setTimes(const Clip& clip, SampledClip& sampled) {
+  constexpr double about = 120.0; // samples per second
+  constexpr double most = 250000.0;
+  const double lasts = clip.endSeconds - clip.startSeconds;
+  const double steps = std::round(lasts * about);
+  sampled.samplesPerSecond = steps > 0.0 ? steps / lasts : about;
+  for (double i = 0.0; i <= std::min(steps, most); i += 1.0) {
+    sampled.seconds.push_back(clip.startSeconds + i / sampled.samplesPerSecond);
   }
-  return seconds;
 }
 
 void collectSubtree(const Scene& scene, NodeIndex node, std::vector<NodeIndex>& nodes) {
@@ -103,8 +95,7 @@ std::vector<int> bonesOfNodes(const Scene& scene, const rig::Limb& limb,
 SampledClip sampleClip(const WeightInput& input, const rig::MotionState& motion) {
   const Clip& clip = *input.clip;
   SampledClip sampled;
-  sampled.samplesPerSecond = clip.framesPerSecond * samplesPerFrame(clip.framesPerSecond);
-  sampled.seconds = evenSeconds(clip, sampled.samplesPerSecond);
+  setTimes(clip, sampled);
   std::vector<std::vector<NodeIndex>> endNodes;
   for (const rig::Limb& limb : input.limbs) {
     if (isSampled(input, limb)) {

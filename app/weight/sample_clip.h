@@ -29,9 +29,9 @@ struct WeightInput {
 /// The limbs of a clip with its trails, sampled for the elastic model: where each joint is, metres of a
 /// character of characterHeightMetres, and how its space lies.
 struct SampledClip {
-  double samplesPerSecond = 30.0;
-  std::vector<double> seconds; ///< Times of the samples, even; 48 to 96 of them per second; every frame is
-                               ///< one of them unless there are more frames than that.
+  double samplesPerSecond = 120.0;
+  std::vector<double> seconds; ///< Times of the samples, even, about 120 per second, from the clip's first
+                               ///< key to its last (of a clip of more than half an hour the first part).
   struct OfLimb {
     rig::Limb limb;
     std::vector<std::vector<Vec3>> joints;  ///< For each sample: base first, end last.

@@ -110,19 +110,18 @@ skinning::LimbMotion limbMotion(const SampledClip& sampled, const SampledClip::O
 }
 
 void setRange(const Clip& clip, const WeightedLimb& entry, rig::LimbWeight& weight) {
-  const double first = std::min(0.0, clip.startSeconds);
-  weight.startSeconds = first;
+  weight.startSeconds = 0.0;
   weight.endSeconds = clip.endSeconds;
   if (!entry.settings.rangeFrames) {
     return;
   }
   weight.startSeconds =
-      std::clamp(entry.settings.rangeFrames->x / clip.framesPerSecond, first, clip.endSeconds);
+      std::clamp(entry.settings.rangeFrames->x / clip.framesPerSecond, 0.0, clip.endSeconds);
   weight.endSeconds =
       std::clamp(entry.settings.rangeFrames->y / clip.framesPerSecond, weight.startSeconds, clip.endSeconds);
   constexpr double longestFade = 0.2;
   const double fade = std::min(longestFade, (weight.endSeconds - weight.startSeconds) / 3.0);
-  weight.fadeInSeconds = weight.startSeconds > std::max(first, clip.startSeconds) ? fade : 0.0;
+  weight.fadeInSeconds = weight.startSeconds > clip.startSeconds ? fade : 0.0;
   weight.fadeOutSeconds = weight.endSeconds < clip.endSeconds ? fade : 0.0;
 }
 

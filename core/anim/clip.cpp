@@ -64,6 +64,17 @@ double shareOfTracksOnFrames(const std::vector<CopyOnWrite<Track>>& tracks, doub
 
 } // namespace
 
+void setEndsFromKeys(Clip& clip) {
+  clip.startSeconds = clip.endSeconds = 0.0;
+  bool isFirst = true;
+  for (const CopyOnWrite<Track>& track : clip.tracks) {
+    const double start = std::max(0.0, static_cast<double>(track->times.front()));
+    clip.startSeconds = isFirst ? start : std::min(clip.startSeconds, start);
+    clip.endSeconds = std::max(clip.endSeconds, static_cast<double>(track->times.back()));
+    isFirst = false;
+  }
+}
+
 int findTrack(const Clip& clip, NodeIndex node, Channel channel) {
   for (std::size_t i = 0; i < clip.tracks.size(); ++i) {
     if (clip.tracks[i]->node == node && clip.tracks[i]->channel == channel) {

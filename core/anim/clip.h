@@ -33,8 +33,8 @@ struct Clip {
   std::string name;     ///< May be empty or repeated: the index in the file is the identity.
   int sourceIndex = -1; ///< Index into the file's animations.
   std::vector<CopyOnWrite<Track>> tracks;
-  double startSeconds = 0.0;     ///< Earliest key of any track; 0 without keys.
-  double endSeconds = 0.0;       ///< Latest key of any track; 0 without keys.
+  double startSeconds = 0.0; ///< Earliest key of any track, at least 0; 0 without keys. See setEndsFromKeys.
+  double endSeconds = 0.0;   ///< Latest key of any track, at least 0; 0 without keys.
   double framesPerSecond = 30.0; ///< Guessed from the key times; a real number.
 
   friend bool operator==(const Clip&, const Clip&) = default;
@@ -42,6 +42,10 @@ struct Clip {
 
 /// Index of the track that animates (node, channel), or -1.
 [[nodiscard]] int findTrack(const Clip& clip, NodeIndex node, Channel channel);
+
+/// Sets start and end to the earliest and the latest key of any track. A clip plays from 0: keys before it
+/// (files that break the specification have some) shape the motion, but are no time of the clip.
+void setEndsFromKeys(Clip& clip);
 
 /// The rate at which most keys fall on whole frames (within 2 % of a frame), from the usual rates first (24,
 /// 25, 30, 50, 60, 120, 12, 15, 8, 6...), then from the median spacing of the keys. Half a rate of 40 or more

@@ -21,6 +21,14 @@ struct Error {
   }
 };
 
+/// The error with the file named before the place in it, unless it is named already.
+[[nodiscard]] inline Error inFile(const std::string& file, Error error) {
+  if (!error.where.starts_with(file)) {
+    error.where = error.where.empty() ? file : file + ": " + error.where;
+  }
+  return error;
+}
+
 /// A value, or the reason why there is none. Reading the side that is not there is a broken invariant.
 template <typename T>
 class [[nodiscard]] Result {

@@ -12,8 +12,7 @@ namespace stretch::rig {
 namespace {
 
 Window windowOf(const MotionState& motion, double start, double end) {
-  const double first = std::min(0.0, motion.startSeconds);
-  Window window{asKeyTime(std::max(start, first)), asKeyTime(std::min(end, motion.endSeconds)), false, false};
+  Window window{asKeyTime(std::max(start, 0.0)), asKeyTime(std::min(end, motion.endSeconds)), false, false};
   window.endSeconds = std::max(window.endSeconds, window.startSeconds);
   return window;
 }
@@ -49,7 +48,7 @@ void addWrapped(const MotionState& motion, const SolvedTrail& trail, std::vector
   if (motion.loops && trail.windowEndSeconds > motion.endSeconds) {
     windows.push_back(windowOf(motion, motion.startSeconds, trail.windowEndSeconds - turn));
   }
-  if (motion.loops && trail.windowStartSeconds < std::min(0.0, motion.startSeconds)) {
+  if (motion.loops && trail.windowStartSeconds < 0.0) {
     windows.push_back(windowOf(motion, trail.windowStartSeconds + turn, motion.endSeconds));
   }
 }
@@ -60,7 +59,7 @@ std::vector<Window> windowsOf(const MotionState& motion, std::size_t place) {
   const bool noRelease = !(trail.release.seconds() > 0.0);
   const bool forwards = trail.settings.pivot == Pivot::start;
   own.jumpsAfter = noRelease && forwards && own.endSeconds < motion.endSeconds - sameKey;
-  own.jumpsBefore = noRelease && !forwards && own.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  own.jumpsBefore = noRelease && !forwards && own.startSeconds > sameKey;
   keepBordersInside(trail.windowStartSeconds, trail.windowEndSeconds, own);
   std::vector<Window> windows{own};
   addWrapped(motion, trail, windows);
@@ -89,8 +88,7 @@ KeyedPart trailPart(const MotionState& motion, std::size_t place) {
 
 Window windowOf(const MotionState& motion, const LimbWeight& weight) {
   Window window = windowOf(motion, weight.startSeconds, weight.endSeconds);
-  window.jumpsBefore =
-      weight.fadeInSeconds <= 0.0 && window.startSeconds > std::min(0.0, motion.startSeconds) + sameKey;
+  window.jumpsBefore = weight.fadeInSeconds <= 0.0 && window.startSeconds > sameKey;
   window.jumpsAfter = weight.fadeOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
   keepBordersInside(weight.startSeconds, weight.endSeconds, window);
   return window;
@@ -158,15 +156,14 @@ void addBorderJumps(const Window& window, KeyedPart& part) {
 
 KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted) {
   KeyedPart part{adjusted.nodes, adjusted.boneLength, {}, {}};
-  const double first = std::min(0.0, motion.startSeconds);
   for (const auto& [id, curves] : motion.adjustments.curves) {
     const bool concerns = std::find(adjusted.ids.begin(), adjusted.ids.end(), id) != adjusted.ids.end();
     for (const OffsetCurve& curve : concerns ? curves : std::vector<OffsetCurve>{}) {
-      if (curve.startSeconds() > motion.endSeconds || curve.endSeconds() < first) {
+      if (curve.startSeconds() > motion.endSeconds || curve.endSeconds() < 0.0) {
         continue;
       }
       Window window = windowOf(motion, curve.startSeconds(), curve.endSeconds());
-      window.jumpsBefore = curve.jumpsAtStart() && window.startSeconds > first + sameKey;
+      window.jumpsBefore = curve.jumpsAtStart() && window.startSeconds > sameKey;
       window.jumpsAfter = curve.jumpsAtEnd() && window.endSeconds < motion.endSeconds - sameKey;
       keepBordersInside(curve.startSeconds(), curve.endSeconds(), window);
       addKeys(curve, part);
@@ -180,18 +177,17 @@ KeyedPart adjustmentPart(const MotionState& motion, const AdjustedPart& adjusted
 
 // Where a hold acts: it comes and goes by itself, or jumps where it has no blend.
 void addHoldAt(const MotionState& motion, const HoldSpan& span, double shift, KeyedPart& part) {
-  const double first = std::min(0.0, motion.startSeconds);
   const double start = span.startSeconds + shift;
   const double end = span.endSeconds + shift;
-  if (start - span.blendInSeconds > motion.endSeconds || end + span.blendOutSeconds < first) {
+  if (start - span.blendInSeconds > motion.endSeconds || end + span.blendOutSeconds < 0.0) {
     return;
   }
   Window window = windowOf(motion, start - span.blendInSeconds, end + span.blendOutSeconds);
-  window.jumpsBefore = span.blendInSeconds <= 0.0 && window.startSeconds > first + sameKey;
+  window.jumpsBefore = span.blendInSeconds <= 0.0 && window.startSeconds > sameKey;
   window.jumpsAfter = span.blendOutSeconds <= 0.0 && window.endSeconds < motion.endSeconds - sameKey;
   keepBordersInside(start, end, window);
   for (const double border : {start, end}) {
-    if (border > first && border < motion.endSeconds) {
+    if (border > 0.0 && border < motion.endSeconds) {
       part.keySeconds.push_back(asKeyTime(border));
     }
   }

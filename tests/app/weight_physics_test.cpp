@@ -100,6 +100,22 @@ TEST_CASE("at whatever frame rate a clip is read, its limbs give way as much") {
   }
 }
 
+TEST_CASE("At every time a limb gives way the same, whatever rate its clip is counted in") {
+  const auto motionAt = [](double framesPerSecond) {
+    Document document = whirling(3, 0.0);
+    setFramesPerSecond(document, framesPerSecond);
+    return heavy(document);
+  };
+  const Document slow = motionAt(24.0);
+  for (const double framesPerSecond : {7.3, 25.0, 60.0, 144.0}) {
+    CAPTURE(framesPerSecond);
+    const Document fast = motionAt(framesPerSecond);
+    for (double seconds = 0.0; seconds < 1.5; seconds += 0.037) {
+      CHECK(armLengths(fast, seconds) == Approx(armLengths(slow, seconds)).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("damping and inertia of a limb's weight reach its motion") {
   WeightSettings loose;
   loose.damping = 0.1;

@@ -164,3 +164,25 @@ TEST_CASE("Keys between the frames of some tracks do not double the frame rate")
     CHECK(guessFramesPerSecond({between, still, still, still}) == Approx(2.0 * rate));
   }
 }
+
+TEST_CASE("A clip lasts from its earliest key to its latest, and never begins before 0") {
+  Clip clip;
+  setEndsFromKeys(clip);
+  CHECK(clip.startSeconds == 0.0);
+  CHECK(clip.endSeconds == 0.0);
+  Track late = moves(Interpolation::linear);
+  late.times = {2, 3, 5};
+  clip.tracks = {moves(Interpolation::linear), late};
+  setEndsFromKeys(clip);
+  CHECK(clip.startSeconds == 1.0);
+  CHECK(clip.endSeconds == 5.0);
+  late.times = {-1e30F, 3, 5};
+  clip.tracks.emplace_back(late);
+  setEndsFromKeys(clip);
+  CHECK(clip.startSeconds == 0.0);
+  late.times = {-3, -2, -1};
+  clip.tracks = {late};
+  setEndsFromKeys(clip);
+  CHECK(clip.startSeconds == 0.0);
+  CHECK(clip.endSeconds == 0.0);
+}

@@ -138,15 +138,10 @@ std::string freeClipName(const std::vector<Clip>& clips, const std::string& want
 // As the file's import answers it.
 void settleClip(std::size_t index, Clip& clip) {
   clip.sourceIndex = static_cast<int>(index);
-  bool isFirst = true;
   for (std::size_t i = 0; i < clip.tracks.size(); ++i) {
     clip.tracks[i].edit([&](Track& track) { track.sourceChannel = static_cast<int>(i); });
-    const auto start = static_cast<double>(clip.tracks[i]->times.front());
-    const auto end = static_cast<double>(clip.tracks[i]->times.back());
-    clip.startSeconds = isFirst ? start : std::min(clip.startSeconds, start);
-    clip.endSeconds = isFirst ? end : std::max(clip.endSeconds, end);
-    isFirst = false;
   }
+  setEndsFromKeys(clip);
 }
 
 // "Walk, Run and 7 more".

@@ -11,17 +11,6 @@ namespace {
 
 using Clips = std::vector<Clip>;
 
-void endWithKeys(Clip& clip) {
-  bool first = true;
-  for (const CopyOnWrite<Track>& track : clip.tracks) {
-    const auto start = static_cast<double>(track->times.front());
-    const auto end = static_cast<double>(track->times.back());
-    clip.startSeconds = first ? start : std::min(clip.startSeconds, start);
-    clip.endSeconds = first ? end : std::max(clip.endSeconds, end);
-    first = false;
-  }
-}
-
 // What is the source's again is shared with it.
 void shareWithSource(const Clip& source, Clip& clip) {
   for (std::size_t i = 0; i < std::min(source.tracks.size(), clip.tracks.size()); ++i) {
@@ -74,7 +63,7 @@ Document setTracks(const Document& document, int clip, const std::vector<Track>&
   Clip& edited = clips[at(clip)];
   edited = rig::withTracks(edited, tracks);
   shareWithSource(sourceClipOf(document, clip), edited);
-  endWithKeys(edited);
+  setEndsFromKeys(edited);
   return withClips(document, std::move(clips));
 }
 
@@ -92,7 +81,7 @@ Document restoreTracks(const Document& document, int clip, const TrackChoice& wh
     }
   }
   restored.tracks = std::move(tracks);
-  endWithKeys(restored);
+  setEndsFromKeys(restored);
   Document changed = withClips(document, std::move(clips));
   std::erase_if(changed.followingKeys, [&](const FollowingKeys& following) {
     return following.clip == clip && which(following.node, following.channel);

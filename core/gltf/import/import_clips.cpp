@@ -49,8 +49,8 @@ public:
         clip.tracks.emplace_back(*std::move(track));
       }
     }
-    measure(clip);
-    clip.framesPerSecond = notedRate().value_or(clip.framesPerSecond);
+    setEndsFromKeys(clip);
+    clip.framesPerSecond = notedRate().value_or(guessFramesPerSecond(clip.tracks));
     return clip;
   }
 
@@ -60,18 +60,6 @@ private:
     const Json* noted = findPath(json_, {"extras", "stretch_engine", "frames_per_second"});
     const double rate = noted != nullptr && noted->is_number() ? noted->get<double>() : 0.0;
     return rate >= 1.0 && rate <= 1000.0 ? std::optional(rate) : std::nullopt;
-  }
-
-  static void measure(Clip& clip) {
-    if (!clip.tracks.empty()) {
-      clip.startSeconds = std::numeric_limits<double>::max();
-      clip.endSeconds = std::numeric_limits<double>::lowest();
-    }
-    for (const CopyOnWrite<Track>& track : clip.tracks) {
-      clip.startSeconds = std::min(clip.startSeconds, static_cast<double>(track->times.front()));
-      clip.endSeconds = std::max(clip.endSeconds, static_cast<double>(track->times.back()));
-    }
-    clip.framesPerSecond = guessFramesPerSecond(clip.tracks);
   }
 
   [[nodiscard]] std::string channelPlace(std::size_t index) const { return at(where_ + ".channels", index); }

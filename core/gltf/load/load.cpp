@@ -112,11 +112,7 @@ Result<std::shared_ptr<const Scene>> sceneWith(const Source& source, const std::
 
 Result<Loaded> loadAsItStands(const std::filesystem::path& path) {
   Result<Loaded> loaded = loadFile(path, false, Tolerance::warn);
-  if (loaded || loaded.error().where.starts_with(path.string())) {
-    return loaded;
-  }
-  const Error& error = loaded.error();
-  return Error{error.what, path.string() + (error.where.empty() ? "" : ": " + error.where), error.remedy};
+  return loaded ? std::move(loaded) : inFile(path.string(), loaded.error());
 }
 
 } // namespace stretch::gltf

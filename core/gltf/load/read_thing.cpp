@@ -276,11 +276,6 @@ private:
   std::vector<std::string> warnings_;
 };
 
-Error inFile(const std::filesystem::path& path, const Error& error) {
-  const bool isNamed = error.where.empty() || error.where == path.string();
-  return {isNamed ? error.what : error.where + ": " + error.what, path.string(), error.remedy};
-}
-
 bool isShownMesh(const Source& thing) {
   return sizeOf(thing.json, "meshes") > 0;
 }
@@ -299,7 +294,7 @@ bool hasSkinnedNode(const Json& json) {
 Result<Thing> readThing(const std::filesystem::path& path) {
   const Result<Loaded> loaded = load(path);
   if (!loaded) {
-    return inFile(path, loaded.error());
+    return inFile(path.string(), loaded.error());
   }
   if (hasSkinnedNode(loaded->source->json)) {
     return Error{"holds a skinned mesh, which its joints move and not a hand", path.string(),

@@ -164,3 +164,39 @@ TEST_CASE(
     CHECK_THAT(runVerb(json).output, Catch::Contains("no right-arm found"));
   }
 }
+
+TEST_CASE("A key long before 0 costs no more than one at 0: what is keyed anew begins with the clip") {
+  MovingBiped moving = punchingBiped();
+  for (CopyOnWrite<Track>& track : moving.clip.tracks) {
+    track.edit([](Track& keys) { keys.times.front() = -1e9F; });
+  }
+  const TemporaryFolder folder;
+  characterFile(moving.scene, {moving.clip}).write(folder / "early.glb");
+  const std::string output = (folder / "out.glb").string();
+  REQUIRE(
+      runVerb({"elastic", "--tolerant", (folder / "early.glb").string(), "-o", output, "--clean"}).exitCode ==
+      0);
+  const Result<Document> written = openDocument(output, gltf::Tolerance::warn);
+  REQUIRE(written);
+  for (const CopyOnWrite<Track>& track : clipOf(*written, 0).tracks) {
+    CHECK(std::ranges::count_if(track->times, [](float seconds) { return seconds < 0.0F; }) <= 1);
+  }
+}
+
+TEST_CASE("A file that is refused is named once, whichever verb refuses it") {
+  const TemporaryFolder folder;
+  const std::string missing = (folder / "none.glb").string();
+  for (const std::string verb : {"info", "check", "compress", "compare"}) {
+    std::vector<std::string> words{verb, missing};
+    if (verb == "compress") {
+      words.insert(words.end(), {"-o", (folder / "out.glb").string()});
+    } else if (verb == "compare") {
+      words.push_back(missing);
+    }
+    const VerbAnswer answer = runVerb(words);
+    INFO(answer.told);
+    CHECK(answer.exitCode == 1);
+    CHECK(answer.told.find(missing) != std::string::npos);
+    CHECK(answer.told.find(missing) == answer.told.rfind(missing));
+  }
+}

@@ -61,10 +61,10 @@ private:
 };
 
 /// Asks again and again, as a window does once per frame, until `take` answers something or `goesOn` does
-/// not. Ten minutes are enough for a build that looks for races, on a machine that has other work.
+/// not. An hour is enough for a build that looks for races, on a machine that has other work.
 template <typename Take, typename GoesOn>
 auto waitFor(const Take& take, const GoesOn& goesOn) -> decltype(take()) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::hours(1);
   while (goesOn() && std::chrono::steady_clock::now() < end) {
     if (auto taken = take()) {
       return taken;
