@@ -16,6 +16,7 @@
 #include "app/evaluate/hand_place.h"
 #include "app/evaluate/hold_report.h"
 #include "app/evaluate/planted_feet.h"
+#include "app/evaluate/pops.h"
 #include "app/recipe/offset_table.h"
 #include "app/recipe/recipe.h"
 #include "app/schema/schema_json.h"
@@ -68,10 +69,15 @@ std::optional<Json> placesAt(const Document& document, const rig::MotionState& m
               {"missed_by", glm::length(reached - own->place)}};
 }
 
-// How the ends were held; what the document's own trails make of the body is in it.
-void addHoldReports(const Document& document, int clip, Json& report) {
+// How the ends were held, and which elbows and knees pop; what the document's own trails make of the body is
+// in it.
+void addMotionReports(const Document& document, int clip, Json& report) {
+  const rig::MotionState motion = prepareMotion(document, clip);
+  for (const LimbPop& pop : limbPops(document, motion)) {
+    report["warnings"].push_back(popWarning(pop));
+  }
   report["holds"] = Json::array();
-  for (const HoldReport& hold : holdReports(document, prepareMotion(document, clip))) {
+  for (const HoldReport& hold : holdReports(document, motion)) {
     Json entry{{"hold", holdWord(hold.kind)},
                {"limb", hold.limb},
                {"reached", hold.framesFallShort.empty()},
@@ -115,7 +121,7 @@ Json poseJson(const Document& document, const Recipe& recipe) {
     }
     report["controllers"].push_back({{"controller", adjustment.controller}, {"keys", std::move(keys)}});
   }
-  addHoldReports(document, recipe.clip, report);
+  addMotionReports(document, recipe.clip, report);
   report["added_files"] = addedFilesToJson(document);
   return report;
 }

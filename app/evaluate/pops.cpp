@@ -1,0 +1,116 @@
+#include "app/evaluate/pops.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "core/base/index.h"
+#include "rig/limb.h"
+#include "rig/motion/evaluate.h"
+
+namespace stretch::app {
+
+namespace {
+
+// Three frames in a row of what a limb is made of.
+using ThreeFrames = std::array<std::vector<Vec3>, 3>;
+
+double secondDifference(const ThreeFrames& points, std::size_t joint) {
+  return glm::length(points[0][joint] - 2.0 * points[1][joint] + points[2][joint]);
+}
+
+// How hard a limb is moved at one frame, world units for each frame and frame.
+struct Jolt {
+  double joint = 0.0; // the hardest of the joints between base and end
+  double ends = 0.0;  // the harder of base and end
+};
+
+Jolt joltOf(const ThreeFrames& points) {
+  const std::size_t last = points[0].size() - 1;
+  Jolt jolt{0.0, std::max(secondDifference(points, 0), secondDifference(points, last))};
+  for (std::size_t joint = 1; joint < last; ++joint) {
+    jolt.joint = std::max(jolt.joint, secondDifference(points, joint));
+  }
+  return jolt;
+}
+
+// One limb over the clip, frame by frame; jolts[k] is that of frame k + 1.
+class Jolts {
+public:
+  void add(std::vector<Vec3> points) {
+    std::rotate(last_.begin(), last_.begin() + 1, last_.end());
+    last_.back() = std::move(points);
+    if (!last_.front().empty()) {
+      jolts_.push_back(joltOf(last_));
+    }
+  }
+  // The hardest around a place: what comes a frame earlier or later belongs to the same movement.
+  [[nodiscard]] double around(std::size_t place, double Jolt::*of) const {
+    double most = 0.0;
+    for (std::size_t i = place > 0 ? place - 1 : 0; i < std::min(place + 2, jolts_.size()); ++i) {
+      most = std::max(most, jolts_[i].*of);
+    }
+    return most;
+  }
+  [[nodiscard]] const std::vector<Jolt>& all() const { return jolts_; }
+
+private:
+  ThreeFrames last_;
+  std::vector<Jolt> jolts_;
+};
+
+std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, const Jolts& moved) {
+  constexpr double told = 4.0;         // times the ends
+  constexpr double ofSource = 2.0;     // times what the joint does in the source
+  constexpr double smallest = 0.01;    // of the limb: less is not seen
+  constexpr double smallestEnd = 1e-3; // of the limb: ends that rest are not divided by
+  std::optional<LimbPop> worst;
+  for (std::size_t k = 0; k < moved.all().size(); ++k) {
+    const double joint = moved.all()[k].joint;
+    const double ends = std::max(moved.around(k, &Jolt::ends), smallestEnd * limb.restLength);
+    const bool isOurs = joint > ofSource * source.around(k, &Jolt::joint);
+    if (isOurs && joint > smallest * limb.restLength && joint > told * ends &&
+        joint / ends > (worst ? worst->times : 0.0)) {
+      worst = LimbPop{limb.id, static_cast<double>(k + 1), joint / ends};
+    }
+  }
+  return worst;
+}
+
+} // namespace
+
+std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion) {
+  constexpr std::int64_t mostFrames = 20000;
+  std::vector<rig::Limb> limbs;
+  std::ranges::copy_if(document.body.limbs, std::back_inserter(limbs), rig::hasElbowOrKnee);
+  std::vector<Jolts> source(limbs.size());
+  std::vector<Jolts> moved(limbs.size());
+  const Clip& clip = clipOf(document, motion.clip);
+  for (std::int64_t frame = 0; frame < std::min(frameCount(clip), mostFrames); ++frame) {
+    const double seconds = static_cast<double>(frame) / clip.framesPerSecond;
+    const FrameState before = rig::sampledFrame(*document.scene, clip, seconds);
+    const FrameState after = rig::evaluateMotion(*document.scene, clip, motion, seconds);
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+      source[i].add(rig::limbPoints(limbs[i], before));
+      moved[i].add(rig::limbPoints(limbs[i], after));
+    }
+  }
+  std::vector<LimbPop> pops;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    if (const std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i])) {
+      pops.push_back(*pop);
+    }
+  }
+  return pops;
+}
+
+std::string popWarning(const LimbPop& pop) {
+  return fmt::format(
+      "{} pops at frame {:g} as it straightens: its middle joint moves {:.0f} times as abruptly as its ends; "
+      "give it some softness, such as 0.1, or let it reach less far",
+      pop.limb, pop.frame, pop.times);
+}
+
+} // namespace stretch::app

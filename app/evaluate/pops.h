@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/document.h"
+#include "rig/motion/motion.h"
+
+namespace stretch::app {
+
+/// An elbow or a knee that pops: a limb that straightens moves its middle joint as the root of what is left
+/// to straighten, far quicker than its ends (spec: controllers, section 4).
+struct LimbPop {
+  std::string limb;
+  double frame = 0.0; ///< Whole frame at which it is worst.
+  double times = 0.0; ///< Second difference of the joint over frames, in those of the limb's base and end
+                      ///< around it.
+};
+
+/// The worst pop of each limb with an elbow or a knee that is above 4 times, where offsets and holds make it:
+/// the source's own jolts are not counted, nor what is too small to see. `motion`: of the clip.
+[[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion);
+
+/// One line with the way out: "the knee of left-leg pops at frame 12 (9 times as quick as ...); raise its
+/// softness".
+[[nodiscard]] std::string popWarning(const LimbPop& pop);
+
+} // namespace stretch::app

@@ -1,0 +1,92 @@
+#include "app/evaluate/pops.h"
+
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+#include "app/edits/pose/adjustment_edits.h"
+#include "app/evaluate/evaluate.h"
+#include "tests/support/rig/moving_biped.h"
+#include "tests/support/rig/naming_schemes.h"
+
+using namespace stretch;
+using namespace stretch::app;
+
+namespace {
+
+constexpr double legLength = 0.9;
+
+// A biped that stands for two seconds on straight legs.
+Document standing() {
+  test::SyntheticBiped body = test::makeNamedBody("Mixamo");
+  for (const std::string side : {".l", ".r"}) {
+    const Vec3 hip = test::jointOf(body, "thigh" + side).position;
+    test::jointOf(body, "shin" + side).position = hip - Vec3(0.0, 0.5 * legLength, 0.0);
+    test::jointOf(body, "foot" + side).position = hip - Vec3(0.0, legLength, 0.0);
+  }
+  test::MovingBiped moving = test::still(body);
+  Document document;
+  document.scene = std::make_shared<const Scene>(moving.scene);
+  document.body = moving.body;
+  Clip clip = moving.clip;
+  clip.framesPerSecond = 24.0;
+  clip.endSeconds = 2.0;
+  document.clips = std::make_shared<const std::vector<Clip>>(std::vector<Clip>{clip});
+  return document;
+}
+
+rig::OffsetKey lowered(double frame, double share) {
+  rig::OffsetKey key;
+  key.frame = frame;
+  key.move = Vec3(0.0, -share * legLength, 0.0);
+  return key;
+}
+
+// The hips sink and come up to where they were within 12 frames.
+rig::Adjustment risingHips(double share) {
+  return {"hips", 0, std::nullopt, {lowered(0, 0.0), lowered(12, share), lowered(24, 0.0)}};
+}
+
+rig::Adjustment softened(const std::string& attribute, double value) {
+  rig::OffsetKey key;
+  key.value = value;
+  return {attribute, 0, std::nullopt, {key}};
+}
+
+std::vector<LimbPop> popsOf(const std::vector<rig::Adjustment>& adjustments) {
+  const Result<Document> posed = placeAdjustments(standing(), adjustments);
+  REQUIRE(posed);
+  return limbPops(*posed, prepareMotion(*posed, 0));
+}
+
+} // namespace
+
+TEST_CASE("Knees that come out of straight legs pop, each with its frame and a way out") {
+  const std::vector<LimbPop> pops = popsOf({risingHips(0.12)});
+  REQUIRE(pops.size() == 2);
+  CHECK(pops[0].limb == "left-leg");
+  CHECK(pops[1].limb == "right-leg");
+  for (const LimbPop& pop : pops) {
+    CHECK(pop.times > 4.0);
+    CHECK((pop.frame <= 2.0 || (pop.frame >= 22.0 && pop.frame <= 26.0)));
+    CHECK(popWarning(pop).starts_with(pop.limb + " pops at frame "));
+    CHECK(popWarning(pop).find("softness") != std::string::npos);
+  }
+}
+
+TEST_CASE("Softness takes the pop of its own leg away, and that of the other one stays") {
+  const std::vector<LimbPop> hard = popsOf({risingHips(0.12)});
+  const std::vector<LimbPop> soft = popsOf({risingHips(0.12), softened("left-leg.softness", 0.3)});
+  REQUIRE(hard.size() == 2);
+  REQUIRE(!soft.empty());
+  CHECK(soft.back().limb == "right-leg");
+  CHECK(soft.back().times == Approx(hard.back().times));
+  for (const LimbPop& pop : soft) {
+    CHECK((pop.limb == "right-leg" || pop.times < 0.6 * hard.front().times));
+  }
+}
+
+TEST_CASE("A knee that bends by less than one sees, and one that nothing moves, are no pop") {
+  CHECK(popsOf({}).empty());
+  CHECK(popsOf({risingHips(0.0002)}).empty());
+}
