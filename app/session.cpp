@@ -136,6 +136,15 @@ const std::vector<WeightReport>& Session::weightReports() {
   return cache_.weightReports(document(), view_.clip);
 }
 
+const std::vector<LimbPop>& Session::pops() {
+  constexpr std::int64_t block = 120; // frames: a playhead that moves within one asks for nothing new
+  const std::int64_t first = static_cast<std::int64_t>(view_.frame) / block * block;
+  const PopsKey key{sharedMotion(), {first - block / 2, first + block + block / 2}};
+  return isDragging() && pops_.last() != nullptr
+             ? *pops_.last()
+             : pops_.of(key, [&](const auto*) { return limbPops(document(), *key.motion, key.frames); });
+}
+
 std::filesystem::path Session::proposedSavePath() const {
   if (!savePath_.empty()) {
     return savePath_;

@@ -11,6 +11,7 @@
 #include "app/edits/keys/key_edits.h"
 #include "app/edits/pose/offset_edits.h"
 #include "app/evaluate/cache.h"
+#include "app/evaluate/pops.h"
 #include "app/selection.h"
 #include "rig/motion/stroke.h"
 
@@ -86,6 +87,10 @@ public:
   /// Reports what the limbs of the viewed clip that have weight come to.
   [[nodiscard]] const std::vector<WeightReport>& weightReports();
 
+  /// Pops of elbows and knees (limbPops) for some two seconds around the playhead; during a drag those before
+  /// it.
+  [[nodiscard]] const std::vector<LimbPop>& pops();
+
   /// Returns where the next plain save goes: back to a file that carries our work; else empty until the user
   /// saved once, so that the source is never overwritten by the first save.
   [[nodiscard]] const std::filesystem::path& savePath() const { return savePath_; }
@@ -130,8 +135,15 @@ private:
     EvaluationCache cache;
   };
 
+  struct PopsKey {
+    std::shared_ptr<const rig::MotionState> motion;
+    FrameSpan frames;
+    friend bool operator==(const PopsKey&, const PopsKey&) = default;
+  };
+
   ViewState view_;
   EvaluationCache cache_;
+  LastAnswer<PopsKey, std::vector<LimbPop>> pops_;
   FrameState bindPose_; ///< Bind pose of this scene:
   std::shared_ptr<const Scene> bindPoseOf_;
   std::optional<Posed> posed_;

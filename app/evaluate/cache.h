@@ -36,6 +36,9 @@ public:
     return last_->value;
   }
 
+  /// The last answer, whatever it was made from; null: none.
+  [[nodiscard]] const Value* last() const { return last_ ? &last_->value : nullptr; }
+
 private:
   std::optional<Entry> last_;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -81,14 +83,15 @@ std::optional<LimbPop> worstPop(const rig::Limb& limb, const Jolts& source, cons
 
 } // namespace
 
-std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion) {
-  constexpr std::int64_t mostFrames = 20000;
+std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion,
+                              const FrameSpan& frames) {
   std::vector<rig::Limb> limbs;
   std::ranges::copy_if(document.body.limbs, std::back_inserter(limbs), rig::hasElbowOrKnee);
   std::vector<Jolts> source(limbs.size());
   std::vector<Jolts> moved(limbs.size());
   const Clip& clip = clipOf(document, motion.clip);
-  for (std::int64_t frame = 0; frame < std::min(frameCount(clip), mostFrames); ++frame) {
+  const std::int64_t first = std::max<std::int64_t>(frames.first, 0);
+  for (std::int64_t frame = first; frame <= std::min(frames.last, frameCount(clip) - 1); ++frame) {
     const double seconds = static_cast<double>(frame) / clip.framesPerSecond;
     const FrameState before = rig::sampledFrame(*document.scene, clip, seconds);
     const FrameState after = rig::evaluateMotion(*document.scene, clip, motion, seconds);
@@ -99,7 +102,8 @@ std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& 
   }
   std::vector<LimbPop> pops;
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    if (const std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i])) {
+    if (std::optional<LimbPop> pop = worstPop(limbs[i], source[i], moved[i])) {
+      pop->frame += static_cast<double>(first);
       pops.push_back(*pop);
     }
   }

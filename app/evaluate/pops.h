@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,9 +18,18 @@ struct LimbPop {
                       ///< around it.
 };
 
+/// Whole frames that are looked at; those beyond the clip are passed over.
+struct FrameSpan {
+  std::int64_t first = 0;
+  std::int64_t last = 20000;
+
+  friend bool operator==(const FrameSpan&, const FrameSpan&) = default;
+};
+
 /// The worst pop of each limb with an elbow or a knee that is above 4 times, where offsets and holds make it:
 /// the source's own jolts are not counted, nor what is too small to see. `motion`: of the clip.
-[[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion);
+[[nodiscard]] std::vector<LimbPop> limbPops(const Document& document, const rig::MotionState& motion,
+                                            const FrameSpan& frames = {});
 
 /// One line with the way out: "the knee of left-leg pops at frame 12 (9 times as quick as ...); raise its
 /// softness".

@@ -6,6 +6,7 @@
 
 #include "app/edits/pose/adjustment_edits.h"
 #include "app/evaluate/evaluate.h"
+#include "app/session.h"
 #include "tests/support/rig/moving_biped.h"
 #include "tests/support/rig/naming_schemes.h"
 
@@ -53,10 +54,15 @@ rig::Adjustment softened(const std::string& attribute, double value) {
   return {attribute, 0, std::nullopt, {key}};
 }
 
-std::vector<LimbPop> popsOf(const std::vector<rig::Adjustment>& adjustments) {
+Document posedBy(const std::vector<rig::Adjustment>& adjustments) {
   const Result<Document> posed = placeAdjustments(standing(), adjustments);
   REQUIRE(posed);
-  return limbPops(*posed, prepareMotion(*posed, 0));
+  return *posed;
+}
+
+std::vector<LimbPop> popsOf(const std::vector<rig::Adjustment>& adjustments, const FrameSpan& frames = {}) {
+  const Document posed = posedBy(adjustments);
+  return limbPops(posed, prepareMotion(posed, 0), frames);
 }
 
 } // namespace
@@ -89,4 +95,28 @@ TEST_CASE("Softness takes the pop of its own leg away, and that of the other one
 TEST_CASE("A knee that bends by less than one sees, and one that nothing moves, are no pop") {
   CHECK(popsOf({}).empty());
   CHECK(popsOf({risingHips(0.0002)}).empty());
+}
+
+TEST_CASE("Only the frames asked for are looked at, and a pop is told by its frame of the clip") {
+  CHECK(popsOf({risingHips(0.12)}, {5, 19}).empty());
+  const std::vector<LimbPop> late = popsOf({risingHips(0.12)}, {15, 40});
+  REQUIRE(late.size() == 2);
+  CHECK(late[0].frame >= 22.0);
+  CHECK(late[0].frame <= 26.0);
+}
+
+TEST_CASE("A session tells the pops around the playhead, and during a drag those from before it") {
+  Session session(standing());
+  CHECK(session.pops().empty());
+  session.edit(posedBy({risingHips(0.12)}), "Lower");
+  CHECK(session.pops().size() == 2);
+  session.view().frame = 400.0;
+  CHECK(session.pops().empty());
+  session.view().frame = 0.0;
+  REQUIRE(session.pops().size() == 2);
+  session.begin("Raise");
+  session.preview(standing());
+  CHECK(session.pops().size() == 2);
+  session.cancel();
+  CHECK(session.pops().size() == 2);
 }

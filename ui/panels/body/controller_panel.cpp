@@ -214,6 +214,13 @@ void attributeRow(PanelContext& context, const std::vector<rig::Attribute>& attr
   }
 }
 
+// Whatever is posed, an elbow or a knee may pop: the hips move them all.
+void popRows(PanelContext& context) {
+  for (const app::LimbPop& pop : context.character().pops()) {
+    notice(widgetsOf(context), NoticeKind::warning, capitalised(app::popWarning(pop)) + ".");
+  }
+}
+
 void attributeRows(PanelContext& context, const std::vector<rig::Controller>& controllers) {
   const std::vector<rig::Attribute> all = app::attributesOf(context.character(), controllers);
   if (all.empty() ||
@@ -383,6 +390,7 @@ void drawControllerSettings(PanelContext& context) {
   tweenRow(context);
   autoKeyRow(context);
   attributeRows(context, controllers);
+  popRows(context);
 }
 
 } // namespace stretch::ui
