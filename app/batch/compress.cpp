@@ -28,6 +28,7 @@ namespace {
 
 struct CompressArguments {
   std::vector<std::string> sequence;
+  std::string clip;
   OutputFile output;
   SettingTexts settings;
   SettingTexts encoding;
@@ -247,7 +248,7 @@ Status runCompress(const CompressArguments& arguments) {
   if (Status set = setFromTexts(clipSchema(), arguments.encoding, encoding); !set) {
     return set;
   }
-  Result<MeshSequence> sequence = readSequenceWords(arguments.sequence);
+  Result<MeshSequence> sequence = readSequenceWords(arguments.sequence, arguments.clip);
   if (!sequence) {
     return sequence.error();
   }
@@ -266,34 +267,35 @@ Status runCompress(const CompressArguments& arguments) {
 } // namespace
 
 Verb compressVerb() {
-  return {"compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
-            const auto arguments = std::make_shared<CompressArguments>();
-            line.examples({"worm/ -o worm.glb --bones 30 --quantise",
-                           "cloth.obj cloth.mdd -o cloth.glb --stretch measured --tolerance 0.2"});
-            line.options("SEQUENCE", arguments->sequence, std::string("A mesh sequence: ") + sequenceWords)
-                .required()
-                .takes(1, 2);
-            addOutputFile(line, arguments->output, "The .glb to write");
-            addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
-            addSettingOptions(line, clipSchema(), arguments->encoding, "Clip");
-            line.option("--skeleton", arguments->skeleton,
-                        "A .glb whose skin's bones are taken: names, parents, places");
-            line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
-            line.option("--curvature", arguments->table,
-                        "CSV to write: curvature and length of the centre line, frame by frame");
-            line.option(
-                "--stream", arguments->stream,
-                "A folder to write: base.glb, and frames.bin of frames that each say all by themselves");
-            line.flag("--open-stream", arguments->openStream,
-                      "The frames of --stream say everything of every bone, so that frames of other motion "
-                      "can be appended");
-            line.option("--append", arguments->append,
-                        "A folder that --stream has written: the frames are added to it, fitted to the bones "
-                        "of its base; refused where they are off by more than --tolerance (default: 1 %)");
-            addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
-            addJson(line, arguments->json);
-            return [arguments] { return runCompress(*arguments); };
-          }};
+  return {
+      "compress", "Turns a mesh sequence into a small skinned clip.", [](CommandLine& line) {
+        const auto arguments = std::make_shared<CompressArguments>();
+        line.examples({"worm/ -o worm.glb --bones 30 --quantise",
+                       "cloth.obj cloth.mdd -o cloth.glb --stretch measured --tolerance 0.2"});
+        line.options("SEQUENCE", arguments->sequence, std::string("A mesh sequence: ") + sequenceWords)
+            .required()
+            .takes(1, 2);
+        addOutputFile(line, arguments->output, "The .glb to write");
+        addSettingOptions(line, sequenceSchema(), arguments->settings, "Compression");
+        addSettingOptions(line, clipSchema(), arguments->encoding, "Clip");
+        line.option("--skeleton", arguments->skeleton,
+                    "A .glb whose skin's bones are taken: names, parents, places");
+        line.option("--moduli", arguments->moduli, "JSON of moduli by segment");
+        line.option("--curvature", arguments->table,
+                    "CSV to write: curvature and length of the centre line, frame by frame");
+        line.option("--stream", arguments->stream,
+                    "A folder to write: base.glb, and frames.bin of frames that each say all by themselves");
+        line.flag("--open-stream", arguments->openStream,
+                  "The frames of --stream say everything of every bone, so that frames of other motion "
+                  "can be appended");
+        line.option("--append", arguments->append,
+                    "A folder that --stream has written: the frames are added to it, fitted to the bones "
+                    "of its base; refused where they are off by more than --tolerance (default: 1 %)");
+        line.option("--clip", arguments->clip, "Name or #index of the clip of a glTF; default: the first");
+        addFrameRate(line, arguments->framesPerSecond, "Frames per second of the clip");
+        addJson(line, arguments->json);
+        return [arguments] { return runCompress(*arguments); };
+      }};
 }
 
 } // namespace stretch::app

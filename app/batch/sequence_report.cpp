@@ -254,8 +254,8 @@ std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStr
   return table;
 }
 
-Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words) {
-  return skinning::readSequence(std::vector<std::filesystem::path>(words.begin(), words.end()));
+Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words, const std::string& clip) {
+  return skinning::readSequence(std::vector<std::filesystem::path>(words.begin(), words.end()), {}, clip);
 }
 
 } // namespace stretch::app

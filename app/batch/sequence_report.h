@@ -32,7 +32,9 @@ void printCompression(const gltf::Json& report);
 /// model gives for the curvature.
 [[nodiscard]] std::string curvatureTable(const MeshSequence& sequence, const skinning::BodyStretch& model);
 
-/// A mesh sequence by the words of a command line: one path, or a base mesh and its cache.
-[[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words);
+/// A mesh sequence by the words of a command line: one path, or a base mesh and its cache. `clip`: of a glTF,
+/// by name or #index; empty: the first.
+[[nodiscard]] Result<MeshSequence> readSequenceWords(const std::vector<std::string>& words,
+                                                     const std::string& clip = {});
 
 } // namespace stretch::app

@@ -25,6 +25,23 @@ const Clip* findClip(const std::vector<Clip>& clips, const std::string& name) {
   return found == clips.end() ? nullptr : &*found;
 }
 
+// "'walk', 'run', #2 and 4 more"; a clip without a name by its place.
+std::string listOf(const std::vector<Clip>& clips) {
+  constexpr std::size_t most = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(clips.size(), most); ++i) {
+    list +=
+        (i == 0 ? "" : ", ") + (clips[i].name.empty() ? fmt::format("#{}", i) : "'" + clips[i].name + "'");
+  }
+  return clips.size() > most ? fmt::format("{} and {} more", list, clips.size() - most) : list;
+}
+
+Error noClip(const std::vector<Clip>& clips, const std::string& name, const std::filesystem::path& path) {
+  return clips.empty() ? Error{"the file holds no clip", path.string(), "give an animated file"}
+                       : Error{fmt::format("there is no clip '{}'", name), path.string(),
+                               "clips of this file: " + listOf(clips)};
+}
+
 constexpr std::size_t nameOfFrame = 4; // A frame's name takes as much as so many positions.
 
 // A clip of two keys can last for years: what it is played to is bounded by the size of its file.
@@ -56,8 +73,7 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   }
   const Clip* found = findClip(loaded->clips, clipName);
   if (found == nullptr) {
-    return Error{clipName.empty() ? "the file holds no clip" : fmt::format("there is no clip '{}'", clipName),
-                 path.string(), "give an animated file and one of its clips"};
+    return noClip(loaded->clips, clipName, path);
   }
   Clip atRate = *found;
   atRate.framesPerSecond = framesPerSecond > 0.0 ? framesPerSecond : found->framesPerSecond;
@@ -66,6 +82,10 @@ Result<MeshSequence> readAnimatedGltf(const std::filesystem::path& path, const s
   MeshSequence sequence;
   sequence.name = path.stem().string();
   sequence.clipName = clip->name;
+  if (clipName.empty() && loaded->clips.size() > 1) {
+    sequence.warnings.push_back(fmt::format("the first of {} clips was taken, {}", loaded->clips.size(),
+                                            listOf({loaded->clips.front()})));
+  }
   sequence.framesPerSecond = clip->framesPerSecond;
   const auto stateAt = [&](std::int64_t frame) {
     const double seconds = static_cast<double>(frame) / clip->framesPerSecond;

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "skinning/sequence/mesh_file.h"
 #include "skinning/sequence/topology.h"
 
@@ -42,7 +44,8 @@ Result<MeshSequence> readTwo(const std::filesystem::path& base, const std::files
   return sequence;
 }
 
-Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& progress) {
+Result<MeshSequence> readOne(const std::filesystem::path& path, const std::string& clip,
+                             const Progress& progress) {
   std::error_code problem;
   if (std::filesystem::is_directory(path, problem)) {
     const bool simulated = std::filesystem::exists(path / "membranes_buffer.txt", problem);
@@ -54,7 +57,7 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
   if (!isGltfFile(path)) {
     return aloneError(path);
   }
-  auto sequence = readAnimatedGltf(path, {}, progress);
+  auto sequence = readAnimatedGltf(path, clip, progress);
   if (sequence) {
     joinSplit(*sequence);
   }
@@ -63,13 +66,18 @@ Result<MeshSequence> readOne(const std::filesystem::path& path, const Progress& 
 
 } // namespace
 
-Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named, const Progress& progress) {
+Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named, const Progress& progress,
+                                  const std::string& clip) {
   const std::vector<std::filesystem::path> paths = sequencePaths(named);
   if (paths.empty() || paths.size() > 2) {
     return Error{"a sequence is one folder or file, or a base mesh and its cache", "",
                  "name one or two paths"};
   }
-  auto sequence = paths.size() == 1 ? readOne(paths[0], progress) : readTwo(paths[0], paths[1], progress);
+  if (!clip.empty() && (paths.size() != 1 || !isGltfFile(paths[0]))) {
+    return Error{"only a glTF has clips to choose from", fmt::format("clip '{}'", clip), "leave it out"};
+  }
+  auto sequence =
+      paths.size() == 1 ? readOne(paths[0], clip, progress) : readTwo(paths[0], paths[1], progress);
   if (!sequence) {
     return sequence;
   }

@@ -59,8 +59,8 @@ sequencePaths(const std::vector<std::filesystem::path>& named);
 
 /// Reads what the words of a command line name: a folder of frames, a Sibernetic folder, a base mesh with a
 /// cache, or a glTF with a morph-target clip; see sequencePaths. The warnings of the result tell what is odd
-/// about the topology.
+/// about the topology, and of several clips which one was taken. `clip`: of a glTF, see readAnimatedGltf.
 [[nodiscard]] Result<MeshSequence> readSequence(const std::vector<std::filesystem::path>& named,
-                                                const Progress& progress = {});
+                                                const Progress& progress = {}, const std::string& clip = {});
 
 } // namespace stretch::skinning

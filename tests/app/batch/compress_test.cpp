@@ -13,12 +13,15 @@
 #include "app/batch/sequence_report.h"
 #include "app/batch/verb.h"
 #include "core/gltf/json/json.h"
+#include "core/gltf/load/load_as_it_stands.h"
 #include "core/gltf/source/source.h"
 #include "skinning/metrics.h"
 #include "skinning/sequence/read_sequence.h"
 #include "tests/support/app/captured_errors.h"
 #include "tests/support/app/run_verb.h"
 #include "tests/support/core/two_sheets.h"
+#include "tests/support/rig/character_file.h"
+#include "tests/support/rig/moving_biped.h"
 
 namespace fs = std::filesystem;
 using namespace stretch;
@@ -333,4 +336,50 @@ TEST_CASE("compress --fps sets how long the clip lasts, not how many frames it h
   const Clip slow = clipAt({"--fps", "12"});
   CHECK(slow.endSeconds == Approx(6.0 / 12.0));
   CHECK(slow.tracks.front()->times.size() == clipAt({}).tracks.front()->times.size());
+}
+
+TEST_CASE("compress takes the clip that is asked for, tells when it took the first of several, and knows no "
+          "other") {
+  test::MovingBiped moving = test::punchingBiped();
+  Clip late = moving.clip;
+  moving.clip.name = "punch";
+  late.name = "half a punch";
+  for (CopyOnWrite<Track>& track : late.tracks) {
+    track.edit([](Track& keys) {
+      for (float& seconds : keys.times) {
+        seconds *= 0.5F;
+      }
+    });
+  }
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "two.glb").string();
+  test::characterFile(moving.scene, {moving.clip, late}).write(file);
+  const std::string output = (folder / "small.glb").string();
+  const auto compress = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"compress", file, "-o", output, "--bones", "4", "--fps", "24", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::runVerb(words);
+  };
+  const auto written = [&] { return gltf::loadAsItStands(output)->clips.front(); };
+  const test::VerbAnswer first = compress({});
+  REQUIRE(first.exitCode == 0);
+  CHECK(first.output.find("the first of 2 clips was taken, 'punch'") != std::string::npos);
+  const Clip whole = written();
+  CHECK(whole.name == "punch");
+  for (const std::string clip : {"half a punch", "#1"}) {
+    const test::VerbAnswer second = compress({"--clip", clip});
+    REQUIRE(second.exitCode == 0);
+    CHECK(second.output.find("clips was taken") == std::string::npos);
+    CHECK(written().name == "half a punch");
+    CHECK(written().endSeconds == Approx(0.5 * whole.endSeconds).margin(0.05));
+  }
+  const test::VerbAnswer none = compress({"--clip", "kick"});
+  CHECK(none.exitCode == 1);
+  CHECK(none.told.find("there is no clip 'kick'; clips of this file: 'punch', 'half a punch'") !=
+        std::string::npos);
+  const BendingTube tube(4);
+  const test::VerbAnswer plain =
+      test::runVerb({"compress", tube.frames(), "-o", tube.file("out.glb"), "--clip", "punch"});
+  CHECK(plain.exitCode == 1);
+  CHECK(plain.told.find("only a glTF has clips") != std::string::npos);
 }
