@@ -15,6 +15,7 @@
 #include "rig/ik/two_bone.h"
 #include "rig/retarget/body_poser.h"
 #include "rig/retarget/footing.h"
+#include "rig/retarget/joined_hands.h"
 #include "rig/retarget/joint_pairs.h"
 #include "rig/retarget/thin_keys.h"
 #include "rig/trail/release.h"
@@ -67,7 +68,8 @@ class Retargeting {
 public:
   Retargeting(const Skeleton& from, const Clip& clip, const Skeleton& to)
       : from_(from), clip_(clip), to_(to), pairs_(pairJoints(from, to)), poser_(to, pairs_.pairs),
-        times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)) {}
+        times_(timesOf(clip)), ratio_(legLength(to) / legLength(from)), sourceShoulders_(shoulderWidth(from)),
+        ownShoulders_(shoulderWidth(to)) {}
 
   Result<Retargeted> run(const std::function<bool(double)>& proceed) {
     const Error stopped{"stopped before the clip was brought over", clip_.name, "import it again"};
@@ -148,6 +150,9 @@ private:
     const Vec3 shift =
         scaled(midOf(from_, source), ankleHeight(from_), ankleHeight(to_)) - midOf(to_, own.worlds);
     shifts_.push_back(shift);
+    if (sourceShoulders_ && ownShoulders_) {
+      hands_.push_back(joinedHands(from_, source, *sourceShoulders_));
+    }
     for (const std::size_t side : {leftSide, rightSide}) {
       followLeg(side, source, own.worlds, shift);
     }
@@ -231,18 +236,52 @@ private:
     const BodyPose straight = poser_.pose(turns, shift, {});
     FootPlaces feet;
     for (const std::size_t side : {leftSide, rightSide}) {
-      feet[side] = bendLeg(side, straight.worlds, legs_[side].ankles[frame], turns);
+      const Vec3 front = to_.axes[2]; // Where knees go.
+      feet[side] = bend(to_.legs[side].limb, straight.worlds, legs_[side].ankles[frame], front, turns);
+    }
+    if (!hands_.empty()) {
+      joinHands(hands_[frame], straight.worlds, turns);
     }
     return poser_.pose(turns, shift, feet);
   }
 
-  // Turns the bones of a leg so that its end comes to the target; answers where it comes to.
-  Vec3 bendLeg(std::size_t side, const std::vector<Mat4>& worlds, const Vec3& target,
-               std::vector<Quat>& turns) const {
-    const Limb& limb = to_.legs[side].limb;
-    const std::vector<Vec3> points = bonesOf(side, worlds);
+  // Hands that work together in the source are as many shoulder widths apart here, about the middle between
+  // them or the nearest place that both arms reach.
+  void joinHands(const JoinedHands& hands, const std::vector<Mat4>& worlds, std::vector<Quat>& turns) const {
+    const Vec3 left = endPosition(to_.arms[leftSide]->limb, worlds);
+    const Vec3 right = endPosition(to_.arms[rightSide]->limb, worlds);
+    const Vec3 wanted = *ownShoulders_ * (pairs_.world * hands.leftToRight);
+    const Vec3 half = 0.5 * ((1.0 - hands.share) * (right - left) + hands.share * wanted);
+    const Vec3 middle = 0.5 * (left + right);
+    if (glm::length(middle - half - left) <= retargetTolerance * to_.height) {
+      return;
+    }
+    const Vec3 reached =
+        middleInReach({ballOf(leftSide, worlds, half), ballOf(rightSide, worlds, -half)}, middle);
+    const Vec3 back = -to_.axes[2]; // Where elbows go.
+    (void)bend(to_.arms[leftSide]->limb, worlds, reached - half, back, turns);
+    (void)bend(to_.arms[rightSide]->limb, worlds, reached + half, back, turns);
+  }
+
+  // Where something may be that the hand holds at an offset from itself.
+  [[nodiscard]] Ball ballOf(std::size_t side, const std::vector<Mat4>& worlds, const Vec3& offset) const {
+    constexpr double straight = 0.9995; // of the length: a little bend tells the elbow where to go
+    const std::vector<Vec3> points = bonesOf(to_.arms[side]->limb, worlds);
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      length += glm::length(points[i + 1] - points[i]);
+    }
+    return {points.front() + offset, straight * length};
+  }
+
+  // Turns the bones of a limb so that its end comes to the target; answers where it comes to. `usualBend`:
+  // where its middle joint goes in the bind pose.
+  Vec3 bend(const Limb& limb, const std::vector<Mat4>& worlds, const Vec3& target, const Vec3& usualBend,
+            std::vector<Quat>& turns) const {
+    const std::vector<Vec3> points = bonesOf(limb, worlds);
+    const NodeIndex first = limb.joints.front();
     if (limb.joints.size() == 1) {
-      turn(limb.joints.front(), shortestArc(points.back() - points.front(), target - points.front()), turns);
+      turn(first, shortestArc(points.back() - points.front(), target - points.front()), turns);
       const Vec3 way = target - points.front();
       const double far = glm::length(way);
       return far > 0.0 ? points.front() + way * (glm::length(points.back() - points.front()) / far) : target;
@@ -252,30 +291,24 @@ private:
     problem.joint = points[1];
     problem.end = points.back();
     problem.target = target;
-    problem.usualBend = kneeDirection(limb.joints.front(), worlds);
+    problem.usualBend = rotationOf(worlds[at(first)]) * glm::inverse(to_.bindTurns[at(first)]) * usualBend;
     problem.stretchSwitch = 0.0;
     problem.isExact = true;
     const TwoBoneShape shape = solveTwoBone(problem);
-    turn(limb.joints.front(), shape.turns[0], turns);
+    turn(first, shape.turns[0], turns);
     for (std::size_t i = 1; i < limb.joints.size(); ++i) {
       turn(limb.joints[i], shape.turns[1], turns);
     }
     return shape.end;
   }
 
-  // The leg's points as its bones alone have them: a foot that does not hang on the shin is elsewhere.
-  [[nodiscard]] std::vector<Vec3> bonesOf(std::size_t side, const std::vector<Mat4>& worlds) const {
-    const Limb& limb = to_.legs[side].limb;
+  // The limb's points as its bones alone have them: a foot that does not hang on the shin is elsewhere.
+  [[nodiscard]] std::vector<Vec3> bonesOf(const Limb& limb, const std::vector<Mat4>& worlds) const {
     std::vector<Vec3> points = limbPoints(limb, worlds);
     const Mat4& bindOfLast = to_.bind[at(limb.joints.back())];
     points.back() = transformPoint(worlds[at(limb.joints.back())],
                                    transformPoint(glm::inverse(bindOfLast), endPosition(limb, to_.bind)));
     return points;
-  }
-
-  // Where knees go: to the front of the thigh.
-  [[nodiscard]] Vec3 kneeDirection(NodeIndex thigh, const std::vector<Mat4>& worlds) const {
-    return rotationOf(worlds[at(thigh)]) * glm::inverse(to_.bindTurns[at(thigh)]) * to_.axes[2];
   }
 
   void turn(NodeIndex joint, const Quat& by, std::vector<Quat>& turns) const {
@@ -313,8 +346,11 @@ private:
   BodyPoser poser_;
   std::vector<double> times_;
   double ratio_ = 1.0;
+  std::optional<double> sourceShoulders_; // their width; nothing without two arms
+  std::optional<double> ownShoulders_;
   std::vector<std::vector<Quat>> turns_; // of the pairs, at every frame
   std::vector<Vec3> shifts_;
+  std::vector<JoinedHands> hands_; // at every frame; empty where one of both lacks an arm
   std::array<LegPath, 2> legs_;
   std::vector<double> lowered_;
 };

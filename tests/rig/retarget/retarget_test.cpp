@@ -43,6 +43,31 @@ MovingBiped loweredArms() {
   return test::still(body);
 }
 
+// Shoulders farther out than the body's.
+MovingBiped broadShoulders() {
+  constexpr double farther = 0.12;
+  test::SyntheticBiped body = test::namedBody();
+  for (test::SyntheticJoint& joint : body.joints) {
+    const bool isArm = std::abs(joint.position.x) > 0.1 && joint.position.y > 1.0;
+    joint.position.x += isArm ? std::copysign(farther, joint.position.x) : 0.0;
+  }
+  return test::still(body);
+}
+
+// From a T-pose both hands come together in front of the chest within a second.
+MovingBiped choppingBiped(const test::BodyOptions& options) {
+  MovingBiped moving = bodyOf(options);
+  for (const std::string side : {".l", ".r"}) {
+    const double sign = side == ".l" ? 1.0 : -1.0;
+    const Quat forwards = axisAngle(Vec3(0.0, 1.0, 0.0), -sign * 1.75);
+    moving.clip.tracks.emplace_back(test::rotationTrack(moving.node.at("upperArm" + side),
+                                                        Interpolation::linear,
+                                                        {{0.0, Quat(1.0, 0.0, 0.0, 0.0)}, {1.0, forwards}}));
+  }
+  setEndsFromKeys(moving.clip);
+  return moving;
+}
+
 Clip brought(const MovingBiped& from, const MovingBiped& to) {
   const std::optional<Skeleton> source = skeletonOf(from.scene, from.body);
   const std::optional<Skeleton> own = skeletonOf(to.scene, to.body);
@@ -155,6 +180,32 @@ TEST_CASE("A clip of one key becomes a pose") {
   moving.clip.endSeconds = moving.clip.startSeconds;
   for (const CopyOnWrite<Track>& track : brought(moving, bodyOf()).tracks) {
     CHECK(track->times.size() == 1);
+  }
+}
+
+TEST_CASE("Hands that work together in the source are as many shoulder widths apart on other arms, and "
+          "others are left alone") {
+  const MovingBiped source = choppingBiped({});
+  const MovingBiped target = broadShoulders();
+  const Clip clip = brought(source, target);
+  const auto apart = [](const MovingBiped& moving, const Clip& played, double seconds) {
+    const std::vector<Mat4> worlds = worldsAt(moving, played, seconds);
+    const std::vector<Mat4> bind = worldsAt(moving, Clip{}, 0.0);
+    const Vec3 shoulders = positionOf(bind[at(moving.limb("right-arm").joints.front())]) -
+                           positionOf(bind[at(moving.limb("left-arm").joints.front())]);
+    return (endPosition(moving.limb("right-arm"), worlds) - endPosition(moving.limb("left-arm"), worlds)) /
+           glm::length(shoulders);
+  };
+  REQUIRE(glm::length(apart(source, source.clip, 1.0)) < 0.75);
+  REQUIRE(glm::length(apart(source, source.clip, 0.0)) > 2.0);
+  CHECK(glm::length(apart(target, clip, 1.0) - apart(source, source.clip, 1.0)) < 0.01);
+  const Clip alone = brought(test::still(test::namedBody()), target);
+  CHECK(glm::length(apart(target, clip, 0.0) - apart(target, alone, 0.0)) < 0.01);
+  for (const char* limb : {"left-arm", "right-arm"}) {
+    for (const std::size_t bone : {0U, 1U}) {
+      CHECK(glm::length(boneOf(target, clip, limb, bone, 1.0)) ==
+            Approx(glm::length(boneOf(target, alone, limb, bone, 0.0))).epsilon(1e-3));
+    }
   }
 }
 
