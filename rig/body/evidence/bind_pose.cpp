@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/anim/sampling.h"
+#include "core/math/bounds.h"
 #include "core/math/finite.h"
 
 namespace stretch::rig {
@@ -85,13 +86,38 @@ Binds modelBinds(const Scene& scene, const Skin& skin) {
   return binds;
 }
 
+// Joints that rest at different places cannot be bound at one: identities that stand for nothing, as
+// exporters write them for helper joints between those that move vertices.
+bool areFalseIdentities(const Placer& placer, const Binds& binds) {
+  constexpr double samePlace = 0.01; // of how far the skin's joints reach
+  Bounds all;
+  Bounds identities;
+  bool isOnlyIdentities = true;
+  for (std::size_t node = 0; node < binds.size(); ++node) {
+    if (!binds[node]) {
+      continue;
+    }
+    const Vec3 place = positionOf(placer.world(NodeIndex(node)));
+    all.add(place);
+    if (isNearIdentity(*binds[node])) {
+      identities.add(place);
+    } else {
+      isOnlyIdentities = false;
+    }
+  }
+  return !isOnlyIdentities && !identities.empty() &&
+         identities.largestExtent() > samePlace * all.largestExtent();
+}
+
 void dropFalseIdentities(const Placer& placer, Binds& binds) {
+  const bool areFalse = areFalseIdentities(placer, binds);
   std::vector<NodeIndex> nearest(binds.size()); // bound node at or above each
   for (const NodeIndex node : placer.order) {
     auto& bind = binds[at(node)];
     const NodeIndex parent = placer.scene.nodes[at(node)].parent;
     const NodeIndex above = parent.exists() ? nearest[at(parent)] : NodeIndex::none;
-    if (bind && above.exists() && isNearIdentity(*bind) && !isNearIdentity(*binds[at(above)])) {
+    const bool isUnderOther = above.exists() && !isNearIdentity(*binds[at(above)]);
+    if (bind && isNearIdentity(*bind) && (areFalse || isUnderOther)) {
       bind.reset();
     }
     nearest[at(node)] = bind ? node : above;

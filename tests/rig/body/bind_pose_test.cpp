@@ -85,6 +85,31 @@ TEST_CASE("inverse bind matrices that cannot be a bind pose are replaced by the 
   CHECK(glm::distance(positionOf(worlds[3]), Vec3(0, 3, 0)) < 1e-12);
 }
 
+TEST_CASE("helper joints that are bound alike where they rest apart stand as they rest, and what hangs on "
+          "them as bound") {
+  // Three joints up; between the lower two and above the highest hangs a helper, both with the identity.
+  Scene scene = bentChain({});
+  scene.nodes.resize(6);
+  for (const std::size_t helper : {4U, 5U}) {
+    const NodeIndex parent(helper == 4 ? 0 : 3);
+    scene.nodes[helper].parent = parent;
+    scene.nodes[helper].rest.translation = Vec3(0, helper == 4 ? 0.25 : 0.5, 0);
+    scene.nodes[at(parent)].children.emplace_back(static_cast<int>(helper));
+    scene.skins[0].joints.emplace_back(static_cast<int>(helper));
+    scene.skins[0].inverseBind.emplace_back(1.0);
+  }
+  const std::vector<Mat4> worlds = bindPoseWorlds(scene);
+  CHECK(glm::distance(positionOf(worlds[4]), Vec3(0, 0.25, 0)) < 1e-12);
+  CHECK(glm::distance(positionOf(worlds[1]), Vec3(0, 1, 0)) < 1e-12);
+  CHECK(glm::distance(positionOf(worlds[5]), Vec3(0, 3.5, 0)) < 1e-12);
+  // One root with the identity, at the model's own origin, stays bound by it.
+  Scene plain = bentChain({});
+  plain.skins[0].joints.insert(plain.skins[0].joints.begin(), NodeIndex(0));
+  plain.skins[0].inverseBind.insert(plain.skins[0].inverseBind.begin(), Mat4(1.0));
+  plain.nodes[1].rest.translation = Vec3(0, 2, 0);
+  CHECK(glm::distance(positionOf(bindPoseWorlds(plain)[1]), Vec3(0, 1, 0)) < 1e-12);
+}
+
 TEST_CASE("a bind matrix that says nothing is seen through however many nodes that no skin binds") {
   Scene scene = bentChain({});
   constexpr int between = 200'000;
